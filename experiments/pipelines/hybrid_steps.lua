@@ -85,7 +85,7 @@ return pipeline {
     local moved = ranges.divided(p, raster, "halves")
     local mask = ranges.mask(p, moved, masks[p.mask()])
     local found = layers.revealed(raster, mask, p.mask() == "disocclusion")
-    local revealed = layers.divided(p, found)
+    local revealed = ranges.divided(p, layers.of(found), "revealed_halves")
     local composite = pass.member("composite", p.composite())
     curves.require(p, composite, "composite = " .. p.composite())
     local apart = pass.reads(composite, "front")

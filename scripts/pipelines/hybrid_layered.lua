@@ -8,7 +8,6 @@ local curves   = require "scripts.pipelines.lib.curves"
 local layers   = require "scripts.pipelines.lib.layers"
 local options  = require "scripts.pipelines.lib.options"
 local ranges   = require "scripts.pipelines.lib.ranges"
-local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc = "Hybrid with a disocclusion mask by relative motion and a composite of its layers per time sample",
@@ -25,20 +24,9 @@ return pipeline {
   }),
   compare_with = "mcguire2012",
   build = function(p)
-    local raster = scene.captured()
-    if curves.are_foretold(p) then curves.add(p, { { "raster", raster } }) end
-    local moving = ranges.divided(p, raster, "halves")
-    local mask = ranges.mask(p, moving, function(_, layer) return layers.disocclusion_mask(layer) end)
-    local found = layers.revealed(raster, mask, true)
-    local revealed = layers.divided(p, found)
     curves.require(p, layered, "hybrid_layered")
-    layers.bend(p, moving, revealed)
-    local images = layers.images(p, moving, revealed, layered)
-    return scene.outputs(raster, {
-      color = layered(pass.wired(layered, images, { as = "composite" })).blurred, mask = mask,
-      revealed = found.color, revealed_depth = found.depth,
-      revealed_velocity = curves.are_foretold(p) and revealed.velocity or found.velocity,
-      revealed_id = found.id, revealed_valid = found.valid,
-    })
+    local both = layers.both(p)
+    local images = layers.images(p, both.raster, both.revealed, layered)
+    return layers.outputs(p, both, layered(pass.wired(layered, images, { as = "composite" })).blurred)
   end,
 }

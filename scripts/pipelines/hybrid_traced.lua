@@ -7,7 +7,6 @@ local curves   = require "scripts.pipelines.lib.curves"
 local layers   = require "scripts.pipelines.lib.layers"
 local options  = require "scripts.pipelines.lib.options"
 local ranges   = require "scripts.pipelines.lib.ranges"
-local scene    = require "scripts.pipelines.lib.scene"
 local time_samples = require "scripts.pipelines.lib.time_samples"
 
 local by_cell = "cells decide which samples are traced, and cells begin at the corner of the picture"
@@ -20,25 +19,15 @@ return pipeline {
   breaks = { mirrored = by_cell, shifted = by_cell, scaled = by_threshold },
   compare_with = "mcguire2012",
   build = function(p)
-    local raster = scene.captured()
-    if curves.are_foretold(p) then curves.add(p, { { "raster", raster } }) end
-    local moving = ranges.divided(p, raster, "halves")
-    local mask = ranges.mask(p, moving, function(_, layer) return layers.disocclusion_mask(layer) end)
-    local found = layers.revealed(raster, mask, true)
-    local revealed = layers.divided(p, found)
     curves.require(p, layered, "hybrid_traced")
-    layers.bend(p, moving, revealed)
-    local images = layers.images(p, moving, revealed, layered, slowest)
-    images.doubtful = time_samples.unreliable(p, moving, revealed)
-    images.silhouettes = time_samples.silhouettes(moving, slowest)
+    local both = layers.both(p)
+    local raster, revealed = both.raster, both.revealed
+    local images = layers.images(p, raster, revealed, layered, slowest)
+    images.doubtful = time_samples.unreliable(p, raster, revealed)
+    images.silhouettes = time_samples.silhouettes(raster, slowest)
     local made = layered(pass.wired(layered, images, {
       as = "composite", taps = "linear", leaves_open = true, leaves_unlike = true, slowest = slowest,
     }))
-    return scene.outputs(raster, {
-      color = time_samples.traced(p, moving, revealed, made), mask = mask,
-      revealed = found.color, revealed_depth = found.depth,
-      revealed_velocity = curves.are_foretold(p) and revealed.velocity or found.velocity,
-      revealed_id = found.id, revealed_valid = found.valid,
-    })
+    return layers.outputs(p, both, time_samples.traced(p, raster, revealed, made))
   end,
 }

@@ -11,7 +11,6 @@ local rank_limit     = require "passes.rank_limit"
 local uncovered_rank = require "passes.uncovered_rank"
 local layers   = require "scripts.pipelines.lib.layers"
 local options  = require "scripts.pipelines.lib.options"
-local ranges   = require "scripts.pipelines.lib.ranges"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 local time_samples = require "scripts.pipelines.lib.time_samples"
@@ -32,7 +31,6 @@ return pipeline {
   doc = "hybrid_traced with rays for at most a share of the pixels",
   params = options.by_tiles(40, {
     most_rays = pipeline.float { 0.15, min = 0, max = 1, doc = "share of the pixels that may have rays" },
-    range = ranges.param, trajectory = layered.params.trajectory,
   }),
   build = function(p)
     local raster = scene.captured()
@@ -42,7 +40,7 @@ return pipeline {
       velocity = raster.velocity, dominant = dominant,
     }.rank
     local mask = select_top(p, rank, "masked", revealing)
-    local revealed = layers.divided(p, layers.revealed(raster, mask, true))
+    local revealed = layers.of(layers.revealed(raster, mask, true))
     local images = layers.images(p, raster, revealed, layered, slowest)
     images.doubtful = time_samples.unreliable(p, raster, revealed)
     images.silhouettes = time_samples.silhouettes(raster, slowest)

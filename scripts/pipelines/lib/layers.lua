@@ -48,12 +48,11 @@ function layers.revealed(raster, mask, mask_reached)
   return reveal { hit = raster.hit, mask = mask, mask_reached = mask_reached }
 end
 
--- The revealed layer for a composite.
-function layers.divided(p, found)
-  local layer = scene.layer {
+-- The layer that the ports of `reveal` describe.
+function layers.of(found)
+  return scene.layer {
     color = found.color, depth = found.depth, id = found.id, velocity = found.velocity, valid = found.valid, hit = found.found,
   }
-  return ranges.divided(p, layer, "revealed_halves")
 end
 
 -- Cells through which anything moves; the composite copies the others.
@@ -84,6 +83,29 @@ end
 function layers.bend(p, raster, revealed)
   local behind = { "revealed", revealed }
   curves.add(p, curves.are_foretold(p) and { behind } or { { "raster", raster }, behind })
+end
+
+-- The raster layer as captured, the disocclusion mask, the ports of `reveal` (`found`), and both layers for the composite
+-- `layered`: `raster` and `revealed`.
+function layers.both(p)
+  local captured = scene.captured()
+  if curves.are_foretold(p) then curves.add(p, { { "raster", captured } }) end
+  local raster = ranges.divided(p, captured, "halves")
+  local mask = ranges.mask(p, raster, function(_, layer) return layers.disocclusion_mask(layer) end)
+  local found = layers.revealed(captured, mask, true)
+  local revealed = ranges.divided(p, layers.of(found), "revealed_halves")
+  layers.bend(p, raster, revealed)
+  return { captured = captured, mask = mask, found = found, raster = raster, revealed = revealed }
+end
+
+-- The outputs of a pipeline with the layers `both`.
+function layers.outputs(p, both, color)
+  local found = both.found
+  return scene.outputs(both.captured, {
+    color = color, mask = both.mask, revealed = found.color, revealed_depth = found.depth,
+    revealed_velocity = curves.are_foretold(p) and both.revealed.velocity or found.velocity,
+    revealed_id = found.id, revealed_valid = found.valid,
+  })
 end
 
 -- Images for a composite: `x` of the raster layer, `revealed_x` of the revealed layer, displacements per tile.

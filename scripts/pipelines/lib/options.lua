@@ -32,7 +32,6 @@ function options.by_tiles(tile, more)
   return options.with(options.of_picture {
     tile      = blur.tile { tile },
     tile_rule = neighbour_max.params.rule,
-    jitter    = jitter.jitter,
   }, more)
 end
 
