@@ -108,8 +108,8 @@ std::string faultOfManifest(const std::string& file) {
   }
 }
 
-// Manifests that the environment names: with `absent` those that do not exist, which the loader skips silently; else
-// the damaged ones, with one of which it finds no driver at all, or crashes.
+// Faults of the manifests that the environment names. `absent`: of files that do not exist, which the loader skips
+// silently; else of damaged files. A damaged manifest lets the loader find no driver, or crash.
 std::vector<std::string> faultyManifests(bool absent) {
   std::vector<std::string> faults;
   const char* variables[] = {std::getenv("VK_DRIVER_FILES") ? "VK_DRIVER_FILES" : "VK_ICD_FILENAMES",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, hit_tex, normal_tex, params.most_growth.
-// How what the texels of a layer show goes over the picture, from true poses, and whether it covers more of it on the way.
+// Screen paths of the surface points at the texels of a layer, from true poses, and the growth of a pixel along them.
 #ifndef STROBE_TEXEL_PATH_GLSL
 #define STROBE_TEXEL_PATH_GLSL
 #include "lib/blur.glsl"

@@ -5,10 +5,10 @@
 // Out: velocity (px between the ends of the curve), curve (px, mixin/curve.glsl), bend (px: how far the curve is from the line
 //      between its ends in the middle), bent (1 where an end of the exposure is more than `most_bend` px from where the curve
 //      has it, by true poses, or a pixel grows to more than `most_growth` px).
-// With the differences of places from frame to frame, D = p0 - p1, and of these, D2 = p0 - 2 p1 + p2, the point is f frames
-// after the capture at p0 + f D + f (f + 1) / 2 D2 (Newton).
-// Fails: what changes its way after the capture. Poses beyond a cut are none: one alone makes the straight path. What comes
-// back to its pose of the capture in the second frame before is taken for cut.
+// Method (Newton): with D = p0 - p1 and D2 = p0 - 2 p1 + p2, the point is at p0 + f D + f (f + 1) / 2 D2, f frames after the
+// capture. Poses beyond a cut do not count: one earlier pose gives a straight path.
+// Fails: objects that change direction after the capture. An object whose pose of two frames before equals its pose of the
+// capture is taken for cut.
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curves of the paths of a layer (mixin/curve.glsl), parabolas or arcs, through poses inside of the exposure. In a loop of three
-// times, at 1/6, 1/2 and 5/6 of the exposure; for arcs of five, at 1/10, 3/10, ... of it.
+// Paths of a layer as parabolas or arcs (mixin/curve.glsl) through poses inside the exposure. Runs in a loop of three times, at
+// 1/6, 1/2 and 5/6 of the exposure. Arcs use five times, at 1/10, 3/10, 5/10, 7/10 and 9/10.
 // In:  depth, id, velocity, hit, normal as in scene/path_bend.glsl.
 // Out: curve (px; of arcs px and a turn), bend (px: distance of the path from the line between its ends in the middle of the
 //      exposure), bent (1 where the curve is farther than `most_bend` px from the path at one of the times, or a pixel grows to
