@@ -97,18 +97,21 @@ float timeShare(int i, vec2 d, vec2 along) {
   return dominant_px / (float(params.samples) * clamp(speed, 0.5, dominant_px));
 }
 
+bool rests(vec2 d) { return lengthOf(d) < 0.5; }
+
 // Is the i-th tap, as far as it is not foreground, a sample of the pixel's background? `here_d`: how the pixel's surface
 // moves.
 float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
   float same = softDepth(here.depth, tap.depth, params.depth_extent);  // a nearer tap counts by what is not foreground
-  float spread_px = reachFactor(frame.shutter) * lengthOf(here_d);
-  float spread = length(vec2(offset)) <= max(spread_px, 0.5) + 0.5 ? shareOfMean(i, here_d, along) : 0.0;
+  float moved_px = reachFactor(frame.shutter) * lengthOf(here_d);
+  bool is_uncovered = rests(here_d) ? offset == ivec2(0) : length(vec2(offset)) <= max(moved_px, 0.5) + 0.5;
+  float spread = is_uncovered ? shareOfMean(i, here_d, along) : 0.0;
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
 // What rests is there for all of the exposure, but only a tap that falls on the pixel itself would meet it.
 float restsInFront(Tap here, float behind) {
-  if (lengthOf(here.d) >= 0.5 || lengthOf(here.d_after) >= 0.5) return 0.0;
+  if (!rests(here.d) || !rests(here.d_after)) return 0.0;
   return inFrontOf(here.depth, behind, params.depth_extent);
 }
 

@@ -29,10 +29,10 @@ using Numbers = std::vector<std::pair<std::string, double>>;
 // in pixels. `numbers` are parameters of the scene.
 lab::Shot shotOf(const std::string& scene, int width, int height, const Numbers& numbers = {});
 
-// The same with another pipeline and more settings of it ("NAME=VALUE"); the anchor's name or "" to leave it.
 // The pipeline in which experiments combine steps of the hybrids.
 const std::string& hybridSteps();
 
+// The same with another pipeline and more settings of it ("NAME=VALUE"); the anchor's name or "" to leave it.
 lab::Shot with(lab::Shot shot, const std::string& pipeline, const std::vector<std::string>& settings = {},
                const std::string& anchor = "");
 

@@ -404,6 +404,23 @@ TEST_F(RenderGathers, WhatRestsInFrontIsNotLost) {
   }
 }
 
+// A wire at rest keeps its colour in front of moving objects, also where no tap falls on the wire.
+TEST_F(RenderGathers, AThinForegroundAtRestKeepsItsColour) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
+      {"mcguire2012", {"weights=uniform"}}, {"hybrid", {}}, {"hybrid_layered", {}}, {"hybrid_traced", {}}};
+  for (double width : {1, 2, 5})
+    for (double d : {3, 11, 24})
+      for (const auto& [pipeline, settings] : cases)
+        for (const Anchor& anchor : anchors()) {
+          const Numbers numbers = {{"left0", 60}, {"right0", 60 + width}, {"v0", .9},  {"z0", 5},
+                                   {"left1", 40}, {"right1", 80},         {"v1", .5}, {"d1", d}};
+          const lab::Shot shot = with(shotOf("cards", 128, 8, numbers), pipeline, settings, anchor.name);
+          const image::Image color = colorOf(render(shot));
+          for (int x = 60; x < 60 + int(width); ++x)
+            EXPECT_NEAR(color.at(x, 4, 0), .9, 1e-6) << pipeline << " " << anchor.name << " " << width << " " << d << " " << x;
+        }
+}
+
 // --- Against truth
 
 // Over a constant background Jimenez' weights are exact, McGuire's too opaque inside, Guertin's opaque outside too.
