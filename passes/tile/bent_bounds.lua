@@ -16,7 +16,7 @@ return pass.compute {
   },
   writes = {
     bounds = { format = "rgba32f", doc = "least x and y, greatest x and y, px over the exposure; 0 where no texel counts" },
-    bends  = { format = "rgba32f", doc = "least x and y, greatest x and y of the path deviations, px; 0 where no texel counts" },
+    bends  = { format = "rgba32f", doc = "least x and y, greatest x and y of path deviations, px; 0 where no texel counts" },
   },
   without = { valid = { bounds = 0, bends = 0 }, reached = { bounds = 0, bends = 0 } },
   params = {

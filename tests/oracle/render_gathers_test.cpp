@@ -412,12 +412,13 @@ TEST_F(RenderGathers, AThinForegroundAtRestKeepsItsColour) {
     for (double d : {3, 11, 24})
       for (const auto& [pipeline, settings] : cases)
         for (const Anchor& anchor : anchors()) {
-          const Numbers numbers = {{"left0", 60}, {"right0", 60 + width}, {"v0", .9},  {"z0", 5},
+          const Numbers numbers = {{"left0", 60}, {"right0", 60 + width}, {"v0", .9}, {"z0", 5},
                                    {"left1", 40}, {"right1", 80},         {"v1", .5}, {"d1", d}};
           const lab::Shot shot = with(shotOf("cards", 128, 8, numbers), pipeline, settings, anchor.name);
           const image::Image color = colorOf(render(shot));
           for (int x = 60; x < 60 + int(width); ++x)
-            EXPECT_NEAR(color.at(x, 4, 0), .9, 1e-6) << pipeline << " " << anchor.name << " " << width << " " << d << " " << x;
+            EXPECT_NEAR(color.at(x, 4, 0), .9, 1e-6)
+                << pipeline << " " << anchor.name << " " << width << " " << d << " " << x;
         }
 }
 
