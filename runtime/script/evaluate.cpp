@@ -66,10 +66,13 @@ std::string noneNamed(const Home& home, const std::string& name, const std::stri
                            : text + fmt::format("; the current folder is in no project ({})", Home::kProjectFile);
 }
 
-// `what` is "pipeline" or "scene", kept in scripts/<what>s.
+// `what` is "pipeline" or "scene", kept in scripts/<what>s. A file that the current folder lacks may lie in a root.
 Main mainOf(const Home& home, const std::string& name_or_path, const std::string& what, const Texts& texts) {
-  bool is_path = hasExtension(name_or_path, ".lua");
-  if (is_path) return mainFile(home, name_or_path, texts);
+  if (hasExtension(name_or_path, ".lua")) {
+    const Path here = fs::absolute(name_or_path).lexically_normal();
+    const bool is_here = texts.count(here) || fs::exists(here);
+    return mainFile(home, is_here ? name_or_path : home.find(name_or_path).value_or(name_or_path).string(), texts);
+  }
   Path folder = Path("scripts") / (what + "s");
   Path file = home.at(folder / (name_or_path + ".lua"));
   // One that is there is not looked for among all, which takes longer than the rest.

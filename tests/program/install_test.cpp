@@ -73,6 +73,18 @@ TEST_F(Installed, RendersAndChecks) {
   EXPECT_EQ(written(), before) << "the program wrote to the folder it is installed in";
 }
 
+// Pipelines of experiments are found whatever the current folder is.
+TEST_F(Installed, ChecksItsExperimentsFromAnyFolder) {
+  std::string files;
+  for (const auto& entry : fs::directory_iterator(shipped() / "experiments")) {
+    const fs::path file = entry.path() / entry.path().filename().replace_extension(".lua");
+    const bool is_project = fs::exists(entry.path() / "strobe.project.lua");
+    if (fs::exists(file) && !is_project) files += " '" + file.string() + "'";
+  }
+  Outcome checked = strobeIn(folder_->path(), "check" + files);
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+}
+
 TEST_F(Installed, ThePackageHasTheSameFiles) {
   if (runLine("command -v cpack dpkg-deb").exit_code != 0) GTEST_SKIP() << "cpack or dpkg-deb is not installed";
   std::string build = fs::path(programPath()).parent_path(), out = folder_->path() / "package";
