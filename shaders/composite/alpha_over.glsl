@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Front over back: out = front + (1 - alpha) * back (Porter and Duff 1984; front is already multiplied by its alpha).
-// In:  front (linear, times alpha; alpha 1 where nothing was revealed behind), back (linear).
-// Out: color (linear, alpha 1). Where alpha is 1 it is front, bit for bit: without mask the hybrid is the plain gather.
-// Exact where coverage and colours are uncorrelated in time: anything over a background at rest.
-// Fails: where a textured background moves under a moving silhouette, the product of their means is not the mean of the
-//   product (errors up to 0.2 with perfect layers).
+// Composites the blurred raster layer over the blurred revealed layer (Porter and Duff 1984).
+// In:  front: linear, times alpha; alpha 1 where no surface was revealed behind the pixel.
+//      back: linear.
+// Out: color: linear, alpha 1. Where the alpha of front is 1, front bit for bit: without a mask the hybrid is the plain gather.
+// Method: color = front + (1 - alpha) * back.
+//   Exact where coverage and colours are uncorrelated over time, for example over a static background.
+// Fails: where a textured background moves under a moving silhouette. The product of two means is not the mean of the product
+//   (errors up to 0.2 with perfect layers; docs/derivations.md, "Alpha-over").
 #include "lib/sanitise.glsl"
 
 void run(ivec2 pixel) {

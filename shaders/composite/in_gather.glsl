@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
-// One gather over both layers: at each time sample what covers the pixel then, else the background that is there then,
-// read from the revealed layer where raster saw something in front of it.
-// In:  color (linear), depth (view depth, sky +inf), id, velocity (px over the exposure), dominant (the same, per tile)
-//      of what raster saw; revealed_color, _depth, _id, _velocity, _valid (> 1/2) of what lies behind; after_*,
-//      revealed_after_*: displacements for times after the capture, where the exposure is split there.
-// Out: blurred (linear, alpha 1).
-// The background B of X is what was revealed there, else what raster saw there. For t_i at the midpoints
-//   (i + 1/2 + jitter)/N of the exposure:
-//   Foreground: the tap Y = X - t_i*d along the tile's dominant displacement, and that along X's own. A tap that by its
-//   own motion is not at X at t_i (|Y + t_i*d(Y) - X| > max(3/4, |d|/(2N)) px) leads once to another, by its own d. Of
-//   those that are, the nearest counts to the degree that it is in front of B.
-//   Background: the tap Y = X - t_i*d(B). Where raster shows B's instance, or nothing in front of it, that; else what
-//   was revealed at Y; else B itself (counter `fallback`).
-// Each t_i has the weight 1/N: weights add up to 1, and coverage and background vary together as they do in truth.
-// Fails: see passes/composite/in_gather.lua.
+// One gather over both layers: the mean over the time samples of the foreground at the pixel over its background (an extension
+// of Tan, Cui, Bhojan 2020; docs/derivations.md, "Both in one gather").
+// In:  color: raster layer, linear.
+//      depth: view depth, metres; +inf for the sky.
+//      id: instance + 1, geometry + 1; 0 for the sky.
+//      velocity: displacement d, px over the exposure.
+//      dominant: longest displacement that reaches each tile, px over the exposure.
+//      revealed_color, revealed_depth, revealed_id, revealed_velocity: the same images of the revealed layer.
+//      revealed_valid: > 1/2 where the revealed layer has a surface.
+//      after_velocity, after_dominant, revealed_after_velocity: displacements after the raster time (absent: as before it).
+// Out: blurred: linear, alpha 1.
+// Method: the background B of a pixel X is the surface revealed at X, or the raster surface if none was revealed. The time
+//   samples t_i are the midpoints (i + 1/2 + jitter)/N of the exposure. Each has the weight 1/N.
+//   Foreground: two searches begin at X - t_i*d, with the tile's dominant displacement and with that at X as d. A tap Y is at X
+//   at t_i if |Y + t_i*d(Y) - X| <= max(3/4, |d|/(2N)) px (rounding to a texel; half the distance between two samples). If not,
+//   one more tap follows, by d(Y). The nearer surface found covers B to the degree that it is in front of B (depth_extent).
+//   Background: the raster texel at Y = X - t_i*d(B) if it has B's instance or is not in front of B. Otherwise the texel
+//   revealed at Y, or B itself if none was revealed there (counter `fallback`).
+//   Coverage and background vary together over time, as in ground truth.
+// Fails: foregrounds that move like neither displacement, above all against them; backgrounds that turn or meet other
+//   backgrounds, because d(B) is taken at X; surfaces behind the revealed layer.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layers.glsl"
@@ -24,7 +30,7 @@
 struct Tap {
   vec3 color;
   float depth;
-  Path path;  // in the part of the exposure that was asked for
+  Path path;  // before or after the raster time
   uint instance;
 };
 
@@ -33,7 +39,7 @@ Tap rasterAt(ivec2 pixel, bool after) {
              texelFetch(id_tex, pixel, 0).x);
 }
 
-// The background of a pixel: what was revealed there, else what raster saw there.
+// Background of a pixel: the revealed surface, or the raster surface if none was revealed.
 Tap backgroundOf(ivec2 pixel, bool after) {
   if (!isRevealed(pixel)) return rasterAt(pixel, after);
   return Tap(colorOf(kRevealed, pixel), revealedDepth(pixel), pathOf(kRevealed, pixel, after),
@@ -50,7 +56,7 @@ Path dominantOf(ivec2 pixel, bool after) {
 
 ivec2 tapFor(ivec2 pixel, Path path, float t) { return asked(pixel, path, t); }
 
-// A surface in front of the background, to the degree `share`.
+// A surface, and the degree from 0 to 1 to which it covers the background.
 struct Cover {
   vec3 color;
   float depth;
@@ -59,7 +65,8 @@ struct Cover {
 
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
-// Raster surface in front of the background at the pixel at t, from the tap `now` on, if the surface moves by about `path`.
+// Raster surface that covers the background at the pixel at time t, searched from the texel `now`. The search assumes motion by
+// about `path`, which sets the tolerance.
 Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
   for (int guess = 0; guess < kGuesses; ++guess) {
@@ -72,13 +79,13 @@ Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   return kNoCover;
 }
 
-// The first where both are about equally far away: of one surface, rounding would choose.
+// The nearer of two covers. At about equal depths the first: rounding would choose between two taps of one surface.
 Cover nearer(Cover a, Cover b) {
   if (a.share == 0.0) return b;
   return b.share > 0.0 && inFrontOf(b.depth, a.depth, params.depth_extent) > 0.5 ? b : a;
 }
 
-// The background that is at the pixel at t. What raster saw there hides it if it was in front at the capture.
+// Colour of the background at the pixel at time t. A raster texel in front of the background at the raster time hides it.
 vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
   ivec2 now = tapFor(pixel, back.path, t);
   if (isInside(now, textureSize(color_tex, 0))) {
