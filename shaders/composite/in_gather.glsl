@@ -56,7 +56,7 @@ Path dominantOf(ivec2 pixel, bool after) {
 
 ivec2 tapFor(ivec2 pixel, Path path, float t) { return asked(pixel, path, t); }
 
-// A surface, and the degree from 0 to 1 to which it covers the background.
+// A surface. `share`, from 0 to 1: degree of its coverage of the background.
 struct Cover {
   vec3 color;
   float depth;
