@@ -1,35 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Per-time layered composite: for each time sample, the nearest surface of any layer that really is at the pixel then.
-// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile) of
-//      what raster saw; second (per tile): another displacement found around; revealed_color, revealed_depth,
-//      revealed_velocity, revealed_valid (> 1/2) of what lies behind; revealed_dominant: where that layer has its own;
-//      after_*, revealed_after_*: the same displacements for the times after the capture, where the exposure is split
-//      there (absent: motion is linear throughout). d(Y) and the candidates are then those of the part that t_i is in;
-//      moved, behind (> 1/2, per cell): something that moves, something revealed may be at its pixels at some time
-//      (absent: everywhere); missed (> 1/2, per cell): something comes that no displacement of the tile leads to;
-//      doubtful (a bit for each sample, per cell): what comes then is not where layers say; silhouettes (> 1/2: next to
-//      something that moves otherwise).
-// Out: blurred (linear, alpha 1). Where nothing moved it is color. With `leaves_open`: of the samples that layers explain, the
-//      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 64 samples one
-//      for several). guess (layered_guessing.glsl alone): of what is left open the sum over the number of all of what layers
-//      say nevertheless, and in alpha by how much that may be off (Guess).
-// For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
-//   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
-//   max(3/4, .99 min(|g|, |d(Y)|)/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d.
-//   The nearest texel that is there is what X shows at t_i; of equal depths the earlier candidate
-//   and the raster layer win. The mean over i is the result: weights add up to 1 by construction, order in depth and
-//   correlation of movements come out right.
-// Candidates: the tile's displacements (dominant, second, revealed), those of X in all layers, and those met in all
-//   layers (those behind where they may be at X) at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as
-//   far as they differ by more than half a pixel from all before; kMaxCandidates in all. Without the taps the slower of
-//   two moving surfaces is missed, without those to the other side a slower one that moves against the dominant one,
-//   without `second` one that crosses it.
-// If no layer has anything at X at t_i, it is what was revealed at X, else what raster saw there (counter `fallback`); with
-//   `leaves_open` the sample is left open, as are those beside a silhouette, and all of a pixel with more motions than
-//   candidates; with `leaves_unlike` those too between texels that differ by more than the share `unlike`, if
-//   samples are less than `detail_below` px apart.
-// Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by
-//   more than the tolerance within the distance moved; more motions at one pixel than candidates.
+// Per-time layered composite: the mean over the time samples of the nearest surface of both layers that is at the pixel at each
+// time (an extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Per-time layered gather").
+// In:  color, depth: raster layer, linear; view depth, metres, +inf for the sky.
+//      velocity, dominant, second: displacement d per pixel; per tile, the longest and another one; px over the exposure.
+//      revealed_color, _depth, _velocity, _dominant: the same images of the revealed layer; _valid: > 1/2 if present.
+//      after_*, revealed_after_*: displacements after the raster time (absent: as before it).
+//      curve, revealed_curve, dominant_curve, dominant_place: deviation of paths from lines, px; texel of dominant (absent:
+//        lines).
+//      moved, behind: per cell, > 1/2 where a moving (a revealed) surface is at some time (absent: everywhere).
+//      missed: per cell, > 1/2 where a surface may arrive that the displacements of the tile do not lead to.
+//      doubtful: per cell, bit i is set if the layers are unreliable at stratum i of at most 32.
+//      silhouettes: > 1/2 next to a texel with a different displacement.
+// Out: blurred: linear, alpha 1; with `leaves_open` the sum of the resolved samples over N, alpha: their share. Equals color in
+//        cells without motion.
+//      open: bit i is set if stratum i of at most 64 is unresolved.
+//      guess: with GUESSES, a fallback estimate of the unresolved samples, over N; alpha: its expected error (see Guess).
+// Method: at each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each candidate displacement g leads to the texel
+//   Y = X - t_i*g of both layers. Y is at X if |Y + t_i*d(Y) - X| <= max(3/4, .99 min(|g|, |d(Y)|)/(2N)) px (see Constants). If
+//   not, d(Y) leads to one more texel, on curves to three. The nearest texel at X counts, at equal depths the first one found.
+//   Candidates: the displacements of the tile; d of both layers at X and, with `harvest`, at X +- t_i*g for g = dominant and
+//   second, nearest first. At most 4 that differ by more than 1/2 px, others after the raster time in a split exposure.
+//   No surface: the texel of X, revealed or raster (counter `fallback`); with `leaves_open` the sample is unresolved instead,
+//   as are samples beside a silhouette, pixels with too many candidates, and with `leaves_unlike` samples of high contrast.
+// Fails: surfaces hidden at the raster time and not revealed (a second layer); paths that deviate, or surfaces that grow, by
+//   more than the tolerance; more than 4 different motions at a pixel.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/candidates.glsl"
@@ -38,27 +32,42 @@
 #include "lib/times.glsl"
 #include "lib/sanitise.glsl"
 
-// Do samples that are left open have a guess? Then layers are asked for each.
+// --- Constants
+// ----------------------------------------------------------------------------------------------------------------
+// 3/4 px (mixin/candidates.glsl): rounding a position to a texel moves it by at most sqrt(1/2) = .71 px.
+// .99 min(|g|, |d(Y)|)/(2N) (mixin/candidates.glsl): two time samples are |d|/N px apart. A texel half-way is as near to the
+//   one as to the other and must count at neither, so the tolerance is just below half. The tolerance |g|/(2N) counted the
+//   pixel's own foreground at the samples next to the raster time. With up to four samples and motion above 10 px the error
+//   was then up to twice the error of ground truth with as many samples; now at most 1.05 times (237c3545, RenderPassage).
+// 1/4 px^2 (mixin/candidates.glsl): candidates within 1/2 px lead to texels at most 1/2 px apart, since |t| <= 1.
+// 4 px^2, .02 |d|^2 (mixin/candidates.glsl): a fifth candidate is one too many if it differs from each of the four by more than
+//   2 px and by more than sqrt(.02) = .14 of its length, as in shaders/tile/motion_reach.glsl. No derivation is recorded.
+// 1.5 px (isUnsure, colorFound): a sample lies at most sqrt(2) = 1.41 px from the texels of its bilinear footprint. The rest
+//   allows for displacements that vary over a surface.
+
+// True if unresolved samples get a fallback estimate: the layers are then searched at these samples too.
 #ifdef GUESSES
 const bool kIsGuessed = true;
 #else
 const bool kIsGuessed = false;
 #endif
 
-// Rays and raster find one surface at depths that differ by rounding: nearer by less than this share is equal.
+// Depths that differ by less than a share of 2^-16 are equal: rays and raster find one surface at depths that differ by
+// rounding. 2^-16 is 128 to 256 units in the last place of a float.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
-// A tap this near to a texel's centre is what the texel says, px.
+// A sample within this distance of a texel's centre along an axis, px, reads no texel beside it. 1e-3: the texels beside then
+// have weights below 1e-3, which colorFound skips. 0.05: no derivation is recorded.
 const float kCentre = PARAM_leaves_unlike != 0 ? 1e-3 : 0.05;
 
 struct Seen {
   int layer;
-  ivec2 now;  // where it is at the capture
+  ivec2 now;  // texel of its layer, at the raster time
   float depth;
-  bool unsure;  // a silhouette passes within a pixel
+  bool unsure;  // a moving silhouette may pass between the texels around it
 };
 
-// --- What is at a pixel
+// --- Surfaces at a pixel
 // ----------------------------------------------------------------------------------------------------------------
 
 Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
@@ -66,7 +75,7 @@ Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
   return Seen(layer, now, depth, seen.unsure);
 }
 
-// What raster saw at the pixel itself, where most searches end: read once.
+// Raster surface at the pixel itself, where most searches end. Read once.
 struct Own {
   Path before, after;
   float depth;
@@ -115,7 +124,8 @@ Seen nearerRevealed(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_
   return seen;
 }
 
-// Does a silhouette pass between the four texels around what is at a pixel, of which some then are there and some not?
+// True if a moving silhouette may pass between the texels around a sample. With leaves_unlike: if their displacements differ
+// (movesOtherwise). Otherwise: if some of these texels are at the pixel at time t, within 1.5 px, and some are not.
 bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 #if HAS_silhouettes
   vec2 off_centre = offset - vec2(now - pixel);
@@ -143,7 +153,8 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 #endif
 }
 
-// Where the search begins that a candidate leads to `now`: on curves at its texel, from which Newton's step leads farther.
+// First texel of the search along a candidate. On a curve: the texel that has this curve, because Newton's method reaches
+// farther from there. Otherwise: `now`, the tap of the candidate.
 ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
 #if HAS_curve
   ivec2 texel = candidates.texels[k];
@@ -152,6 +163,9 @@ ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
   return now;
 }
 
+// Nearest surface at the pixel at time t. Each kind of candidate is needed: without the taps the slower one of two moving
+// surfaces is missed, without the taps on the other side a slower surface against the dominant motion, and without `second` a
+// surface across the dominant motion (docs/derivations.md, "Which displacements to try").
 Seen seenAt(ivec2 pixel, Own own, Candidates candidates, bool behind, float t) {
   ivec2 size = textureSize(color_tex, 0);
   Seen seen = Seen(kNothing, pixel, 0.0, false);
@@ -170,7 +184,7 @@ Seen seenAt(ivec2 pixel, Own own, Candidates candidates, bool behind, float t) {
   return seen;
 }
 
-// What of a cell may be at its pixels: something in motion, something revealed.
+// True if a moving surface may be at the cell's pixels at some time.
 bool isMoved(ivec2 cell) {
 #if HAS_moved
   return texelFetch(moved_tex, cell, 0).x > 0.5;
@@ -187,7 +201,7 @@ bool isMissed(ivec2 cell) {
 #endif
 }
 
-// A bit for each sample of which the layers are not asked.
+// Strata with unreliable layers, a bit each.
 uint doubtful(ivec2 cell) {
 #if HAS_doubtful
   return texelFetch(doubtful_tex, cell, 0).x;
@@ -204,9 +218,10 @@ bool isBehind(ivec2 cell) {
 #endif
 }
 
-// The colour of what was found: of the texel, or where the sample lies between the centres of four, of those of them that
-// are there too. `alike`: all of these are, and look the same.
-// `spread`: with GUESSES, of these and of what raster saw where others are missing.
+// Colour of the surface found. With taps = linear, the bilinear mean of the four texels around the sample that are at the pixel
+// at time t too, within 1.5 px; corners of weight below 1e-3 are skipped. `alike`: with leaves_unlike, false if one of the four
+// is missing or their contrast is above `unlike`; always true above `detail_below` px per sample. `spread`: range of their
+// colours; with GUESSES, raster colours stand in for missing texels.
 vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spread) {
   alike = true;
   spread = noSpread();
@@ -245,15 +260,15 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spre
   return colorOf(seen.layer, seen.now);
 }
 
-// Is what was found what raster saw at the pixel, at rest? Its colour is that of the texel alone.
+// True if the surface found is the static raster surface of the pixel itself. Its colour is the colour of this texel.
 bool isOwnAtRest(Own own, Seen seen, ivec2 pixel, float t) {
   Path path = rasterPath(own, pixel, pixel, t > 0.0);
   return seen.layer == kRaster && seen.now == pixel && path.d == vec2(0) && !isCurved(path);
 }
 
-// ---- samples that are left open
+// ---- unresolved samples
 
-// Those of a cell of which layers are not asked have a bit for each of at most so many parts.
+// Largest number of strata in `doubtful`: one word of 32 bits per cell.
 const int kDoubtParts = 32;
 
 uvec2 partOf(int i) { return partBit(params.samples > kMostParts ? i * kMostParts / params.samples : i); }
@@ -268,20 +283,23 @@ uvec2 openOf(uint doubts) {
   return open;
 }
 
-// What layers say of samples that are left open. By how much they may be off: where texels differ by a part of that, to
-// either side, at random from texel to texel of the way; where a layer is not to be trusted by a part of what all differs
-// that the pixel sees; where nothing is known by all of that, black included.
+// Fallback estimate of the unresolved samples. Its expected error is the sum of three terms. Samples between texels of high
+// contrast: a share of that contrast, with independent signs from texel to texel along the path. Samples of an unreliable
+// layer: a share of the range of all colours at the pixel. Samples without a surface: the whole range, black included.
 struct Guess {
   vec3 sum;
-  float squares;  // of differences between texels, each as often as samples fall between the same ones
-  int doubted;    // samples at which no layer is to be trusted
-  int unknown;    // samples at which none has anything
+  float squares;  // squared contrasts, times the number of samples between the same texels
+  int doubted;    // samples with unreliable layers
+  int unknown;    // samples without a surface in any layer
 };
 
-// Of the difference of the texels around a sample.
+// Error of a sample as a share of the contrast of the texels around it. Near 1/sqrt(12) = 0.289, the standard deviation of a
+// value with a uniform distribution between two texels; no derivation is recorded.
 const float kBetweenTexels = 0.3;
 
-// Of the difference of all that a pixel sees.
+// Error of a sample with unreliable layers, as a share of the colour range at the pixel: as if an eighth of these samples were
+// off by the whole range. No derivation is recorded. Both shares only set the order in which pixels get rays
+// (experiments/ray_budget).
 const float kDoubted = 0.125;
 
 float mostOf(vec3 value) { return max(value.r, max(value.g, value.b)); }
@@ -310,7 +328,7 @@ void finishGuess(ivec2 pixel, vec3 part, float off_by) {
 #endif
 }
 
-// `part`: of the picture, of the samples that are explained, of which `share` is that of all.
+// Write the outputs. `part`: sum of the resolved samples over N. `share`: share of the samples that are resolved.
 void finish(ivec2 pixel, vec3 part, float share, uvec2 open) {
 #if PARAM_leaves_open
   imageStore(open_img, pixel, uvec4(open, 0u, 0u));
@@ -383,7 +401,7 @@ void run(ivec2 pixel) {
   if (fallbacks > 0u) count_fallback(fallbacks);
   float n = float(params.samples);
   vec3 mean = fromSum(sum / n);
-  if (left_out == 0u && isNarrow(all_seen, 0.0)) mean = all_seen.low;  // of equal colours not rounded
+  if (left_out == 0u && isNarrow(all_seen, 0.0)) mean = all_seen.low;  // equal colours: exact, without the rounding of a sum
   if (left_out > 0u) finishGuess(pixel, fromSum(guess.sum / n), offBy(guess, withColor(all_seen, colorOf(kRaster, pixel))));
   finish(pixel, mean, 1.0 - float(left_out) / n, open);
 }
