@@ -5,8 +5,7 @@
 //      velocity, dominant, second: displacement d per pixel; per tile, the longest and another one; px over the exposure.
 //      revealed_color, _depth, _velocity, _dominant: the same images of the revealed layer; _valid: > 1/2 if present.
 //      after_*, revealed_after_*: displacements after the raster time (absent: as before it).
-//      curve, revealed_curve, dominant_curve, dominant_place: deviation of paths from lines, px; texel of dominant (absent:
-//        lines).
+//      curve, revealed_curve, dominant_curve, dominant_place: deviation of paths from lines, px; texel of dominant (optional).
 //      moved, behind: per cell, > 1/2 where a moving (a revealed) surface is at some time (absent: everywhere).
 //      missed: per cell, > 1/2 where a surface may arrive that the displacements of the tile do not lead to.
 //      doubtful: per cell, bit i is set if the layers are unreliable at stratum i of at most 32.
@@ -20,8 +19,9 @@
 //   not, d(Y) leads to one more texel, on curves to three. The nearest texel at X counts, at equal depths the first one found.
 //   Candidates: the displacements of the tile; d of both layers at X and, with `harvest`, at X +- t_i*g for g = dominant and
 //   second, nearest first. At most 4 that differ by more than 1/2 px, others after the raster time in a split exposure.
-//   No surface: the texel of X, revealed or raster (counter `fallback`); with `leaves_open` the sample is unresolved instead,
-//   as are samples beside a silhouette, pixels with too many candidates, and with `leaves_unlike` samples of high contrast.
+//   No surface: the texel of X, revealed or raster (counter `fallback`). With `leaves_open` the sample is unresolved instead, as
+//   are unreliable samples, samples beside a silhouette, and pixels with too many candidates; with `leaves_unlike` also samples
+//   between texels with a contrast above `unlike`, of surfaces that move by less than `detail_below` px per sample.
 // Fails: surfaces hidden at the raster time and not revealed (a second layer); paths that deviate, or surfaces that grow, by
 //   more than the tolerance; more than 4 different motions at a pixel.
 #include "mixin/limit.glsl"
@@ -298,8 +298,7 @@ struct Guess {
 const float kBetweenTexels = 0.3;
 
 // Error of a sample with unreliable layers, as a share of the colour range at the pixel: as if an eighth of these samples were
-// off by the whole range. No derivation is recorded. Both shares only set the order in which pixels get rays
-// (experiments/ray_budget).
+// off by the whole range. No derivation is recorded. Both shares only set the order of pixels in experiments/ray_budget.
 const float kDoubted = 0.125;
 
 float mostOf(vec3 value) { return max(value.r, max(value.g, value.b)); }
