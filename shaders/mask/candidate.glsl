@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Displaced-position test (Tan, Cui, Bhojan 2020, Ray Mask): may this pixel show what is behind it while it moves away?
-// In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), velocity (px over the exposure).
-// Out: candidate, 1 if the pixel moves by min_displacement or more and where its surface points to, displaced against
-//   the exposure (X + d for an exposure before the capture, X - d after, both halves around it), is another instance,
-//   farther by more than depth_margin of this pixel's depth. Displaced off the picture it is a candidate too (nobody
-//   knows better) and counted. Sky is nobody's foreground. With several taps the same is asked at equal parts of the
-//   way, ends included: four at 1/4, 1/2, 3/4 and 1.
-// Fails: one tap jumps over gaps (spokes of a fan), several over narrower ones; blind to self-occlusion of one instance
-//   and to motion of the background.
+// Displaced-position test of the ray mask: moving pixels that, displaced by their motion, land on another instance farther away
+// (Tan, Cui, Bhojan 2020, section Ray Mask).
+// In:  depth: view depth, metres; +inf for the sky.
+//      id: instance + 1; 0 for the sky.
+//      velocity: displacement d, px over the exposure.
+// Out: candidate: 1 on a candidate, otherwise 0.
+// Method: a pixel X with |d| >= `min_displacement` is tested at X + d if the exposure lies before the raster time, at X - d if
+//   it lies after, and at both halves if it lies around. X is a candidate if that pixel has another instance and is farther by
+//   more than `depth_margin` of the depth of X. A position outside the image makes X a candidate too, because the surface there
+//   is unknown (counter `off_screen`). Sky pixels are not candidates.
+//   With several `taps` the test is repeated at equal parts of the way: four taps at 1/4, 1/2, 3/4 and 1.
+// Fails: one tap skips gaps (spokes of a fan), several taps skip narrower ones; self-occlusion of one instance and motion of
+//   the background are not detected.
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 

@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: MIT
-// Per cell, which of the displacements found around it can uncover anything: the relative mask walks for these alone.
-// In:  bounds (of the displacements of each cell), ids (least and greatest instance + 1 of each cell);
-//      motions_0 .. motions_3: displacements found around each tile.
-// Out: crossing_0 .. crossing_3: those that count, in their order (kNoMotion after the last).
-// A displacement b is left out if no walk for it (mask/relative.glsl) can end otherwise than with "no": if every cell
-// that a path -t*(d - b) from a pixel of this one may enter, d in the cell's bounds,
-//   shows this cell's only instance, or holds nothing that moves by about b and nothing that moves relative to this
-//   cell by half a pixel, for which a second walk would be made.
-// Where a silhouette ends behind an occluder the walk goes on by `limit`, so paths are taken that much longer. What is
-// outside of the picture is not known and uncovers nothing. The mask is the same bit for bit.
-// Fails: a cell across the border of tiles tries the candidates of each, up to eight.
+// Per cell, the candidate background displacements that can make mask/relative.glsl mark one of its pixels (conservative).
+// In:  bounds: range of the displacements of each cell, px over the exposure.
+//      ids: least and greatest instance + 1 of each cell.
+//      motions_0 .. motions_3: candidate displacements of each tile, two per image, px over the exposure.
+//      reach: longest displacement in the image, px over the exposure, one texel (optional).
+// Out: crossing_0 .. crossing_3: the candidates kept, in their order, two per image; kNoMotion after the last.
+// Method: a candidate b is dropped if no walk for b from a pixel of the cell can mark the pixel. For every cell that a path
+//   -t*(d - b) may enter, with d in this cell's bounds, one of these must hold:
+//   - the other cell shows only the one instance of this cell;
+//   - its bounds hold no displacement near b, within max(1 px, match * |d - b|), and no displacement that parts from this
+//   cell's by half a pixel until t, which would start a second walk.
+//   Paths are extended by the longest displacement, because a walk continues behind an occluder. Pixels outside the image do
+//   not disocclude anything. The mask is the same, bit for bit, as with all candidates.
+// Fails: a cell across tile borders keeps candidates of each tile, up to eight in all: it may mark more pixels, and loses
+//   candidates beyond the eighth.
 #include "lib/bounds.glsl"
 #include "lib/motions.glsl"
 #include "mixin/limit.glsl"
 
-// Rounding of what is compared, px.
+// Slack for rounding in comparisons, px.
 const float kSlack = 1e-2;
 
-// Pixels, inclusive, relative to where a path begins: those of its steps, and with those behind an occluder.
+// Boxes around the pixels of all paths, relative to the first pixel: low x and y, high x and y, inclusive. `steps`: of the
+// paths themselves; `farthest`: with their extension behind an occluder.
 struct Path {
   vec4 steps, farthest;
 };
 
-// The paths of displacements `from_b` = d - b up to time t.
+// Paths -t*(d - b), for all `from_b` = d - b in a box.
 Path pathOf(vec4 from_b, float t) {
   vec2 a = -t * lowOf(from_b), b = -t * highOf(from_b);
   vec2 low = min(a, b), high = max(a, b);
-  // What goes on goes on in its direction: along an axis at most by that share.
+  // An extension follows the direction of its path: `share` is an upper bound of the unit direction along each axis.
   vec2 share = min(max(abs(low), abs(high)) / max(shortestIn(vec4(low, high)), 0.5), 1.0);
   vec2 on = share * float(params.margin + 2) + 1.0;
   vec2 far_on = on + share * ceil(reachPx());
@@ -53,7 +58,7 @@ bool isOneInstance(Cell own, ivec2 cell) {
   return own.ids.x == own.ids.y && ids.x == own.ids.x && ids.y == own.ids.x;
 }
 
-// Is anything in a cell such that a walk from `own` for b does not go on past it?
+// True if the cell may end a walk for b from a pixel of `own`.
 bool concerns(Cell own, ivec2 cell, vec4 from_b, vec2 b, float t) {
   vec4 there = texelFetch(bounds_tex, cell, 0);
   float matching_px = max(1.0, params.match * longestIn(from_b));
@@ -85,7 +90,7 @@ bool crosses(Cell own, vec2 b) {
   return false;
 }
 
-// Those that count, in order; `asked` has those that were looked at.
+// Candidates kept, in order, and all candidates tested (`asked`).
 struct Motions {
   vec2 d[kMaxMotions];
   int count;
@@ -118,9 +123,9 @@ void run(ivec2 cell) {
   Cell own = cellAt(cell);
   Motions motions;
   motions.count = motions.asked_count = 0;
-  // One tile, unless the cell lies across the border of some.
+  // Tiles that overlap the cell: one, or up to four.
   ivec2 from = own.first / params.tile, to = own.last / params.tile;
-  for (int k = 0; k < 4; ++k) {  // in a loop: each copy of what a motion crosses takes long to compile
+  for (int k = 0; k < 4; ++k) {  // a loop, because each inlined copy of crosses() takes long to compile
     bool is_right = (k & 1) != 0, is_below = (k & 2) != 0;
     if ((is_right && to.x == from.x) || (is_below && to.y == from.y)) continue;
     motions = withTile(motions, own, ivec2(is_right ? to.x : from.x, is_below ? to.y : from.y));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// All but what is still: every pixel that moves, by min_displacement or more, or to whose tile something that does can
-// come within the exposure.
-// In:  velocity (px over the exposure), dominant (the same, the longest that reaches each tile).
-// Out: mask, 1 where something is to be revealed.
-// Fails: marks whole tiles around everything that moves, most of which uncover nothing (cost, no error).
+// Mask of every pixel that moves, or that a moving surface may reach within the exposure.
+// In:  velocity: displacement d, px over the exposure.
+//      dominant: longest displacement that reaches each tile, px over the exposure.
+// Out: mask: 1 where a surface is to be revealed, otherwise 0.
+// Method: 1 if the longer of the two displacements is not 0 and at least `min_displacement`.
+// Fails: marks whole tiles around moving surfaces, although most of their pixels disocclude nothing (costs rays, adds no
+//   error).
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Per tile, up to eight distinct displacements found around it, nearest tiles first: the movements that what is hidden
-// behind its pixels may have.
-// In:  motions (two displacements per tile, px over the exposure), farthest (view depth of the farthest that moves, per tile).
-// Out: motions_0 .. motions_3 (two displacements each, px over the exposure; kNoMotion where there are fewer),
-//      farthest_around (of all tiles that were asked).
-// Two displacements are distinct if they differ by more than a pixel and by more than a tenth of the longer one. Tiles
-// are asked as far as two surfaces can part within the exposure, 2 * limit * width * reach px.
-// Fails: of more than eight movements the far ones are lost, and of those equally far the last in raster order.
+// Per tile, up to eight distinct displacements of the tiles around it, nearest tiles first: the candidate displacements of the
+// background hidden behind its pixels.
+// In:  motions: two displacements of each tile, px over the exposure.
+//      farthest: view depth of the farthest moving surface in each tile, metres; 0 without motion.
+//      reach: longest displacement in the image, px over the exposure, one texel (optional).
+// Out: motions_0 .. motions_3: two displacements each, px over the exposure; kNoMotion after the last.
+//      farthest_around: greatest `farthest` of all tiles in range, metres.
+// Method: tiles are searched ring by ring, as far as two surfaces can part within the exposure: twice the
+//   longest displacement (limit * width, or reach), times reachFactor. Two displacements are distinct if they differ by more
+//   than 1 px and by more than a tenth of the longer one.
+// Fails: if there are more than eight displacements the far ones are lost, at equal distance the last ones in raster order.
 #include "mixin/limit.glsl"
 #include "lib/motions.glsl"
 
@@ -33,7 +36,7 @@ Motions withTile(Motions motions, ivec2 tile) {
   return withMotion(motions, vec2(pair.z, pair.w));
 }
 
-// The tiles `ring` away, in raster order.
+// Adds the tiles at the distance `ring`, in raster order.
 Motions withRing(Motions motions, ivec2 tile, int ring) {
   for (int y = -ring; y <= ring; ++y) {
     int stride = abs(y) == ring ? 1 : max(2 * ring, 1);

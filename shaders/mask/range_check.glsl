@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Range check (Tan, Cui, Bhojan 2020, Ray Mask): every moving pixel from which an edge lies within its displacement.
-// In:  edge (> 1/2 on an edge), id (instance + 1), velocity (px over the exposure).
-// Out: mask, 1 if the pixel itself or a pixel on the segment it is displaced along is an edge: [X, X + d] for an
-//   exposure before the capture, [X - d, X] after, both halves around it. `taps` steps per side, 0 = one per pixel of
-//   the length; a detected edge may be one pixel wide, so longer steps miss it. With own_edge, the first edge met must
-//   belong to the pixel's own instance.
-// Fails: marks by the pixel's own motion, where the motion relative to what is behind decides.
+// Range check of the ray mask: moving pixels with an edge on the segment of their displacement (Tan, Cui, Bhojan 2020, section
+// Ray Mask).
+// In:  edge: > 1/2 on an edge.
+//      id: instance + 1; 0 for the sky.
+//      velocity: displacement d, px over the exposure.
+// Out: mask: 1 where a surface is to be revealed, otherwise 0.
+// Method: a pixel X with |d| >= `min_displacement` is marked if a pixel of the segment is an edge. The segment, X included, is
+//   [X, X + d] if the exposure lies before the raster time, [X - d, X] if it lies after, and both halves if it lies around.
+//   `taps` steps per side; 0 = one step per pixel, because an edge may be one pixel wide and longer steps miss it.
+//   With own_edge, the first edge met must belong to the instance of X.
+// Fails: marks by the motion of the pixel itself, although its motion relative to the background decides.
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 

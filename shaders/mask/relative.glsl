@@ -1,40 +1,42 @@
 // SPDX-License-Identifier: MIT
-// The pixels behind which something hidden at the capture becomes visible within the exposure.
-//
-// A point hidden behind pixel y moves by b, the foreground at y by d: at time t the point is at y + b*t, where the
-// foreground shows what is now at y + b*t - d*t = y - t*(d - b). So it is seen if the path y - t*(d - b) leaves the
-// foreground within the window: motion relative to the background decides, not motion, and a foreground at rest has its
-// mask where the background moves (a tracking shot).
-//
-// In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), velocity (px over the exposure);
-//      crossing_0 .. crossing_3: displacements found around each cell, the candidates for b (kNoMotion after the last).
-//      bounds, ids: the displacements and instances of each cell, so that walks pass over cells which cannot matter;
-//      farthest_around: view depth of the farthest that moves around each tile. What is at rest on the screen and farther
-//      away than that hides nothing which moves.
-// Out: mask, 1 if for one candidate b the path meets a pixel q of another instance, not nearer (by `occluder`) than the
-//   last pixel of y's own instance met, that does move by about b (within a pixel, or match * |d - b|). If the first q
-//   that moves relative to y moves otherwise, the path is walked once more with q's own displacement for b. Candidates
-//   are rough where a background's motion varies; q's is exact. A path that ends behind an occluder goes on to where that
-//   ends. One step per pixel of the path, plus `margin` px: an overmarked pixel costs a ray, a missed one an error. Paths
-//   that leave the picture end there: nobody knows what is outside (counter off_screen).
-// Fails: background whose motion is visible nowhere near; self-occlusion of one instance; more than eight movements.
+// Disocclusion mask by relative motion: pixels that hide a surface which becomes visible within the exposure (an extension of
+// Tan, Cui, Bhojan 2020; docs/derivations.md, "Layers").
+// In:  depth: view depth, metres; +inf for the sky.
+//      id: instance + 1; 0 for the sky.
+//      velocity: displacement d, px over the exposure.
+//      crossing_0 .. crossing_3: candidate displacements b of the background, per cell, two per image; kNoMotion after the
+//        last.
+//      bounds, ids: range of the displacements and of the instances of each cell; walks skip cells that cannot end them.
+//      farthest_around: view depth of the farthest moving surface around each tile, metres; static pixels beyond are skipped.
+//      reach: longest displacement in the image, px over the exposure, one texel (optional).
+// Out: mask: 1 where a surface is to be revealed, otherwise 0.
+// Method: a point hidden behind pixel y moves by b, the foreground at y by d. At time t the point is at y + b*t, where the
+//   foreground shows its texel y - t*(d - b). The point is visible if this path leaves the foreground within the exposure:
+//   relative motion decides, so a static foreground is marked if the background moves (a tracking shot).
+//   Each path is walked in steps of 1 px, plus `margin` px (a pixel too many costs a ray, a missing one is an error). y is
+//   marked at a pixel q of another instance that moves by b, within max(1 px, match * |d - b|), and is not nearer, by the share
+//   `occluder`, than the last pixel of y's instance. If the first q that moves relative to y does not move by b, a second walk
+//   uses b = d(q): candidates are approximate where a background's motion varies, d(q) is exact.
+//   A path that ends behind an occluder continues to its end. Paths end at the image border (counter `off_screen`).
+// Fails: backgrounds with a motion that no pixel around shows; self-occlusion of one instance; more than eight motions.
 #include "lib/bounds.glsl"
 #include "lib/motions.glsl"
 #include "lib/sanitise.glsl"
 #include "mixin/limit.glsl"
 
-// Loops stand side by side and hold little: processors run a loop for the slowest of several pixels at once.
+// The loops of a walk follow one another and have small bodies, because a GPU runs a loop until the slowest pixel of a subgroup
+// is done.
 
-// A path y - t*(d - b), a step per pixel of it.
+// The path y - t*(d - b), one step per pixel.
 struct Path {
   ivec2 pixel;  // y
   vec2 d, b;
   float t;
-  vec2 unit;    // of a step
-  int steps;    // to its end, with the margin
-  int longest;  // if it goes on behind an occluder
-  int inside;   // those within the picture
-  uint own;     // instance at y
+  vec2 unit;    // offset of one step, px
+  int steps;    // steps to its end, `margin` included
+  int longest;  // steps if it continues behind an occluder
+  int inside;   // steps inside the image
+  uint own;     // instance + 1 at y
   float matching_px;
 };
 
@@ -44,7 +46,7 @@ vec2 displacementAt(ivec2 pixel) {
   return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
 }
 
-// From -(d - b) * t, which is half a pixel long at least.
+// Requires isPath(d, b, t): a path of at least half a pixel.
 Path pathOf(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   vec2 whole = tapOffset(d - b, t);
   float whole_px = lengthOf(whole);
@@ -64,11 +66,12 @@ bool isOwn(Path path, ivec2 at) { return texelFetch(id_tex, at, 0).x == path.own
 
 float depthAt(ivec2 at) { return saneDepth(texelFetch(depth_tex, at, 0).x); }
 
-// Is what has this depth an occluder, behind which the foreground may go on? A background that slants, as the ground an
-// object stands on, is nearer by a little where the path ends, though it is farther at the pixel itself.
+// True if a surface of this depth is an occluder, behind which the foreground may continue. A slanted background (the ground
+// under an object) is slightly nearer at the end of the path, although it is farther at the pixel itself; `occluder` allows for
+// that.
 bool occludes(float depth, float own_depth) { return depth < own_depth * (1.0 - params.occluder); }
 
-// Can anything in a cell end a walk: another instance that moves by about b, or relative to y?
+// True if the cell may end a walk: it may hold another instance that moves by about b, or relative to y.
 bool concerns(Path path, ivec2 cell) {
   uvec2 ids = uvec2(texelFetch(ids_tex, cell, 0));
   vec4 bounds = texelFetch(bounds_tex, cell, 0);
@@ -78,8 +81,8 @@ bool concerns(Path path, ivec2 cell) {
   return (matches || moves) && !(ids.x == path.own && ids.y == path.own);
 }
 
-// The first step from `from` to `to`, or one shortly before it, at which the path is in a cell that can end the walk; or
-// kNoStep. Goes along the path from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
+// First step from `from` to `to`, or a step shortly before it, that lies in a cell that may end the walk; otherwise
+// kNoStep. Follows the path from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
 int firstConcern(Path path, int from, int to) {
   ivec2 cell = placeOn(path, from) / params.cell_side;
   ivec2 ahead = ivec2(greaterThan(path.unit, vec2(0)));
@@ -97,12 +100,12 @@ int firstConcern(Path path, int from, int to) {
 }
 
 struct Walk {
-  bool crosses;   // a silhouette beyond which things move as supposed
-  bool meets;     // one beyond which they move otherwise, relative to y
-  vec2 d_beyond;  // displacement beyond the first of these
+  bool crosses;   // the path reaches a background that moves by b
+  bool meets;     // the path reaches a background that moves relative to y, but not by b
+  vec2 d_beyond;  // displacement of the first such background
 };
 
-// The last of y's own instance before a step.
+// Last step before step i on y's instance.
 int lastOwn(Path path, int i) {
   --i;
   while (i > 0 && !isOwn(path, placeOn(path, i))) --i;
@@ -113,7 +116,7 @@ Walk walked(Path path) {
   Walk walk = Walk(false, false, vec2(0));
   int first = firstConcern(path, 1, path.longest);
   if (first == kNoStep) return walk;
-  // Behind what stands in front at the end the silhouette may end unseen: on to where that ends.
+  // A path that ends behind an occluder continues to the occluder's end: the silhouette may be hidden there.
   int i = min(first, path.steps);
   int own_step = lastOwn(path, i);
   bool occluded = false;
@@ -150,7 +153,7 @@ bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   return walk.crosses;
 }
 
-// Is it at rest on the screen, and everything that moves in front of it?
+// True if the pixel is static and every moving surface around is nearer.
 bool isBehindMotion(ivec2 pixel, vec2 d) {
   return d == vec2(0) && occludes(texelFetch(farthest_around_tex, pixel / params.tile, 0).x, depthAt(pixel));
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Per tile, two displacements that stand for all in it: the longest one, a, and the one that differs most from a. A
-// tile with two movements yields both, whatever they are. And how far away the farthest is that moves.
-// In:  velocity (px over the exposure), depth (view depth, sky +inf).
-// Out: motions (xy a, zw the other; px over the exposure, within the limit), farthest (view depth; 0 where nothing moves).
-// Ties go to the first in raster order. Fails: the third of three movements in a tile.
+// Per tile, the two displacements that represent it, and the depth of its farthest moving surface.
+// In:  velocity: displacement, px over the exposure.
+//      depth: view depth, metres; +inf for the sky.
+// Out: motions: xy the longest displacement a, zw the displacement that differs most from a; px over the exposure, limited.
+//      farthest: view depth of the farthest moving surface, metres; 0 without motion.
+// Method: one work group per tile finds the maximum of |d|, then of |d - a|, then of the depth where d is not 0. At ties the
+//   first texel in raster order counts. A tile with two motions yields both.
+// Fails: the third of three motions in a tile.
 #include "mixin/limit.glsl"
 #include "lib/group.glsl"
 #include "lib/sanitise.glsl"
@@ -12,14 +15,14 @@ vec2 displacementAt(ivec2 pixel) {
   return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
 }
 
-shared vec2 found;          // by one invocation
-shared uint farthest_bits;  // of a depth, which is at least 0
+shared vec2 found;          // written by one invocation
+shared uint farthest_bits;  // bits of a depth, which is not negative, so its bits have its order
 
-// Of the displacements in the tile, the one farthest from `from`.
+// Displacement of the tile that differs most from `from`.
 vec2 farthestFrom(vec2 from, ivec2 first, ivec2 end) {
   vec2 farthest = displacementAt(first);
   float distance_px = lengthOf(farthest - from);
-  uint at = gl_LocalInvocationIndex == 0u ? 0u : ~0u;  // the first texel is that invocation's
+  uint at = gl_LocalInvocationIndex == 0u ? 0u : ~0u;  // invocation 0 owns the first texel
   ivec2 own = ownFirst(first);
   for (int y = own.y; y < end.y; y += kGroupSide) {
     for (int x = own.x; x < end.x; x += kGroupSide) {
