@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The motion blur of the Bevy engine (bevy_core_pipeline, motion_blur; since 0.14, 2024), for any anchor: no tiles, each
-// pixel looks along its own displacement alone. Written from what the engine's documentation and source say it does.
-// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure).
-// Out: blurred (linear, alpha 1).
-// Taps: N at the midpoints (i + 1/2 + jitter)/N of the exposure, Y = X - d(X)*t; those outside of the picture are left out.
-//   The engine's window is that around the capture, which is `centre` here.
-// Weights: a tap that is farther than X, or sky, counts. One that is nearer or as near counts if its own displacement's
-//   share along that of X covers the way to it, whichever way it goes: |d(Y) . d(X)|/|d(X)| * reach >= |Y - X|; reach is
-//   1 one-sided, 1/2 centred. The rest is not there: the result is the mean of the taps that count.
-// Paths: what moves less than copy_below, and what has no tap that counts, is copied.
-// Fails: nothing blurs beyond its silhouette; background inside of it is the picture from outside.
+// Motion blur of the Bevy engine (bevy_core_pipeline, motion_blur; since 0.14, 2024) for any anchor: each pixel gathers along
+// its own displacement, without tiles. Written from the documentation and the described behaviour of the engine.
+// In:  color: linear.
+//      depth: view depth, metres; +inf for the sky.
+//      velocity: displacement d, px over the exposure.
+// Out: blurred: linear, alpha 1.
+// Method: N taps Y = X - d(X)*t at the midpoints (i + 1/2 + jitter)/N of the exposure; taps outside the image are left out. The
+//   engine's exposure surrounds the raster time: anchor `centre`.
+//   A tap counts if it is farther than X, or sky. Another tap counts if its displacement along d(X), in either sense, covers
+//   the way to it: |d(Y) . d(X)|/|d(X)| * reach >= |Y - X|, with reach 1/2 for `centre` and 1 for the other anchors. The result
+//   is the mean of the taps that count.
+//   Copied: pixels that move by less than copy_below, and pixels without a tap that counts.
+// Fails: surfaces do not blur beyond their silhouettes; inside, the background is the image from outside.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
@@ -21,7 +23,7 @@ vec2 displacementAt(ivec2 pixel) {
 
 float depthAt(ivec2 pixel) { return saneDepth(texelFetch(depth_tex, pixel, 0).x); }
 
-// Can what is nearer have been where the pixel looks from? The slack keeps a tap at the very end of an equal path.
+// True if the displacement of a nearer tap covers the distance. The slack 1e-4 keeps the last tap of an equal displacement.
 bool comesAsFar(vec2 d_tap, vec2 d, float distance_px, float reach) {
   float d_length = lengthOf(d);
   return abs(dot(d_tap / d_length, d)) * reach >= distance_px * (1.0 - 1e-4);

@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Lee, Kwon, Oh 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors" (Applied Sciences 14, 4626), for any anchor.
-// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure) of what is seen at the capture;
-//      layer_2_* to layer_4_*: the same of what lies behind it, all over the picture;
-//      dominant, deep_dominant (px over the exposure, per tile): of the first two layers, and of those behind (absent: none).
-// Out: blurred (linear, alpha 1).
-// For each t_i at the midpoints (i + 1/2 + jitter)/N of the exposure, each displacement g searched and each layer: the texel
-//   Y = X - t_i*g (outside of the picture the one at its border) counts if its own displacement is within `agreement` of g, and
-//   nearer to it than half of the longer one. The nearest counts alone; of equal depths that of the first displacement.
-//   The mean over the i at which there is any is the result.
-// Searched: the displacements of X in all layers, and those of its tile. The paper's text says that a colour is taken where it
-//   shares its displacement with where the search began; which displacements begin at a pixel that something else passes over it
-//   was not at hand for: here they are found as other filters find them.
-//   id (instance + 1, geometry + 1) of what is seen at the capture, by which it is counted where its own path leads to another
-//   part of it that moves otherwise, and something behind it is taken.
-// Fails: what is in no layer; displacements that are neither the pixel's nor its tile's longest.
+// Search through up to four full layers, back along displacements (Lee, Kwon, Oh 2024, "Real-Time Motion Blur Using Multi-Layer
+// Motion Vectors", Applied Sciences 14, 4626), for any anchor.
+// In:  color, depth, velocity: first layer: linear; view depth, metres, +inf for the sky; displacement, px over the exposure.
+//      layer_2_* to layer_4_*: the same three images of the surfaces behind it, over the whole image (optional).
+//      id: instance + 1, geometry + 1 of the first layer; for the counter `varied` only.
+//      dominant, deep_dominant: longest displacement per tile of the first two layers, and of the others (optional).
+// Out: blurred: linear, alpha 1.
+// Method: for each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each displacement g searched, and each layer, the texel
+//   Y = X - t_i*g, clamped to the image, counts if its displacement differs from g by at most `agreement` px and by at most
+//   half of the longer one (at least half a pixel). The nearest texel that counts is the sample, at equal depths that of the
+//   first g. The result is the mean over the samples found; X itself if none is found.
+//   Searched: the displacements of X in all layers, and of its tile. The paper takes a colour if its displacement agrees with
+//   the displacement of the search; the text at hand does not say which displacements start at a pixel that another surface
+//   passes over, so they are found here as in the other filters.
+//   `varied` counts samples of a deeper layer where the path of X's own surface leads to another part of this surface, with a
+//   different displacement.
+// Fails: surfaces in no layer; displacements that are neither the pixel's nor the longest of its tile.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 const int kLayers = 1 + HAS_layer_2_depth + HAS_layer_3_depth + HAS_layer_4_depth;
-const int kMost = 6;  // displacements: of four layers and two of the tile
+const int kMost = 6;  // displacements: of four layers, and two of the tile
 
-// Rounding tells surfaces apart that are one: nearer by less than this share is equal.
+// Depths that differ by less than a share of 2^-16 are equal: rounding differs between the layers of one surface.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
-// Displacements as near to each other as this lead to the same texels, px.
+// Displacements within this distance, px, count as one: they nearly always lead to the same texels.
 const float kSamePath = 1.0 / 16.0;
 
 vec3 colorOf(int layer, ivec2 at) {
@@ -104,12 +106,12 @@ Searched searchedAt(ivec2 pixel) {
 }
 
 struct Seen {
-  int layer;  // -1: nothing
+  int layer;  // -1: no surface
   ivec2 at;
   float depth;
 };
 
-// Are two displacements one? What rests agrees with nothing that moves by a pixel, however much may differ.
+// True if two displacements agree. A static surface never agrees with one that moves by a pixel, whatever `agreement` is.
 bool agree(vec2 a, vec2 b) {
   float apart = lengthOf(a - b);
   return apart <= params.agreement && apart <= max(0.5 * max(lengthOf(a), lengthOf(b)), 0.5);
@@ -118,7 +120,7 @@ bool agree(vec2 a, vec2 b) {
 // True if the displacement of a texel agrees with the displacement d that leads to the texel.
 bool comes(int layer, ivec2 at, vec2 d) { return agree(limitedDisplacementOf(layer, at), d); }
 
-// The nearer of what was seen and what a layer has where a path leads.
+// The nearer of the surface found so far and the texel of a layer at the end of a path.
 Seen nearer(Seen seen, int layer, ivec2 at, vec2 d) {
   if (!comes(layer, at, d)) return seen;
   float depth = depthOf(layer, at);
@@ -136,7 +138,7 @@ Seen seenAt(ivec2 pixel, Searched searched, float t, ivec2 size) {
   return seen;
 }
 
-// Does the path of what is seen at the pixel lead to more of it, which moves otherwise?
+// True if the path of the pixel's surface leads to another part of this surface, with a different displacement.
 bool isVaried(ivec2 pixel, float t, ivec2 size) {
   vec2 d = limitedDisplacementOf(0, pixel);
   ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// How noisy one time per pixel leaves the picture (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal Variance-Guided Filtering
-// for Motion Blur"; here from the picture alone, without frames before it).
-// In:  noisy (linear), moved (px over the exposure, of what is seen there at the pixel's time), dominant (the same, per tile).
-// Out: variance of the tone (mixin/along_motion.glsl) over the pixels within 3 px along the dominant displacement; 0 where no pixel
-//   within 8 px along it sees anything that moves: what they see is seen at all times, up to chance.
+// Variance of an image with one time sample per pixel, along the motion (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal
+// Variance-Guided Filtering for Motion Blur"; here from one frame, without earlier frames).
+// In:  noisy: linear, one time sample per pixel.
+//      moved: displacement of the surface at the pixel's time, px over the exposure.
+//      dominant: longest displacement that reaches each tile, px over the exposure.
+// Out: variance: variance of the tone (mixin/along_motion.glsl).
+// Method: variance over the pixels within 3 px along the dominant displacement. 0 if no pixel within 8 px along it shows a
+//   moving surface: these pixels then most likely show the same surface at all times.
+// Fails: a texture along the motion counts as noise.
 #include "mixin/along_motion.glsl"
 
 const int kWide = 3;  // px
-const int kLooks = 8;  // px: where one in a few sees what moves, others do as well
+const int kLooks = 8;  // px: if the surface moves at one pixel, it does at pixels around, at other times
 
 bool seesMotion(ivec2 at, ivec2 size) {
   return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStillRadius;
@@ -28,7 +32,7 @@ void run(ivec2 pixel) {
     for (int i = -kWide; i <= kWide; ++i) {
       ivec2 at = alongBy(pixel, d, float(i));
       if (!isInside(at, size)) continue;
-      float value = tone(finiteColor(texelFetch(noisy_tex, at, 0))) - own;  // small where alike: rounds less
+      float value = tone(finiteColor(texelFetch(noisy_tex, at, 0))) - own;  // differences, to reduce rounding
       sum += value;
       squares += value * value;
       count += 1.0;

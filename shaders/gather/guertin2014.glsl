@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Guertin, McGuire, Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter" (HPG), for any anchor.
-// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
-//      second (per tile): what else moves around; variance (per tile, 0 to 1: how much directions differ; absent: half
-//      of the samples go along the second direction); slowest (px over the exposure, the shortest displacement around,
-//      per tile; absent: no path for uniform motion);
-//      valid (> 1/2: the layer has a texel there; absent: everywhere);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
-// Out: blurred, colour times alpha and alpha.
-// Samples: t_i = lerp(-1, 1, (i + eta*jitter + 1) / (N + 1)) of the length r_N that the dominant displacement spreads
-//   over: |d|/2 to both sides with the capture in the middle of the exposure (where the tap on the pixel itself, which
-//   only an odd N has, is left out), |d| to the one side, (t_i + 1)/2, with the capture at an end. Along the dominant
-//   direction, and every other one along the second direction v_c of mixin/directions.glsl. With `variance`, the number
-//   of those is round(N/2 * smoothstep(0, 1/2, variance)). They are left out where there is no such direction.
-// Weights, D = |t_i| r_N, e the direction sampled, r what X and Y spread over, at least 1/2 px:
-//   f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB), wA = |v_c . e|, wB = |direction of
-//   d(Y) . e|; of the pixel itself N / (kappa*rX); divided by their sum. f and b compare depths as shares of the depth.
-// Paths: nothing around spreads over more than 0.505 px: copied. The shortest displacement around is at least 0.65 of
-//   the dominant one and spreads over 4 px: d(Y) is taken to be the dominant one and not read. Counters tell how many.
-// Alpha: as in McGuire's gather (mcguire2012.glsl): 1, or, where something was revealed behind the pixel, the share of
-//   all weights that is in front of it and whose own motion, along the direction sampled, covers the distance to X.
-// Fails: as McGuire's filter opaque inside of silhouettes (no straight ramps), with background from outside of them;
-//   thin things across the two directions; noise and gaps where many directions meet.
+// Feature-aware gather along two directions, for any anchor (Guertin, McGuire, Nowrouzezahrai 2014, "A Fast and Stable
+// Feature-Aware Motion Blur Filter", HPG).
+// In:  color: linear.
+//      depth: view depth, metres; +inf for the sky.
+//      velocity: displacement d, px over the exposure.
+//      dominant: longest displacement that reaches each tile, px over the exposure.
+//      second: another displacement around, per tile, px over the exposure (optional).
+//      variance: spread of the directions around, per tile, 0 to 1 (absent: half of the samples take the second direction).
+//      slowest: shortest displacement around, per tile, px over the exposure (absent: no path for uniform motion).
+//      valid: > 1/2 where the layer has a surface (absent: everywhere).
+//      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
+// Out: blurred: colour times alpha, and alpha.
+// Method: t_i = lerp(-1, 1, (i + eta*jitter + 1)/(N + 1)), along d = dominant. If the exposure surrounds the raster time, taps
+//   lie at |d|/2 * t_i and the tap on the pixel itself (odd N) is left out; otherwise at |d| (t_i + 1)/2.
+//   round(N/2 * smoothstep(0, 1/2, variance)) of them lie along the second direction v_c instead (mixin/directions.glsl), or
+//   are left out without a v_c.
+//   Weight of a tap Y at the distance D: f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB), with e
+//   the direction sampled, wA = |v_c . e|, wB = |unit d(Y) . e|, r the blur radius, at least 1/2 px, f and b the depth
+//   comparisons as shares of the depth. The pixel itself: N/(kappa*rX). The sum is normalised.
+//   Copied if the largest radius is at most 0.505 px. d(Y) = d, unread, if the shortest displacement is at least 0.65 of d and
+//   its radius 4 px. Alpha: as in mcguire2012.glsl, with cylinder(D, rY) * wB for the taps.
+// Fails: as McGuire's filter, too opaque inside silhouettes, background from outside; thin objects across both directions;
+//   noise and gaps where many directions meet.
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
@@ -57,7 +58,7 @@ Sample sampleAt(int i, vec2 d, vec2 second, bool along_second, float jitter) {
   return Sample(t, roundSymmetric(offset), abs(t) * d_length, along_second ? second : unitOf(d));
 }
 
-// How many samples go along the second direction.
+// Number of samples along the second direction.
 int secondCount(ivec2 tile) {
 #if HAS_variance
   float share = smoothstep(0.0, 0.5, texelFetch(variance_tex, tile, 0).x);
@@ -86,7 +87,7 @@ float tapWeight(Tap here, Tap tap, Sample taken, vec2 second) {
          2.0 * cylinder(taken.distance_px, min(here.radius, tap.radius)) * max(along_here, along_tap);
 }
 
-// How far a tap's own motion covers the pixel.
+// Degree to which the motion of a tap covers the pixel.
 float covers(Tap tap, Sample taken) {
   float along_tap = tap.radius > 0.5 ? abs(dot(tap.direction, taken.direction)) : 1.0;
   return cylinder(taken.distance_px, tap.radius) * along_tap;

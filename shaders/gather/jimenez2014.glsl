@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" (SIGGRAPH course), as its public
-// descendants implement it: taps in pairs, weights that are straight ramps, mirrored background.
-// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
-//      slowest (px over the exposure, the shortest displacement around, per tile; absent: no cheap path);
-//      valid (> 1/2: the layer has a texel there; absent: everywhere);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
-// Out: blurred, colour times alpha and alpha.
-// Paths: copy where nothing around spreads farther than copy_below; cheap, the plain mean of the taps, where the
-//   slowest displacement around is longer than cheap_ratio times the dominant one; else full. Counters tell how many took each.
-// Taps: with the capture in the middle of the exposure, pairs at +-(i + 1/2 + jitter) steps of |d|/N (an odd N is
-//   rounded up); with the capture at an end, N single taps at (i + 1/2 + jitter) steps of |d|/N. count = adaptive
-//   takes no more of them than d has pixels (an even number, at least 2).
-// Weights, of a tap Y that is s = i + 1/2 + jitter steps away, u steps to a pixel, r the distance a pixel spreads:
-//   w = back * clamp(u*r(X) - max(s - 1, 0), 0, 1) + front * clamp(u*r(Y) - max(s - 1, 0), 0, 1), where back + front =
-//   1 by the order of the depths (1/2 each where equal). Of a pair the nearer and faster tap gives both their weight
-//   (the mirror); both comparisons are strict, so that ties give a mirrored picture a mirrored result. `direction`
-//   scales what Y spreads by how far it moves along d.
-//   Result: sum of w*C / N, the rest of the exposure goes to the pixel itself.
-// Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
-//   the blurred background: every tap counts as far as it is in front of what was revealed and spreads over X, the rest
-//   of the exposure as far as X itself is in front.
-// Fails: what it shows behind a moving object inside its silhouette is the picture from outside of it, so that edges
-//   there appear a second time; outside, the background under the object comes from the opposite side. One direction.
+// Gather of paired taps with linear ramps and mirrored background (Jimenez 2014, "Next Generation Post Processing in Call of
+// Duty: Advanced Warfare", SIGGRAPH course), as its public descendants implement it.
+// In:  color: linear.
+//      depth: view depth, metres; +inf for the sky.
+//      velocity: displacement d, px over the exposure.
+//      dominant: longest displacement that reaches each tile, px over the exposure.
+//      slowest: shortest displacement around, per tile, px over the exposure (absent: no cheap path).
+//      valid: > 1/2 where the layer has a surface (absent: everywhere).
+//      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
+// Out: blurred: colour times alpha, and alpha.
+// Method: copy if no radius around exceeds copy_below; plain mean of the taps if slowest > cheap_ratio * |dominant|; otherwise
+//   the full gather (counters). d = dominant, s = i + 1/2 + jitter, in steps of |d|/N. If the exposure surrounds the raster
+//   time, pairs of taps at +-s (N even, rounded up); otherwise N single taps at s. count = adaptive: at most |d| taps, even, at
+//   least 2.
+//   Weight of a tap Y, with r the blur radius in steps:
+//   back * clamp(r(X) - max(s - 1, 0), 0, 1) + front * clamp(r(Y) - max(s - 1, 0), 0, 1). back + front = 1 by the order of the
+//   depths, 1/2 each if equal. `direction` scales the second term. Mirror: if one tap of a pair is nearer and faster, both have
+//   its weight; ties keep theirs, so that mirrored images have mirrored results.
+//   Result: sum of weight * colour over N; the rest of the exposure is the colour of X.
+//   Alpha: 1; over a revealed surface the foreground alone. A tap then counts to the degree that it is in front of that surface
+//   and spreads over X, the rest of the exposure to the degree that X is in front.
+// Fails: inside a silhouette the background is the image from outside, so its edges appear twice; outside, the background under
+//   the object comes from the opposite side; one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
 #include "mixin/stored.glsl"
@@ -34,17 +34,17 @@ struct Tap {
   float radius;  // px
 };
 
-// What is being gathered at one pixel.
+// Inputs of the gather at one pixel.
 struct Gather {
   Tap here;
   vec2 d;             // dominant, px over the exposure
   float reach;
   float step_length;  // px
-  bool over;          // something was revealed behind
+  bool over;          // a surface was revealed behind the pixel
   float behind;
 };
 
-// Sums over taps: weighted colours and weights of what is shown, and all weights.
+// Sums over taps: weighted colours and weights of the visible part, and all weights.
 struct Sums {
   vec4 shown;
   float all;
@@ -55,7 +55,7 @@ Tap tapAt(ivec2 pixel, float reach) {
   return Tap(texel.color, texel.depth, texel.d, reach * lengthOf(texel.d));
 }
 
-// How much of what a tap spreads along its own motion falls along the dominant one.
+// Share, 0 to 1, of the blur of a tap that falls along the dominant displacement.
 float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 #if PARAM_direction == direction_projected
   float longest = lengthOf(gather.d);
@@ -69,9 +69,9 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 #endif
 }
 
-// Share of a step that something which spreads over `radius` px covers, `steps` away, on the side of the times before the
-// capture or after it. By a shutter curve, steps are what counts alike: those over which it spreads are the share of
-// what counts until the dominant motion has gone as far.
+// Share of a step, `steps` away from the pixel, that a surface with this blur radius (px) covers, on the side of the times
+// before or after the raster time. With a shutter curve, all steps have the same weight: the radius in steps is the weight of
+// the times until the dominant motion has covered the radius.
 float spreadOver(Gather gather, float radius, float steps, bool after) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -96,12 +96,12 @@ vec2 mirrored(Tap a, Tap b, vec2 weights) {
   return weights;
 }
 
-// The part of a tap's weight that is foreground, where the background is known from elsewhere.
+// Share of a tap's weight that is foreground, if the background was revealed.
 float frontShare(Gather gather, Tap tap, float steps, bool after) {
   return inFrontOf(tap.depth, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps, after);
 }
 
-// Where the two taps of a pair are, relative to the pixel: for a time before the capture and for one after it.
+// Offsets of the two taps of a pair from the pixel: for a time before the raster time, and for a time after it.
 struct Pair {
   ivec2 before, after;
 };
@@ -118,7 +118,7 @@ Pair pairAt(vec2 d, int count, float steps) {
   return Pair(offset, -offset);
 }
 
-// `sides`: what a tap before the capture and one after it count for.
+// Adds a pair of taps. `sides`: weights of the times before and after the raster time.
 Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, vec2 sides) {
   ivec2 size = textureSize(color_tex, 0);
   ivec2 at_a = clampToImage(pixel + pair.before, size), at_b = clampToImage(pixel + pair.after, size);
@@ -136,7 +136,8 @@ Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, v
   return sums;
 }
 
-// Sums are added up in each branch for itself: so an even shutter has the same, bit for bit, whether others are known or not.
+// Each branch adds its own sums, so that the result with a box shutter is the same, bit for bit, with and without
+// FACT_weighted.
 Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -158,7 +159,7 @@ Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   return sums;
 }
 
-// An even number where taps come in pairs.
+// Number of taps: even where taps come in pairs.
 int sampleCount(vec2 d) {
   int most = isCentred(frame.shutter) ? (params.samples + 1) / 2 * 2 : params.samples;
 #if PARAM_count == count_adaptive
@@ -168,7 +169,7 @@ int sampleCount(vec2 d) {
 #endif
 }
 
-// Does everything around move nearly as fast as the dominant displacement?
+// True if all surfaces around move nearly as fast as the dominant displacement.
 bool movesAsOne(ivec2 pixel, vec2 d) {
 #if HAS_slowest
   return texelFetch(slowest_tex, pixel / params.tile, 0).x > params.cheap_ratio * lengthOf(d);
@@ -177,7 +178,7 @@ bool movesAsOne(ivec2 pixel, vec2 d) {
 #endif
 }
 
-// A single tap, where the window has only one side.
+// Offset of a single tap, if the exposure lies on one side of the raster time.
 ivec2 singleAt(vec2 d, int count, float steps) {
   bool after = frame.shutter.y > 0.0;
   float end = after ? frame.shutter.y : frame.shutter.x, part = steps / float(count);

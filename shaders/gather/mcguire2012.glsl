@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: MIT
-// McGuire, Hennessy, Bukowski, Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", section 2.3.
-// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
-//      second (per tile): what else moves around, for the second direction of pixels at rest;
-//      valid (> 1/2: the layer has a texel there; absent: everywhere);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
-// Out: blurred, colour times alpha and alpha.
-// Samples: t_i = lerp(-1, 1, (i + jitter + 1) / (S + 1)), along the tile's dominant displacement d. With the capture in
-//   the middle of the exposure, as in the paper, taps lie at X + d/2 * t_i, a pixel spreads over |d|/2, and the one
-//   tap on the pixel itself (which only an odd S has) is left out: the centre sample stands for it. With the
-//   capture at an end taps lie at X + d * (t_i + 1)/2 (exposure before the capture; mirrored for after), a pixel
-//   spreads over |d|, and all S taps count (Tan, Cui, Bhojan 2020). With two directions odd samples lie as far along
-//   the second one of mixin/directions.glsl, if there is one, gamma = 3/2 px (not in the paper; later code has them).
-// Weights: f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX), centre 1/rX, divided by their sum.
-//   f and b compare depths as shares of the depth instead of metres: no scale is built in.
-// Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
-//   the blurred background: alpha = its share of all weights. A tap is foreground to the degree that it is in front of
-//   what was revealed at X (else it is a sample of that background, which the revealed layer knows better) and that
-//   its own motion covers the distance to X (else it says nothing of what passes over X, however near it is: a floor
-//   that slopes up to the viewer). The centre sample is foreground if it is in front.
-// Fails: opaque inside of silhouettes (6/7 where 1/2 is true), a step at them, ramps that are no straight lines,
-//   opacity that depends on S; one direction per tile.
+// Gather along the dominant displacement of the tile, for any anchor (McGuire, Hennessy, Bukowski, Osman 2012, "A
+// Reconstruction Filter for Plausible Motion Blur", section 2.3).
+// In:  color: linear.
+//      depth: view depth, metres; +inf for the sky.
+//      velocity: displacement d, px over the exposure.
+//      dominant: longest displacement that reaches each tile, px over the exposure.
+//      second: another displacement around, per tile, px over the exposure (optional).
+//      valid: > 1/2 where the layer has a surface (absent: everywhere).
+//      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
+// Out: blurred: colour times alpha, and alpha.
+// Method: t_i = lerp(-1, 1, (i + jitter + 1)/(S + 1)), d = dominant. If the exposure surrounds the raster time, as in the
+//   paper, taps lie at X + d/2 * t_i, the blur radius is |d|/2, and the tap on the pixel itself (odd S) is left out, because
+//   the centre sample stands for it. If the exposure ends at the raster time, taps lie at X + d (t_i + 1)/2, mirrored if it
+//   begins there, the radius is |d|, and all S taps count (Tan, Cui, Bhojan 2020). With two directions odd samples lie as far
+//   along the second one (mixin/directions.glsl, gamma = 3/2 px; not in the paper, in later code).
+//   Weight of a tap Y at the distance D: f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX); the centre: 1/rX.
+//   The sum is normalised. f and b compare depths as shares of the depth, not as lengths, and so have no scale.
+//   Alpha: 1; over a revealed surface the result is the foreground alone, and alpha its share of all weights. A tap is
+//   foreground to the degree that it is in front of the revealed surface (otherwise it samples the background, as the revealed
+//   layer does better) and that its own motion covers D (otherwise it does not pass over X, for example a floor that slopes up
+//   to the viewer). The centre is foreground if it is in front.
+// Fails: opaque inside silhouettes (6/7 in place of 1/2; docs/derivations.md), a step at silhouettes, ramps that are not
+//   linear, opacity that depends on S, one direction per tile.
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"

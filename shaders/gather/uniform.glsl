@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Time-uniform gather: every tap along the dominant displacement stands for the same share of the exposure, and counts
-// or does not. Straight ramps; coverage of a moving object over anything at rest is exact up to sampling.
-// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
-//      valid (> 1/2: the layer has a texel there; absent: everywhere);
-//      after_velocity, after_dominant: the same two for the times after the capture, where the exposure is split there
-//      (absent: motion is linear throughout);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
-// Out: blurred, colour times alpha and alpha.
-// Taps: N at the midpoints (i + 1/2 + jitter)/N of the exposure, Y = X - d*t.
-// Foreground: a tap in front of what lies behind X (what was revealed there, else the surface X itself shows) whose own
-//   motion passes over X within the exposure. Its weight is 1/N of the exposure, times |d|/|d(Y)|: a slower surface is met
-//   by fewer of the taps but passes over X for the whole of the exposure.
-//   alpha = sum of the weights, at most 1.
-//   What rests at X in front of what was revealed takes what is left of the exposure.
-// Split: taps before the capture follow the displacements before it, taps after it those after. A tap's surface counts
-//   by its own path in the part that the tap is in. Where the dominant motion goes on in about the same direction it may
-//   also pass in the other part, the wrong way round: the taps of that part lie to the other side and do not meet it.
-//   Where the dominant motion turns back both parts have their taps on one side, and it is met in both: taps of opposing
-//   direction need not be thrown away.
-// Background: if something was revealed, none: the result is the foreground alone, to be laid over the blurred revealed
-//   layer. Else alpha becomes 1 by adding (1 - alpha) times the mean of the other taps that X or they themselves
-//   reach: the taps at X's own depth whose motion passes over X, and farther ones no farther away than X's own surface
-//   moves, which stand in for what it uncovers. X itself makes up what their weights lack of one tap, so that a tap
-//   which hardly counts does not become all there is.
-// Fails: without revealed layer the background inside of a silhouette is that from outside of it; background that
-//   moves is uncorrelated in time with what covers it (a product of two means); one direction per tile.
+// Time-uniform gather: each tap along the dominant displacement is an equal share of the exposure, and counts or does not.
+// Ramps are linear; the coverage by a moving object over a static one is exact up to sampling.
+// In:  color: linear.
+//      depth: view depth, metres; +inf for the sky.
+//      velocity: displacement d, px over the exposure.
+//      dominant: longest displacement that reaches each tile, px over the exposure.
+//      after_velocity, after_dominant: both displacements after the raster time (absent: motion is linear).
+//      valid: > 1/2 where the layer has a surface (absent: everywhere).
+//      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
+// Out: blurred: colour times alpha, and alpha.
+// Method: N taps Y = X - d*t at the midpoints (i + 1/2 + jitter)/N of the exposure, d = dominant.
+//   Foreground: taps in front of the surface behind X (revealed, or otherwise the surface at X) that pass over X within the
+//   exposure. Weight: |d|/|d(Y)| / N, because fewer taps meet a slower surface, which passes over X for the whole exposure.
+//   alpha is the sum of these weights, at most 1. A static surface at X, in front of a revealed one, has the rest of the
+//   exposure.
+//   Background: none over a revealed surface. Otherwise alpha becomes 1 by adding (1 - alpha) times the mean of the taps at the
+//   depth of X that pass over X, and of farther taps within the distance moved by the surface at X, which stand in for the
+//   background it disoccludes. X fills the mean up to the weight of one tap, so that no tap of little weight dominates it.
+//   Split exposure: taps follow the displacements of their own half. A surface may also pass over X in the other half, because
+//   the taps of that half lie on the other side and miss it; not if the dominant motion turns back, when all taps lie on one
+//   side.
+// Fails: without revealed layer the background inside a silhouette is the image from outside; a moving background counts as
+//   uncorrelated with its cover (product of two means); one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
 #include "mixin/stored.glsl"
@@ -45,7 +42,7 @@ Tap tapAt(ivec2 pixel) {
   return Tap(texel.color, texel.depth, texel.d, d_after);
 }
 
-// By which displacement, in px over the exposure, a tap taken at `offset` for time t passes over the pixel.
+// True if a tap at `offset` for time t passes over the pixel, and its displacement then, px over the exposure.
 struct Passing {
   bool passes;
   vec2 d;
@@ -65,7 +62,7 @@ Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
 }
 
 #if FACT_weighted
-// What counts of the times at which a surface that moves by `d` passes over the i-th part of the way along the dominant
+// Weight, by the shutter curve, of the times at which a surface that moves by `d` passes over the i-th part of the dominant
 // displacement.
 float weightOfPart(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5);
@@ -75,7 +72,7 @@ float weightOfPart(int i, vec2 d, vec2 along) {
 }
 #endif
 
-// What a tap counts of the mean of several, as those do whose surface moves by `d`: with an even shutter all alike.
+// Weight of a tap in the mean of taps with surfaces that move by `d`: 1 with a box shutter.
 float shareOfMean(int i, vec2 d, vec2 along) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -86,9 +83,9 @@ float shareOfMean(int i, vec2 d, vec2 along) {
   return 1.0;
 }
 
-// Share of the exposure for which the i-th tap's surface is at the pixel, which passes over it by `d`: the tap stands for
-// the part of the way along the dominant displacement that this takes the i-th part of the exposure for, a slower surface
-// longer. By a shutter curve, what counts of the times at which that surface passes over this part of the way.
+// Share of the exposure for which the i-th tap's surface, which moves by `d`, is at the pixel. The tap stands for the i-th of N
+// parts of the dominant displacement, and a slower surface passes over this part for longer. With a shutter curve: the weight
+// of these times.
 float timeShare(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5), speed = lengthOf(d);
 #if FACT_weighted
@@ -99,17 +96,18 @@ float timeShare(int i, vec2 d, vec2 along) {
 
 bool rests(vec2 d) { return lengthOf(d) < 0.5; }
 
-// Is the i-th tap, as far as it is not foreground, a sample of the pixel's background? `here_d`: how the pixel's surface
-// moves.
+// Weight of the i-th tap, as far as it is not foreground, as a sample of the pixel's background. `here_d`: displacement of the
+// pixel's surface.
 float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
-  float same = softDepth(here.depth, tap.depth, params.depth_extent);  // a nearer tap counts by what is not foreground
+  float same = softDepth(here.depth, tap.depth, params.depth_extent);  // of a nearer tap, the part that is not foreground
   float moved_px = reachFactor(frame.shutter) * lengthOf(here_d);
   bool is_uncovered = rests(here_d) ? offset == ivec2(0) : length(vec2(offset)) <= max(moved_px, 0.5) + 0.5;
   float spread = is_uncovered ? shareOfMean(i, here_d, along) : 0.0;
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
-// What rests is there for all of the exposure, but only a tap that falls on the pixel itself would meet it.
+// Degree to which a static surface at the pixel is in front of the revealed one. It is there for the whole exposure, but only a
+// tap on the pixel itself would meet it.
 float restsInFront(Tap here, float behind) {
   if (!rests(here.d) || !rests(here.d_after)) return 0.0;
   return inFrontOf(here.depth, behind, params.depth_extent);

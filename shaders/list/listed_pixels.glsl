@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The list of the masked pixels, square by square in rows. Each place is known before it is written: the order does not
-// depend on which invocation comes first.
-// In:  bits, before, totals.
-// Out: list.
+// Writes the list of the masked pixels, square by square in rows: last of the three passes of the stream compaction.
+// In:  bits: masked pixels of each square of 8x8, one bit each (lib/listed.glsl).
+//      before: number of masked pixels in the squares before it in its row.
+//      totals: number of masked pixels in each row of squares.
+// Out: list: the pixels, their number, and the number of work groups for them (lib/list.glsl).
+// Method: each square writes its pixels from the position (sum of the totals of earlier rows) + before. The positions are fixed
+//   before the writes, so the order does not depend on the scheduling of invocations.
+// Fails: never.
 #include "lib/list.glsl"
 #include "lib/listed.glsl"
 

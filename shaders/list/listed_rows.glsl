@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where each square's pixels begin, in its row of squares; the first invocation of a row does it all.
-// In:  bits.
-// Out: before (of each square, the pixels of its row in front of it), totals (an entry for each row).
+// Exclusive prefix sums of the masked pixels along each row of squares: second of the three passes of the stream compaction.
+// In:  bits: masked pixels of each square of 8x8, one bit each (lib/listed.glsl).
+// Out: before: number of masked pixels in the squares before it in its row.
+//      totals: number of masked pixels in each row of squares.
+// Method: the first invocation of each row adds up the whole row.
+// Fails: never.
 #include "lib/listed.glsl"
 
 void run(ivec2 square) {

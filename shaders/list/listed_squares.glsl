@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which pixels of each square of 8x8 are masked.
-// In:  mask.
-// Out: bits, a texel for each square (lib/listed.glsl).
+// Packs a mask into one bit per pixel: first of the three passes of the stream compaction.
+// In:  mask: > 1/2 where set.
+// Out: bits: masked pixels of each square of 8x8, two words of 32 bits in the order of the list (lib/listed.glsl).
+// Method: reads 2x2 pixels at a time.
+// Fails: never.
 #include "lib/listed.glsl"
 
-// Four pixels at a time, the left upper one of which is `masked`: one gather where the picture has them all.
+// Mask of 2x2 pixels, with `masked` the upper left one. One gather if all four are inside the image.
 bvec4 maskedFrom(ivec2 masked) {
   ivec2 size = textureSize(mask_tex, 0);
   if (all(lessThan(masked + 1, size)))

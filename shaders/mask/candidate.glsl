@@ -6,9 +6,9 @@
 //      velocity: displacement d, px over the exposure.
 // Out: candidate: 1 on a candidate, otherwise 0.
 // Method: a pixel X with |d| >= `min_displacement` is tested at X + d if the exposure lies before the raster time, at X - d if
-//   it lies after, and at both halves if it lies around. X is a candidate if that pixel has another instance and is farther by
-//   more than `depth_margin` of the depth of X. A position outside the image makes X a candidate too, because the surface there
-//   is unknown (counter `off_screen`). Sky pixels are not candidates.
+//   it lies after, and at X + d/2 and X - d/2 if it lies around. X is a candidate if that pixel has another instance and is
+//   farther by more than `depth_margin` of the depth of X. A position outside the image makes X a candidate too, because the
+//   surface there is unknown (counter `off_screen`). Sky pixels are not candidates.
 //   With several `taps` the test is repeated at equal parts of the way: four taps at 1/4, 1/2, 3/4 and 1.
 // Fails: one tap skips gaps (spokes of a fan), several taps skip narrower ones; self-occlusion of one instance and motion of
 //   the background are not detected.

@@ -6,9 +6,9 @@
 //      reach: longest displacement in the image, px over the exposure, one texel (optional).
 // Out: motions_0 .. motions_3: two displacements each, px over the exposure; kNoMotion after the last.
 //      farthest_around: greatest `farthest` of all tiles in range, metres.
-// Method: tiles are searched ring by ring, as far as two surfaces can part within the exposure: twice the
-//   longest displacement (limit * width, or reach), times reachFactor. Two displacements are distinct if they differ by more
-//   than 1 px and by more than a tenth of the longer one.
+// Method: tiles are searched ring by ring, as far as two surfaces can part within the exposure: twice the longest displacement
+//   (limit * width, or reach), times reachFactor. Two displacements are distinct if they differ by more than 1 px and by more
+//   than a tenth of the longer one.
 // Fails: if there are more than eight displacements the far ones are lost, at equal distance the last ones in raster order.
 #include "mixin/limit.glsl"
 #include "lib/motions.glsl"

@@ -6,7 +6,7 @@
 //      velocity: displacement d, px over the exposure.
 // Out: mask: 1 where a surface is to be revealed, otherwise 0.
 // Method: a pixel X with |d| >= `min_displacement` is marked if a pixel of the segment is an edge. The segment, X included, is
-//   [X, X + d] if the exposure lies before the raster time, [X - d, X] if it lies after, and both halves if it lies around.
+//   [X, X + d] if the exposure lies before the raster time, [X - d, X] if it lies after, and [X - d/2, X + d/2] around.
 //   `taps` steps per side; 0 = one step per pixel, because an edge may be one pixel wide and longer steps miss it.
 //   With own_edge, the first edge met must belong to the instance of X.
 // Fails: marks by the motion of the pixel itself, although its motion relative to the background decides.

@@ -17,7 +17,7 @@
 //   marked at a pixel q of another instance that moves by b, within max(1 px, match * |d - b|), and is not nearer, by the share
 //   `occluder`, than the last pixel of y's instance. If the first q that moves relative to y does not move by b, a second walk
 //   uses b = d(q): candidates are approximate where a background's motion varies, d(q) is exact.
-//   A path that ends behind an occluder continues to its end. Paths end at the image border (counter `off_screen`).
+//   A path that ends behind an occluder continues to the occluder's end. Paths end at the image border (counter `off_screen`).
 // Fails: backgrounds with a motion that no pixel around shows; self-occlusion of one instance; more than eight motions.
 #include "lib/bounds.glsl"
 #include "lib/motions.glsl"
