@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Motion blur of the Bevy engine (bevy_core_pipeline, motion_blur; since 0.14, 2024) for any anchor: each pixel gathers along
-// its own displacement, without tiles. Written from the documentation and the described behaviour of the engine.
+// its own displacement, without tiles. Written after the documentation and source of the engine.
 // In:  color: linear.
 //      depth: view depth, metres; +inf for the sky.
 //      velocity: displacement d, px over the exposure.

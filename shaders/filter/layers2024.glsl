@@ -8,8 +8,8 @@
 // Out: blurred: linear, alpha 1.
 // Method: for each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each displacement g searched, and each layer, the texel
 //   Y = X - t_i*g, clamped to the image, counts if its displacement differs from g by at most `agreement` px and by at most
-//   half of the longer one (at least half a pixel). The nearest texel that counts is the sample, at equal depths that of the
-//   first g. The result is the mean over the samples found; X itself if none is found.
+//   half of the longer one (at least half a pixel). The nearest texel that counts is the sample, at equal depths the texel of
+//   the first g. The result is the mean over the samples found; X itself if none is found.
 //   Searched: the displacements of X in all layers, and of its tile. The paper takes a colour if its displacement agrees with
 //   the displacement of the search; the text at hand does not say which displacements start at a pixel that another surface
 //   passes over, so they are found here as in the other filters.
@@ -111,7 +111,7 @@ struct Seen {
   float depth;
 };
 
-// True if two displacements agree. A static surface never agrees with one that moves by a pixel, whatever `agreement` is.
+// True if two displacements agree. A displacement of 0 and a displacement of a pixel never agree, whatever `agreement` is.
 bool agree(vec2 a, vec2 b) {
   float apart = lengthOf(a - b);
   return apart <= params.agreement && apart <= max(0.5 * max(lengthOf(a), lengthOf(b)), 0.5);

@@ -9,10 +9,10 @@
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
 //      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
 // Out: blurred: colour times alpha, and alpha.
-// Method: copy if no radius around exceeds copy_below; plain mean of the taps if slowest > cheap_ratio * |dominant|; otherwise
-//   the full gather (counters). d = dominant, s = i + 1/2 + jitter, in steps of |d|/N. If the exposure surrounds the raster
-//   time, pairs of taps at +-s (N even, rounded up); otherwise N single taps at s. count = adaptive: at most |d| taps, even, at
-//   least 2.
+// Method: copy if no radius around exceeds copy_below; the mean of the taps if slowest > cheap_ratio * |dominant| and no
+//   surface was revealed behind X; otherwise the full gather (counters). d = dominant, s = i + 1/2 + jitter, in steps of |d|/N.
+//   If the exposure surrounds the raster time, pairs of taps at +-s (N even, rounded up); otherwise N single taps at s. With
+//   count = adaptive at most |d| taps, an even number, at least 2.
 //   Weight of a tap Y, with r the blur radius in steps:
 //   back * clamp(r(X) - max(s - 1, 0), 0, 1) + front * clamp(r(Y) - max(s - 1, 0), 0, 1). back + front = 1 by the order of the
 //   depths, 1/2 each if equal. `direction` scales the second term. Mirror: if one tap of a pair is nearer and faster, both have
@@ -70,8 +70,8 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 }
 
 // Share of a step, `steps` away from the pixel, that a surface with this blur radius (px) covers, on the side of the times
-// before or after the raster time. With a shutter curve, all steps have the same weight: the radius in steps is the weight of
-// the times until the dominant motion has covered the radius.
+// before or after the raster time. With a shutter curve, all steps have the same weight: the radius in steps is the
+// number of steps times the share of the weight until the dominant motion has covered the radius.
 float spreadOver(Gather gather, float radius, float steps, bool after) {
 #if FACT_weighted
   if (isWeighted()) {

@@ -17,9 +17,9 @@
 //   Background: none over a revealed surface. Otherwise alpha becomes 1 by adding (1 - alpha) times the mean of the taps at the
 //   depth of X that pass over X, and of farther taps within the distance moved by the surface at X, which stand in for the
 //   background it disoccludes. X fills the mean up to the weight of one tap, so that no tap of little weight dominates it.
-//   Split exposure: taps follow the displacements of their own half. A surface may also pass over X in the other half, because
-//   the taps of that half lie on the other side and miss it; not if the dominant motion turns back, when all taps lie on one
-//   side.
+//   Split exposure: a tap counts by the path of its surface in the tap's own half. It also counts if its surface passes over X
+//   in the other half only, since the taps of that half lie on the other side of X and miss it. If the dominant motion turns
+//   back, the taps of both halves lie on one side and find it, so it counts in its own half only.
 // Fails: without revealed layer the background inside a silhouette is the image from outside; a moving background counts as
 //   uncorrelated with its cover (product of two means); one direction per tile.
 #include "mixin/jitter.glsl"
@@ -62,7 +62,7 @@ Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
 }
 
 #if FACT_weighted
-// Weight, by the shutter curve, of the times at which a surface that moves by `d` passes over the i-th part of the dominant
+// Weight, by the shutter curve, of the times when a surface that moves by `d` passes over the i-th part of the dominant
 // displacement.
 float weightOfPart(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5);
@@ -83,9 +83,9 @@ float shareOfMean(int i, vec2 d, vec2 along) {
   return 1.0;
 }
 
-// Share of the exposure for which the i-th tap's surface, which moves by `d`, is at the pixel. The tap stands for the i-th of N
+// Time at the pixel of the i-th tap's surface, which moves by `d`, as a share of the exposure. The tap stands for the i-th of N
 // parts of the dominant displacement, and a slower surface passes over this part for longer. With a shutter curve: the weight
-// of these times.
+// of this time.
 float timeShare(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5), speed = lengthOf(d);
 #if FACT_weighted
@@ -96,8 +96,8 @@ float timeShare(int i, vec2 d, vec2 along) {
 
 bool rests(vec2 d) { return lengthOf(d) < 0.5; }
 
-// Weight of the i-th tap, as far as it is not foreground, as a sample of the pixel's background. `here_d`: displacement of the
-// pixel's surface.
+// Weight of the i-th tap as a sample of the pixel's background; the caller multiplies by the share that is not foreground.
+// `here_d`: displacement of the pixel's surface.
 float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
   float same = softDepth(here.depth, tap.depth, params.depth_extent);  // of a nearer tap, the part that is not foreground
   float moved_px = reachFactor(frame.shutter) * lengthOf(here_d);
@@ -106,8 +106,8 @@ float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Pass
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
-// Degree to which a static surface at the pixel is in front of the revealed one. It is there for the whole exposure, but only a
-// tap on the pixel itself would meet it.
+// 1 for a static surface at the pixel in front of the revealed one, less near the same depth; 0 if it moves. It is there for
+// the whole exposure, but only a tap on the pixel itself would meet it.
 float restsInFront(Tap here, float behind) {
   if (!rests(here.d) || !rests(here.d_after)) return 0.0;
   return inFrontOf(here.depth, behind, params.depth_extent);
