@@ -56,7 +56,7 @@ Path dominantOf(ivec2 pixel, bool after) {
 
 ivec2 tapFor(ivec2 pixel, Path path, float t) { return asked(pixel, path, t); }
 
-// A surface. `share`, from 0 to 1: degree of its coverage of the background.
+// A surface in front of the background. `share`, 0 to 1: coverage of the background.
 struct Cover {
   vec3 color;
   float depth;

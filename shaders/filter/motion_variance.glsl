@@ -11,7 +11,7 @@
 #include "mixin/along_motion.glsl"
 
 const int kWide = 3;  // px
-const int kLooks = 8;  // px: if the surface moves at one pixel, it does at pixels around, at other times
+const int kLooks = 8;  // px: a moving surface at one pixel in a few is at the others at other times
 
 bool seesMotion(ivec2 at, ivec2 size) {
   return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStillRadius;

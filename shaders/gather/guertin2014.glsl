@@ -13,13 +13,13 @@
 // Out: blurred: colour times alpha, and alpha.
 // Method: t_i = lerp(-1, 1, (i + eta*jitter + 1)/(N + 1)), along d = dominant. If the exposure surrounds the raster time, taps
 //   lie at |d|/2 * t_i and the tap on the pixel itself (odd N) is left out; otherwise at |d| (t_i + 1)/2.
-//   round(N/2 * smoothstep(0, 1/2, variance)) of them lie along the second direction v_c (mixin/directions.glsl), and are
+//   round(N/2 * smoothstep(0, 1/2, variance)) taps lie along the second direction v_c (mixin/directions.glsl) instead; they are
 //   skipped if it does not exist.
 //   Weight of a tap Y at the distance D: f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB), with e
 //   the direction sampled, wA = |v_c . e|, wB = |unit d(Y) . e|, r the blur radius, at least 1/2 px, f and b the depth
 //   comparisons as shares of the depth. The pixel itself: N/(kappa*rX). The sum is normalised.
 //   Copied if the largest radius is at most 0.505 px. d(Y) = d, unread, if the shortest displacement is at least 0.65 of d and
-//   its radius 4 px. Alpha: as in mcguire2012.glsl, with cylinder(D, rY) * wB for the taps.
+//   its radius at least 4 px. Alpha: as in mcguire2012.glsl, with cylinder(D, rY) * wB for the taps.
 // Fails: like McGuire's filter too opaque inside silhouettes, over background from outside; thin objects across both
 //   directions; noise and gaps where many directions meet.
 #include "mixin/directions.glsl"

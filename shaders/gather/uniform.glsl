@@ -30,7 +30,7 @@
 struct Tap {
   vec3 color;
   float depth;
-  vec2 d, d_after;  // px over the exposure, before and after the capture
+  vec2 d, d_after;  // px over the exposure, before and after the raster time
 };
 
 Tap tapAt(ivec2 pixel) {
@@ -96,10 +96,10 @@ float timeShare(int i, vec2 d, vec2 along) {
 
 bool rests(vec2 d) { return lengthOf(d) < 0.5; }
 
-// Weight of the i-th tap as a sample of the pixel's background; the caller multiplies by the share that is not foreground.
+// Weight of the i-th tap as a sample of the pixel's background; the caller multiplies by its share that is not foreground.
 // `here_d`: displacement of the pixel's surface.
 float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
-  float same = softDepth(here.depth, tap.depth, params.depth_extent);  // of a nearer tap, the part that is not foreground
+  float same = softDepth(here.depth, tap.depth, params.depth_extent);  // 1 also for a nearer tap
   float moved_px = reachFactor(frame.shutter) * lengthOf(here_d);
   bool is_uncovered = rests(here_d) ? offset == ivec2(0) : length(vec2(offset)) <= max(moved_px, 0.5) + 0.5;
   float spread = is_uncovered ? shareOfMean(i, here_d, along) : 0.0;
