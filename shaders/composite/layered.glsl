@@ -52,7 +52,7 @@ const bool kIsGuessed = true;
 const bool kIsGuessed = false;
 #endif
 
-// Depths that differ by less than a share of 2^-16 are equal: rays and raster find one surface at depths that differ by
+// Depths that differ by less than 2^-16 of the depth count as equal: rays and raster find one surface at depths that differ by
 // rounding. 2^-16 is 128 to 256 units in the last place of a float.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 

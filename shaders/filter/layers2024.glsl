@@ -24,7 +24,7 @@
 const int kLayers = 1 + HAS_layer_2_depth + HAS_layer_3_depth + HAS_layer_4_depth;
 const int kMost = 6;  // displacements: of four layers, and two of the tile
 
-// Depths that differ by less than a share of 2^-16 are equal: rounding separates the depths of one surface.
+// Depths that differ by less than 2^-16 of the depth count as equal: rounding separates the depths of one surface.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
 // Displacements within this distance, px, count as one: they nearly always lead to the same texels.
