@@ -19,8 +19,8 @@
 //   not, d(Y) leads to one more texel, on curves to three. The nearest texel at X counts, at equal depths the first one found.
 //   Candidates: the displacements of the tile; d of both layers at X and, with `harvest`, at X +- t_i*g for g = dominant and
 //   second, nearest first. At most 4 that differ by more than 1/2 px, others after the raster time in a split exposure.
-//   No surface: the texel of X, revealed or raster (counter `fallback`). With `leaves_open` the sample is unresolved instead, as
-//   are unreliable samples, samples beside a silhouette, and pixels with too many candidates; with `leaves_unlike` also samples
+//   No surface: the texel of X, revealed or raster (counter `fallback`). With `leaves_open` the sample is unresolved, as are
+//   unreliable samples, samples beside a silhouette, and pixels with too many candidates; with `leaves_unlike` also samples
 //   between texels with a contrast above `unlike`, of surfaces that move by less than `detail_below` px per sample.
 // Fails: surfaces hidden at the raster time and not revealed (a second layer); paths that deviate, or surfaces that grow, by
 //   more than the tolerance; more than 4 different motions at a pixel.
