@@ -9,12 +9,13 @@
 //      `certain`  per cell: 1 if a gather along the motion is right, 1/2 if the cell is static, otherwise 0
 //      `longest`  per cell: longest displacement that reaches it, px over the exposure
 // Out: `picture`  linear radiance, alpha 1
-// Method: the first rays are as many samples apart as `longest` moves by at most `pace` image widths. Two rays at times a < b
-//      of n are accepted if error * (b - a) / n <= `allowance`, by the largest channel. Otherwise, or if the raster image shows
-//      a third surface that arrives between them, a ray halfway is traced. If both rays hit one surface that the raster image
-//      shows, the times between take its texels along the way, and the error is the larger difference between ray and texel;
-//      otherwise they take the mean of both rays, and the error is the difference of their colours. With `allowance` = 0 the
-//      result is the mean of all n times. A certain cell takes the mean of `samples` texels along the motion, without a ray.
+// Method: the first rays are a power of two of samples apart, so that `longest` moves by at most `pace` image widths between
+//      them. Two rays at times a < b of n are accepted if error * (b - a) / n <= `allowance`, by the largest channel.
+//      Otherwise, or if the raster image shows a third surface that arrives between them, a ray halfway is traced. If both rays
+//      hit one surface that the raster image shows, the times between take its texels along the way, and the error is the
+//      larger difference between ray and texel; otherwise they take the mean of both rays, and the error is the difference of
+//      their colours. With `allowance` = 0 the result is the mean of all n times. A certain cell takes the mean of `samples`
+//      texels along the motion, without a ray.
 // Fails: a surface that appears and disappears between two rays of equal colour, unless the raster image shows it.
 #include "lib/blur.glsl"
 #include "lib/reached.glsl"

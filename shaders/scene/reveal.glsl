@@ -9,9 +9,9 @@
 //      `valid`    1 where a surface or the sky is revealed
 //      `found`    instance + 1 (0 = sky), geometry, primitive
 // Method: go from hit to hit by `advance` until `termination` holds, or until `max_layers` hits have not ended the search
-//      (counter `capped`). With `instance_filter` the traversal skips the foreground's instance, so that `instance` and
-//      `geometry` termination end at the first hit and never reach the cap. A surface within 4 representable depths of the
-//      previous hit (`restart`: within 1e-5 of its depth) counts as the same hit.
+//      (counter `capped`). With `instance_filter` the traversal skips the foreground's instance (under `geometry` termination
+//      its geometry), so that `instance` and `geometry` termination end at the first hit and never reach the cap. A surface
+//      within 4 representable depths of the previous hit (`restart`: within 1e-5 of its depth) counts as the same hit.
 // Fails: `luminance` stops inside an object whose back is lit differently, passes through a background of equal luminance, and
 //      is not linear in the light (with base colours it is). `instance` and `geometry` miss a foreground that covers itself and
 //      split an object of several instances; `motion` does not split it.

@@ -10,9 +10,8 @@
 //      `velocity`                px over the exposure, of the surface at that end
 //      `bend`                    path deviation in the middle of the exposure, px
 // Method: the node's time is that end, in a loop with one time, the middle. Project the point to the raster time and look for
-//      its id and depth (within `same_depth`) in the four texels around, in both layers. Points without motion on the screen
-//      are skipped: they resolve samples of their own pixel only, and no other surface resolves those if no layer shows the
-//      point.
+//      its id and depth (within `same_depth`) in the four texels around, in both layers. Points that do not move on the screen
+//      are skipped: only their own pixel shows them, and its samples are unresolved anyway if no layer shows them.
 // Fails: a surface that appears and disappears again between the ends of the exposure.
 #include "lib/blur.glsl"
 #include "mixin/stored.glsl"

@@ -2,8 +2,7 @@
 // Nearest triangle at each pixel's sample position, vertex stage.
 // In:  vertices of the scene, posed at the node's time and fetched by index
 // Out: clip position with reversed depth (infinite for perspective cameras), instance, geometry; texture coordinates, alpha,
-//               triangle
-//      `number` and mirroring if the frame needs them
+//      triangle number and mirroring if the frame needs them
 // Method: transform to view space, then to clip space, shifted by the sample offset. A device without triangle numbers draws
 //      three separate vertices per triangle and derives the number from their index.
 // Fails: never; raster snaps the positions to 1/256 px.
