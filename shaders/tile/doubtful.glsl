@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Per cell, the time strata that may contain a surface at a position that the layers do not describe.
-// In:  `bounds`                   displacements of the unreliable surfaces of each cell at the raster time, px over the
-//                                 exposure
-//      `bends`                    their path deviations in the middle of the exposure, px
+// In:  `bounds`   displacements of the unreliable surfaces of each cell at the raster time, px over the exposure
+//      `bends`    their path deviations in the middle of the exposure, px
 //      `behind_bounds`, `behind_bends` displacements and path deviations of the revealed layer
 //      `open_bounds`, `open_bends` displacements and path deviations of surfaces visible only at shutter open
 //      `close_bounds`, `close_bends` displacements and path deviations of surfaces visible only at shutter close
-// Out: `doubtful`                 bit i is set if stratum i of `samples` is unreliable; with more than 32 samples, stratum i of
-//                                 32
+// Out: `doubtful` bit i is set if stratum i of `samples` is unreliable; with more than 32 samples, stratum i of 32
 // Method: for each stratum, move the cell's box by all multiples of `bounds` within the stratum plus `bends` times the parabola
 //      4 u (1 - u), widen it by kSlack, and set the bit in all cells that it overlaps (atomic or). Displacements too small to
 //      blur are skipped. Cells in `frame.crossing` are marked at `frame.crossing_times`: there a surface may be visible that is

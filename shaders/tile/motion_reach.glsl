@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Per cell, conservative flags: a moving surface is present at some time of the exposure, a revealed surface is, and a surface
 // arrives whose displacement no filter candidate matches.
-// In:  `bounds`, `behind_bounds`  displacements of each cell, of the raster layer and of the revealed layer, px over the
-//                                 exposure
-//      `dominant`, `second`       candidate displacements of the tile, px over the exposure
+// In:  `bounds`, `behind_bounds` displacements of each cell, of the raster layer and of the revealed layer, px over the
+//               exposure
+//      `dominant`, `second` candidate displacements of the tile, px over the exposure
 //      `after_dominant`, `after_second` candidates after the raster time; absent: none
 //      `revealed_dominant`, `revealed_after_dominant` candidates of the revealed layer; absent: none
-// Out: `moved`                    1 if a moving surface is present at some time
-//      `behind`                   1 if a revealed surface is present at some time
-//      `missed`                   1 if a moving surface arrives from another cell and no candidate leads to it
+// Out: `moved`  1 if a surface that moves by more than `slowest` px is present at some time
+//      `behind` 1 if a revealed surface is present at some time
+//      `missed` 1 if a moving surface arrives from another cell and no candidate leads to it
 // Method: each cell marks all cells that its rectangle overlaps after moving by any of its displacements, widened by the search
 //      radius of the filters, max(3/4, reach / (2 * samples)) px, and by 1 px.
-// Fails: never by a cell that is not marked. A cell with different motions marks too many cells around it.
+// Fails: never; conservative. A cell with different motions marks too many cells around it.
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
 

@@ -76,8 +76,8 @@ uint restTowards(Seen seen, SceneLight light) {
   if (!(reach < kFarthest)) return kUnsure;
   vec4 at = is_place ? vec4(light.position, 1) : vec4(-light.direction * reach, 0);
 
-  // Start points as `shadowOrigin` lifts them off the surface, with 2 % more for the box and 10 % less above the planes. Normals
-  // within a plane differ by 1.8 degrees, which shortens a lift by 0.05 %; the rest is room for rounding.
+  // Start points as `shadowOrigin` lifts them off the surface, with 2 % more for the box and 10 % less above the planes.
+  // Normals within a plane differ by 1.8 degrees, which shortens a lift by 0.05 %; the rest is room for rounding.
   float least = max(seen.near, is_place ? length(max(away - extent, vec3(0))) : 0.0);
   ShaftStart start = ShaftStart(centre, extent + reach * (1.02 * kShadowLift), seen.one, seen.plane_count, 0u,
                                 0.9 * kShadowLift * least);

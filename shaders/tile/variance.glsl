@@ -4,8 +4,8 @@
 //      `dominant` longest displacement that reaches each tile, px over the exposure
 // Out: `variance` 0 (all displacements along one line) to 1 (all across it); 0 if the tiles are static
 // Method: 1 - mean of |u . u'| over the 3 x 3 tiles around, u and u' the unit directions of this tile's and the other tile's
-//      longest displacement. Static tiles, up to the half pixel that blurs, do not count. A static tile itself takes the
-//      direction of `dominant`.
+//      longest displacement. Static tiles (up to 1/2 px) do not count. If this tile is static, u is the direction of
+//      `dominant`.
 // Fails: one displacement per tile: motions that cross within a tile are not detected.
 #include "lib/blur.glsl"
 
