@@ -9,7 +9,7 @@
 //      1.
 // Fails: a farther surface in the same plane is missed; quantised depths make edges. With second differences, pixels whose two
 //      neighbours are as much nearer as farther (in 1/z) and the border of the image are missed. With distances, silhouettes of
-//      curved surfaces are missed, where the plane runs along the line of sight.
+//      curved surfaces are missed, where the plane runs along the view ray.
 #include "mixin/edge.glsl"
 #include "mixin/edge_plane.glsl"
 #include "mixin/edge_steps.glsl"

@@ -6,7 +6,7 @@
 // Out: `edge`   1 on an edge: one pixel wide at a step
 // Method: differences along both diagonals of the pixel and its neighbours to the right and below, scaled so that a unit step
 //      along an axis responds 1. They are centred on the common corner of the four, half a pixel to the right and below: a step
-//      is marked on the pixel to its left or above it, on either side in depth. Depths as in edge/sobel.
+//      is marked on the pixel to its left or above it, whichever side is nearer. Depths as in edge/sobel.
 // Fails: a silhouette whose nearer side is to the right or below is marked on the farther side, where a mask that reads the
 //      nearer side misses it; noise; planes at grazing angles.
 #include "mixin/edge_gradient.glsl"

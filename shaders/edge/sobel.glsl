@@ -6,7 +6,7 @@
 // Out: `edge`   1 on an edge: two pixels wide at a step
 // Method: kernel 1/4 [1 2 1]^T [-1 0 1]: a unit step responds 1. The depth gradient is divided by the pixel's own depth, which
 //      makes it independent of scale; larger depths than kFarthest times the own depth, the sky included, count as kFarthest
-//      times it. The normal gradient is the length over all three components; the largest step is 2. Each is divided by its
+//      times it. The normal gradient is the length over all three components; its largest step is 2. Each is divided by its
 //      threshold; a pixel is an edge if the combination (larger, sum or smaller of both) exceeds 1. Outside the image the
 //      border repeats.
 // Fails: planes at grazing angles (the depth gradient grows with 1/cos) and curved surfaces are marked; the sky has no edge of

@@ -32,8 +32,8 @@ bool reaches(ivec2 offset, vec2 d) {
   return first < last && first < frame.shutter.y && last > frame.shutter.x;
 }
 
-// Rule `sign`. With the anchor `close`, a surface at `offset` at the raster time that was here earlier moves along +offset. With
-// `open`, a surface that will be here later moves along -offset. A centred exposure accepts both.
+// Rule `sign`. With the anchor `close`, a surface at `offset` at the raster time that was here earlier moves along +offset.
+// With `open`, a surface that will be here later moves along -offset. A centred exposure accepts both.
 bool pointsHere(ivec2 offset, vec2 d) {
   ivec2 signs = ivec2(sign(vec2(offset)) * sign(d));
   int needed = abs(sign(offset.x)) + abs(sign(offset.y));
