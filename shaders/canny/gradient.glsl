@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Gradient of depth and normal of the smoothed image (Canny 1986); first of three steps.
-// In:  `depth`    view depth, m; +inf for the sky
-//      `normal`   unit, world; 0 for the sky
-// Out: `gradient` along the steepest direction, px, x right, y down; length 1 at the threshold. Of the two directions along
-//                 that line, the one with x > 0, or x = 0 and y > 0
+// In:  `depth`:    view depth, m; +inf for the sky
+//      `normal`:   unit, world; 0 for the sky
+// Out: `gradient`: along the steepest direction, px, x right, y down; length 1 at the threshold. Of the two directions along
+//                  that line, the one with x > 0, or x = 0 and y > 0
 // Method: a Gaussian of standard deviation 1 px (5 x 5) and Sobel's kernel, as one kernel of 7 x 7, scaled so that a unit step
 //      responds 1 beside it. Depths as in edge/sobel, relative to the pixel's own: at a step the nearer pixel responds more and
 //      remains. Direction: principal axis of the summed outer products of the gradients of depth and of each component of the

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Thins a gradient to ridges one pixel wide (Canny 1986); second of three steps.
-// In:  `gradient` along the steepest direction; length 1 at the threshold of strong edges
-// Out: `ridge`    1 where the length is above 1, 1/2 where it is above 1 / `ratio`, 0 elsewhere
+// In:  `gradient`: along the steepest direction; length 1 at the threshold of strong edges
+// Out: `ridge`:    1 where the length is above 1, 1/2 where it is above 1 / `ratio`, 0 elsewhere
 // Method: non-maximum suppression: 0 if one of the two neighbours across the edge, in the nearest of eight directions, has a
 //      longer gradient. Of two equal neighbours the left or upper one stays.
 // Fails: where three edges meet, one may end a pixel early.

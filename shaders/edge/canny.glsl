@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Edge hysteresis: keeps strong ridges and the weak ridges connected to them (Canny 1986); last of three steps.
-// In:  `ridge` 1 strong, 1/2 weak, 0 none (canny/thin)
-//      `where` above 1/2 where to mark; absent: everywhere
-// Out: `edge`  1 on an edge, one pixel wide
+// In:  `ridge`: 1 strong, 1/2 weak, 0 none (canny/thin)
+//      `where`: above 1/2 where to mark; absent: everywhere
+// Out: `edge`:  1 on an edge, one pixel wide
 // Method: flood from each weak pixel along ridges, to eight neighbours and within `reach` px to either side, until a strong
 //      pixel is met or no pixel is left. A set of pixels is one word per row with one bit per column.
 // Fails: connections longer than `reach` px along x or y, or with a detour out of that square: the weak part of such an edge

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Silhouettes between instances: pixels with a neighbour on another, farther instance.
-// In:  `depth` view depth, m; +inf for the sky
-//      `id`    instance + 1; 0 for the sky
-//      `where` above 1/2 where to test; absent: everywhere
-// Out: `edge`  1 on an edge: one pixel wide, on the nearer side
+// In:  `depth`: view depth, m; +inf for the sky
+//      `id`:    instance + 1; 0 for the sky
+//      `where`: above 1/2 where to test; absent: everywhere
+// Out: `edge`:  1 on an edge: one pixel wide, on the nearer side
 // Method: compare id and depth with the four neighbours. At equal depths neither pixel is an edge.
 // Fails: contacts and intersections of static parts are edges too; self-occlusion of one instance is missed.
 #include "mixin/edge.glsl"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Edges from second differences of inverse depth and normal (Laplace; LoG: Marr and Hildreth 1980).
-// In:  `depth`  view depth, m; +inf for the sky
-//      `normal` unit, world; 0 for the sky
-//      `where`  above 1/2 where to test; absent: everywhere
-// Out: `edge`   1 on an edge: two pixels wide at a step, four for the kernel `log`
+// In:  `depth`:  view depth, m; +inf for the sky
+//      `normal`: unit, world; 0 for the sky
+//      `where`:  above 1/2 where to test; absent: everywhere
+// Out: `edge`:   1 on an edge: two pixels wide at a step, four for the kernel `log`
 // Method: sum of the second differences over the four or eight neighbours; `log` is the Laplacian of a Gaussian of standard
 //      deviation 1 px, (r^2 - 2) exp(-r^2 / 2), up to 3 px. Each kernel is scaled so that a unit step along an axis responds 1
 //      beside it. 1/z is affine in screen space on a plane, so planes respond 0 at any angle. 1/z is multiplied by the pixel's

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Edges where a surface leaves its own plane, and where its normal steps.
-// In:  `depth`  view depth, m; +inf for the sky
-//      `normal` unit, world; 0 for the sky
-//      `where`  above 1/2 where to test; absent: everywhere
-// Out: `edge`   1 on an edge: two pixels wide at a step
+// In:  `depth`:  view depth, m; +inf for the sky
+//      `normal`: unit, world; 0 for the sky
+//      `where`:  above 1/2 where to test; absent: everywhere
+// Out: `edge`:   1 on an edge: two pixels wide at a step
 // Method: depth: the largest distance from the plane over the four neighbours (mixin/edge_plane.glsl). Normal: the largest
 //      difference to a neighbour, for creases. Each is divided by its threshold; a pixel is an edge if the combination exceeds
 //      1.

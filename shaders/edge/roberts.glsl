@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Edges from differences of depth and normal along two diagonals (Roberts 1963).
-// In:  `depth`  view depth, m; +inf for the sky
-//      `normal` unit, world; 0 for the sky
-//      `where`  above 1/2 where to test; absent: everywhere
-// Out: `edge`   1 on an edge: one pixel wide at a step
+// In:  `depth`:  view depth, m; +inf for the sky
+//      `normal`: unit, world; 0 for the sky
+//      `where`:  above 1/2 where to test; absent: everywhere
+// Out: `edge`:   1 on an edge: one pixel wide at a step
 // Method: differences along both diagonals of the pixel and its neighbours to the right and below, scaled so that a unit step
 //      along an axis responds 1. They are centred on the common corner of the four, half a pixel to the right and below: a step
 //      is marked on the pixel to its left or above it, whichever side is nearer. Depths as in edge/sobel.

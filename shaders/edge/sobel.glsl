@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Edges from gradients of depth and normal (Tan, Cui, Bhojan 2020, "Ray Mask"; Sobel and Feldman 1968).
-// In:  `depth`  view depth, m; +inf for the sky
-//      `normal` unit, world; 0 for the sky
-//      `where`  above 1/2 where to test; absent: everywhere
-// Out: `edge`   1 on an edge: two pixels wide at a step
+// In:  `depth`:  view depth, m; +inf for the sky
+//      `normal`: unit, world; 0 for the sky
+//      `where`:  above 1/2 where to test; absent: everywhere
+// Out: `edge`:   1 on an edge: two pixels wide at a step
 // Method: kernel 1/4 [1 2 1]^T [-1 0 1]: a unit step responds 1. The depth gradient is divided by the pixel's own depth, which
 //      makes it independent of scale; larger depths than kFarthest times the own depth, the sky included, count as kFarthest
 //      times it. The normal gradient is the length over all three components; its largest step is 2. Each is divided by its

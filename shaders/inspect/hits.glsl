@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every hit of one camera ray at the raster time, nearest first: texel k is hit k.
 // In:  none; the pixel is `pixel_x`, `pixel_y`
-// Out: `hit`      instance + 1, geometry + 1, primitive, 1 if the front is hit; 0 after the last hit
-//      `where`    view depth, m; unit normal
-//      `velocity` px over the exposure
-//      `color`    linear radiance; alpha 1 on a hit
+// Out: `hit`:      instance + 1, geometry + 1, primitive, 1 if the front is hit; 0 after the last hit
+//      `where`:    view depth, m; unit normal
+//      `velocity`: px over the exposure
+//      `color`:    linear radiance; alpha 1 on a hit
 // Method: keep the ray's origin and raise its lower bound by 4 representable numbers after each hit; a second hit on the
 //      triangle just left is not counted.
 // Fails: of two coincident surfaces only one is listed.

@@ -2,11 +2,11 @@
 // One ray per pixel through the scene at the raster time, and its hit, to compare tracing backends: ordinary rays, and rays
 // that rounding makes difficult.
 // In:  none; points are taken from random triangles of the scene
-// Out: `origin`    world, relative to the camera at the raster time, m
-//      `direction` alpha: largest t
-//      `hit`       instance + 1, geometry, primitive, bits of t; 0 on a miss
-//      `color`     rgb: t; 0 on a miss
-//      `blocked`   1 if any surface lies on the ray
+// Out: `origin`:    world, relative to the camera at the raster time, m
+//      `direction`: alpha: largest t
+//      `hit`:       instance + 1, geometry, primitive, bits of t; 0 on a miss
+//      `color`:     rgb: t; 0 on a miss
+//      `blocked`:   1 if any surface lies on the ray
 // Method: eight kinds of rays, one kind per row of pixels in turn, or one kind alone by `ray_kind`: between random points; to a
 //      vertex; to an edge; parallel to an axis through a vertex; from a surface along an edge; from 10^4 times the distance;
 //      from a surface in a random direction; within an axis-aligned plane.

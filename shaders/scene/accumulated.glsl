@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Adds the radiance of one time of the loop to each pixel's mean over moving surfaces (Haeberli and Akeley 1990).
-// In:  `hit`    nearest surface at this time; for a static camera the nearest moving surface
-//      `color`  linear radiance at the raster time
-//      `depth`  view depth at the raster time, m; +inf for the sky
-//      `id`     instance + 1, geometry + 1 at the raster time; 0 for the sky
-//      `ground` alpha: view depth of the static background behind a moving surface, m; 0 elsewhere
-// Out: `moving` (updated), rgb: mean linear radiance of the samples; alpha: their number
+// In:  `hit`:    nearest surface at this time; for a static camera the nearest moving surface
+//      `color`:  linear radiance at the raster time
+//      `depth`:  view depth at the raster time, m; +inf for the sky
+//      `id`:     instance + 1, geometry + 1 at the raster time; 0 for the sky
+//      `ground`: alpha: view depth of the static background behind a moving surface, m; 0 elsewhere
+// Out: `moving`: updated; rgb: mean linear radiance of the samples; alpha: their number
 // Method: pose the triangle of `hit` at this time and intersect the pixel's ray with it. Take the colour of the raster layer if
 //      it shows the point (mixin/captured_color.glsl); otherwise shade the point as at the raster time. For a static camera,
 //      skip static surfaces and moving surfaces behind them: `over_ground` adds the static radiance.

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Extrapolates the paths of a layer's points as parabolas through their screen positions at the raster time and in the two
 // frames before it.
-// In:  `depth`    view depth, m; +inf for the sky, 0 where the layer has no surface
-//      `id`       instance + 1; 0 for the sky
-//      `velocity` px over the exposure, from the previous frame alone
-//      `hit`      instance + 1, geometry, primitive; absent: surfaces are rigid
-//      `normal`   unit, world; absent: growth is not tested
-// Out: `velocity` px between the ends of the curve; a straight path keeps its input
-//      `curve`    px (mixin/curve.glsl)
-//      `bend`     path deviation in the middle of the exposure, px
-//      `bent`     1 if a true pose at shutter open or close is more than `most_bend` px from the curve, or if a pixel grows to
-//                 more than `most_growth` px
+// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
+//      `id`:       instance + 1; 0 for the sky
+//      `velocity`: px over the exposure, from the previous frame alone
+//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
+//      `normal`:   unit, world; absent: growth is not tested
+// Out: `velocity`: px between the ends of the curve; a straight path keeps its input
+//      `curve`:    px (mixin/curve.glsl)
+//      `bend`:     path deviation in the middle of the exposure, px
+//      `bent`:     1 if a true pose at shutter open or close is more than `most_bend` px from the curve, or if a pixel grows to
+//                  more than `most_growth` px
 // Method: Newton's backward differences, in a loop of the times "frames" with two slices. With D = p0 - p1 and D2 = p0 - 2 p1 +
 //      p2 the point is at p0 + f D + f (f + 1) / 2 D2, f frames after the raster time. Poses beyond a cut are ignored: one
 //      earlier pose gives a straight path.
@@ -45,7 +45,8 @@ struct Differences {
   vec2 first, second;  // px per frame, per frame^2
 };
 
-// True if the point has two different earlier poses. A point that did not move in the last frame is treated as straight.
+// True if both earlier positions differ from the position at the raster time, with no cut between them. A point that did not
+// move in the last frame keeps a straight path.
 bool hasDifferences(uint id, vec2 places[kPoses]) {
   return places[0] != vec2(0) && places[1] != vec2(0) && !isSecondPoseCut(id);
 }

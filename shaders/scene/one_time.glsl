@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Radiance of each pixel at one random time of the exposure (Cook, Porter, Carpenter 1984, "Distributed Ray Tracing").
-// In:  `color`    linear radiance at the raster time
-//      `velocity` px over the exposure, at the raster time
-//      `dominant` longest displacement that reaches the tile, px over the exposure
-// Out: `noisy`    linear radiance at the drawn time, alpha 1
-//      `moved`    displacement of the surface hit at the drawn time, px over the exposure
+// In:  `color`:    linear radiance at the raster time
+//      `velocity`: px over the exposure, at the raster time
+//      `dominant`: longest displacement that reaches the tile, px over the exposure
+// Out: `noisy`:    linear radiance at the drawn time, alpha 1
+//      `moved`:    displacement of the surface hit at the drawn time, px over the exposure
 // Method: draw one of the loop's times by a hash of pixel, frame and seed, trace the scene as posed at that time, and shade the
 //      hit as at the raster time. The mean over seeds is the mean over the loop's times. If `dominant` moves no surface by more
 //      than half a pixel, copy `color` and `velocity`.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Mean radiance of moving and static surfaces over the time samples (Haeberli and Akeley 1990, "The Accumulation Buffer").
-// In:  `moving`  rgb: mean linear radiance of the samples that show a moving surface; alpha: their number
-//      `ground`  rgb: linear radiance of the static background; alpha 0: the static radiance is `color`
-//      `color`   linear radiance at the raster time
-// Out: `picture` linear radiance, alpha 1
+// In:  `moving`:  rgb: mean linear radiance of the samples that show a moving surface; alpha: their number
+//      `ground`:  rgb: linear radiance of the static background; alpha 0: the static radiance is `color`
+//      `color`:   linear radiance at the raster time
+// Out: `picture`: linear radiance, alpha 1
 // Method: weighted mean of `moving` and, for the other of `samples` samples, `ground` or `color`. Outside the moving rectangle
 //      the output is `color`.
 // Fails: static surfaces keep the shadows of the raster time.

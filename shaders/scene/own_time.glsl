@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Traces the time samples that no layer resolves, each at the time of the sample.
-// In:  `seen`           linear: sum of the resolved samples, divided by the number of all; alpha: share of resolved samples
-//      `open`           bit i is set if time i of the loop is unresolved
-//      `hit`            raster layer: instance + 1 (0 = sky), geometry, primitive
-//      `color`, `revealed_color` linear radiance of the raster layer and of the revealed layer
-//      `depth`, `revealed_depth` view depth of both layers, m; +inf for the sky
-//      `id`, `revealed_id` instance + 1, geometry + 1 of both layers; 0 for the sky
-//      `revealed_valid` above 1/2 where the revealed layer has a surface
-// Out: `picture`        linear radiance, alpha 1
+// In:  `seen`:           linear: sum of the resolved samples, divided by the number of all; alpha: share of resolved samples
+//      `open`:           bit i is set if time i of the loop is unresolved
+//      `hit`:            raster layer: instance + 1 (0 = sky), geometry, primitive
+//      `color`, `revealed_color`: linear radiance of the raster layer and of the revealed layer
+//      `depth`, `revealed_depth`: view depth of both layers, m; +inf for the sky
+//      `id`, `revealed_id`: instance + 1, geometry + 1 of both layers; 0 for the sky
+//      `revealed_valid`: above 1/2 where the revealed layer has a surface
+// Out: `picture`:        linear radiance, alpha 1
 // Method: trace the scene as posed at the sample's time. If a layer shows the hit point, take that layer's colour
 //      (mixin/captured_color.glsl); otherwise shade the point as at the raster time. The mean over the unresolved samples fills
 //      their share. In the share `audit` of the pixel blocks in the moving rectangle, the resolved samples are traced too: the

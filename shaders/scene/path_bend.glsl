@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Path deviation of a layer: marks surfaces that straight displacements do not describe.
-// In:  `depth`    view depth, m; +inf for the sky, 0 where the layer has no surface
-//      `id`       instance + 1; 0 for the sky
-//      `velocity` px over the exposure
-//      `hit`      instance + 1, geometry, primitive; absent: surfaces are rigid
-//      `normal`   unit, world; absent: growth is not tested
-// Out: `bend`     path deviation, px: position in the middle of the exposure minus the midpoint of the path's ends
-//      `bent`     1 if `bend` is longer than `most_bend` px, or if a pixel grows to more than `most_growth` px
+// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
+//      `id`:       instance + 1; 0 for the sky
+//      `velocity`: px over the exposure
+//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
+//      `normal`:   unit, world; absent: growth is not tested
+// Out: `bend`:     path deviation, px: position in the middle of the exposure minus the midpoint of the path's ends
+//      `bent`:     1 if `bend` is longer than `most_bend` px, or if a pixel grows to more than `most_growth` px
 // Method: pose the point at shutter open, in the middle and at shutter close (a loop with one time, the middle). A pixel's
 //      growth is the largest distance, at either end, between two points that were one pixel apart at the raster time.
 // Fails: a path that leaves its line and returns within half of the exposure counts as straight.

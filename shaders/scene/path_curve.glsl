@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Fits parabolas or arcs (mixin/curve.glsl) to the paths of a layer's points, through true poses inside the exposure.
-// In:  `depth`    view depth, m; +inf for the sky, 0 where the layer has no surface
-//      `id`       instance + 1; 0 for the sky
-//      `velocity` px over the exposure
-//      `hit`      instance + 1, geometry, primitive; absent: surfaces are rigid
-//      `normal`   unit, world; absent: growth is not tested
-// Out: `curve`    parabola: px; arc: px, logarithm of the growth factor and turn in radians, over the exposure
-//      `bend`     path deviation in the middle of the exposure, px
-//      `bent`     1 if the path is more than `most_bend` px from the curve at a time of the loop, or if a pixel grows to more
-//                 than `most_growth` px
+// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
+//      `id`:       instance + 1; 0 for the sky
+//      `velocity`: px over the exposure
+//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
+//      `normal`:   unit, world; absent: growth is not tested
+// Out: `curve`:    parabola: px; arc: px, logarithm of the growth factor and turn in radians, over the exposure
+//      `bend`:     path deviation in the middle of the exposure, px
+//      `bent`:     1 if the path is more than `most_bend` px from the curve at a time of the loop, or if a pixel grows to more
+//                  than `most_growth` px
 // Method: the loop has three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs five, at 1/10, 3/10, 5/10, 7/10 and 9/10.
 //      Both curves meet the path in the middle. On an arc, the second differences of the positions turn and grow as the arc
 //      does, whatever its centre and the motion of the centre: the quotient of two second differences gives turn and growth.
@@ -22,8 +22,8 @@ const int kPoses = PARAM_trajectory == trajectory_arc ? 5 : 3;
 float timeOfPose(int k) { return (float(k) + 0.5) / float(kPoses); }
 
 #if ON_ARCS
-// Shortest second difference that is more than rounding, px: four float spacings at 2048 to 4096 px.
-// Largest logarithm of a growth factor over the exposure: e^4 = 55.
+// Shortest second difference that is more than rounding, px: about four float spacings at 2048 to 4096 px.
+// Largest logarithm of a growth factor over the exposure: e^4 = 55, not derived. Beyond each limit the curve is a parabola.
 // Largest turn, radians. The two differences are 0.4 of the exposure apart, so turns are unique below pi / 0.4 = 7.85; 2 % less
 // keeps rounding from reversing the sign.
 const float kLeastDifference = 1e-3, kMostGrowth = 4.0, kMostTurn = 7.7;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Mean radiance of each pixel over the exposure, by rays at few times and adaptive subdivision between them (adaptive
 // quadrature).
-// In:  `color`    linear radiance at the raster time
-//      `depth`    view depth, m; +inf for the sky
-//      `id`       instance + 1, geometry + 1; 0 for the sky
-//      `hit`      instance + 1 (0 = sky), geometry, primitive
-//      `velocity` px over the exposure
-//      `certain`  per cell: 1 if a gather along the motion is right, 1/2 if the cell is static, otherwise 0
-//      `longest`  per cell: longest displacement that reaches it, px over the exposure
-// Out: `picture`  linear radiance, alpha 1
+// In:  `color`:    linear radiance at the raster time
+//      `depth`:    view depth, m; +inf for the sky
+//      `id`:       instance + 1, geometry + 1; 0 for the sky
+//      `hit`:      instance + 1 (0 = sky), geometry, primitive
+//      `velocity`: px over the exposure
+//      `certain`:  per cell: 1 if a gather along the motion is right, 1/2 if the cell is static, otherwise 0
+//      `longest`:  per cell: longest displacement that reaches it, px over the exposure
+// Out: `picture`:  linear radiance, alpha 1
 // Method: the first rays are a power of two of samples apart, so that `longest` moves by at most `pace` image widths between
 //      them. Two rays at times a < b of n are accepted if error * (b - a) / n <= `allowance`, by the largest channel.
 //      Otherwise, or if the raster image shows a third surface that arrives between them, a ray halfway is traced. If both rays

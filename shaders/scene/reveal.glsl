@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The surface behind the foreground, on the ray of the raster sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
-// In:  `hit`      foreground: instance + 1 (0 = sky), geometry, primitive
-//      `mask`     above 1/2 where to reveal
-// Out: `color`    linear radiance, quantised; this and all other outputs are 0 where nothing is revealed
-//      `depth`    view depth, m; +inf for the sky; quantised
-//      `id`       instance + 1, geometry + 1; 0 for the sky
-//      `velocity` px over the exposure, quantised
-//      `valid`    1 where a surface or the sky is revealed
-//      `found`    instance + 1 (0 = sky), geometry, primitive
+// In:  `hit`:      foreground: instance + 1 (0 = sky), geometry, primitive
+//      `mask`:     above 1/2 where to reveal
+// Out: `color`:    linear radiance, quantised; this and all other outputs are 0 where nothing is revealed
+//      `depth`:    view depth, m; +inf for the sky; quantised
+//      `id`:       instance + 1, geometry + 1; 0 for the sky
+//      `velocity`: px over the exposure, quantised
+//      `valid`:    1 where a surface or the sky is revealed
+//      `found`:    instance + 1 (0 = sky), geometry, primitive
 // Method: go from hit to hit by `advance` until `termination` holds, or until `max_layers` hits have not ended the search
 //      (counter `capped`). With `instance_filter` the traversal skips the foreground's instance (under `geometry` termination
 //      its geometry), so that `instance` and `geometry` termination end at the first hit and never reach the cap. A surface

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Moving surfaces that are visible at one end of the exposure but in no layer of the raster time, because they face away then,
 // lie outside the image or behind more than one surface.
-// In:  `hit`            at that end: instance + 1, geometry, primitive; 0 for the sky and, for a static camera, for static
-//                       surfaces
-//      `depth`, `revealed_depth` view depth of the raster and the revealed layer, m; +inf for the sky
-//      `id`, `revealed_id` instance + 1 of both layers; 0 for the sky
-//      `revealed_valid` above 1/2 where the revealed layer has a surface
-// Out: `unseen`         1 if neither layer has the surface
-//      `velocity`       px over the exposure, of the surface at that end
-//      `bend`           path deviation in the middle of the exposure, px
+// In:  `hit`:            at that end: instance + 1, geometry, primitive; 0 for the sky and, for a static camera, for static
+//                        surfaces
+//      `depth`, `revealed_depth`: view depth of the raster and the revealed layer, m; +inf for the sky
+//      `id`, `revealed_id`: instance + 1 of both layers; 0 for the sky
+//      `revealed_valid`: above 1/2 where the revealed layer has a surface
+// Out: `unseen`:         1 if neither layer has the surface
+//      `velocity`:       px over the exposure, of the surface at that end
+//      `bend`:           path deviation in the middle of the exposure, px
 // Method: the node's time is that end, in a loop with one time, the middle. Project the point to the raster time and look for
 //      its id and depth (within `same_depth`) in the four texels around, in both layers. Points that do not move on the screen
 //      are skipped: only their own pixel shows them, and its samples are unresolved anyway if no layer shows them.

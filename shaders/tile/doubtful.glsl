@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Per cell, the time strata that may contain a surface at a position that the layers do not describe.
-// In:  `bounds`   displacements of the unreliable surfaces of each cell at the raster time, px over the exposure
-//      `bends`    their path deviations in the middle of the exposure, px
-//      `behind_bounds`, `behind_bends` displacements and path deviations of the revealed layer
-//      `open_bounds`, `open_bends` displacements and path deviations of surfaces visible only at shutter open
-//      `close_bounds`, `close_bends` displacements and path deviations of surfaces visible only at shutter close
-// Out: `doubtful` bit i is set if stratum i of `samples` is unreliable; with more than 32 samples, stratum i of 32
-// Method: for each stratum, move the cell's box by all multiples of `bounds` within the stratum plus `bends` times the parabola
-//      4 u (1 - u), widen it by kSlack, and set the bit in all cells that it overlaps (atomic or). Displacements too small to
-//      blur are skipped. Cells in `frame.crossing` are marked at `frame.crossing_times`: there a surface may be visible that is
-//      outside the image at the raster time and at both ends.
+// In:  `bounds`:   displacements of the unreliable surfaces of each cell at the raster time, px over the exposure
+//      `bends`:    their path deviations in the middle of the exposure, px
+//      `behind_bounds`, `behind_bends`: displacements and path deviations of the revealed layer
+//      `open_bounds`, `open_bends`: displacements and path deviations of surfaces visible only at shutter open
+//      `close_bounds`, `close_bends`: displacements and path deviations of surfaces visible only at shutter close
+// Out: `doubtful`: bit i is set if stratum i of `samples` is unreliable; with more than 32 samples, stratum i of 32
+// Method: for each stratum, move the cell's box by all multiples of `bounds` within the stratum plus `bends` times the change
+//      of the parabola 4 u (1 - u), widen it by kSlack, and set the bit in all cells that it overlaps (atomic or).
+//      Displacements too small to blur are skipped. Cells in `frame.crossing` are marked at `frame.crossing_times`: there a
+//      surface may be visible that is outside the image at the raster time and at both ends.
 // Fails: a path that no parabola follows may leave its box. A cell with different motions marks too many cells around it.
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
 #include "lib/times.glsl"
 
-const float kSlack = 1.5;  // px: 1/2 for rounding to pixels, 1 for the width of a tap
+const float kSlack = 1.5;  // px: room for rounding and for the width of a tap
 
 // Box of all multiples, by factors from `low` to `high`, of the displacements in a box.
 vec4 times(vec4 bounds, float low, float high) {

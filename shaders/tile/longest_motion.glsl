@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Length of the longest displacement in the image.
-// In:  `longest` longest displacement of each tile, px over the exposure
-//      `after`, `revealed`, `revealed_after` longest displacements after the raster time, and of the revealed layer; absent:
-//                none
-//      `curve`   curves of the paths of `longest`, px; absent: straight
-// Out: `reach`   px over the exposure, one texel
+// In:  `longest`: longest displacement of each tile, px over the exposure
+//      `after`, `revealed`, `revealed_after`: longest displacements after the raster time, and of the revealed layer; absent:
+//                 none
+//      `curve`:   curves of the paths of `longest`, px; absent: straight
+// Out: `reach`:   px over the exposure, one texel
 // Method: maximum over all tiles. A curved path counts as the straight displacement that reaches as far.
 // Fails: never. One invocation reads all tiles, which is slow for a large image with tiles of one or two pixels.
 #include "mixin/curve.glsl"

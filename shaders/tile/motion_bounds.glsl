@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Per cell, the least and greatest displacement, component by component.
-// In:  `velocity`       px over the exposure
-//      `after_velocity` px over the exposure, after the raster time; absent: `velocity`
-//      `valid`          above 1/2 where the texel counts; absent: all count
-//      `curve`          curves of the paths, px; absent: straight
-// Out: `bounds`         least x and y, greatest x and y, px over the exposure; kNoBounds (least above greatest) if no texel
-//                       counts
+// In:  `velocity`:       px over the exposure
+//      `after_velocity`: px over the exposure, after the raster time; absent: `velocity`
+//      `valid`:          above 1/2 where the texel counts; absent: all count
+//      `curve`:          curves of the paths, px; absent: straight
+// Out: `bounds`:         least x and y, greatest x and y, px over the exposure; kNoBounds (least above greatest) if no texel
+//                        counts
 // Method: minimum and maximum over the cell, whose side is `cell_side` px, after shortening to `limit` as filters do. A curved
 //      path counts as the straight displacements to its control points, which contain it. Cells at the right and bottom border
 //      may be partial.

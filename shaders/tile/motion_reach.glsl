@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Per cell, conservative flags: a moving surface is present at some time of the exposure, a revealed surface is, and a surface
 // arrives whose displacement no filter candidate matches.
-// In:  `bounds`, `behind_bounds` displacements of each cell, of the raster layer and of the revealed layer, px over the
-//               exposure
-//      `dominant`, `second` candidate displacements of the tile, px over the exposure
-//      `after_dominant`, `after_second` candidates after the raster time; absent: none
-//      `revealed_dominant`, `revealed_after_dominant` candidates of the revealed layer; absent: none
-// Out: `moved`  1 if a surface that moves by more than `slowest` px is present at some time
-//      `behind` 1 if a revealed surface is present at some time
-//      `missed` 1 if a moving surface arrives from another cell and no candidate leads to it
+// In:  `bounds`, `behind_bounds`: displacements of each cell, of the raster layer and of the revealed layer, px over the
+//                exposure
+//      `dominant`, `second`: candidate displacements of the tile, px over the exposure
+//      `after_dominant`, `after_second`: candidates after the raster time; absent: none
+//      `revealed_dominant`, `revealed_after_dominant`: candidates of the revealed layer; absent: none
+// Out: `moved`:  1 if a surface that moves by more than `slowest` px is present at some time
+//      `behind`: 1 if a revealed surface is present at some time
+//      `missed`: 1 if a moving surface arrives from another cell and no candidate leads to it
 // Method: each cell marks all cells that its rectangle overlaps after moving by any of its displacements, widened by the search
-//      radius of the filters, max(3/4, reach / (2 * samples)) px, and by 1 px.
+//      radius of the filters, max(3/4, r / (2 * samples)) px with r the longest displacement that filters handle, and by 1 px.
 // Fails: never; conservative. A cell with different motions marks too many cells around it.
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
@@ -19,8 +19,8 @@ bool isStill(vec4 bounds) {
   return reachFactor(frame.shutter) * longestIn(bounds) <= params.slowest + (kStillRadius - 0.5);
 }
 
-// True if a filter that tries displacement d finds the surfaces of the box. The distance allowed, 2 px or 14 % of the longest
-// displacement (8 degrees), is not derived.
+// True if a filter that tries displacement d finds the surfaces of the box. The distance allowed, the larger of 2 px and
+// 14 % of the longest displacement (8 degrees), is not derived.
 bool leadsTo(vec4 bounds, vec2 d) {
   float apart = lengthOf(d - clamp(d, lowOf(bounds), highOf(bounds)));
   return apart <= max(2.0, 0.14 * longestIn(bounds));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the longest displacement around that can reach it (McGuire 2012, NeighborMax), and a second, different one.
-// In:  `longest`  longest displacement of each tile, px over the exposure
-//      `motions`  xy, zw: two displacements that represent the tile, px over the exposure; absent: `longest` alone
-//      `curve`    curve of the path of `longest`, px; absent: straight
-//      `place`    texel that has `longest`, px
-// Out: `dominant` longest accepted displacement, px over the exposure
-//      `dominant_curve`, `dominant_place` curve and texel of `dominant`; 0 if paths are straight
-//      `second`   accepted displacement that differs most from `dominant`, longer than 1/2 px; `dominant` if none differs
+// In:  `longest`:  longest displacement of each tile, px over the exposure
+//      `motions`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: `longest` alone
+//      `curve`:    curve of the path of `longest`, px; absent: straight
+//      `place`:    texel that has `longest`, px
+// Out: `dominant`: longest accepted displacement, px over the exposure
+//      `dominant_curve`, `dominant_place`: curve and texel of `dominant`; 0 if paths are straight
+//      `second`:   accepted displacement that differs most from `dominant`, longer than 1/2 px; `dominant` if none differs
 // Method: test the tiles up to ceil(limit * width * r / tile) away, r = 1 one-sided, 1/2 centred; `limit` = auto: up to the
 //      measured maximum. `all` accepts each. `sign` (Guertin et al. 2014): on each axis with an offset the displacement is not
 //      0; one-sided, all components bring the tile here; centred, all point here or all point away. `reach` accepts a tile if

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scatters the length of each tile's displacement to all tiles on its path, as Unity's HDRP does; first of three steps.
-// In:  `longest` longest displacement of each tile, px over the exposure
-// Out: `length`  per tile, the largest length that arrived, px, as the bits of a float; 0: none
+// In:  `longest`: longest displacement of each tile, px over the exposure
+// Out: `length`:  per tile, the largest length that arrived, px, as the bits of a float; 0: none
 // Method: walk over the tiles on the path (mixin/tile_walk.glsl) with an atomic maximum. Floats of at least 0 have the order of
 //      their bits.
 // Fails: the path of a tile is the line of its centre. One displacement stands for the tile.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the lights that are visible from all its surface points and the lights that are blocked from all (Haines and
 // Wallace 1991, "Shaft Culling for Efficient Ray-Cast Radiosity").
-// In:  `hit`  instance + 1 (0 = sky), geometry, primitive
-// Out: `sure` x: bit i is set if light i is visible from the whole tile; y: if it is blocked from the whole tile; first 32
-//             lights
+// In:  `hit`:  instance + 1 (0 = sky), geometry, primitive
+// Out: `sure`: x: bit i is set if light i is visible from the whole tile; y: if it is blocked from the whole tile; first 32
+//              lights
 // Method: bound the start points of the tile's shadow rays by a box, and by planes above which they start: one plane for each
 //      direction that surfaces of the tile face. Walk the runtime's tree with the volume between these and the light
 //      (`mixin/shaft.glsl`). Tiles at the right and bottom border may be partial.

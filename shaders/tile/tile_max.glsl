@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the longest displacement in it (McGuire 2012, TileMax), shortened to the limit.
-// In:  `velocity`    px over the exposure
-//      `valid`       above 1/2 where the texel counts; absent: all count
-//      `curve`       curves of the paths, px; absent: straight
-//      `extra_velocity`, `extra_valid`, `extra_curve` velocity, valid and curve of a second layer over the same pixels; absent:
-//                    none
-// Out: `longest`     px over the exposure, at most `limit` image widths; 0 if no texel counts
-//      `curve_of_it` curve of its path, px; 0 if paths are straight
-//      `place_of_it` texel that has it, px; 0 if paths are straight
+// In:  `velocity`:    px over the exposure
+//      `valid`:       above 1/2 where the texel counts; absent: all count
+//      `curve`:       curves of the paths, px; absent: straight
+//      `extra_velocity`, `extra_valid`, `extra_curve`: velocity, valid and curve of a second layer over the same pixels;
+//                     absent: none
+// Out: `longest`:     px over the exposure, at most `limit` image widths; 0 if no texel counts
+//      `curve_of_it`: curve of its path, px; 0 if paths are straight
+//      `place_of_it`: texel that has it, px; 0 if paths are straight
 // Method: maximum over the texels of the tile in both layers, by a work group. A curved path is as long as the straight
 //      displacement that reaches as far. At equal length the first texel in raster order wins, and of two layers the first.
 //      Tiles at the right and bottom border may be partial.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the length of the shortest displacement in it (Guertin et al. 2014; Jimenez 2014).
-// In:  `velocity` px over the exposure
-//      `valid`    above 1/2 where the texel counts; absent: all count
-// Out: `shortest` px over the exposure, at most `limit` image widths; exactly the limit if no texel counts
+// In:  `velocity`: px over the exposure
+//      `valid`:    above 1/2 where the texel counts; absent: all count
+// Out: `shortest`: px over the exposure, at most `limit` image widths; exactly the limit if no texel counts
 // Method: minimum over the tile, by a work group. Tiles at the right and bottom border may be partial.
 // Fails: directions are not compared: a rotating tile looks as uniform as a translating one.
 #include "mixin/limit.glsl"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Per cell, a flag that a gather along the motion is right, because the image around the cell shifts as a whole.
-// In:  `bounds`   displacements of each cell, px over the exposure
-//      `velocity` px over the exposure, at the raster time
-//      `id`       instance + 1 at the raster time; 0 for the sky
-// Out: `certain`  1 if the gather is right, 1/2 if the cell is static, otherwise 0
-//      `longest`  longest displacement of the surfaces that reach the cell, px over the exposure
+// In:  `bounds`:   displacements of each cell, px over the exposure
+//      `velocity`: px over the exposure, at the raster time
+//      `id`:       instance + 1 at the raster time; 0 for the sky
+// Out: `certain`:  1 if the gather is right, 1/2 if the cell is static, otherwise 0
+//      `longest`:  longest displacement of the surfaces that reach the cell, px over the exposure
 // Method: join the bounds of all cells whose surfaces reach this cell. If the box has a diagonal of at most `apart_px`, test it
 //      with `audit_rays` rays in a loop over times: each, at a random pixel of the cell and in a part of the exposure of its
 //      own, must hit the instance that the motion brings there. The rays find surfaces that no displacement of the raster time

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the variance of the directions of motion around it (Guertin et al. 2014).
-// In:  `longest`  longest displacement of each tile, px over the exposure
-//      `dominant` longest displacement that reaches each tile, px over the exposure
-// Out: `variance` 0 (all displacements along one line) to 1 (all across it); 0 if the tiles are static
+// In:  `longest`:  longest displacement of each tile, px over the exposure
+//      `dominant`: longest displacement that reaches each tile, px over the exposure
+// Out: `variance`: 0 (all displacements along one line) to 1 (all across it); 0 if the tiles are static
 // Method: 1 - mean of |u . u'| over the 3 x 3 tiles around, u and u' the unit directions of this tile's and the other tile's
 //      longest displacement. Static tiles (up to 1/2 px) do not count. If this tile is static, u is the direction of
 //      `dominant`.

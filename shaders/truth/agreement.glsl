@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Consensus of the first samples of a pixel and of the eight around it, so that the other samples need fewer rays.
-// In:  `ground`        surface that the static hits have in common, or the moving hits if none is static: instance + 2,
-//                      geometry, triangle
-//      `still`         rgb: mean linear radiance of the static hits; alpha: their number
-//      `unlike`        largest difference of a static sample's radiance from the mean before it, as a share of that mean
-//      `shadows`       visible and blocked lights of two instances (lib/seen.glsl)
-// Out: `known_hit`     surface that all samples hit, and its triangle if they hit only one; x = 0 without a consensus
-//      `known_shadows` visible and blocked lights of the pixel's two instances that all samples confirm (lib/seen.glsl)
-//      `even_color`    rgb: radiance, alpha 1 if all samples hit one surface and differ by at most `even_within`; otherwise 0
-//      `more`          0 if these samples are enough, otherwise 1
+// In:  `ground`:        surface that the static hits have in common, or the moving hits if none is static: instance + 2,
+//                       geometry, triangle
+//      `still`:         rgb: mean linear radiance of the static hits; alpha: their number
+//      `unlike`:        largest difference of a static sample's radiance from the mean before it, as a share of that mean
+//      `shadows`:       visible and blocked lights of two instances (lib/seen.glsl)
+// Out: `known_hit`:     surface that all samples hit, and its triangle if they hit only one; x = 0 without a consensus
+//      `known_shadows`: visible and blocked lights of the pixel's two instances that all samples confirm (lib/seen.glsl)
+//      `even_color`:    rgb: radiance, alpha 1 if all samples hit one surface and differ by at most `even_within`; otherwise 0
+//      `more`:          0 if these samples are enough, otherwise 1
 // Method: compare the pixel with the eight around it: a silhouette that cuts off less of a pixel than the distance of its
 //      samples is hit by samples of a neighbour. The samples are enough if their radiance is uniform, the camera is static,
 //      frozen shading is used, no moving surface can be visible at the pixel, and the pixel is not audited.

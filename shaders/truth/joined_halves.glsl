@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Joins two sets of samples into one.
-// In:  `first_a`, `first_b` first set: rgb: mean linear radiance of each half of the samples; alpha: their number
-//      `more_a`, `more_b` second set: rgb: mean linear radiance of each half of the samples; alpha: their number
-//      `first_regions`, `more_regions` bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
-// Out: `mean_a`, `mean_b` rgb: mean linear radiance of each half of all samples; alpha: their number
-//      `regions` bits 1 inner, 2 hidden, 4 outer, 8 self
+// In:  `first_a`, `first_b`: first set: rgb: mean linear radiance of each half of the samples; alpha: their number
+//      `more_a`, `more_b`: second set: rgb: mean linear radiance of each half of the samples; alpha: their number
+//      `first_regions`, `more_regions`: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
+// Out: `mean_a`, `mean_b`: rgb: mean linear radiance of each half of all samples; alpha: their number
+//      `regions`: bits 1 inner, 2 hidden, 4 outer, 8 self
 // Method: means weighted by their numbers of samples; regions combined by bitwise or.
 // Fails: never.
 #include "lib/mean.glsl"

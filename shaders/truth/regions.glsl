@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Image regions for the report of errors, from the surfaces that the time samples hit.
-// In:  `regions` bits of lib/regions.glsl, combined by or over all samples
-// Out: `inner`   1 if a sample hits another, farther instance than the raster sample
-//      `hidden`  1 if a sample hits a point that is occluded at the raster time
-//      `outer`   1 if a sample hits another, nearer instance than the raster sample
-//      `self`    1 if a sample hits a point of the raster sample's instance that is occluded at the raster time
+// In:  `regions`: bits of lib/regions.glsl, combined by or over all samples
+// Out: `inner`:   1 if a sample hits another, farther instance than the raster sample
+//      `hidden`:  1 if a sample hits a point that is occluded at the raster time
+//      `outer`:   1 if a sample hits another, nearer instance than the raster sample
+//      `self`:    1 if a sample hits a point of the raster sample's instance that is occluded at the raster time
 // Method: one image per bit.
 // Fails: never.
 #include "lib/regions.glsl"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stops the loop of time samples when the standard error of their mean is small enough.
-// In:  `spread` per block: sum of squared differences of two halves, number of pixels (0: unknown)
-// Out: `stop`   one pixel: 1 if at least `min_samples` iterations have run and the standard error is at most `tolerance`
+// In:  `spread`: per block: sum of squared differences of two halves, number of pixels (0: unknown)
+// Out: `stop`:   one pixel: 1 if at least `min_samples` iterations have run and the standard error is at most `tolerance`
 // Method: standard error = rms(mean a - mean b) / 2 over all pixels and channels.
 // Fails: halves that agree by chance stop the loop early, which `min_samples` makes unlikely.
 void run(ivec2 pixel) {

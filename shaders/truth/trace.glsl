@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Adds one time sample to each pixel's mean, by distributed ray tracing in time (Cook, Porter, Carpenter 1984).
-// In:  `hit`     raster layer: instance + 1 (0 = sky), geometry, primitive
-//      `listed`  pixels to run over; absent: all
-//      `sure`    per shadow tile: lights visible from all of the tile's surfaces, and blocked from all (`shadow_shafts`)
-//      `known_hit`, `known_shadows`, `even_color` consensus of the first samples (truth/agreement.glsl); absent: none
-//      `first_ground`, `first_still`, `first_regions` `ground`, `still` and `regions` of the samples before this loop; absent:
-//                none
-// Out: `mean_a`, `mean_b` (all outputs are updated) rgb: mean linear radiance of each half of the samples; alpha: their number
-//      `regions` bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
-//      `ground`  surface that the static hits have in common, with its distance; for `pixel` = box, of the moving hits if none
-//                is static (lib/seen.glsl)
-//      `still`   rgb: mean linear radiance of the static hits; alpha: their number
-//      `unlike`  largest difference of a static sample's radiance from the mean before it, as a share of that mean
-//      `shadows` visible and blocked lights of two instances (lib/seen.glsl)
+// In:  `hit`:     raster layer: instance + 1 (0 = sky), geometry, primitive
+//      `listed`:  pixels to run over; absent: all
+//      `sure`:    per shadow tile: lights visible from all of the tile's surfaces, and blocked from all (`shadow_shafts`)
+//      `known_hit`, `known_shadows`, `even_color`: consensus of the first samples (truth/agreement.glsl); absent: none
+//      `first_ground`, `first_still`, `first_regions`: `ground`, `still` and `regions` of the samples before this loop; absent:
+//                 none
+// Out: `mean_a`, `mean_b`: updated, like all outputs; rgb: mean linear radiance of each half of the samples; alpha: their
+//                 number
+//      `regions`: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
+//      `ground`:  surface that the static hits have in common, with its distance; for `pixel` = box, of the moving hits if none
+//                 is static (lib/seen.glsl)
+//      `still`:   rgb: mean linear radiance of the static hits; alpha: their number
+//      `unlike`:  largest difference of a static sample's radiance from the mean before it, as a share of that mean
+//      `shadows`: visible and blocked lights of two instances (lib/seen.glsl)
 // Method: draw one of the iteration's times, trace the scene as posed then, shade the hit, add the radiance without clamping.
 //      Exact shortcuts: static surfaces are found once per ray; moving surfaces have a tree of their own. Assumed: a consensus
 //      of the first samples holds for the others (docs/truth.md lists the rays that each consensus saves).
@@ -58,8 +59,8 @@ bool isMoving(uvec4 seen) {
   return frame.camera_rests != 0u && isOneSurface(seen) && seen.x != kSeenSky && instanceAt(instanceOf(seen)).moves != 0u;
 }
 
-// True if the point was occluded at the raster time or behind the near plane. The last 2^-12 of the way, which holds the point's
-// own surface, is not tested. With a static camera only moving surfaces occlude a static point, and nothing occludes a rigid
+// True if the point was occluded at the raster time or behind the near plane. The last 2^-12 of the way is not tested: it holds
+// the point's own surface. With a static camera only moving surfaces occlude a static point, and nothing occludes a rigid
 // instance in front of everything.
 bool wasOccluded(ivec2 pixel, Hit hit) {
   bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
@@ -300,8 +301,8 @@ void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
 #endif
 }
 
-// Lights visible (x) and blocked (y) from the whole shadow tile, if the raster image shows the hit: its triangle at the pixel, or
-// for samples all over the pixel its surface at the pixel and at the eight around it.
+// Lights visible (x) and blocked (y) from the whole shadow tile, if the raster image shows the hit: its triangle at the pixel,
+// or for samples all over the pixel its surface at the pixel and at the eight around it.
 uvec2 sureShadows(ivec2 pixel, Hit hit) {
   uvec2 sure = uvec2(0u);
 #if HAS_sure
