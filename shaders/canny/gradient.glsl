@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Gradients of depth and normal of the smoothed picture; first step of the edge detector canny (Canny 1986).
-// In:  depth (view depth, sky +inf), normal (unit, world; sky 0).
-// Out: gradient: as long as the answer (1 at the threshold), along the steepest direction, px x right, y down;
-//   of the two directions along that line the one with x > 0, or x = 0 and y > 0.
-// A Gaussian of standard deviation 1 px (5 x 5), then Sobel's kernel, here in one kernel of 7 x 7, scaled so that a
-//   unit step responds 1 beside it. Depths as in edge/sobel, relative to the pixel's own: of the two pixels at a step
-//   the nearer answers more, so that it is the one that stays. Direction: principal axis of the summed outer products
-//   of the gradients of depth and of each component of the normal, each over its threshold (Di Zenzo 1986).
-// Fails: what is closer together than about 3 px becomes one; corners become round.
+// Gradient of depth and normal of the smoothed image (Canny 1986); first of three steps.
+// In:  `depth`:    view depth, m; +inf for the sky
+//      `normal`:   unit, world; 0 for the sky
+// Out: `gradient`: along the steepest direction, px, x right, y down; length 1 at the threshold. Of the two directions along
+//                  that line, the one with x > 0, or x = 0 and y > 0
+// Method: a Gaussian of standard deviation 1 px (5 x 5) and Sobel's kernel, as one kernel of 7 x 7, scaled so that a unit step
+//      responds 1 beside it. Depths as in edge/sobel, relative to the pixel's own: at a step the nearer pixel responds more and
+//      remains. Direction: principal axis of the summed outer products of the gradients of depth and of each component of the
+//      normal, each divided by its threshold (Di Zenzo 1986).
+// Fails: edges closer together than about 3 px merge; corners become round.
 #include "mixin/edge_features.glsl"
 #include "mixin/edge_steps.glsl"
 
+// exp(-r^2 / 2) at r = 0, 1, 2, normalised to a sum of 1 over the five taps.
 const float kGauss[5] = float[](0.40261996, 0.24420134, 0.05448868, 0.0, 0.0);
 
-// The Gaussian with [1 2 1] / 4 and with [-1 0 1], at -3 to 3.
+// Convolution of the Gaussian with [1 2 1] / 4 and with [-1 0 1], at -3 to 3.
 float smoothAt(int i) { return 0.25 * (kGauss[abs(i - 1)] + kGauss[abs(i + 1)]) + 0.5 * kGauss[abs(i)]; }
 float slopeAt(int i) { return (kGauss[abs(i - 1)] - kGauss[abs(i + 1)]) / (kGauss[0] + kGauss[1]); }
 

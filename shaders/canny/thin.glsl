@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Ridges of a gradient, one pixel wide; second step of the edge detector canny (Canny 1986).
-// In:  gradient (its length is the answer, 1 at the threshold of strong edges; along the steepest direction).
-// Out: ridge: 1 where the answer is above 1, 1/2 where it is above 1 / ratio, 0 elsewhere and where one of the
-//   neighbours across the edge (the nearest of eight directions) answers more. Of equal ones the right or lower one
-//   goes.
-// Fails: where three edges meet one may be cut off a pixel before the others.
+// Thins a gradient to ridges one pixel wide (Canny 1986); second of three steps.
+// In:  `gradient`: along the steepest direction; length 1 at the threshold of strong edges
+// Out: `ridge`:    1 where the length is above 1, 1/2 where it is above 1 / `ratio`, 0 elsewhere
+// Method: non-maximum suppression: 0 if one of the two neighbours across the edge, in the nearest of eight directions, has a
+//      longer gradient. Of two equal neighbours the left or upper one stays.
+// Fails: where three edges meet, one may end a pixel early.
 #include "lib/blur.glsl"
 
-const float kSector = 1.2071068;  // 1 / (2 tan 22.5 deg): diagonals begin halfway between axes and diagonals
+const float kSector = 1.2071068;  // 1 / (2 tan 22.5 deg): rounds to an axis up to 22.5 degrees from it, beyond to a diagonal
 
 float answerAt(ivec2 pixel) {
   if (!isInside(pixel, textureSize(gradient_tex, 0))) return 0.0;

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Hysteresis: strong ridges, and the weak ones that are connected to them; last step of the edge detector canny (Canny
-// 1986).
-// In:  ridge (1 strong, 1/2 weak; canny/thin), where (> 1/2: mark here; absent: everywhere).
-// Out: edge, 1 on an edge, one pixel wide.
-// A flood from each weak pixel along ridges (to eight neighbours), within reach px to either side: it ends at a strong
-//   one or where nothing is left. A set of pixels is a bit per column in a word per row.
-// Fails: connections longer than reach px along x or y, or by a detour out of that square, are not found: the weak part
-//   of such an edge ends reach px from its strong one.
+// Edge hysteresis: keeps strong ridges and the weak ridges connected to them (Canny 1986); last of three steps.
+// In:  `ridge`: 1 strong, 1/2 weak, 0 none (canny/thin)
+//      `where`: above 1/2 where to mark; absent: everywhere
+// Out: `edge`:  1 on an edge, one pixel wide
+// Method: flood from each weak pixel along ridges, to eight neighbours and within `reach` px to either side, until a strong
+//      pixel is met or no pixel is left. A set of pixels is one word per row with one bit per column.
+// Fails: connections longer than `reach` px along x or y, or with a detour out of that square: the weak part of such an edge
+//      ends `reach` px from its strong part.
 #include "lib/blur.glsl"
 #include "mixin/edge.glsl"
 
-const int kMostSide = 31;  // 2 * the largest reach + 1
+const int kMostSide = 31;  // 2 * 15 + 1, with 15 the largest `reach`: a row fits into a word
 
 float ridgeAt(ivec2 pixel) {
   return isInside(pixel, textureSize(ridge_tex, 0)) ? texelFetch(ridge_tex, pixel, 0).x : 0.0;
 }
 
+// True if the flood from a weak pixel meets a strong one.
 bool meetsStrong(ivec2 pixel) {
   int side = 2 * params.reach + 1;
   uint ridge[kMostSide], strong[kMostSide], found[kMostSide];

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Silhouettes between instances: a pixel is an edge if one of its four neighbours is another instance and farther.
-// In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), where (> 1/2: look here; absent: everywhere).
-// Out: edge, 1 on an edge: one pixel wide, on the nearer side. Of equal depths neither is an edge.
-// Fails: contacts and intersections of resting parts are edges too; blind to self-occlusion of one instance.
+// Silhouettes between instances: pixels with a neighbour on another, farther instance.
+// In:  `depth`: view depth, m; +inf for the sky
+//      `id`:    instance + 1; 0 for the sky
+//      `where`: above 1/2 where to test; absent: everywhere
+// Out: `edge`:  1 on an edge: one pixel wide, on the nearer side
+// Method: compare id and depth with the four neighbours. At equal depths neither pixel is an edge.
+// Fails: contacts and intersections of static parts are edges too; self-occlusion of one instance is missed.
 #include "mixin/edge.glsl"
 #include "mixin/edge_id.glsl"
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Edges from second differences of inverse depth and normal (Laplace; LoG: Marr and Hildreth 1980).
-// In:  depth (view depth, sky +inf), normal (unit, world; sky 0), where (> 1/2: look here; absent: everywhere).
-// Out: edge, 1 on an edge: two pixels wide at a step, four for the kernel log.
-// Kernels: four and eight neighbours; log, the Laplacian of a Gaussian of standard deviation 1, (r^2 - 2) exp(-r^2 / 2)
-//   to 3 px. Each is scaled so that a unit step along an axis responds 1 beside it. On a plane 1/z is affine in screen
-//   space, so planes answer 0 at any angle. 1/z is multiplied by the pixel's own depth, so that no scale is built in.
-//   Pairs of opposite neighbours of which one is outside of the picture do not count.
-// Fails: a double response, on both sides of a step; noise, more than with gradients; a step is a step of 1/z, smaller
-//   than that of z where the gap is large (1 - near / far).
+// In:  `depth`:  view depth, m; +inf for the sky
+//      `normal`: unit, world; 0 for the sky
+//      `where`:  above 1/2 where to test; absent: everywhere
+// Out: `edge`:   1 on an edge: two pixels wide at a step, four for the kernel `log`
+// Method: sum of the second differences over the four or eight neighbours; `log` is the Laplacian of a Gaussian of standard
+//      deviation 1 px, (r^2 - 2) exp(-r^2 / 2), up to 3 px. Each kernel is scaled so that a unit step along an axis responds 1
+//      beside it. 1/z is affine in screen space on a plane, so planes respond 0 at any angle. 1/z is multiplied by the pixel's
+//      own depth, which makes it independent of scale. A pair of opposite neighbours with one outside the image is ignored.
+// Fails: a step responds on both of its sides. Noise responds more than with gradients. The depth step is a step of 1/z, 1 -
+//      near / far, smaller than the step of z where the gap is large.
 #include "mixin/edge.glsl"
 #include "mixin/edge_features.glsl"
 #include "mixin/edge_steps.glsl"
@@ -34,7 +36,7 @@ void run(ivec2 pixel) {
   bool edge = false;
   if (isWanted(pixel) && isSurface(depth)) {
     vec4 sum = vec4(0);
-    float unit_step = 0.0;  // the answer to a step of 1 between this column and the next
+    float unit_step = 0.0;  // response to a step of 1 between this column and the next
     for (int y = -kRadius; y <= kRadius; ++y) {
       for (int x = 0; x <= kRadius; ++x) {
         float weight = weightAt(ivec2(x, y));

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Edges where a surface leaves the plane it is on, and where its normal steps.
-// In:  depth (view depth, sky +inf), normal (unit, world; sky 0), where (> 1/2: look here; absent: everywhere).
-// Out: edge, 1 on an edge: two pixels wide at a step.
-// Depth: the larger of both axes; see mixin/edge_plane.glsl. Normal: the longest difference to one of four neighbours,
-//   for creases. Each is divided by its threshold; an edge is where the combination exceeds 1.
-// Fails: a farther surface that lies on the same plane; quantised depth; by second differences, pixels whose two
-//   neighbours lie as much before as behind them (in 1/z), and the picture's border; by distance, the silhouettes of
-//   curved surfaces, where the plane runs along the line of sight.
+// Edges where a surface leaves its own plane, and where its normal steps.
+// In:  `depth`:  view depth, m; +inf for the sky
+//      `normal`: unit, world; 0 for the sky
+//      `where`:  above 1/2 where to test; absent: everywhere
+// Out: `edge`:   1 on an edge: two pixels wide at a step
+// Method: depth: the largest distance from the plane over the four neighbours (mixin/edge_plane.glsl). Normal: the largest
+//      difference to a neighbour, for creases. Each is divided by its threshold; a pixel is an edge if the combination exceeds
+//      1.
+// Fails: a farther surface in the same plane is missed; quantised depths make edges. With second differences, pixels whose two
+//      neighbours are as much nearer as farther (in 1/z) and the border of the image are missed. With distances, silhouettes of
+//      curved surfaces are missed, where the plane runs along the view ray.
 #include "mixin/edge.glsl"
 #include "mixin/edge_plane.glsl"
 #include "mixin/edge_steps.glsl"

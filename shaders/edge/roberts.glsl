@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Edges from gradients of depth and normal over two diagonals (Roberts 1963).
-// In:  depth (view depth, sky +inf), normal (unit, world; sky 0), where (> 1/2: look here; absent: everywhere).
-// Out: edge, 1 on an edge: one pixel wide at a step.
-// The differences along both diagonals of the pixel and its neighbours to the right and below, scaled so that a unit
-//   step along an axis responds 1. What it answers for is their common corner, half a pixel to the right and below:
-//   a step is marked on the pixel to its left, or above it, whichever side is nearer. Depths as in edge/sobel.
-// Fails: silhouettes whose nearer side is right or below are marked on what is farther, and lost to a mask that looks
-//   on the nearer side only; noise; planes at grazing angles.
+// Edges from differences of depth and normal along two diagonals (Roberts 1963).
+// In:  `depth`:  view depth, m; +inf for the sky
+//      `normal`: unit, world; 0 for the sky
+//      `where`:  above 1/2 where to test; absent: everywhere
+// Out: `edge`:   1 on an edge: one pixel wide at a step
+// Method: differences along both diagonals of the pixel and its neighbours to the right and below, scaled so that a unit step
+//      along an axis responds 1. They are centred on the common corner of the four, half a pixel to the right and below: a step
+//      is marked on the pixel to its left or above it, whichever side is nearer. Depths as in edge/sobel.
+// Fails: a silhouette whose nearer side is to the right or below is marked on the farther side, where a mask that reads the
+//      nearer side misses it; noise; planes at grazing angles.
 #include "mixin/edge_gradient.glsl"
 
+// A unit step along an axis changes both diagonal differences by 1: the l1 norm is 2, the l2 norm sqrt(2).
 #if PARAM_norm == norm_l1
 const float kUnitStep = 0.5;
 #else

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Silhouettes between instances that stand off: a pixel is an edge if one of its four neighbours is another instance,
-// farther, and off the plane that the pixel lies on. What rests on something, as a box on the floor, is no silhouette
-// where they touch.
-// In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), normal (unit, world; sky 0), where (> 1/2: look here;
-//      absent: everywhere).
-// Out: edge, 1 on an edge: one pixel wide, on the nearer side.
-// Fails: blind to self-occlusion of one instance, and to what lies behind in the same plane (which, by distance, curved
-//   surfaces reach behind their silhouettes).
+// Silhouettes between instances that are apart: pixels with a neighbour on another instance, farther and off the pixel's plane.
+// In:  `depth`:  view depth, m; +inf for the sky
+//      `id`:     instance + 1; 0 for the sky
+//      `normal`: unit, world; 0 for the sky
+//      `where`:  above 1/2 where to test; absent: everywhere
+// Out: `edge`:   1 on an edge: one pixel wide, on the nearer side
+// Method: compare id, depth and distance from the plane (mixin/edge_plane.glsl) with the four neighbours. An object that rests
+//      on another, as a box on the floor, has no silhouette along the contact.
+// Fails: self-occlusion of one instance, and backgrounds in the same plane, are missed. With distances, the plane of a curved
+//      surface contains the background at its silhouette.
 #include "mixin/edge.glsl"
 #include "mixin/edge_id.glsl"
 #include "mixin/edge_plane.glsl"

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Every hit of one camera ray at the capture, nearest first: texel k is the k-th. The ray keeps its origin; its lower
-// bound is raised by 4 representable numbers, and the triangle just left is not counted again.
-// Out: hit (instance + 1, geometry + 1, primitive, 1 if the front is seen; 0: no more), where (view depth, m; unit
-//      normal), velocity (px over the exposure), color (linear; alpha 1 on a hit).
-// Fails: of two surfaces in one place only one is listed.
+// Every hit of one camera ray at the raster time, nearest first: texel k is hit k.
+// In:  none; the pixel is `pixel_x`, `pixel_y`
+// Out: `hit`:      instance + 1, geometry + 1, primitive, 1 if the front is hit; 0 after the last hit
+//      `where`:    view depth, m; unit normal
+//      `velocity`: px over the exposure
+//      `color`:    linear radiance; alpha 1 on a hit
+// Method: keep the ray's origin and raise its lower bound by 4 representable numbers after each hit; a second hit on the
+//      triangle just left is not counted.
+// Fails: of two coincident surfaces only one is listed.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
 
-// The hit number `wanted`, from 0; a miss if there are fewer.
+// Hit number `wanted`, counted from 0; a miss if the ray has fewer hits.
 Hit hitNumber(Ray ray, int wanted) {
   Hit last = traceNearest(SLICE_CAPTURE, ray, scene_cameras[SLICE_CAPTURE].near, kFar);
   int number = 0;

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A ray of each pixel's own through the scene at the capture, and what is found on it: easy rays and rays that rounding
-// makes hard. Points of the scene are those of random triangles.
-// Out: origin (world, relative to the capture's camera, m), direction (a: longest t), hit (instance + 1, geometry,
-//      primitive, bits of t; 0 a miss), color (rgb: t), blocked (1: something lies on the ray).
+// One ray per pixel through the scene at the raster time, and its hit, to compare tracing backends: ordinary rays, and rays
+// that rounding makes difficult.
+// In:  none; points are taken from random triangles of the scene
+// Out: `origin`:    world, relative to the camera at the raster time, m
+//      `direction`: alpha: largest t
+//      `hit`:       instance + 1, geometry, primitive, bits of t; 0 on a miss
+//      `color`:     rgb: t; 0 on a miss
+//      `blocked`:   1 if any surface lies on the ray
+// Method: eight kinds of rays, one kind per row of pixels in turn, or one kind alone by `ray_kind`: between random points; to a
+//      vertex; to an edge; parallel to an axis through a vertex; from a surface along an edge; from 10^4 times the distance;
+//      from a surface in a random direction; within an axis-aligned plane.
+// Fails: never; degenerate triangles give the direction (0, 0, 1).
 #include "lib/random.glsl"
 #include "mixin/trace.glsl"
 
@@ -45,7 +53,7 @@ vec3 anySurfacePoint(Corners corners) {
   return corners.at[0] + u * (corners.at[1] - corners.at[0]) + v * (corners.at[2] - corners.at[0]);
 }
 
-// Somewhere between the corners of two triangles.
+// Random point in the box between the first corners of two random triangles.
 vec3 anyPoint() { return mix(anyTriangle().at[0], anyTriangle().at[1], anyVec3()); }
 
 Ray anyRay(uint kind) {

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Adds what a pixel sees at one time of the loop, shaded as at the capture, to the mean of such samples.
-// In:  hit (what moves and is seen then; before a moving camera all); color, depth, id of what the capture sees; ground
-//      (alpha: view depth of what is at rest behind what the capture sees in motion, else 0).
-// Updates: moving (rgb: mean, linear; alpha: number of samples). Before a camera at rest what rests is not added: it is known.
+// Adds the radiance of one time of the loop to each pixel's mean over moving surfaces (Haeberli and Akeley 1990).
+// In:  `hit`:    nearest surface at this time; for a static camera the nearest moving surface
+//      `color`:  linear radiance at the raster time
+//      `depth`:  view depth at the raster time, m; +inf for the sky
+//      `id`:     instance + 1, geometry + 1 at the raster time; 0 for the sky
+//      `ground`: alpha: view depth of the static background behind a moving surface, m; 0 elsewhere
+// Out: `moving`: updated; rgb: mean linear radiance of the samples; alpha: their number
+// Method: pose the triangle of `hit` at this time and intersect the pixel's ray with it. Take the colour of the raster layer if
+//      it shows the point (mixin/captured_color.glsl); otherwise shade the point as at the raster time. For a static camera,
+//      skip static surfaces and moving surfaces behind them: `over_ground` adds the static radiance.
+// Fails: highlights and shadows do not move within the exposure, because points are shaded as at the raster time.
 #include "lib/mean.glsl"
 #include "lib/reached.glsl"
 #include "mixin/captured_color.glsl"
@@ -16,7 +23,7 @@ vec3 colorOf(Hit hit) {
 #endif
 }
 
-// Of what is at rest on the pixel's ray, before a camera at rest.
+// View depth of the nearest static surface on the pixel's ray, for a static camera.
 float groundDepth(ivec2 pixel) {
   float behind = texelFetch(ground_tex, pixel, 0).a;
   return behind > 0.0 ? behind : texelFetch(depth_tex, pixel, 0).x;

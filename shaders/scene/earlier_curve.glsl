@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Extrapolated curves of a layer: parabolas through the places of its points at the raster time and in the two frames before,
-// taken over the exposure. In a loop of the times "frames" with two slices.
-// In:  depth, id, hit, normal as path_bend has them; velocity (px over the exposure, from the frame before alone).
-// Out: velocity (px between the ends of the curve), curve (px, mixin/curve.glsl), bend (px: how far the curve is from the line
-//      between its ends in the middle), bent (1 where an end of the exposure is more than `most_bend` px from where the curve
-//      has it, by true poses, or a pixel grows to more than `most_growth` px).
-// Method (Newton): with D = p0 - p1 and D2 = p0 - 2 p1 + p2, the point is at p0 + f D + f (f + 1) / 2 D2, f frames after the
-// capture. Poses beyond a cut do not count: one earlier pose gives a straight path.
-// Fails: objects that change direction after the capture. An object whose pose of two frames before equals its pose of the
-// capture is taken for cut.
+// Extrapolates the paths of a layer's points as parabolas through their screen positions at the raster time and in the two
+// frames before it.
+// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
+//      `id`:       instance + 1; 0 for the sky
+//      `velocity`: px over the exposure, from the previous frame alone
+//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
+//      `normal`:   unit, world; absent: growth is not tested
+// Out: `velocity`: px between the ends of the curve; a straight path keeps its input
+//      `curve`:    px (mixin/curve.glsl)
+//      `bend`:     path deviation in the middle of the exposure, px
+//      `bent`:     1 if a true pose at shutter open or close is more than `most_bend` px from the curve, or if a pixel grows to
+//                  more than `most_growth` px
+// Method: Newton's backward differences, in a loop of the times "frames" with two slices. With D = p0 - p1 and D2 = p0 - 2 p1 +
+//      p2 the point is at p0 + f D + f (f + 1) / 2 D2, f frames after the raster time. Poses beyond a cut are ignored: one
+//      earlier pose gives a straight path.
+// Fails: objects that change direction after the raster time. An object whose pose two frames before equals its pose at the
+//      raster time is treated as cut.
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"
@@ -38,7 +45,8 @@ struct Differences {
   vec2 first, second;  // px per frame, per frame^2
 };
 
-// False if the path has fewer than two poses before the capture.
+// True if both earlier positions differ from the position at the raster time, with no cut between them. A point that did not
+// move in the last frame keeps a straight path.
 bool hasDifferences(uint id, vec2 places[kPoses]) {
   return places[0] != vec2(0) && places[1] != vec2(0) && !isSecondPoseCut(id);
 }
@@ -47,9 +55,10 @@ Differences differencesOf(vec2 places[kPoses], bool is_curved) {
   return Differences(-places[0], is_curved ? places[1] - 2.0 * places[0] : vec2(0));
 }
 
-// Place f frames after the capture, px from that at the capture.
+// Position f frames after the raster time, px, relative to the position at the raster time.
 vec2 placeAt(Differences d, float f) { return f * (d.first + 0.5 * (f + 1.0) * d.second); }
 
+// The middle of the curve minus the middle of its chord is -(D2 / 2) (exposure / 2)^2.
 vec4 curveOf(Differences d) { return vec4(-frame.exposure * frame.exposure / 8.0 * d.second, 0, 0); }
 
 void run(ivec2 pixel) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-// In:  hit_tex (instance + 1, geometry, primitive).
-// Out: depth (view depth, m, +inf for sky), normal (unit, world), id (instance + 1, geometry + 1), velocity (px over
-//      the exposure: `displacement`; 0 where that is not finite); depth and velocity as memory keeps them
-//      (mixin/stored.glsl).
-// Fails: one displacement per pixel, a straight line whatever the motion within the exposure.
+// Depth, normal, ids and displacement of the surface at each pixel, at the node's time.
+// In:  `hit`:      instance + 1 (0 = sky), geometry, primitive
+// Out: `depth`:    view depth, m; +inf for the sky; quantised (mixin/stored.glsl)
+//      `normal`:   unit, world, towards the camera; 0 for the sky
+//      `id`:       instance + 1, geometry + 1; 0 for the sky
+//      `velocity`: px over the exposure, by the parameter `displacement`; 0 if it is not finite; quantised (mixin/stored.glsl)
+// Method: pose the triangle of `hit`, intersect the pixel's ray with its plane, and subtract the point's screen positions at
+//      the two ends of the exposure, or at the raster time and in the previous frame.
+// Fails: one displacement per pixel: every path is a straight line, whatever the motion within the exposure.
 #include "mixin/stored.glsl"
 #include "mixin/surface.glsl"
 

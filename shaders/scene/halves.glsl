@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The displacements of a layer in the two parts of the exposure, before and after the capture, each from the true poses
-// at its ends: motion that is piecewise linear instead of linear.
-// In:  depth (view depth, m, sky +inf, 0 where the layer has nothing), id (instance + 1, 0 = sky) and velocity (px over
-//      the exposure) of the layer.
-// Out: before, after (px over the exposure, at the pace of that part: a point now at y is at y + before*t for t < 0 and
-//      at y + after*t for t > 0). An exposure that has one of the parts only has `velocity` for both, and so has what
-//      joints or morph targets bend: `id` does not say which point of it that is.
-// Fails: motion that bends elsewhere than at the capture.
+// Splits the motion of a layer into two linear segments, before and after the raster time.
+// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
+//      `id`:       instance + 1; 0 for the sky
+//      `velocity`: px over the exposure
+// Out: `before`:   velocity before the raster time, scaled to the whole exposure, px
+//      `after`:    velocity after the raster time, scaled to the whole exposure, px
+// Method: pose the point at both ends of the exposure and divide each path by its part of the exposure. A point at y at the
+//      raster time is at y + before * t for t < 0 and at y + after * t for t > 0. Both outputs equal `velocity` if the exposure
+//      lies on one side of the raster time, or if joints or morph targets deform the instance: `id` does not identify the point
+//      then.
+// Fails: motion that changes direction or speed at any time other than the raster time.
 #include "lib/blur.glsl"
 #include "mixin/stored.glsl"
 #include "mixin/surface.glsl"

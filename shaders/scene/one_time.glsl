@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-// One sample of the exposure per pixel: each draws one of the loop's times and sees the scene as it truly stands then, shaded as at
-// the capture (Cook, Porter, Carpenter 1984, "Distributed Ray Tracing").
-// In:  color (linear) and velocity (px over the exposure) of what the capture sees, dominant (the same, per tile).
-// Out: noisy (linear, alpha 1), moved (px over the exposure, of what is seen then). Where nothing moves around, what the capture sees.
-// Its mean over seeds is that over the loop's times.
+// Radiance of each pixel at one random time of the exposure (Cook, Porter, Carpenter 1984, "Distributed Ray Tracing").
+// In:  `color`:    linear radiance at the raster time
+//      `velocity`: px over the exposure, at the raster time
+//      `dominant`: longest displacement that reaches the tile, px over the exposure
+// Out: `noisy`:    linear radiance at the drawn time, alpha 1
+//      `moved`:    displacement of the surface hit at the drawn time, px over the exposure
+// Method: draw one of the loop's times by a hash of pixel, frame and seed, trace the scene as posed at that time, and shade the
+//      hit as at the raster time. The mean over seeds is the mean over the loop's times. If `dominant` moves no surface by more
+//      than half a pixel, copy `color` and `velocity`.
+// Fails: noise, since one time stands for all. A surface that enters the image where no tile has a displacement is missed.
 #include "lib/blur.glsl"
 #include "lib/noise.glsl"
 #include "mixin/shade.glsl"

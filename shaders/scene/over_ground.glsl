@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
-// In:  moving (rgb: mean of the samples at which something that moves is seen, linear; alpha: their number); what is seen at
-//      the others: ground (linear) where its alpha is not 0, else color (linear), what the capture sees.
-// Out: picture (linear, alpha 1).
+// Mean radiance of moving and static surfaces over the time samples (Haeberli and Akeley 1990, "The Accumulation Buffer").
+// In:  `moving`:  rgb: mean linear radiance of the samples that show a moving surface; alpha: their number
+//      `ground`:  rgb: linear radiance of the static background; alpha 0: the static radiance is `color`
+//      `color`:   linear radiance at the raster time
+// Out: `picture`: linear radiance, alpha 1
+// Method: weighted mean of `moving` and, for the other of `samples` samples, `ground` or `color`. Outside the moving rectangle
+//      the output is `color`.
+// Fails: static surfaces keep the shadows of the raster time.
 #include "lib/mean.glsl"
 #include "lib/reached.glsl"
 #include "lib/sanitise.glsl"

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Rays at their own time, for the samples of a pixel at which no layer has anything: the scene as it stands then, shaded
-// as at the capture.
-// In:  seen (linear, sum of the samples that layers explain over the number of all; alpha: their share), open (a bit for
-//      each of the loop's times at which nothing does); hit, color, depth, id of what raster saw at the capture, and
-//      revealed_color, revealed_depth, revealed_id, revealed_valid of what was revealed behind it.
-// Out: picture (linear, alpha 1). In the share `audit` of blocks of pixels that motion may reach the other samples are
-//      traced too; `wrong` counts pixels whose mean is otherwise by `wrong_by` of it.
-// What a ray meets and a layer of the capture holds has that layer's colour (mixin/captured_color.glsl).
+// Traces the time samples that no layer resolves, each at the time of the sample.
+// In:  `seen`:           linear: sum of the resolved samples, divided by the number of all; alpha: share of resolved samples
+//      `open`:           bit i is set if time i of the loop is unresolved
+//      `hit`:            raster layer: instance + 1 (0 = sky), geometry, primitive
+//      `color`, `revealed_color`: linear radiance of the raster layer and of the revealed layer
+//      `depth`, `revealed_depth`: view depth of both layers, m; +inf for the sky
+//      `id`, `revealed_id`: instance + 1, geometry + 1 of both layers; 0 for the sky
+//      `revealed_valid`: above 1/2 where the revealed layer has a surface
+// Out: `picture`:        linear radiance, alpha 1
+// Method: trace the scene as posed at the sample's time. If a layer shows the hit point, take that layer's colour
+//      (mixin/captured_color.glsl); otherwise shade the point as at the raster time. The mean over the unresolved samples fills
+//      their share. In the share `audit` of the pixel blocks in the moving rectangle, the resolved samples are traced too: the
+//      counter `wrong` counts pixels whose mean differs by more than the share `wrong_by`.
+// Fails: highlights and shadows do not move within the exposure. Silhouettes are aliased: the ray goes through the centre of
+//      the pixel.
 #include "lib/audit.glsl"
 #include "lib/parts.glsl"
 #include "lib/reached.glsl"
@@ -22,7 +29,7 @@ vec3 seenAt(ivec2 pixel, uint slice, inout Ground ground) {
   return color;
 }
 
-// The mean of what is seen at these times.
+// Mean radiance over these times.
 vec3 meanOf(ivec2 pixel, uvec2 times, inout Ground ground) {
   int count = countParts(times);
   vec3 sum = vec3(0);
@@ -35,12 +42,12 @@ vec3 meanOf(ivec2 pixel, uvec2 times, inout Ground ground) {
     all_seen = withColor(all_seen, color);
   }
 #if PARAM_shades_unlike
-  if (isNarrow(all_seen, 0.0)) return all_seen.low;  // of equal colours not rounded
+  if (isNarrow(all_seen, 0.0)) return all_seen.low;  // equal colours: exact
 #endif
   return fromSum(sum / float(count));
 }
 
-// Counts where what the layers explain is wrong.
+// Compares the mean of the resolved samples with traced ones. 1e-3 (linear radiance) keeps black pixels from mismatching.
 void audit(vec4 seen, vec3 is_so) {
   vec3 said = vec3(seen) / seen.a;
   vec3 apart = abs(said - is_so), larger = max(abs(said), abs(is_so));
@@ -56,7 +63,8 @@ void run(ivec2 pixel) {
   bool audited = seen.a > 0.0 && open != all_times && isReached(pixel) && isAudited(pixel / kAuditBlock, params.audit);
   if (hasParts(open) || audited) {
     Ground ground = groundAt(pixel);
-    // What is audited, then what is open: in one loop, since each copy of what is seen takes seconds to compile.
+    // Round 0 audits the resolved samples, round 1 traces the unresolved ones. One loop: each copy of `seenAt` takes seconds to
+    // compile.
     for (int round = audited ? 0 : 1; round < (hasParts(open) ? 2 : 1); ++round) {
       bool is_open = round == 1;
       vec3 mean = meanOf(pixel, is_open ? open : all_times & ~open, ground);

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Where a layer's straight displacements say too little: how far paths are from straight lines, at the middle of the exposure
-// from the middle between their ends, and by how much more of the picture a surface covers at the ends than at the capture.
-// In a loop whose one time is the middle.
-// In:  depth (view depth, m, sky +inf, 0 where the layer has nothing), id (instance + 1, 0 = sky), velocity (px over the
-//      exposure), hit (geometry and primitive; absent: surfaces are rigid), normal (unit, world; absent: growth is not
-//      looked at).
-// Out: bend (how far, px), bent (1 where it is more than `most_bend` px, or a pixel grows to more than `most_growth`
-//      px).
+// Path deviation of a layer: marks surfaces that straight displacements do not describe.
+// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
+//      `id`:       instance + 1; 0 for the sky
+//      `velocity`: px over the exposure
+//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
+//      `normal`:   unit, world; absent: growth is not tested
+// Out: `bend`:     path deviation, px: position in the middle of the exposure minus the midpoint of the path's ends
+//      `bent`:     1 if `bend` is longer than `most_bend` px, or if a pixel grows to more than `most_growth` px
+// Method: pose the point at shutter open, in the middle and at shutter close (a loop with one time, the middle). A pixel's
+//      growth is the largest distance, at either end, between two points that were one pixel apart at the raster time.
+// Fails: a path that leaves its line and returns within half of the exposure counts as straight.
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
 
-// The middle of the exposure, and its ends.
+// Middle of the exposure, shutter open, shutter close.
 const uint kSlices[3] = uint[3](SLICE_SAMPLE, SLICE_OPEN, SLICE_CLOSE);
 
-// How far the path of what a texel shows is from the line between its ends, in its middle.
+// Path deviation of the surface at a texel, in the middle of the exposure, px. An end at the raster time adds 0.
 vec2 bendAt(ivec2 pixel) {
   vec2 bend = vec2(0);
   for (int k = 0; k < 3; ++k) {

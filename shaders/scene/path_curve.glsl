@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Paths of a layer as parabolas or arcs (mixin/curve.glsl) through poses inside the exposure. Runs in a loop of three times, at
-// 1/6, 1/2 and 5/6 of the exposure. Arcs use five times, at 1/10, 3/10, 5/10, 7/10 and 9/10.
-// In:  depth, id, velocity, hit, normal as in scene/path_bend.glsl.
-// Out: curve (px; of arcs px and a turn), bend (px: distance of the path from the line between its ends in the middle of the
-//      exposure), bent (1 where the curve is farther than `most_bend` px from the path at one of the times, or a pixel grows to
-//      more than `most_growth` px).
-// Method: a parabola meets the path in the middle. Second differences of the places on an arc turn and grow as the arc does,
-// whatever its centre and the line of the centre: two of them give the turn.
-// Fails: a turn beyond half a turn, for parabolas, or one and a quarter turns, for arcs; circles seen aslant.
+// Fits parabolas or arcs (mixin/curve.glsl) to the paths of a layer's points, through true poses inside the exposure.
+// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
+//      `id`:       instance + 1; 0 for the sky
+//      `velocity`: px over the exposure
+//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
+//      `normal`:   unit, world; absent: growth is not tested
+// Out: `curve`:    parabola: px; arc: px, logarithm of the growth factor and turn in radians, over the exposure
+//      `bend`:     path deviation in the middle of the exposure, px
+//      `bent`:     1 if the path is more than `most_bend` px from the curve at a time of the loop, or if a pixel grows to more
+//                  than `most_growth` px
+// Method: the loop has three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs five, at 1/10, 3/10, 5/10, 7/10 and 9/10.
+//      Both curves meet the path in the middle. On an arc, the second differences of the positions turn and grow as the arc
+//      does, whatever its centre and the motion of the centre: the quotient of two second differences gives turn and growth.
+// Fails: parabolas beyond a sixth of a turn, arcs beyond one and a quarter turns; circles seen obliquely.
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"
@@ -17,11 +22,13 @@ const int kPoses = PARAM_trajectory == trajectory_arc ? 5 : 3;
 float timeOfPose(int k) { return (float(k) + 0.5) / float(kPoses); }
 
 #if ON_ARCS
-// Second differences below are rounding, px; beyond, a factor over the exposure is (its logarithm); turns nearly as large
-// as two poses can tell may be what turns the other way, radians.
+// Shortest second difference that is more than rounding, px: about four float spacings at 2048 to 4096 px.
+// Largest logarithm of a growth factor over the exposure: e^4 = 55, not derived. Beyond each limit the curve is a parabola.
+// Largest turn, radians. The two differences are 0.4 of the exposure apart, so turns are unique below pi / 0.4 = 7.85; 2 % less
+// keeps rounding from reversing the sign.
 const float kLeastDifference = 1e-3, kMostGrowth = 4.0, kMostTurn = 7.7;
 
-// By how much a path turns and grows over the exposure, of its places at the five times.
+// Logarithm of the growth factor, and turn in radians, of a path over the exposure, from its positions at the five times.
 vec2 turnOf(vec2 places[kPoses]) {
   vec2 early = places[0] - 2.0 * places[1] + places[2], late = places[2] - 2.0 * places[3] + places[4];
   if (min(lengthOf(early), lengthOf(late)) < kLeastDifference) return vec2(0);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The nearest of what lies behind what is known: one step of depth peeling (Everitt, "Interactive Order-Independent
-// Transparency", 2001).
-// In:  front (instance + 1, geometry, primitive; 0 = sky) of the layer in front.
-// Out: hit, the same of the nearest behind it; sky behind sky.
-// Both depths are those of triangles at the pixel's sample position, computed by one function: no bias. Of equal ones the
-// later in the order of drawing is behind, as the depth test has it.
-// Fails: where raster's own depths order two surfaces otherwise than these, closer together than its numbers tell apart,
-//   one of them is in no layer.
+// One step of depth peeling: the nearest surface behind a layer (Everitt, "Interactive Order-Independent Transparency", 2001).
+// In:  `front`: instance + 1 (0 = sky), geometry, primitive of the layer in front
+// Out: `hit`:   instance + 1 (0 = sky), geometry, primitive of the nearest surface behind; sky behind the sky
+// Method: discard fragments that are not behind `front`. One function computes both depths, at the pixel's sample position on
+//      their triangles, so the comparison needs no bias. At equal depths the triangle drawn later is behind, as in the depth
+//      test. With `sides` = front, hits on backs are discarded too.
+// Fails: two surfaces closer together than the depth buffer resolves, if it orders them differently than this comparison does:
+//      one of the two is in no layer.
 #include "mixin/fragment.glsl"
 #include "mixin/surface.glsl"
 

@@ -1,3 +1,7 @@
 // SPDX-License-Identifier: MIT
-// As what is nearest is drawn.
+// Vertices of a peeled layer, computed as for the nearest surface.
+// In:  as scene/visibility.vert.glsl
+// Out: as scene/visibility.vert.glsl
+// Method: includes that shader.
+// Fails: never.
 #include "scene/visibility.vert.glsl"

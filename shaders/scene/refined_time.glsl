@@ -1,30 +1,38 @@
 // SPDX-License-Identifier: MIT
-// The mean of what a pixel sees over the times of the exposure, by rays at few of them: first some parts apart, by how far
-// what comes there moves; then, between two rays whose colours differ, halfway, until they do not or are neighbours. What
-// lies between two is the mean of both, or what the capture shows on the way from one to the other. Where that is certain,
-// the mean of the texels along the motion.
-// In:  color (linear), depth (view depth, sky +inf), id, hit, velocity (px over the exposure) of what the capture sees;
-//      certain (per cell, 1: texels along the motion are right, 1/2: nothing moves), longest (per cell, px: of what comes).
-// Out: picture (linear, alpha 1).
-// With c_i the colour at time i of n, and two rays at a < b: the times between are traced unless
-//   |c_a - c_b| (b - a) / n <= allowance, by the largest channel. With allowance = 0 the picture is the mean of all n.
-// Source: adaptive quadrature; along a ray's time as along any line.
+// Mean radiance of each pixel over the exposure, by rays at few times and adaptive subdivision between them (adaptive
+// quadrature).
+// In:  `color`:    linear radiance at the raster time
+//      `depth`:    view depth, m; +inf for the sky
+//      `id`:       instance + 1, geometry + 1; 0 for the sky
+//      `hit`:      instance + 1 (0 = sky), geometry, primitive
+//      `velocity`: px over the exposure
+//      `certain`:  per cell: 1 if a gather along the motion is right, 1/2 if the cell is static, otherwise 0
+//      `longest`:  per cell: longest displacement that reaches it, px over the exposure
+// Out: `picture`:  linear radiance, alpha 1
+// Method: the first rays are a power of two of samples apart, so that `longest` moves by at most `pace` image widths between
+//      them. Two rays at times a < b of n are accepted if error * (b - a) / n <= `allowance`, by the largest channel.
+//      Otherwise, or if the raster image shows a third surface that arrives between them, a ray halfway is traced. If both rays
+//      hit one surface that the raster image shows, the times between take its texels along the way, and the error is the
+//      larger difference between ray and texel; otherwise they take the mean of both rays, and the error is the difference of
+//      their colours. With `allowance` = 0 the result is the mean of all n times. A certain cell takes the mean of `samples`
+//      texels along the motion, without a ray.
+// Fails: a surface that appears and disappears between two rays of equal colour, unless the raster image shows it.
 #include "lib/blur.glsl"
 #include "lib/reached.glsl"
 #include "lib/times.glsl"
 #include "mixin/ground.glsl"
 
-const int kLevels = 12;  // of halving: more than any number of times has
+const int kLevels = 12;  // depth of the subdivision: enough for 2^12 times; `selective` has at most 256
 
-// What a ray sees. Colours are smaller by kSumScale.
+// Result of one ray. Colours are scaled by kSumScale (toSum of lib/sanitise.glsl).
 struct Sample {
   vec3 color;
   uvec2 id;     // instance + 1, geometry + 1; 0 for the sky
-  vec3 place;   // where that is in the capture: texel, view depth
-  float apart;  // largest difference of its colour from that of the capture there; kFar where that does not show it
+  vec3 place;   // of the point at the raster time: texel, view depth
+  float apart;  // largest difference from the raster image's colour at `place`; kFar if that does not show the point
 };
 
-// The texel of the capture at a place, if it shows the surface.
+// True if the raster image shows the surface at `place`; `color` is its texel there.
 bool isKept(vec3 place, uvec2 id, out vec3 color) {
   color = vec3(0);
   ivec2 at = ivec2(round(clamp(vec2(place), vec2(-2), vec2(frame.size) + 1.0)));
@@ -66,11 +74,11 @@ Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
   return result;
 }
 
-// Does the capture say what is between two samples?
+// True if both samples hit one surface and the raster image shows both points.
 bool isTold(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
 
-// Does the capture show something that comes to the pixel at a part of the exposure, on the way d, and that is neither of
-// these?
+// True if the raster image shows a third surface, neither a nor b, that displacement d brings to the pixel in this part of the
+// exposure. Tolerance 3/4 px: tap and path are each rounded by up to 1/2 px, and 0.71 px is the diagonal of both.
 bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
   float t = sampleTime(part, count, 0.0);
   ivec2 now = pixel + roundSymmetric(tapOffset(d, t));
@@ -80,8 +88,8 @@ bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
   return isAt(pixel, now, finiteDisplacement(texelFetch(velocity_tex, now, 0)), t, 0.75);
 }
 
-// Is what lies between two samples known well enough? Then `sum` is that over the times between: of what the capture shows on
-// the way, else of both.
+// True if the times between two samples need no ray. `sum` is then the sum over these times: of raster texels along the way if
+// the raster image shows them, otherwise of the mean of both samples.
 bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum) {
   bool told = isTold(a, b);
   sum = 0.5 * float(end - at - 1) * (a.color + b.color);
@@ -97,7 +105,7 @@ bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count
   return true;
 }
 
-// How many parts of `count` lie between the first rays: a power of two.
+// Distance between the first rays, in samples: a power of two.
 int firstStep(vec2 d, int count) {
   float longest = lengthOf(d);
   int step = 1;
@@ -105,7 +113,7 @@ int firstStep(vec2 d, int count) {
   return step;
 }
 
-// The samples after `from`, at `at`, that are traced already and wait for what lies before them: the last is the nearest.
+// `from`, at time `at`: the last sample in the sum. `waiting`: stack of later samples, traced already; the earliest is on top.
 vec3 meanOver(ivec2 pixel) {
   vec2 d = vec2(texelFetch(longest_tex, pixel / params.cell_side, 0));
   int count = int(frame.slice_count), step = firstStep(d, count);
@@ -133,7 +141,7 @@ vec3 meanOver(ivec2 pixel) {
   return fromSum(sum / float(count));
 }
 
-// Where all around moves alike: the mean of the texels that come to the pixel.
+// Mean of the texels that pass over the pixel, for uniform motion.
 vec3 gathered(ivec2 pixel) {
   vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
   ivec2 size = ivec2(frame.size);

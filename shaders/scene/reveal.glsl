@@ -1,36 +1,41 @@
 // SPDX-License-Identifier: MIT
-// The surface behind the foreground, along the same ray as the raster's sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
-// In:  hit_tex (foreground), mask_tex (> 0.5: reveal).
-// Out: color, depth, id, velocity, valid as the G-buffer has them, found (instance + 1, geometry, primitive); everything 0
-//      where nothing is revealed.
-// Goes from hit to hit by `advance` until `termination` holds or `max_layers` hits did not end it (counter `capped`).
-// Under instance_filter the foreground is passed over within the traversal: instance and geometry termination then end
-// at the first hit and meet no cap. A surface within 4 representable numbers of the one before reads as one with it
-// (restart: within 1e-5 of its depth).
-// Fails: luminance stops inside an object whose back is lit differently, passes through a background of the same
-//   luminance, and makes the picture depend on brightness (no linear filter; base colours do not); instance and geometry never see a
-//   foreground that covers itself, nor that several instances are one object; motion sees the latter.
+// The surface behind the foreground, on the ray of the raster sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
+// In:  `hit`:      foreground: instance + 1 (0 = sky), geometry, primitive
+//      `mask`:     above 1/2 where to reveal
+// Out: `color`:    linear radiance, quantised; this and all other outputs are 0 where nothing is revealed
+//      `depth`:    view depth, m; +inf for the sky; quantised
+//      `id`:       instance + 1, geometry + 1; 0 for the sky
+//      `velocity`: px over the exposure, quantised
+//      `valid`:    1 where a surface or the sky is revealed
+//      `found`:    instance + 1 (0 = sky), geometry, primitive
+// Method: go from hit to hit by `advance` until `termination` holds, or until `max_layers` hits have not ended the search
+//      (counter `capped`). With `instance_filter` the traversal skips the foreground's instance (under `geometry` termination
+//      its geometry), so that `instance` and `geometry` termination end at the first hit and never reach the cap. A surface
+//      within 4 representable depths of the previous hit (`restart`: within 1e-5 of its depth) counts as the same hit.
+// Fails: `luminance` stops inside an object whose back is lit differently, passes through a background of equal luminance, and
+//      is not linear in the light (with base colours it is). `instance` and `geometry` miss a foreground that covers itself and
+//      split an object of several instances; `motion` does not split it.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
 #include "mixin/stored.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 
-// Radiance is shaded for its luminance, and need not be again for its colour.
+// The radiance shaded for the luminance test is also the colour of the result.
 #if PARAM_termination == termination_luminance && PARAM_luminance_of == luminance_of_radiance
 #define COLOR_IS_FOUND 1
 #else
 #define COLOR_IS_FOUND 0
 #endif
 
-// The poses that tell how things move: both ends of the exposure, or all that is known.
+// Poses compared with the raster time: both ends of the exposure, or the previous frame if displacements are extrapolated.
 #if PARAM_displacement == displacement_extrapolated
 const uint kFirstPose = SLICE_PREVIOUS, kLastPose = SLICE_PREVIOUS;
 #else
 const uint kFirstPose = SLICE_OPEN, kLastPose = SLICE_CLOSE;
 #endif
 
-// Does the surface move as if it were fixed to the foreground: on the screen, at each of these poses? What does (a load
+// True if the surface moves on the screen as if it were fixed to the foreground, at each of these poses. Such a surface (a load
 // on a truck, a lamp in its shade) hides the same background as the foreground.
 bool goesAlong(Hit hit, uint instance) {
   if (hit.instance == instance) return true;
@@ -55,21 +60,21 @@ Hit nextHit(Ray ray, Hit front, Hit last) {
 #endif
 }
 
-// Where on its triangle the ray meets a hit: as raster computes it, which does not depend on the device.
+// The hit, intersected with its triangle by the function that the raster layer uses: the result does not depend on the device.
 Hit exactly(Ray ray, Hit hit) {
   return hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
 }
 
 vec3 pointOn(Ray ray, Hit hit) { return ray.origin + ray.direction * hit.t; }
 
-// Does a surface move otherwise on the screen than the foreground does at this pixel, whichever they belong to?
+// True if the displacements of surface and foreground at this pixel differ by more than `same_motion` px.
 bool movesApart(Ray ray, Hit hit, Hit front) {
   Hit exact = exactly(ray, hit);
   return !(distance(displacementOf(exact, pointOn(ray, exact)), displacementOf(front, pointOn(ray, front))) <=
            params.same_motion);
 }
 
-// Is a hit another object than the foreground, by anything but its luminance?
+// True if the hit belongs to another object than the foreground, by every `termination` except luminance.
 bool isOther(Ray ray, Hit hit, Hit front) {
 #if PARAM_termination == termination_motion
   return !goesAlong(hit, front.instance);
@@ -84,12 +89,12 @@ bool isOther(Ray ray, Hit hit, Hit front) {
 
 struct Found {
   Hit hit;
-  vec3 color;  // of the hit, what luminance termination compares
+  vec3 color;  // compared by luminance termination
   bool capped;
-  bool passed;  // luminance did not tell another instance from the foreground
+  bool passed;  // luminance termination passed through another instance
 };
 
-// What luminance termination compares of a hit, linear.
+// Colour of a hit that luminance termination compares, linear.
 vec3 comparedColor(Hit hit) {
 #if PARAM_luminance_of == luminance_of_base_color
   Surface surface = surfaceOf(SLICE_CAPTURE, hit);
@@ -102,9 +107,10 @@ vec3 comparedColor(Hit hit) {
 #endif
 }
 
-// The first hit behind `front` that is another object, a miss if there is none; or the last one tried at the cap.
-// Luminance looks at the foreground in a round of its own, so that shading stands here once: each copy of it takes
-// seconds to compile.
+// First hit behind `front` on another object, or a miss; at the cap the last hit tried. Luminance termination evaluates the
+// foreground in a round of its own, so that this function contains the shading code once: each copy takes seconds to compile.
+// A search also ends after 8 hits on the triangle just left: far from the origin `restart` may repeat a hit without end.
+// The 1e-4 in the luminance test keeps black from ending at black (docs/derivations.md).
 Found firstBehind(Ray ray, Hit front) {
   Found found = Found(front, vec3(0), false, false);
   bool under_way = PARAM_termination != termination_luminance;
@@ -181,13 +187,13 @@ Revealed revealedBehind(ivec2 pixel) {
   return isHit(found.hit) ? surfaceSeen(ray, found) : skySeen(ray);
 }
 
-// Is something to be revealed behind this pixel? Behind the sky there is nothing.
+// True if the pixel is masked and shows a surface. Nothing lies behind the sky.
 bool isMasked(ivec2 pixel) {
   return texelFetch(mask_tex, pixel, 0).r > 0.5 && texelFetch(hit_tex, pixel, 0).x != 0u;
 }
 
 void run(ivec2 pixel) {
-  if (!isMasked(pixel)) return;  // all is 0
+  if (!isMasked(pixel)) return;  // outputs are cleared to 0
   Revealed revealed = revealedBehind(pixel);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   imageStore(color_img, pixel, storedColor(revealed.color));

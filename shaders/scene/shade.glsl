@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
-// In:  hit_tex, sure_tex (rays that need not be traced, of `shadow_shafts`).
-// Out: color (linear radiance), as memory keeps it (mixin/stored.glsl).
+// Linear radiance of the surface at each pixel, with traced shadows.
+// In:  `hit`:   instance + 1 (0 = sky), geometry, primitive
+//      `sure`:  per shadow tile, one bit per light: x visible from the whole tile, y blocked from the whole tile (of
+//               `shadow_shafts`); absent: unknown
+// Out: `color`: linear radiance, alpha 1; quantised (mixin/stored.glsl)
+// Method: intersect the pixel's ray with the triangle at the node's time and shade the point (mixin/shade.glsl), posed at the
+//      raster time (`shading` = frozen) or at the node's time (full). Lights in `sure` need no shadow ray.
+// Fails: with frozen shading, lights, shadows and highlights do not move within the exposure.
 #if HAS_sure
 #define STROBE_KEEPS_SHADOWS
 #endif

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Before a camera at rest, what rays find at rest behind what the capture sees in motion.
-// In:  hit (what the capture sees).
-// Out: ground (linear; alpha: view depth, m, +inf without a surface), where the capture sees something that may move.
+// Static background behind moving surfaces, for a static camera.
+// In:  `hit`:    raster layer: instance + 1 (0 = sky), geometry, primitive
+// Out: `ground`: linear radiance; alpha: view depth, m, +inf for the sky; 0 where the raster layer is static
+// Method: at each pixel of the moving rectangle that shows a moving instance, trace on from hit to hit. Each ray skips the
+//      moving instance of the last hit, until a hit is static or misses. Shade it as at the raster time.
+// Fails: static surfaces keep the shadows of the raster time. A static surface that coincides with the second or a later moving
+//      surface on the ray is missed.
 #include "lib/reached.glsl"
 #include "mixin/shade.glsl"
 
 bool isMoving(uvec4 seen) { return seen.x != 0u && instanceAt(seen.x - 1u).moves != 0u; }
 
-// The nearest surface at rest. Each ray goes on where the last one met something that may move, past all of that instance.
+// Nearest static surface on the ray. Each ray starts at the last moving hit and skips that hit's whole instance.
 Hit atRestOn(Ray ray, uint first_moving) {
   Hit hit = traceExcept(SLICE_CAPTURE, RAYS_TO_ALL, ray, scene_cameras[SLICE_CAPTURE].near, 3.0e38, first_moving, NO_INSTANCE);
   while (!isAtRest(hit))

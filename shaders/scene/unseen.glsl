@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
-// What moves on the screen, and an end of the exposure sees, that neither the capture nor rays from it have found: what
-// faces the camera only then, is outside of the picture at the capture, or behind more than one surface. What does not move
-// there is no concern: it explains no sample but that at its own pixel, and where no layer holds it nothing else does. Node
-// time: that end, in a loop whose one time is the middle of the exposure.
-// In:  hit (of that end); depth, id of what raster saw at the capture; revealed_depth, revealed_id, revealed_valid.
-// Out: unseen (1: neither has it), velocity (px over the exposure, of what that end sees), bend (px in the middle of the
-//      exposure: how far its path is from the line between its ends).
+// Moving surfaces that are visible at one end of the exposure but in no layer of the raster time, because they face away then,
+// lie outside the image or behind more than one surface.
+// In:  `hit`:            at that end: instance + 1, geometry, primitive; 0 for the sky and, for a static camera, for static
+//                        surfaces
+//      `depth`, `revealed_depth`: view depth of the raster and the revealed layer, m; +inf for the sky
+//      `id`, `revealed_id`: instance + 1 of both layers; 0 for the sky
+//      `revealed_valid`: above 1/2 where the revealed layer has a surface
+// Out: `unseen`:         1 if neither layer has the surface
+//      `velocity`:       px over the exposure, of the surface at that end
+//      `bend`:           path deviation in the middle of the exposure, px
+// Method: the node's time is that end, in a loop with one time, the middle. Project the point to the raster time and look for
+//      its id and depth (within `same_depth`) in the four texels around, in both layers. Points that do not move on the screen
+//      are skipped: only their own pixel shows them, and its samples are unresolved anyway if no layer shows them.
+// Fails: a surface that appears and disappears again between the ends of the exposure.
 #include "lib/blur.glsl"
 #include "mixin/stored.glsl"
 #include "mixin/surface.glsl"
 
-// Is a surface of this id and depth among the four texels around a place? In that layer or the one behind.
+// True if one of the four texels around a position shows a surface of this id and depth, in the raster or the revealed layer.
 bool isHeld(vec2 position_px, uint id, float depth) {
   ivec2 size = ivec2(frame.size), first = ivec2(floor(position_px - 0.5));
   for (int k = 0; k < 4; ++k) {
@@ -24,14 +31,15 @@ bool isHeld(vec2 position_px, uint id, float depth) {
   return false;
 }
 
-// How far a path is from the line between its ends in the middle of the exposure, px; `path` is from the capture.
+// Path deviation in the middle of the exposure, px. The arguments are paths from the raster time, px.
 vec2 bendOf(vec2 to_open, vec2 to_middle, vec2 to_close) { return to_middle - 0.5 * (to_open + to_close); }
 
+// True if a static surface of this id is nearer than `depth`.
 bool isHiding(ivec2 pixel, uint id, float depth_there, float depth) {
   return id != 0u && instanceAt(id - 1u).moves == 0u && depth_there < depth;
 }
 
-// Is what is at rest in front, before a camera at rest? The end is drawn without it, and the capture has it.
+// True if a static surface is in front, for a static camera. The image of that end omits static surfaces; the layers have them.
 bool isHidden(ivec2 pixel, float depth) {
   if (frame.camera_rests == 0u) return false;
   if (isHiding(pixel, texelFetch(id_tex, pixel, 0).x, texelFetch(depth_tex, pixel, 0).x, depth)) return true;
@@ -39,9 +47,9 @@ bool isHidden(ivec2 pixel, float depth) {
          isHiding(pixel, texelFetch(revealed_id_tex, pixel, 0).x, texelFetch(revealed_depth_tex, pixel, 0).x, depth);
 }
 
-// What that end sees at a pixel: does it matter, and where does it go?
+// Result for the surface that a pixel shows at that end.
 struct Unseen {
-  bool is_so;
+  bool is_so;  // in no layer
   vec2 velocity, bend;
 };
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Output: hit = (instance + 1, geometry, primitive, 0). Discards by the same tests as rays use what alpha leaves out, and
-// backs of what is seen from one side alone.
+// Nearest triangle at each pixel's sample position, fragment stage.
+// In:  fragments of scene/visibility.vert.glsl: instance, geometry, triangle, texture coordinates, vertex alpha
+// Out: `hit`: instance + 1 (0 = sky), geometry, primitive, 0
+// Method: the depth test keeps the nearest fragment. Fragments that alpha leaves out, and backs of one-sided surfaces, are
+//      discarded by the tests that rays use (mixin/fragment.glsl).
+// Fails: raster snaps vertices to 1/256 px, so silhouettes may differ from the hits of rays.
 #include "mixin/fragment.glsl"
 
 void main() {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Vertices of the scene at the node's slice of time, vertex fetch by index; infinite reversed depth. A device that does
-// not number triangles draws them apart, three vertices each, and has the number from those.
+// Nearest triangle at each pixel's sample position, vertex stage.
+// In:  vertices of the scene, posed at the node's time and fetched by index
+// Out: clip position with reversed depth (infinite for perspective cameras), instance, geometry; texture coordinates, alpha,
+//      triangle number and mirroring if the frame needs them
+// Method: transform to view space, then to clip space, shifted by the sample offset. A device without triangle numbers draws
+//      three separate vertices per triangle and derives the number from their index.
+// Fails: never; raster snaps the positions to 1/256 px.
 #include "mixin/surface.glsl"
 
 layout(location = 0) flat out uvec2 draw;  // instance, geometry
@@ -45,8 +50,8 @@ void main() {
   position_os = vertexPosition(SLICE_CAPTURE, vertex);
 #endif
 
-  // The sample offset moves the picture the other way. Depth is near / z, of an orthographic camera the share of its
-  // range that is left behind z: nearer is larger in both.
+  // The image moves against the sample offset. Depth is near / z; for an orthographic camera it is the share of the depth range
+  // behind z. Nearer is larger in both.
   vec2 shift = vec2(-2, -2) * frame.subpixel / vec2(frame.size);
   if (camera.orthographic != 0u) {
     vec2 ndc = p.xy / camera.half_extent;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Per cell, between which displacements, and between which bends, all of what counts in it lies.
-// In:  velocity (px over the exposure), bend (px in the middle of the exposure), valid (> 1/2: the texel counts).
-// Out: bounds, bends (least x and y, greatest x and y, shortened to the limit as by filters). A cell without
-//      texels that count holds 0: what does not move. The last cells may be partial.
+// Per cell, the least and greatest displacement and path deviation of its unreliable texels, component by component.
+// In:  `velocity`: px over the exposure
+//      `bend`:     path deviation in the middle of the exposure, px
+//      `valid`:    above 1/2 where the texel counts
+// Out: `bounds`:   least x and y, greatest x and y of the displacements, px over the exposure; 0 if no texel counts
+//      `bends`:    least x and y, greatest x and y of the path deviations, px; 0 if no texel counts
+// Method: minimum and maximum over the cell, whose side is `cell_side` px, after shortening to `limit` as filters do. Cells at
+//      the right and bottom border may be partial.
+// Fails: never; conservative. The box of two different motions also contains displacements that no texel has.
 #include "lib/bounds.glsl"
 #include "lib/sanitise.glsl"
 #include "mixin/limit.glsl"

@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Per cell, at which times of the exposure anything may be there of which layers do not say truly where it is. Each cell
-// says so of the cells that its own surfaces come to.
-// In:  bounds, bends (of the displacements of what is doubtful in each cell at the capture, px over the exposure, and of how
-//      far its paths are from straight lines in the middle of the exposure, px); behind_bounds, behind_bends (the same of
-//      what was revealed); open_*, close_* (the same of what the ends of the exposure alone see).
-//      What moves too little for filters to take notice of it is not doubted.
-//      What crosses the picture between the ends of the exposure (frame.crossing) is doubted wherever it may be.
-// Out: doubtful (a bit for each of `samples` times, at most 32).
+// Per cell, the time strata that may contain a surface at a position that the layers do not describe.
+// In:  `bounds`:   displacements of the unreliable surfaces of each cell at the raster time, px over the exposure
+//      `bends`:    their path deviations in the middle of the exposure, px
+//      `behind_bounds`, `behind_bends`: displacements and path deviations of the revealed layer
+//      `open_bounds`, `open_bends`: displacements and path deviations of surfaces visible only at shutter open
+//      `close_bounds`, `close_bends`: displacements and path deviations of surfaces visible only at shutter close
+// Out: `doubtful`: bit i is set if stratum i of `samples` is unreliable; with more than 32 samples, stratum i of 32
+// Method: for each stratum, move the cell's box by all multiples of `bounds` within the stratum plus `bends` times the change
+//      of the parabola 4 u (1 - u), widen it by kSlack, and set the bit in all cells that it overlaps (atomic or).
+//      Displacements too small to blur are skipped. Cells in `frame.crossing` are marked at `frame.crossing_times`: there a
+//      surface may be visible that is outside the image at the raster time and at both ends.
+// Fails: a path that no parabola follows may leave its box. A cell with different motions marks too many cells around it.
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
 #include "lib/times.glsl"
 
-const float kSlack = 1.5;  // px: rounding, and the width of a tap
+const float kSlack = 1.5;  // px: room for rounding and for the width of a tap
 
-// All multiples of what is in a box by a number from `low` to `high`.
+// Box of all multiples, by factors from `low` to `high`, of the displacements in a box.
 vec4 times(vec4 bounds, float low, float high) {
   vec4 a = bounds * low, b = bounds * high;
   return vec4(min(min(lowOf(a), highOf(a)), min(lowOf(b), highOf(b))), max(max(lowOf(a), highOf(a)), max(lowOf(b), highOf(b))));
 }
 
-// How far a path is from a straight line at a time, as a share of that in the middle of the window.
+// Path deviation at time t as a share of the deviation in the middle of the exposure, for a parabola.
 float bentShare(float t, vec2 window) { return 4.0 * (t - window.x) * (window.y - t); }
 
+// Marks the cells that a cell's box overlaps after moving by the displacements in `way`.
 void doubt(ivec2 cell, vec4 way, uint bit) {
   vec2 low = vec2(cell * params.cell_side) + lowOf(way) - kSlack;
   vec2 high = vec2((cell + 1) * params.cell_side) + highOf(way) + kSlack;
@@ -34,16 +39,17 @@ void doubt(ivec2 cell, vec4 way, uint bit) {
   }
 }
 
-// From when to when a sample may be.
+// Earliest and latest time of a sample. Without jitter a stratum of a single sample is one time.
 vec2 partTimes(int number, int count) {
   if (params.jittered == 0 && params.samples <= 32) return vec2(sampleTime(number, count, 0.0));
   return vec2(timeAt(float(number), count), timeAt(float(number + 1), count));
 }
 
-// As far as filters handle it.
+// True if all displacements, shortened to the limit, are too small to blur.
 bool isStill(vec4 bounds) { return reachFactor(frame.shutter) * min(longestIn(bounds), limitPx()) <= kStillRadius; }
 
-// `seen`: the time, in exposures from the capture, at which the surfaces are where the cell says.
+// `seen`: time when the surfaces lie in the cell, in exposures from the raster time. Deviations get a margin of 10 %, because
+// paths are only nearly parabolas; the value is not derived.
 void doubtAll(ivec2 cell, vec4 bounds, vec4 bends, float seen) {
   if (isEmpty(bounds) || isStill(bounds)) return;
   int count = min(params.samples, 32);
@@ -57,7 +63,7 @@ void doubtAll(ivec2 cell, vec4 bounds, vec4 bends, float seen) {
   }
 }
 
-// Whatever crosses the picture between the ends of the exposure: no layer holds it.
+// Surfaces that cross the image between the ends of the exposure are in no layer.
 void doubtCrossing(ivec2 cell) {
   ivec4 pixels = ivec4(cell, cell + 1) * params.cell_side, area = frame.crossing;
   if (any(lessThanEqual(area.zw, pixels.xy)) || any(greaterThanEqual(area.xy, pixels.zw))) return;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Per cell, the least and the greatest instance seen in it.
-// In:  id (instance + 1, 0 = sky).  Out: ids (least, greatest). The last cells may be partial.
+// Per cell, the least and the greatest instance that its pixels show.
+// In:  `id`:  instance + 1; 0 for the sky
+// Out: `ids`: least and greatest; equal if the cell shows one instance
+// Method: minimum and maximum over the cell, whose side is `cell_side` px. Cells at the right and bottom border may be partial.
+// Fails: never.
 
 void run(ivec2 cell) {
   ivec2 first = cell * params.cell_side;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The length of the longest displacement of the whole picture, from those of its tiles.
-// In:  longest, after, revealed, revealed_after (xy: px over the exposure, longest of each tile; absent: nothing).
-//      curve (of the paths of longest, px; absent: lines): a curved one is as long as the straight one that comes as far.
-// Out: reach (px over the exposure), one texel.
+// Length of the longest displacement in the image.
+// In:  `longest`: longest displacement of each tile, px over the exposure
+//      `after`, `revealed`, `revealed_after`: longest displacements after the raster time, and of the revealed layer; absent:
+//                 none
+//      `curve`:   curves of the paths of `longest`, px; absent: straight
+// Out: `reach`:   px over the exposure, one texel
+// Method: maximum over all tiles. A curved path counts as the straight displacement that reaches as far.
+// Fails: never. One invocation reads all tiles, which is slow for a large image with tiles of one or two pixels.
 #include "mixin/curve.glsl"
 
 float longestOf(sampler2D tiles) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Per cell, between which displacements all of it lie.
-// In:  velocity, after_velocity (px over the exposure; absent: velocity), valid (> 1/2: the texel counts);
-//      curve (of their paths, px; absent: lines): counted as the straight displacements that hold a path.
-// Out: bounds (least x and y, greatest x and y, px over the exposure, shortened to the limit as by filters).
-//      A cell without texels that count holds kNoBounds. The last cells may be partial.
+// Per cell, the least and greatest displacement, component by component.
+// In:  `velocity`:       px over the exposure
+//      `after_velocity`: px over the exposure, after the raster time; absent: `velocity`
+//      `valid`:          above 1/2 where the texel counts; absent: all count
+//      `curve`:          curves of the paths, px; absent: straight
+// Out: `bounds`:         least x and y, greatest x and y, px over the exposure; kNoBounds (least above greatest) if no texel
+//                        counts
+// Method: minimum and maximum over the cell, whose side is `cell_side` px, after shortening to `limit` as filters do. A curved
+//      path counts as the straight displacements to its control points, which contain it. Cells at the right and bottom border
+//      may be partial.
+// Fails: never; conservative. The box of two different motions also contains displacements that no texel has.
 #include "lib/bounds.glsl"
 #include "mixin/path.glsl"
 

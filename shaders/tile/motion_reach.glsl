@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Per cell, whether anything that moves is there at any time of the exposure, whether anything revealed is, and whether
-// something comes there that moves unlike what filters try. Each cell says so of the cells that its surfaces come to.
-// In:  bounds, behind_bounds (of the displacements of each cell, of what raster saw and of what was revealed);
-//      dominant, second, after_*, revealed_* (per tile): the displacements that filters try there.
-// Out: moved (1: something that moves is there at some time), behind (1: something revealed is), missed (1: something that
-//      moves comes from another cell, and none of these displacements leads to it).
-// Exact but for being too large: a cell reaches where its rectangle goes by any of its displacements, and as far around
-// as filters look for what is at a pixel: max(3/4, reach / (2 * samples)) px.
+// Per cell, conservative flags: a moving surface is present at some time of the exposure, a revealed surface is, and a surface
+// arrives whose displacement no filter candidate matches.
+// In:  `bounds`, `behind_bounds`: displacements of each cell, of the raster layer and of the revealed layer, px over the
+//                exposure
+//      `dominant`, `second`: candidate displacements of the tile, px over the exposure
+//      `after_dominant`, `after_second`: candidates after the raster time; absent: none
+//      `revealed_dominant`, `revealed_after_dominant`: candidates of the revealed layer; absent: none
+// Out: `moved`:  1 if a surface that moves by more than `slowest` px is present at some time
+//      `behind`: 1 if a revealed surface is present at some time
+//      `missed`: 1 if a moving surface arrives from another cell and no candidate leads to it
+// Method: each cell marks all cells that its rectangle overlaps after moving by any of its displacements, widened by the search
+//      radius of the filters, max(3/4, r / (2 * samples)) px with r the longest displacement that filters handle, and by 1 px.
+// Fails: never; conservative. A cell with different motions marks too many cells around it.
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
 
@@ -14,13 +19,14 @@ bool isStill(vec4 bounds) {
   return reachFactor(frame.shutter) * longestIn(bounds) <= params.slowest + (kStillRadius - 0.5);
 }
 
-// Is a displacement so near to those of a box that a filter that tries it is led to them?
+// True if a filter that tries displacement d finds the surfaces of the box. The distance allowed, the larger of 2 px and
+// 14 % of the longest displacement (8 degrees), is not derived.
 bool leadsTo(vec4 bounds, vec2 d) {
   float apart = lengthOf(d - clamp(d, lowOf(bounds), highOf(bounds)));
   return apart <= max(2.0, 0.14 * longestIn(bounds));
 }
 
-// Does none of those that are tried at a cell lead to what comes there?
+// True if no candidate of the cell's tile leads to the surfaces that arrive.
 bool isMissed(ivec2 cell, vec4 bounds) {
   ivec2 tile = cell * params.cell_side / params.tile;
   bool found = leadsTo(bounds, vec2(texelFetch(dominant_tex, tile, 0)));
@@ -42,7 +48,7 @@ bool isMissed(ivec2 cell, vec4 bounds) {
   return !found;
 }
 
-// The cells, first and last, that a cell's surfaces come to.
+// First and last cell that a cell's surfaces reach.
 ivec4 reachedBy(ivec2 cell, vec4 bounds) {
   float slack_px = max(0.75, reachPx() / float(2 * params.samples)) + 1.0;
   vec4 way = travelled(bounds, frame.shutter);

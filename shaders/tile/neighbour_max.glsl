@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the longest displacement of the tiles around it that can matter (McGuire 2012, NeighborMax), and a second
-// one that differs from it.
-// In:  longest (px over the exposure, per tile); motions (xy, zw: two displacements that stand for all in a tile;
-//      absent: longest is all there is).
-//      curve (of the path of longest, px; absent: it is a line); place (the texel that has it, px).
-// Out: dominant, the longest accepted, with dominant_curve and dominant_place; second, the one accepted that differs most
-//      from it and is not at rest (dominant again if there is none): what else moves here. Both px over the exposure.
-// Tiles up to ceil(limit * width * reach / tile) away are asked, reach = 1 one-sided, 1/2 centred. Rule `all` accepts
-// each of them. Rule `sign` is that of Guertin et al. 2014: a displacement must have a component along each axis on
-// which its tile lies off this one, both or neither pointing here; for one-sided exposures all of them must bring it
-// here. Rule `reach` accepts a displacement only if its tile's box, swept along it over the exposure window,
-// overlaps this tile: never more than `sign` accepts, and exact for boxes at any distance. Ties go to the first in
-// raster order.
-// Layers of an end of the exposure have things where they are then: curves are followed from there, straight displacements
-// are asked as if it were the capture.
-// Fails: dominant judges a tile by its longest displacement; a slower pixel in it that comes this way while the longest
-// does not is lost.
+// Per tile, the longest displacement around that can reach it (McGuire 2012, NeighborMax), and a second, different one.
+// In:  `longest`:  longest displacement of each tile, px over the exposure
+//      `motions`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: `longest` alone
+//      `curve`:    curve of the path of `longest`, px; absent: straight
+//      `place`:    texel that has `longest`, px
+// Out: `dominant`: longest accepted displacement, px over the exposure
+//      `dominant_curve`, `dominant_place`: curve and texel of `dominant`; 0 if paths are straight
+//      `second`:   accepted displacement that differs most from `dominant`, longer than 1/2 px; `dominant` if none differs
+// Method: test the tiles up to ceil(limit * width * r / tile) away, r = 1 one-sided, 1/2 centred; `limit` = auto: up to the
+//      measured maximum. `all` accepts each. `sign` (Guertin et al. 2014): on each axis with an offset the displacement is not
+//      0; one-sided, all components bring the tile here; centred, all point here or all point away. `reach` accepts a tile if
+//      its box, swept along the displacement over the exposure, overlaps this tile: a subset of `sign`, exact for boxes at any
+//      distance. A tile with a curved path is swept along it under every rule. At equal length the first in raster order wins.
+// Fails: a tile is judged by its longest displacement: a slower pixel that reaches this tile is lost if the longest does not.
 #include "mixin/path.glsl"
 
-// Open interval of times at which a tile `offset` tiles away that moves by d (px along one axis) overlaps this tile
+// Open interval of the times when a tile `offset` tiles away that moves by d (px along one axis) overlaps this tile
 // along that axis: |offset * tile + d * t| < tile.
 vec2 overlapTimes(int offset, float d, float tile_px) {
   if (d == 0.0) return offset == 0 ? vec2(-1e30, 1e30) : vec2(1.0, -1.0);
@@ -35,8 +32,8 @@ bool reaches(ivec2 offset, vec2 d) {
   return first < last && first < frame.shutter.y && last > frame.shutter.x;
 }
 
-// For the anchor `close` what is now at `offset` and was here before moves along +offset, for `open` what will be here
-// along -offset; with the capture in the middle either will do.
+// Rule `sign`. With the anchor `close`, a surface at `offset` at the raster time that was here earlier moves along +offset.
+// With `open`, a surface that will be here later moves along -offset. A centred exposure accepts both.
 bool pointsHere(ivec2 offset, vec2 d) {
   ivec2 signs = ivec2(sign(vec2(offset)) * sign(d));
   int needed = abs(sign(offset.x)) + abs(sign(offset.y));
@@ -45,7 +42,7 @@ bool pointsHere(ivec2 offset, vec2 d) {
   return found == (frame.shutter.x < 0.0 ? needed : -needed);
 }
 
-// How far the longest of a tile comes, as a straight displacement.
+// Length of the straight displacement that reaches as far as the tile's longest path, px.
 float lengthAt(ivec2 tile, vec2 d) {
 #if HAS_curve
   return reachOf(d, texelFetch(curve_tex, tile, 0), frame.shutter);
@@ -62,8 +59,8 @@ bool isCurved(ivec2 tile) {
 #endif
 }
 
-// Does the tile's box, moved along its curve, overlap this tile within the exposure? Looked at in steps of half a tile, or
-// of 1/64 of the exposure, whatever the rule.
+// True if the tile's box, swept along its curve, overlaps this tile within the exposure. Tested in 4 to 64 steps of about
+// half a tile.
 bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
 #if HAS_curve
   vec4 curve = texelFetch(curve_tex, tile, 0);
@@ -87,7 +84,7 @@ bool accepts(ivec2 offset, vec2 d) {
 #endif
 }
 
-// The better of `second` and d as the displacement that differs most from `dominant`.
+// The one of `second` and d that differs more from `dominant`. A static d, up to 1/2 px, is ignored.
 vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
   if (lengthOf(d) <= 0.5 || lengthOf(d - dominant) <= lengthOf(second - dominant)) return second;
   return accepts(offset, d) ? d : second;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the shortest of the displacements around it (Guertin et al. 2014; Jimenez 2014).
-// In:  shortest (px over the exposure, per tile).
-// Out: slowest (px over the exposure). Tiles as far away as for the dominant displacement (neighbour_max.glsl) are
-//   asked, and each of them counts: what does not move over this tile may still be met along the way.
-// Fails: one pixel at rest makes the whole neighbourhood slow.
+// Per tile, the length of the shortest displacement around it (Guertin et al. 2014; Jimenez 2014).
+// In:  `shortest`: length of the shortest displacement of each tile, px over the exposure
+// Out: `slowest`:  minimum over the tiles around, px over the exposure
+// Method: minimum over the tiles as far away as for the dominant displacement (tile/neighbour_max.glsl). Every tile counts,
+//      since a surface that does not reach this tile may still lie on the path of a tap.
+// Fails: one static pixel makes the whole neighbourhood slow.
 #include "mixin/limit.glsl"
 
 void run(ivec2 pixel) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the longest displacement that came to it or to one of the 8 around it: a tile is wider than the line of its centre.
-// In:  longest (px over the exposure, per tile), source (of tile/scatter_source.glsl).
-// Out: dominant (px over the exposure); of equally long ones that of the first tile in raster order around.
+// Per tile, the longest displacement scattered to it or to one of the 8 tiles around, as Unity's HDRP does; last of three
+// steps.
+// In:  `longest`:  longest displacement of each tile, px over the exposure
+//      `source`:   per tile, number of the tile that the longest arrival comes from (tile/scatter_source.glsl)
+// Out: `dominant`: px over the exposure; at equal length, of the first neighbour in raster order
+// Method: maximum over the 3 x 3 tiles: a tile is wider than the line along which its centre was scattered.
+// Fails: one displacement stands for all that arrive, and it also dominates tiles one farther than it reaches.
 #include "lib/blur.glsl"
 
 void run(ivec2 pixel) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Each tile whose displacement is the longest that came to a tile on its way (mixin/tile_walk.glsl) leaves its number there.
-// In:  longest (px over the exposure, per tile), length (per tile the largest that came there, bits of a float).
-// Out: source, per tile the number of tiles less that, in raster order, of the one that the longest is from; of equally long
-//   ones the first. 0: none came.
+// Per tile, the tile that the longest scattered displacement comes from, as Unity's HDRP does; second of three steps.
+// In:  `longest`: longest displacement of each tile, px over the exposure
+//      `length`:  per tile, the largest length that arrived, bits of a float (tile/scatter_length.glsl)
+// Out: `source`:  number of tiles minus the source's number in raster order; 0: none
+// Method: walk as in tile/scatter_length.glsl. A tile with the length that a tile on its path has recorded writes its number
+//      there; the atomic maximum keeps the first tile in raster order.
+// Fails: of equally long displacements that cross at a tile, one source stands for all.
 #include "mixin/tile_walk.glsl"
 
 void run(ivec2 pixel) {

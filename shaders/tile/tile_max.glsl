@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the longest displacement in it (McGuire 2012, TileMax), shortened to the limit.
-// In:  velocity (px over the exposure), valid (> 1/2: the texel counts; absent: all count);
-//      extra_velocity and extra_valid: a second layer over the same pixels, its texels count as well.
-//      curve, extra_curve (of their paths, px; absent: lines): a curved path is as long as the straight one that comes as far.
-// Out: longest (px over the exposure, at most limit * image width long). Of equal lengths the first in raster order
-//      wins, and of the two layers the first; curve_of_it; place_of_it (the texel that has it, px).
-//      A tile without texels that count holds 0. The last tiles may be partial.
-// Fails: one vector stands for a tile; crossing motions in it are lost.
+// In:  `velocity`:    px over the exposure
+//      `valid`:       above 1/2 where the texel counts; absent: all count
+//      `curve`:       curves of the paths, px; absent: straight
+//      `extra_velocity`, `extra_valid`, `extra_curve`: velocity, valid and curve of a second layer over the same pixels;
+//                     absent: none
+// Out: `longest`:     px over the exposure, at most `limit` image widths; 0 if no texel counts
+//      `curve_of_it`: curve of its path, px; 0 if paths are straight
+//      `place_of_it`: texel that has it, px; 0 if paths are straight
+// Method: maximum over the texels of the tile in both layers, by a work group. A curved path is as long as the straight
+//      displacement that reaches as far. At equal length the first texel in raster order wins, and of two layers the first.
+//      Tiles at the right and bottom border may be partial.
+// Fails: one displacement stands for a tile: crossing motions in it are lost.
 #include "mixin/path.glsl"
 #include "lib/group.glsl"
 
@@ -14,7 +19,7 @@ struct Longest {
   vec2 d;
   vec4 curve;
   ivec2 place;
-  float d_length;  // of the straight displacement that comes as far
+  float d_length;  // length of the straight displacement that reaches as far, px
   uint layer;
 };
 
@@ -85,7 +90,7 @@ void run(ivec2 tile) {
     }
   }
   if (clamped > 0u) count_clamped(clamped);
-  // Of equal lengths the first in raster order, of two layers the first.
+  // Ties: the first texel in raster order, then the first layer.
   uint place = 2u * placeInTile(longest.place, first, params.tile) + longest.layer;
   if (longest.d_length == 0.0) place = gl_LocalInvocationIndex;
   if (!isGreatest(longest.d_length, place)) return;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the length of the shortest displacement in it (Guertin et al. 2014; Jimenez 2014).
-// In:  velocity (px over the exposure), valid (> 1/2: the texel counts; absent: all count).
-// Out: shortest (px over the exposure, at most limit * image width; exactly that in a tile without texels that count).
-//      The last tiles may be partial.
-// Fails: lengths only; a tile that turns looks as uniform as one that slides.
+// In:  `velocity`: px over the exposure
+//      `valid`:    above 1/2 where the texel counts; absent: all count
+// Out: `shortest`: px over the exposure, at most `limit` image widths; exactly the limit if no texel counts
+// Method: minimum over the tile, by a work group. Tiles at the right and bottom border may be partial.
+// Fails: directions are not compared: a rotating tile looks as uniform as a translating one.
 #include "mixin/limit.glsl"
 #include "lib/group.glsl"
 #include "lib/sanitise.glsl"
@@ -16,7 +17,7 @@ bool counts(ivec2 pixel) {
 #endif
 }
 
-shared uint shortest_bits;  // of a length, which is at least 0
+shared uint shortest_bits;  // bits of a float of at least 0, which have the order of the floats
 
 void run(ivec2 tile) {
   bool is_first = gl_LocalInvocationIndex == 0u;

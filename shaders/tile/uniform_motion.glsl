@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Per cell, whether a gather along the motion is certain to be right: the picture around shifts as a whole.
-// In:  bounds (of the displacements of each cell, px over the exposure), velocity (px over the exposure) and id (instance + 1,
-//      0 = sky) of what the capture sees; in a loop over times of the exposure.
-// Out: longest (px: of these displacements), certain (1: the displacements of all cells whose surfaces come here lie within a
-//      box of `apart_px`, something of it moves, and `audit_rays` rays, each from a pixel and at a time of its own, meet the
-//      instance that this motion brings there).
-// What no displacement of the capture tells (paths that bend, what comes from behind or from outside) the rays find, where
-// it is not much smaller than a cell.
+// Per cell, a flag that a gather along the motion is right, because the image around the cell shifts as a whole.
+// In:  `bounds`:   displacements of each cell, px over the exposure
+//      `velocity`: px over the exposure, at the raster time
+//      `id`:       instance + 1 at the raster time; 0 for the sky
+// Out: `certain`:  1 if the gather is right, 1/2 if the cell is static, otherwise 0
+//      `longest`:  longest displacement of the surfaces that reach the cell, px over the exposure
+// Method: join the bounds of all cells whose surfaces reach this cell. If the box has a diagonal of at most `apart_px`, test it
+//      with `audit_rays` rays in a loop over times: each, at a random pixel of the cell and in a part of the exposure of its
+//      own, must hit the instance that the motion brings there. The rays find surfaces that no displacement of the raster time
+//      describes: curved paths, disoccluded surfaces, and surfaces from outside the image.
+// Fails: a surface much smaller than a cell that the raster image does not show and no ray hits.
 #include "lib/bounds.glsl"
 #include "lib/random.glsl"
 #include "lib/sanitise.glsl"
@@ -14,10 +17,11 @@
 #include "mixin/limit.glsl"
 #include "mixin/trace.glsl"
 
-// What nobody has foreseen is taken to go as far as this, in widths of the picture.
+// Displacement assumed for a surface that only a ray has found, image widths. Its motion is unknown; half the image makes the
+// first rays dense in time. The value is not derived.
 const float kUnknown = 0.5;
 
-// Does anything of a cell that moves within these bounds come to another one, `way` cells away?
+// True if a surface of the cell `way` cells away that moves within these bounds reaches this cell.
 bool comes(vec4 bounds, ivec2 way) {
   vec4 path = travelled(bounds, frame.shutter);
   vec2 side = vec2(params.cell_side), off = vec2(way) * side;
@@ -26,7 +30,7 @@ bool comes(vec4 bounds, ivec2 way) {
 
 vec4 joined(vec4 a, vec4 b) { return vec4(min(lowOf(a), lowOf(b)), max(highOf(a), highOf(b))); }
 
-// Bounds of the displacements of all that comes.
+// Bounds of the displacements of all surfaces that reach the cell.
 vec4 boundsOfComing(ivec2 cell) {
   ivec2 last = pass_size() - 1;
   float reach_px = reachFactor(frame.shutter) * reachPx();
@@ -42,7 +46,7 @@ vec4 boundsOfComing(ivec2 cell) {
   return all_of_it;
 }
 
-// Is there an instance at a place of the capture, to within a pixel?
+// True if the raster image shows the instance within a pixel of `at`.
 bool shows(ivec2 at, uint id) {
   ivec2 last = ivec2(frame.size) - 1;
   for (int k = 0; k < 9; ++k) {
@@ -52,7 +56,7 @@ bool shows(ivec2 at, uint id) {
   return false;
 }
 
-// Does a ray meet what the motion brings to its pixel then?
+// True if a ray hits the instance that the motion brings to its pixel at its time.
 bool agrees(ivec2 cell, uint number) {
   uint index = uint(cell.y * pass_size().x + cell.x);
   uint drawn = randomUint(index, number, 3u);
@@ -67,7 +71,7 @@ bool agrees(ivec2 cell, uint number) {
   return shows(pixel + roundSymmetric(tapOffset(d, t)), isHit(hit) ? hit.instance + 1u : 0u);
 }
 
-// The corner of a box that is farthest away.
+// Corner of a box that is farthest from zero.
 vec2 longestOf(vec4 bounds) {
   vec2 low = lowOf(bounds), high = highOf(bounds);
   return mix(low, high, greaterThan(abs(high), abs(low)));

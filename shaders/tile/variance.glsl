@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Per tile, how much the directions of motion around it differ (Guertin et al. 2014).
-// In:  longest (px over the exposure, per tile), dominant (the same, of the tiles around).
-// Out: variance, 1 - mean over the 3 x 3 tiles around of |u . u'|, u the unit direction of the tile's longest
-//   displacement, u' of the other's. Tiles at rest (up to 1/2 px) do not count; a tile that is at rest itself takes the
-//   direction of what reaches it. 0 where nothing moves.
-// Fails: one displacement per tile; crossing motions in one tile go unnoticed.
+// Per tile, the variance of the directions of motion around it (Guertin et al. 2014).
+// In:  `longest`:  longest displacement of each tile, px over the exposure
+//      `dominant`: longest displacement that reaches each tile, px over the exposure
+// Out: `variance`: 0 (all displacements along one line) to 1 (all across it); 0 if the tiles are static
+// Method: 1 - mean of |u . u'| over the 3 x 3 tiles around, u and u' the unit directions of this tile's and the other tile's
+//      longest displacement. Static tiles (up to 1/2 px) do not count. If this tile is static, u is the direction of
+//      `dominant`.
+// Fails: one displacement per tile: motions that cross within a tile are not detected.
 #include "lib/blur.glsl"
 
 bool moves(vec2 d) { return lengthOf(d) > 0.5; }

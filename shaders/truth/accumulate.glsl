@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Adds one time sample to the means of truth; even and odd iterations apart: their difference tells how far off the mean
-// of both can be.
-// In:  color (linear).  Updates: mean_a, mean_b (rgb: mean linear radiance, a: number of samples).
+// Adds one time sample to the mean of its half of the samples (Haeberli and Akeley 1990, "The Accumulation Buffer").
+// In:  `color`: linear radiance at one time
+// Out: `mean_a`, `mean_b`: updated; rgb: mean linear radiance of the samples of even and of odd iterations; alpha: their number
+// Method: running mean (lib/mean.glsl). The difference of the two halves gives the error of their mean (truth/mean.glsl).
+// Fails: never.
 #include "lib/mean.glsl"
 
 void run(ivec2 pixel) {

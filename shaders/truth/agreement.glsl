@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: MIT
-// What the first samples of a pixel and of the eight around it agree about. A silhouette that cuts off less of a pixel
-// than samples lie apart is seen by its neighbours.
-// In:  ground (what samples have seen at rest, or where that is nothing in motion: whose, geometry, triangle), still (rgb: mean
-//      colour of that), unlike (how far the colours are from it), shadows (of two instances, as lib/seen.glsl has them).
-// Out: known_hit (the surface that all see, and its triangle if that is one; whose = 0 without any),
-//      known_shadows (of the pixel's instances, where all samples that see one agree), even_color (rgb: that colour,
-//      a = 1 where all see one surface, in colours as good as equal), more (0 where these samples are enough: of one colour
-//      before a camera at rest, where nothing in motion can be seen).
+// Consensus of the first samples of a pixel and of the eight around it, so that the other samples need fewer rays.
+// In:  `ground`:        surface that the static hits have in common, or the moving hits if none is static: instance + 2,
+//                       geometry, triangle
+//      `still`:         rgb: mean linear radiance of the static hits; alpha: their number
+//      `unlike`:        largest difference of a static sample's radiance from the mean before it, as a share of that mean
+//      `shadows`:       visible and blocked lights of two instances (lib/seen.glsl)
+// Out: `known_hit`:     surface that all samples hit, and its triangle if they hit only one; x = 0 without a consensus
+//      `known_shadows`: visible and blocked lights of the pixel's two instances that all samples confirm (lib/seen.glsl)
+//      `even_color`:    rgb: radiance, alpha 1 if all samples hit one surface and differ by at most `even_within`; otherwise 0
+//      `more`:          0 if these samples are enough, otherwise 1
+// Method: compare the pixel with the eight around it: a silhouette that cuts off less of a pixel than the distance of its
+//      samples is hit by samples of a neighbour. The samples are enough if their radiance is uniform, the camera is static,
+//      frozen shading is used, no moving surface can be visible at the pixel, and the pixel is not audited.
+// Fails: a surface that lies between all of these samples is not found.
 #include "lib/audit.glsl"
 #include "lib/reached.glsl"
 #include "lib/seen.glsl"
 
-// Which of an instance's shadows samples of another pixel bear out.
+// Lights of an instance that the samples of another pixel confirm: all bits if they never hit it, none if it is unknown which
+// instances they hit.
 uint shadowsBeside(uvec4 kept, uint whose) {
   if (kept.x == whose) return kept.y;
   if (kept.z == whose) return kept.w;

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Two sets of samples as one: means by their numbers, regions or-ed.
-// In:  first_a, first_b, more_a, more_b (rgb mean, a number of samples), first_regions, more_regions (bits).
-// Out: mean_a, mean_b, regions.
+// Joins two sets of samples into one.
+// In:  `first_a`, `first_b`: first set: rgb: mean linear radiance of each half of the samples; alpha: their number
+//      `more_a`, `more_b`: second set: rgb: mean linear radiance of each half of the samples; alpha: their number
+//      `first_regions`, `more_regions`: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
+// Out: `mean_a`, `mean_b`: rgb: mean linear radiance of each half of all samples; alpha: their number
+//      `regions`: bits 1 inner, 2 hidden, 4 outer, 8 self
+// Method: means weighted by their numbers of samples; regions combined by bitwise or.
+// Fails: never.
 #include "lib/mean.glsl"
 
 vec4 joined(vec4 first, vec4 more) { return vec4(meanOfBoth(first, more), first.w + more.w); }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// From the means of two independent halves of the samples to their mean and its error.
-// In:  mean_a, mean_b (rgb: mean linear radiance, a: number of samples).
-// Out: color (mean of all samples, alpha 1), error (rgb: |mean of a - mean of b| / 2, whose root mean square over the
-//      picture is the standard error of color; a: number of samples). A half without samples leaves the error 0.
+// Mean of two independent halves of the samples, and its error.
+// In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
+// Out: `color`:      linear radiance, mean of all samples; alpha 1
+//      `error rgb:`: mean a - mean b| / 2; alpha: number of samples
+// Method: the mean is weighted by the numbers of samples. The root mean square of `error` over the image is the standard error
+//      of `color`.
+// Fails: if a half has no samples, the error is 0 although it is unknown.
 #include "lib/mean.glsl"
 
 void run(ivec2 pixel) {

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The regions errors are reported by, from what the time samples met (bits of lib/regions.glsl).
-// In:  regions (bits, or-ed over all samples).  Out: inner, hidden, outer, self (1 inside of the region).
+// Image regions for the report of errors, from the surfaces that the time samples hit.
+// In:  `regions`: bits of lib/regions.glsl, combined by or over all samples
+// Out: `inner`:   1 if a sample hits another, farther instance than the raster sample
+//      `hidden`:  1 if a sample hits a point that is occluded at the raster time
+//      `outer`:   1 if a sample hits another, nearer instance than the raster sample
+//      `self`:    1 if a sample hits a point of the raster sample's instance that is occluded at the raster time
+// Method: one image per bit.
+// Fails: never.
 #include "lib/regions.glsl"
 
 vec4 has(uint met, uint bit) { return vec4((met & bit) != 0u ? 1 : 0); }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Per block of pixels, the squared difference of the means of two halves of the samples; first step of the stop test.
-// In:  mean_a, mean_b (rgb: mean linear radiance, a: number of samples).
-// Out: spread (x: sum over the block's pixels and channels of (mean a - mean b)^2; y: pixels in the block, 0 if a pixel
-//      has no sample in one of the halves: nothing is known of it yet).
+// In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
+// Out: `spread`: x: sum of (mean a - mean b)^2 over the block's pixels and channels; y: number of pixels, 0 if a half has no
+//                sample in one of the pixels
+// Method: sum over a block, whose side is `block` px. Blocks at the right and bottom border may be partial.
+// Fails: never.
 void run(ivec2 pixel) {
   ivec2 first = pixel * params.block;
   ivec2 end = min(first + params.block, textureSize(mean_a_tex, 0));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Are the time samples enough? Standard error of the mean = rms(mean a - mean b) / 2 over pixels and channels.
-// In:  spread (per block: sum of squares, number of pixels; 0 pixels: not known yet).
-// Out: stop, one pixel: 1 if at least min_samples iterations have run and the standard error is at most `tolerance`.
+// Stops the loop of time samples when the standard error of their mean is small enough.
+// In:  `spread`: per block: sum of squared differences of two halves, number of pixels (0: unknown)
+// Out: `stop`:   one pixel: 1 if at least `min_samples` iterations have run and the standard error is at most `tolerance`
+// Method: standard error = rms(mean a - mean b) / 2 over all pixels and channels.
+// Fails: halves that agree by chance stop the loop early, which `min_samples` makes unlikely.
 void run(ivec2 pixel) {
   ivec2 size = textureSize(spread_tex, 0);
   float sum = 0.0;

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Distributed ray tracing in time (Cook, Porter, Carpenter 1984): each pixel draws one of the iteration's scene times,
-// traces the scene as it truly stands then, and adds the colour. Nothing is clamped, and no displacement is used.
-// Regions, with f the instance seen at the capture:
-//   inner   some sample sees a farther, different instance than f;
-//   outer   some sample sees a nearer, different instance than f;
-//   hidden  some sample sees a point that was occluded at the capture;
-//   self    some sample sees a point of f itself that was occluded at the capture.
-//
-// Rays are spared where others have found the same.
-//   What is at rest is found once on a ray; what moves has a tree of its own and is traced before it at each time.
-//   Nothing is assumed.
-//   First samples take shadows of the capture's shafts (shadow_shafts), where all around shows what they see.
-//   Before a camera at rest, what all first samples of a pixel and its neighbours agree about (truth_agreement) holds
-//   for the others: a triangle or surface at rest, a surface in motion before all that rests, the shadows on an instance
-//   at rest, one colour of a surface; where nothing moves before one colour, no more samples are taken.
-//   Before a moving camera, first samples look at the capture too (`surveys`). What they agree about there holds for the
-//   points that the capture shows: a triangle, which is not hidden then, and the shadows on an instance.
-// Both assume that nothing lies between all of these samples, of which there are the more the more samples are asked for.
-// The pixels of an audit trace it all the same, and count how often something does.
+// Adds one time sample to each pixel's mean, by distributed ray tracing in time (Cook, Porter, Carpenter 1984).
+// In:  `hit`:     raster layer: instance + 1 (0 = sky), geometry, primitive
+//      `listed`:  pixels to run over; absent: all
+//      `sure`:    per shadow tile: lights visible from all of the tile's surfaces, and blocked from all (`shadow_shafts`)
+//      `known_hit`, `known_shadows`, `even_color`: consensus of the first samples (truth/agreement.glsl); absent: none
+//      `first_ground`, `first_still`, `first_regions`: `ground`, `still` and `regions` of the samples before this loop; absent:
+//                 none
+// Out: `mean_a`, `mean_b`: updated, like all outputs; rgb: mean linear radiance of each half of the samples; alpha: their
+//                 number
+//      `regions`: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
+//      `ground`:  surface that the static hits have in common, with its distance; for `pixel` = box, of the moving hits if none
+//                 is static (lib/seen.glsl)
+//      `still`:   rgb: mean linear radiance of the static hits; alpha: their number
+//      `unlike`:  largest difference of a static sample's radiance from the mean before it, as a share of that mean
+//      `shadows`: visible and blocked lights of two instances (lib/seen.glsl)
+// Method: draw one of the iteration's times, trace the scene as posed then, shade the hit, add the radiance without clamping.
+//      Exact shortcuts: static surfaces are found once per ray; moving surfaces have a tree of their own. Assumed: a consensus
+//      of the first samples holds for the others (docs/truth.md lists the rays that each consensus saves).
+// Fails: a surface between all first samples is missed. The share `audit` of the pixel blocks traces every ray and counts
+//      contradictions.
 #include "lib/audit.glsl"
 #include "lib/mean.glsl"
 #include "lib/reached.glsl"
@@ -33,7 +34,7 @@ bool sameTransform(SceneTransform a, SceneTransform b) {
   return a.row_x == b.row_x && a.row_y == b.row_y && a.row_z == b.row_z;
 }
 
-// Is the instance where it is at the capture? Unknown of what bends.
+// True if the instance has the pose of the raster time. False for deformed instances, whose vertices are not compared.
 bool isPosedAlike(uint slice, uint instance) {
   return !bends(instance) && sameTransform(transformOf(slice, instance), transformOf(SLICE_CAPTURE, instance));
 }
@@ -45,20 +46,22 @@ bool cameraIsStill(uint slice) {
          a.half_extent == b.half_extent;
 }
 
+// A hit in the form of lib/seen.glsl.
 uvec4 seenAs(Hit hit) {
   return isHit(hit) ? uvec4(hit.instance + 2u, hit.geometry, hit.primitive, 0u) : uvec4(kSeenSky, 0u, 0u, 0u);
 }
 
-// Samples that contradict what they were taken to know.
+// True if an audited sample contradicts the consensus or the known shadows.
 bool misses = false;
 
-// Does what a pixel has seen move?
+// True for a moving surface, with a static camera.
 bool isMoving(uvec4 seen) {
   return frame.camera_rests != 0u && isOneSurface(seen) && seen.x != kSeenSky && instanceAt(instanceOf(seen)).moves != 0u;
 }
 
-// Was a point hidden from the capture's camera? The last 2^-12 of the way is the point's own surface. Before a camera at rest
-// what is at rest can be hidden by what moves alone, and what moves as a whole in front of everything by nothing.
+// True if the point was occluded at the raster time or behind the near plane. The last 2^-12 of the way is not tested: it holds
+// the point's own surface. With a static camera only moving surfaces occlude a static point, and nothing occludes a rigid
+// instance in front of everything.
 bool wasOccluded(ivec2 pixel, Hit hit) {
   bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
   if (by_moving && !isReachedAt(SLICE_CAPTURE, pixel)) return false;
@@ -73,7 +76,7 @@ bool wasOccluded(ivec2 pixel, Hit hit) {
   return isHidden(SLICE_CAPTURE, mask, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
 }
 
-// Where the capture's picture has a point; false where that is outside of the picture.
+// Pixel that shows the point at the raster time; false if the point is outside the image or the near plane.
 bool isInCapture(Hit hit, out ivec2 place) {
   vec3 position_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
   vec2 place_px = pixelFromView(SLICE_CAPTURE, position_vs);
@@ -84,15 +87,15 @@ bool isInCapture(Hit hit, out ivec2 place) {
   return true;
 }
 
-// The regions of what was hidden at the capture that a sample may be in, and is not known to be in.
+// Regions of occluded points that this sample may add to the pixel; 0 if the pixel has them already.
 uint askedRegions(ivec2 pixel, Hit hit, uint known) {
   if (!isHit(hit)) return 0u;
   uint asked = hit.instance + 1u == texelFetch(hit_tex, pixel, 0).x ? kRegionHidden | kRegionSelf : kRegionHidden;
   return (known & asked) != asked ? asked : 0u;
 }
 
-// `is_still`: nothing about the sample has moved, so the capture's own ray tells what was hidden behind what.
-// `hidden`: else the regions in which it is if its point was hidden at the capture.
+// Regions of a sample. `is_still`: neither camera nor instance has moved, so a comparison with the depth of the raster sample
+// replaces the occlusion test. `hidden`: otherwise, the regions of an occluded point; 0 if it is visible at the raster time.
 uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_still, uint hidden) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
   uint id = isHit(hit) ? hit.instance + 1u : 0u;
@@ -111,7 +114,7 @@ uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_still, uint hi
   return found | hidden;
 }
 
-// Does a triangle that one ray hits let others through?
+// True if some rays pass through the triangle, because alpha cuts holes into it.
 bool hasHoles(uvec4 seen) {
 #if FACT_alpha
   if (seen.x == kSeenSky) return false;
@@ -121,20 +124,20 @@ bool hasHoles(uvec4 seen) {
 #endif
 }
 
-// Means of two halves of the samples are kept apart: their difference tells how far off the mean of both can be.
+// Adds the sample to the mean of its half. The difference of the halves gives the error of their mean.
 void addSample(ivec2 pixel, uint number, vec3 color) {
   uint half_of = PARAM_pixel == pixel_box ? stratifiedHalf(number) : frame.iteration & 1u;
   if (half_of == 0u) imageStore(mean_a_img, pixel, withSample(imageLoad(mean_a_img, pixel), color));
   else imageStore(mean_b_img, pixel, withSample(imageLoad(mean_b_img, pixel), color));
 }
 
-// All samples of the exposure at once: where nothing that moves can be seen, every sample is the first one.
+// Sets all samples of the exposure at once, for pixels where no moving surface can be visible.
 void setSamples(ivec2 pixel, vec3 color) {
   imageStore(mean_a_img, pixel, vec4(color, float((frame.iteration_count + 1u) / 2u)));
   imageStore(mean_b_img, pixel, vec4(color, float(frame.iteration_count / 2u)));
 }
 
-// What samples before this one have found at rest, in this loop or the one before it.
+// Static surface that earlier samples hit, in this loop or in the one before it.
 uvec4 groundBefore(ivec2 pixel) {
   uvec4 ground = imageLoad(ground_img, pixel);
 #if HAS_first_ground
@@ -159,7 +162,7 @@ uint regionsBefore(ivec2 pixel) {
   return regions;
 }
 
-// The point of an agreed surface on a ray; no hit where the ray passes beside it, or through a hole.
+// Intersection of a ray with the surface of the consensus; a miss if the ray passes beside it or through a hole.
 Hit hitOnAgreed(uint slice, Ray ray, uvec4 agreed, out float t) {
   uint instance = instanceOf(agreed);
   bool one_triangle = isOneTriangle(agreed) && !hasHoles(agreed) && !isMoving(agreed);
@@ -172,13 +175,13 @@ Hit hitOnAgreed(uint slice, Ray ray, uvec4 agreed, out float t) {
   return hit;
 }
 
-// What is at rest on a sample's ray, or moves before that, without tracing all.
+// Surface on a sample's ray that is known without tracing the whole scene.
 struct Known {
-  bool is_known, is_found;  // found: at rest, by samples before this one on the same ray
+  bool is_known, is_found;  // is_found: static, hit by an earlier sample on the same ray
   Hit hit;
   float t;       // as the ray measures it
-  uvec4 agreed;  // what first samples agree about
-  Hit taken;     // the point of it on this ray
+  uvec4 agreed;  // consensus of the first samples
+  Hit taken;     // intersection of this ray with `agreed`
 };
 
 Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) {
@@ -203,7 +206,7 @@ Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) 
   return known;
 }
 
-// Does a sample that was traced in full see something else than would have been taken for it?
+// True if a fully traced sample hits another surface than the consensus predicts.
 bool contradicts(Known known, Hit hit) {
   if (!isOneSurface(known.agreed)) return false;
   uvec4 seen = seenAs(hit);
@@ -212,7 +215,7 @@ bool contradicts(Known known, Hit hit) {
   return isAtRest(hit) && known.agreed.xyz != seen.xyz;
 }
 
-// What is known of a point's shadows, as lib/seen.glsl has them. `is_shown`: first samples see the point at the capture.
+// Known shadows of a point, in the form of lib/seen.glsl. `is_shown`: the first samples hit its triangle at the raster time.
 uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   is_shown = false;
   uint shadows = 0u;
@@ -229,8 +232,8 @@ uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   return shadows;
 }
 
-// What a sample sees, given what is at rest on its ray, if that is known, or something in motion before that. Of hits at one
-// distance the first in the scene counts. `t`: as the ray measures it.
+// Nearest hit on a sample's ray: the static hit `ground` if it is known, or a moving surface in front. At equal distance the
+// first instance of the scene wins. `t`: distance as the ray computes it.
 Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit ground, inout float t) {
   if (is_known && (!isAtRest(ground) || !isReachedAt(slice, pixel))) return ground;
   uint mask = is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
@@ -238,17 +241,17 @@ Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit ground, inou
   Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, end, NO_INSTANCE, NO_INSTANCE);
   if (is_known && (!isHit(hit) || (hit.t == t && hit.instance > ground.instance))) return ground;
   t = hit.t;
-  // As raster computes it, which does not depend on the device: what stands still is as the capture sees it, bit for bit.
+  // Intersected again as for the raster layer: independent of the device, and bit for bit equal for static surfaces.
   return isHit(hit) ? hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive) : hit;
 }
 
-// Lights that are free, and blocked.
+// Sets the lights known to be visible (x) and blocked (y).
 void takeAsKnown(uvec2 lights) {
   known_free = found_free = lights.x;
   known_blocked = found_blocked = lights.y;
 }
 
-// `known`: lights that are free, and blocked.
+// `known`: lights that are visible (x) and blocked (y).
 vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   if (!isHit(hit)) return environment(ray.direction);
   takeAsKnown(spares_rays ? known : uvec2(0u));
@@ -257,7 +260,7 @@ vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   return color;
 }
 
-// What samples have seen, and one more.
+// The surfaces of earlier samples, combined with one more.
 uvec4 withSeen(uvec4 before, uvec4 seen) {
   if (before.x == kSeenNothing) return seen;
   if (before.xy != seen.xy) return uvec4(kSeenSeveral, 0u, 0u, 0u);
@@ -265,14 +268,14 @@ uvec4 withSeen(uvec4 before, uvec4 seen) {
   return before;
 }
 
-// What moves, where samples have seen nothing at rest.
+// Records a moving surface, unless a sample has hit a static one.
 void noteMoving(ivec2 pixel, Hit hit) {
   uvec4 before = imageLoad(ground_img, pixel);
   if (before.x == kSeenNothing || isMoving(before)) imageStore(ground_img, pixel, withSeen(before, seenAs(hit)));
 }
 
-// What is at rest, or at the capture, and its shadows, for the agreement of samples, and for those after this one. False: the
-// first of the pixel.
+// Records a static surface, or a surface at the raster time, and its shadows, for the consensus and for later samples. False
+// for the first such sample of the pixel.
 bool noteSurface(ivec2 pixel, Hit hit, float ground_t) {
   uvec4 before = imageLoad(ground_img, pixel);
   bool is_first = before.x == kSeenNothing || isMoving(before);
@@ -298,8 +301,8 @@ void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
 #endif
 }
 
-// Lights that the capture's shafts know to be free, and blocked, from a point that it shows at the pixel: what it sees there, or
-// through whole pixels what it sees all around.
+// Lights visible (x) and blocked (y) from the whole shadow tile, if the raster image shows the hit: its triangle at the pixel,
+// or for samples all over the pixel its surface at the pixel and at the eight around it.
 uvec2 sureShadows(ivec2 pixel, Hit hit) {
   uvec2 sure = uvec2(0u);
 #if HAS_sure
@@ -321,7 +324,8 @@ uvec2 sureShadows(ivec2 pixel, Hit hit) {
 }
 
 #if PARAM_surveys
-// Notes what the capture shows at a place of the pixel. Nothing asks for its colour before a moving camera.
+// Records the surface at the raster time at a position in the pixel, and its shadows. Its radiance is not used, because the
+// camera moves.
 void survey(ivec2 pixel, vec2 position_px) {
   Ray ray = cameraRay(SLICE_CAPTURE, position_px);
   float t = kFar;
@@ -344,7 +348,7 @@ void run(ivec2 pixel) {
   Ray ray = cameraRay(slice, position_px);
   bool audited = isAudited(pixel / kAuditBlock, params.audit);
   bool spares_rays = PARAM_every_ray == 0 && !audited;
-  // Before a camera at rest, rays through centres are one ray.
+  // With a static camera, all rays through the pixel's centre are one ray.
   bool one_ray = PARAM_every_ray == 0 && kFrozen && PARAM_pixel == pixel_centre && frame.camera_rests != 0u;
 
   bool is_even = false;
@@ -361,8 +365,7 @@ void run(ivec2 pixel) {
   bool at_rest = isAtRest(hit);
   misses = !spares_rays && contradicts(known, hit);
 
-  // Was the point hidden at the capture? Asked for regions, and before a moving camera where shadows that are known then
-  // spare several rays.
+  // Occlusion at the raster time: tested for regions, and with a moving camera if the known shadows save more than one ray.
   uint regions = 0u, asked = 0u;
   bool is_still = false, is_shown;
 #if PARAM_mark_regions
