@@ -3,9 +3,9 @@
 //   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex; may have: PARAM_trajectory,
 //   after_dominant_tex, after_second_tex, after_velocity_tex, curve_tex, dominant_curve_tex, dominant_place_tex, reach_tex,
 //   revealed_after_dominant_tex, revealed_after_velocity_tex, revealed_curve_tex, revealed_dominant_tex, second_tex.
-// Candidate displacements for a composite of layers, which searches with them for the surface at a pixel at a time. They are the
-// displacements of the tile, of the pixel and of taps along the motion, as far as they differ. composite/layered.glsl has the
-// rules and the reasons.
+// Candidate displacements for a composite of layers, which uses them to search for the surface at a pixel at a time. They are
+// the displacements of the tile, of the pixel and of taps along the motion, as far as they differ. composite/layered.glsl has
+// the rules and the reasons.
 #ifndef STROBE_CANDIDATES_GLSL
 #define STROBE_CANDIDATES_GLSL
 #include "mixin/layers.glsl"

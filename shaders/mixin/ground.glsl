@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, hit_tex, rays, scene; may have: PARAM_displacement.
 // Nearest surface at a pixel at many times. If the camera is static, the static background on the pixel's ray is found once.
-// Later rays test only the moving instances in front of it.
+// Rays at other times then test only the moving instances in front.
 #ifndef STROBE_GROUND_GLSL
 #define STROBE_GROUND_GLSL
 #include "lib/blur.glsl"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.limit; may have: PARAM_trajectory, curve_tex, dominant_curve_tex, reach_tex.
-// Iterative search for the texel whose surface is at a pixel at a given time. If a texel's surface is not at the pixel then, its
-// own displacement gives the next texel. This handles motion that varies over a surface (perspective, rotation). Each texel is
-// tested by `isAt`, so the search can miss a surface but does not return a wrong one.
+// Iterative search for the texel whose surface is at a pixel at a given time. If a texel's surface is not at the pixel, the
+// texel's own displacement gives the next texel. This handles motion that varies over a surface (perspective, rotation). A
+// texel that passes `isAt` is at the pixel, whichever texels were tried before.
 #ifndef STROBE_SEARCH_GLSL
 #define STROBE_SEARCH_GLSL
 #include "mixin/path.glsl"

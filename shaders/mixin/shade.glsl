@@ -101,8 +101,8 @@ Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
   return texels;
 }
 
-// World directions in which the texture coordinates u and v of a use grow, not of unit length. Returns false if the coordinates
-// are constant.
+// World directions of growing texture coordinates u and v of a use, not of unit length. Returns false if the coordinates are
+// constant.
 bool textureAxes(SceneTextureUse use, Surface surface, out vec3 along_u, out vec3 along_v) {
   vec2 d1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
   vec2 d2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;

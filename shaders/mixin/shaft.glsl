@@ -89,8 +89,8 @@ uint firstChild(uint node, Shaft shaft, out uint others) {
   return firstMet(at, node, enter, leave, others);
 }
 
-// Effect of a triangle on the rays: it blocks no ray; possibly some; all; or all rays on the inner side of one edge. In the last
-// case the number of the edge is added, and 4 if the corners run in the opposite direction as seen from the light.
+// Effect of a triangle on the rays: it blocks no ray; possibly some; all; or all rays on the inner side of one edge. In the
+// last case the number of the edge is added, and 4 if the corners run in the opposite direction as seen from the light.
 const uint kStopsNone = 0u, kStopsSome = 1u, kStopsAll = 2u, kStopsInside = 3u;
 
 // Effect of a triangle, kStops*. `rounding`: bound of the rounding errors of the coordinates of rays and corners.
@@ -170,7 +170,7 @@ uint restOf(uint slice, ShaftStart start, vec4 light, float reach) {
     BvhStack stack = noEntries();
     int visited = 0;
     while (true) {
-      // To the next leaf.
+      // Descend to the next leaf.
       while (true) {
         if (reference == kNextOnStack) {
           if (top(stack) == kInstanceEnds) {

@@ -5,9 +5,10 @@
 // velocity_format, color_format or depth_encoding of passes/lib/stored.lua and their counters.
 // In:  linear colours; displacements, px over the exposure; linear view depths, metres (+inf for the sky, 0 for no surface).
 // Out: the quantised values. The formats fp32 and linear return the input bit for bit, without arithmetic.
-// Method, half floats: round to the nearest, ties to even. This is done before the store, because a store may truncate. A colour
-//   channel beyond 65504 becomes 65504. A displacement beyond 65504 px is shortened until its larger component is 65504, so
-//   that it keeps its direction. Both cases are counted. Error: at most 2^-11 relative from 2^-14 up, 2^-25 absolute below.
+// Method, half floats: round to the nearest, ties to even. This is done before the store, because a store may truncate. A
+//   colour channel beyond 65504 becomes 65504. A displacement beyond 65504 px is shortened until its larger component is
+//   65504, so that it keeps its direction. Both cases are counted. Largest error: relative 2^-11 from 2^-14 up, absolute 2^-25
+//   below.
 // Method, depths: encode as a depth buffer does, then decode. With the camera's near distance n:
 //   reversed  w = n/z in fp32 (infinite reversed z; sky 0); relative error about 2^-24 for each of two divisions;
 //   inverse   w = 1/z in fp32 (sky 0); same error, independent of the near distance;
@@ -76,7 +77,7 @@ float storedDepth(float depth) {
   stored = min(1.0 / depth, 3.402823466e38);
   decoded = 1.0 / stored;
 #else
-  // Steps of 2^24 - 1 between the code 1 - n/z and 1: single precision holds this number exactly, but not the code.
+  // Distance of the code 1 - n/z from 1, in steps of 1 / (2^24 - 1): single precision holds this number exactly.
   stored = round(min(near / depth, 1.0) * 16777215.0);
   decoded = near * 16777215.0 / stored;
 #endif

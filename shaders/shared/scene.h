@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Layout of the scene in shaders. Positions are relative to the frame's origin, the camera at the raster time, so that single
-// precision is highest near the camera. A *slice* is one time at which the scene is posed.
+// precision is highest near the camera. A *slice* is the scene's pose at one time.
 #ifndef STROBE_SHARED_SCENE_H
 #define STROBE_SHARED_SCENE_H
 #include "shared/types.h"
@@ -19,10 +19,10 @@ STROBE_SHARED_BEGIN
 
 // Properties of an instance's screen motion within the exposure and since the frame before. Conservative: a bit is clear only
 // if the property is proven false, with a tolerance of 0.05 px. Clear for static instances.
-#define PATH_CURVED 1u   // a point of it deviates from a straight path at constant speed
+#define PATH_CURVED 1u   // some point deviates from a straight path at constant speed
 #define PATH_TURNS 2u    // its points have different velocities
-#define PATH_COVERED 4u  // another object, or a part of it with another velocity, may be in front of it
-#define PATH_ARRIVES 8u  // a part of it may be visible at another time but not at the raster time
+#define PATH_COVERED 4u  // another object, or an own part with another velocity, may be in front
+#define PATH_ARRIVES 8u  // some part may be visible at another time but not at the raster time
 
 struct SceneVertex {
   vec3 position;  // first: acceleration structures read it
