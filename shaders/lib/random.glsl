@@ -39,7 +39,7 @@ vec2 stratified2(uint pixel, uint number) {
 }
 
 // Half of the sequence, 0 or 1, that contains a point: the parity of two of every three bits of the number. The highest bits
-// of the coordinates are parities of other bits, so that each half is spread nearly as evenly as the whole.
+// of the coordinates are parities of other sets of bits, so that each half is spread nearly as evenly as the whole.
 uint stratifiedHalf(uint number) { return uint(bitCount(number & 0xdb6db6dbu)) & 1u; }
 
 #endif

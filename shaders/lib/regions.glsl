@@ -3,7 +3,7 @@
 #ifndef STROBE_REGIONS_GLSL
 #define STROBE_REGIONS_GLSL
 
-const uint kRegionInner = 1u;   // a sample hit another instance, farther than f
+const uint kRegionInner = 1u;   // a sample hit another instance or the sky, farther than f
 const uint kRegionHidden = 2u;  // a sample hit a point that is occluded at the raster time
 const uint kRegionOuter = 4u;   // a sample hit another instance, nearer than f
 const uint kRegionSelf = 8u;    // a sample hit a point of f that is occluded at the raster time

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Summary of the surfaces that a pixel's time samples hit: (surface, geometry, triangle, distance). A
-// moving surface is stored only if the samples hit no static one.
+// Summary of the surfaces that a pixel's time samples hit: (surface, geometry, triangle, distance). A moving surface is stored
+// only if the samples hit no static one.
 #ifndef STROBE_SEEN_GLSL
 #define STROBE_SEEN_GLSL
 

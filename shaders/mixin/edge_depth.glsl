@@ -14,7 +14,7 @@ float depthAt(ivec2 pixel) {
   return saneDepth(texelFetch(depth_tex, clampToImage(pixel, textureSize(depth_tex, 0)), 0).x);
 }
 
-// True if depths can be compared with this one. The sky has no edges of its own.
+// True for the finite depth of a surface. The sky has no edges of its own.
 bool isSurface(float depth) { return depth > 0.0 && depth <= kLargestFinite; }
 
 #endif

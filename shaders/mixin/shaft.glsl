@@ -78,7 +78,7 @@ uint firstChild(uint node, Shaft shaft, out uint others) {
   vec3 low_slack = slackOf(low_offset, low_step), high_slack = slackOf(high_offset, high_step);
   vec4 enter = vec4(0), leave = vec4(shaft.u_end);
   for (int axis = 0; axis < 3; ++axis) {
-    // They meet if the volume's lower bound is below the child's upper plane and its upper bound above the lower plane.
+    // The volume meets a child if its lower bound is below the child's upper plane, and its upper bound above the lower plane.
     vec4 lower = planes(at.high[axis]) * low_step[axis] + low_offset[axis];
     vec4 upper = planes(at.low[axis]) * high_step[axis] + high_offset[axis];
     if (shaft.low_inverse[axis] < 0.0) enter = max(enter, lower - low_slack[axis]);

@@ -199,8 +199,8 @@ vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
   return pathFromCapture(capture_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
 }
 
-// Near distance for sky directions, scaled to a view depth of 1 at the raster time. Directions have no length, so the camera's
-// near plane does not apply.
+// Near distance for directions of the sky, which are scaled to a view depth of 1 at the raster time. Directions have no length,
+// so the camera's near distance does not apply.
 const float kSkyNear = 1.0 / 64.0;
 
 // Screen path, px, of a point infinitely far away along a camera's ray. It moves with the camera's rotation alone.
@@ -231,8 +231,8 @@ vec2 displacementOfSky(vec3 direction_ws) {
 #endif
 }
 
-// Hit of a camera's ray on a known triangle, for example a triangle that the raster found. A point just outside of the triangle,
-// which the raster includes by rounding, is moved to the triangle's border.
+// Hit of a camera's ray on a known triangle, for example a triangle that the raster found. A point just outside of the
+// triangle, which the raster includes by rounding, is moved to the triangle's border.
 Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint primitive) {
   SceneTransform transform = transformOf(slice, instance);
   Triangle triangle = triangleOf(geometryOf(instance, geometry_index), primitive);

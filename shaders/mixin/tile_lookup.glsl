@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.tile, PARAM_tile_jitter.
-// Tile in which a pixel looks up its dominant displacement: the pixel's own tile, or the tile of a point up to a quarter of a
+// Lookup of a pixel's dominant displacement: in the pixel's own tile, or in the tile of a point up to a quarter of a
 // tile away. The dominant displacement changes at the borders of tiles, and the jitter turns these borders into noise. Guertin
 // et al. 2014, in the form of its public ports.
 #ifndef STROBE_TILE_LOOKUP_GLSL

@@ -61,8 +61,8 @@ BvhTriangle loadedTriangle(uint triangle) { return scene_bvh.triangles.at[triang
 BvhInstance loadedInstance(uint at) { return scene_bvh.instances.at[at]; }
 #endif
 
-// A ray in the space of a tree. The last three members serve the triangle test: `longest` is the axis of the direction's largest
-// component, `shear` maps the direction to this axis, `mirrored` preserves the winding.
+// A ray in the space of a tree. The last three members serve the triangle test: `longest` is the axis of the direction's
+// largest component, `shear` maps the direction to this axis, `mirrored` preserves the winding.
 struct BvhRay {
   vec3 origin, inverse;
   vec3 shear;
@@ -114,7 +114,7 @@ vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   vec2 p = a.xy - ray.shear.xy * a.z;
   vec2 q = b.xy - ray.shear.xy * b.z;
   vec2 r = c.xy - ray.shear.xy * c.z;
-  // Rounding keeps the order of products, so most misses need no double precision.
+  // Products that differ after rounding have the same order before it, so most misses need no double precision.
   vec3 more = vec3(r.x * q.y, p.x * r.y, q.x * p.y), less = vec3(r.y * q.x, p.y * r.x, q.y * p.x);
   bool has_positive = more.x > less.x || more.y > less.y || more.z > less.z;
   bool has_negative = more.x < less.x || more.y < less.y || more.z < less.z;
@@ -152,7 +152,7 @@ vec4 planes(uint bytes) { return vec4(ivec4((uvec4(bytes) >> uvec4(0, 8, 16, 24)
 vec4 largestDistance(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 vec4 smallestDistance(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
 
-// The length of a node's steps.
+// Lengths of a node's steps along the axes.
 vec3 stepsOf(BvhNode at) { return uintBitsToFloat((uvec3(at.steps) << uvec3(23, 15, 7)) & 0x7f800000u); }
 
 // Bound of the rounding errors of distances to planes.
