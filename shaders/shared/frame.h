@@ -20,7 +20,7 @@ struct FrameData {
   uint seed;
   uint iteration;        // of the loop that the pass is in; 0 outside of loops
   uint iteration_count;  // of that loop and the loops that sample the same exposure; 1 outside of loops
-  uint part;             // of the exposure that the iteration samples, one of `iteration_count`
+  uint part;             // number of the exposure's part that the iteration samples, below `iteration_count`
   uint slice_count;      // scene times among which each pixel of this iteration can choose; 1 outside of loops
   uint instance_count;
   uint light_count;
