@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ray tracing pipeline: refuses hits on what the ray skips, on cut-out texels and on backs that it does not see.
+// Any-hit stage of the ray tracing pipeline: rejects hits on the instance or geometry that the ray skips, on texels cut out by
+// alpha, and on the back of one-sided materials.
 #include "mixin/trace_payload.glsl"
 layout(location = 0) rayPayloadInEXT TracePayload payload;
 hitAttributeEXT vec2 barycentrics;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray tracing pipeline: names the nearest accepted hit; nothing is shaded here.
+// Closest-hit stage of the ray tracing pipeline: stores the nearest accepted hit. Shading happens elsewhere.
 #include "mixin/trace_payload.glsl"
 layout(location = 0) rayPayloadInEXT TracePayload payload;
 hitAttributeEXT vec2 barycentrics;

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Pure functions that blur filters share. Displacements d are in px over the exposure, x right, y down; time t is in
-// exposures, 0 at the capture. A point now at y is at y + d*t, so pixel X sees at time t what is now at X - d*t.
+// Pure functions that blur filters share: lengths, places, the exposure window, weights and depth comparisons.
+// Displacements d are in px over the exposure, x right, y down. Time t is in exposures, 0 at the raster time. A point that
+// is at y at the raster time is at y + d*t at time t. Pixel X therefore shows at time t the point that is at X - d*t at the
+// raster time.
 #ifndef STROBE_BLUR_GLSL
 #define STROBE_BLUR_GLSL
 
-// Slowest motion that blurs: a shift of half a pixel reaches no other pixel's centre. The slack keeps motion of exactly
-// half a pixel, as rounded by any projection, on the still side.
+// Largest distance that a static surface may move, px: a shift of half a pixel reaches no other pixel's centre. The slack
+// makes a motion of exactly half a pixel static, however a projection rounds it.
 const float kStillRadius = 0.5 + 1e-4;
 
 // --- Lengths and places
 // ------------------------------------------------------------------------------------------------
 
-// Length, with the largest component divided out first, so that no square underflows or overflows.
+// Length of d. The largest component is divided out first, so that no square underflows or overflows.
 float lengthOf(vec2 d) {
   float largest = max(abs(d.x), abs(d.y));
   return largest > 0.0 ? largest * length(d / largest) : 0.0;
 }
 
-// `d`, shortened to `limit` if it is longer; bit for bit `d` if it is not.
+// `d` shortened to the length `limit`; bit for bit `d` if it is not longer.
 vec2 clampLength(vec2 d, float limit) {
   if (dot(d, d) <= limit * limit) return d;
   float d_length = lengthOf(d);
@@ -27,16 +29,18 @@ vec2 clampLength(vec2 d, float limit) {
   return scaled * (limit / length(scaled));
 }
 
-// The integers that floats hold, up to 2^22; of what is farther away, that. The bits of a float between 2^23 and 2^24 count
-// by ones: a device whose conversion goes component by component, invocation by invocation, has them in one step.
+// Integers that the floats `whole` hold, clamped to [-2^22, 2^22 - 1]. The sum with 1.5 * 2^23 has the integer in its lowest
+// bits. This takes one step on devices that convert float to int for each component and invocation separately.
 ivec2 wholeOf(vec2 whole) { return floatBitsToInt(clamp(whole, -4194304.0, 4194303.0) + 12582912.0) - 0x4B400000; }
 
-// To the nearest integer, halves away from zero: mirrored offsets stay mirrored. Offsets beyond 2^22 are cut off there, far
-// outside of any picture.
+// Nearest integer, ties away from zero, so that mirrored offsets stay mirrored. Offsets beyond 2^22 px, far outside of any
+// image, are clamped.
 ivec2 roundSymmetric(vec2 offset) { return wholeOf(trunc(offset + 0.5 * sign(offset))); }
 
+// Nearest pixel of the image.
 ivec2 clampToImage(ivec2 pixel, ivec2 size) { return clamp(pixel, ivec2(0), size - 1); }
 
+// True if the pixel is in the image.
 bool isInside(ivec2 pixel, ivec2 size) {
   return all(lessThan(uvec2(pixel), uvec2(size)));
 }
@@ -44,47 +48,54 @@ bool isInside(ivec2 pixel, ivec2 size) {
 // --- The exposure window
 // -----------------------------------------------------------------------------------------------
 
-// Time at the fraction part / parts of the window's length. Run backwards, a window has the same times but for their sign, bit for
-// bit: a tap half-way between two pixels goes to the same one.
+// Time at the fraction part / parts of the window `shutter`. The reversed window has the same times with the opposite sign,
+// bit for bit, so a tap half-way between two pixels rounds to the same one.
 float evenTimeAt(float part, int parts, vec2 shutter) {
   return (shutter.x * (float(parts) - part) + shutter.y * part) / float(parts);
 }
 
-// How far a displacement of length 1 moves to its farther side within the window: 1 one-sided, 1/2 centred.
+// Largest distance from the place at the raster time within the window, as a share of the displacement: 1 if the window is
+// one-sided, 1/2 if it is centred.
 float reachFactor(vec2 shutter) { return max(abs(shutter.x), abs(shutter.y)); }
 
+// True if the window has times before and after the raster time.
 bool isCentred(vec2 shutter) { return shutter.x < 0.0 && shutter.y > 0.0; }
 
-// The parts of the window before and after the capture; empty where the anchor has none.
+// Part of the window before the raster time; empty if the anchor has no such part.
 vec2 partBefore(vec2 shutter) { return vec2(shutter.x, min(shutter.y, 0.0)); }
 
+// Part of the window after the raster time; empty if the anchor has no such part.
 vec2 partAfter(vec2 shutter) { return vec2(max(shutter.x, 0.0), shutter.y); }
 
-// How many tiles away something may be that comes here: displacements up to limit_px, tiles of tile_px, `tiles` in all.
+// Largest distance, in tiles, between a tile and a surface that can reach it. Displacements are at most `limit_px` long, tiles
+// have sides of `tile_px`. The number `tiles` of tiles per axis bounds the result.
 int tilesInReach(float limit_px, int tile_px, vec2 shutter, ivec2 tiles) {
   return min(int(ceil(limit_px * reachFactor(shutter) / float(tile_px))), max(tiles.x, tiles.y));
 }
 
-// Where, relative to the pixel, the surface that moves by d and is at the pixel at time t is now.
+// Position at the raster time, relative to the pixel, of the surface that moves by d and is at the pixel at time t.
 vec2 tapOffset(vec2 d, float t) { return -d * t; }
 
-// Is what is now at the texel `now`, and moves by d, at the pixel at time t? The slack keeps the pixel itself, half a
-// sample's share of its path away, on one side however that is rounded.
+// True if the surface at the texel `now` at the raster time, which moves by d, is at the pixel at time t, within the
+// tolerance. The slack makes the result independent of rounding where the distance equals the tolerance, as for the pixel's
+// own texel half a sample's share of its path away.
 bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
   vec2 off = vec2(now - pixel) + t * d;
   float within_px = tolerance_px * (1.0 + 1e-4);
   return dot(off, off) <= within_px * within_px;
 }
 
-// Do two texels move so differently that a silhouette may lie between them? By half a pixel; with `slowest` below that, what
-// moves slowly does by less. On one surface displacements vary from texel to texel.
+// True if the displacements of two texels differ so much that a silhouette may lie between them. The threshold is 5 % of the
+// shorter displacement, because displacements vary from texel to texel on one surface. It is at least `slowest` and at most
+// half a pixel (or `slowest`, if that is larger).
 bool movesOtherwise(vec2 d, vec2 other, float slowest) {
   if (d == other && slowest > 0.0) return false;
   return lengthOf(d - other) >= clamp(0.05 * min(lengthOf(d), lengthOf(other)), slowest, max(slowest, 0.5));
 }
 
-// Does the surface now at `offset` from a pixel pass over that pixel within the window? Rounding of the tap and of the
-// path may each put it half a pixel off: across its path 3/4 px pass (the diagonal of both, nearly), along it 1/2.
+// True if the surface at `offset` from a pixel at the raster time passes over that pixel within the window. The tap and the
+// path may each be rounded by half a pixel. The tolerance is therefore 3/4 px across the path (sqrt(1/2), rounded up) and
+// 1/2 px along it.
 bool motionReaches(vec2 offset, vec2 d, vec2 shutter) {
   float d_length = lengthOf(d);
   if (d_length < 0.5) return lengthOf(offset) < 0.5;
@@ -97,10 +108,10 @@ bool motionReaches(vec2 offset, vec2 d, vec2 shutter) {
 // --- Weights (distance and radius in px)
 // -------------------------------------------------------------------------------
 
-// Share of a point spread over `radius` px to either side. McGuire 2012.
+// Weight, at a distance from it, of a point that is spread over `radius_px` to either side. McGuire et al. 2012.
 float cone(float distance_px, float radius_px) { return clamp(1.0 - distance_px / radius_px, 0.0, 1.0); }
 
-// 1 within the radius, 0 outside, soft over 10 % of it. McGuire 2012.
+// 1 within the radius and 0 outside, with a smooth step over 10 % of the radius. McGuire et al. 2012.
 float cylinder(float distance_px, float radius_px) {
   return 1.0 - smoothstep(0.95 * radius_px, 1.05 * radius_px, distance_px);
 }
@@ -108,19 +119,19 @@ float cylinder(float distance_px, float radius_px) {
 // --- Depths (view depth, positive, larger is farther, +inf is sky)
 // -----------------------------------------------------
 
-// By which share of the farther depth two depths differ, in [0, 1]: free of scale and of inf - inf.
+// Difference of two depths as a share of the farther one, in [0, 1]. Independent of scale; avoids inf - inf.
 float relativeGap(float za, float zb) { return za == zb ? 0.0 : 1.0 - min(za, zb) / max(za, zb); }
 
-// 1 if zb is nearer than za or equal, falling to 0 where it is farther by the share `extent`. McGuire's
-// softDepthCompare, with his fixed length replaced by a share of the depth.
+// 1 if zb is nearer than za or equal; falls to 0 where zb is farther by the share `extent`. softDepthCompare of McGuire et
+// al. 2012, with a share of the depth in place of the fixed length.
 float softDepth(float za, float zb, float extent) {
   return zb <= za ? 1.0 : clamp(1.0 - relativeGap(za, zb) / extent, 0.0, 1.0);
 }
 
-// 0 if z is at `behind` or farther, rising to 1 where it is nearer by the share `extent`.
+// 0 if z is at the depth `behind` or farther; rises to 1 where z is nearer by the share `extent`.
 float inFrontOf(float z, float behind, float extent) { return 1.0 - softDepth(z, behind, extent); }
 
-// From -1 (zy is nearer than zx by the share `extent` or more) over 0 (equal) to 1 (farther).
+// Order of two depths: -1 if zy is nearer than zx by the share `extent` or more, 0 if equal, 1 if zy is farther by as much.
 float depthOrder(float zx, float zy, float extent) {
   float gap = clamp(relativeGap(zx, zy) / extent, 0.0, 1.0);
   return zy > zx ? gap : -gap;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Boxes of displacements: least x and y, greatest x and y, px over the exposure. What a cell of pixels moves by lies in
-// its box, so a filter may pass over a cell whose box shows that nothing in it concerns the pixel.
+// Boxes of displacements: (least x, least y, greatest x, greatest y), px over the exposure. The box of a cell contains the
+// displacements of all its pixels. A filter can skip a cell if the box proves that no surface in it affects the pixel.
 #ifndef STROBE_BOUNDS_GLSL
 #define STROBE_BOUNDS_GLSL
 #include "lib/blur.glsl"
 
-// Of nothing: what is added to it is the box of that alone.
+// Empty box: its union with another box is that box.
 const vec4 kNoBounds = vec4(1e30, 1e30, -1e30, -1e30);
 
 vec2 lowOf(vec4 bounds) { return vec2(bounds.x, bounds.y); }
@@ -14,18 +14,20 @@ vec2 highOf(vec4 bounds) { return vec2(bounds.z, bounds.w); }
 
 bool isEmpty(vec4 bounds) { return bounds.x > bounds.z; }
 
-// Length of the longest and of the shortest displacement that a box may hold.
+// Length of the longest displacement in the box, px.
 float longestIn(vec4 bounds) { return lengthOf(max(abs(lowOf(bounds)), abs(highOf(bounds)))); }
 
+// Length of the shortest displacement in the box, px.
 float shortestIn(vec4 bounds) { return lengthOf(clamp(vec2(0), lowOf(bounds), highOf(bounds))); }
 
-// All d - of with d in the box.
+// Box of the differences d - of, for all d in the box.
 vec4 relativeTo(vec4 bounds, vec2 of) { return bounds - vec4(of, of); }
 
-// The longest difference of a displacement in one box and one in the other.
+// Length of the longest difference between a displacement in one box and a displacement in the other, px.
 float farthestApart(vec4 a, vec4 b) { return lengthOf(max(abs(highOf(a) - lowOf(b)), abs(highOf(b) - lowOf(a)))); }
 
-// Where what moves by one of them is within the window, relative to where it is at the capture: low, high.
+// Box of the offsets from the place at the raster time that surfaces reach within the window, for all displacements in the
+// box, px; contains 0.
 vec4 travelled(vec4 bounds, vec2 shutter) {
   vec4 earliest = bounds * shutter.x, latest = bounds * shutter.y;
   vec2 low = min(min(lowOf(earliest), highOf(earliest)), min(lowOf(latest), highOf(latest)));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Of a pass that has a work group for each pixel: 8x8 invocations, which look at a tile together.
+// Reductions over a tile, for passes that run one work group of 8x8 invocations for each pixel of their output.
 #ifndef STROBE_GROUP_GLSL
 #define STROBE_GROUP_GLSL
 
 const int kGroupSide = 8;
 
-// The first of the texels of a tile that an invocation looks at: every eighth along both axes.
+// First texel of the tile that this invocation reads. It reads every eighth texel along both axes.
 ivec2 ownFirst(ivec2 first) { return first + ivec2(gl_LocalInvocationID.xy); }
 
-// Where a texel comes in a tile so wide, in raster order.
+// Index of a texel, in raster order, in a tile of that width.
 uint placeInTile(ivec2 texel, ivec2 first, int width) {
   ivec2 within = texel - first;
   return uint(within.y * width + within.x);
@@ -16,15 +16,15 @@ uint placeInTile(ivec2 texel, ivec2 first, int width) {
 
 shared uint group_greatest, group_first;
 
-// Has this invocation the greatest value of the group, each at least 0, and of those as great the first place? One has, where
-// no two that are as great have one place. All invocations ask: it waits for them.
+// True if this invocation has the greatest value of the group and, among equal values, the least `place`. Values are at least
+// 0. True for exactly one invocation if the places of equal values differ. Contains barriers: all invocations must call it.
 bool isGreatest(float value, uint place) {
   if (gl_LocalInvocationIndex == 0u) {
     group_greatest = 0u;
     group_first = ~0u;
   }
   barrier();
-  uint bits = floatBitsToUint(value);  // in the order of the values
+  uint bits = floatBitsToUint(value);  // bits of floats of at least 0 have the order of the floats
   atomicMax(group_greatest, bits);
   barrier();
   bool as_great = bits == group_greatest;

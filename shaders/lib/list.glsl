@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Lists: buffers whose entries are the pixels that a pass runs for.
+// Pixel lists: buffers of pixels. A pass can run over the entries instead of over the image.
 #ifndef STROBE_LIST_GLSL
 #define STROBE_LIST_GLSL
 
-// Of a pixel, sides below 2^16.
+// Entry of a pixel; the sides of the image are below 2^16.
 uint entryOf(ivec2 pixel) { return uint(pixel.x) | uint(pixel.y) << 16; }
 
-// Groups of 64 invocations for so many entries, in rows of at most 2^15.
+// Work groups of 64 invocations for `count` entries, in rows of at most 2^15 groups.
 uvec3 groupsOver(uint count) {
   uint groups = (count + 63u) / 64u, rows = (groups + 32767u) / 32768u;
   return uvec3(rows > 1u ? 32768u : groups, rows, 1u);

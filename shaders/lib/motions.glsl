@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A short list of displacements per tile, two to a texel.
+// Lists of displacements per tile, two to a texel.
 #ifndef STROBE_MOTIONS_GLSL
 #define STROBE_MOTIONS_GLSL
 
-const int kMaxMotions = 8;
+const int kMaxMotions = 8;  // entries per tile
 
-// Stands for "none" in a list; no displacement, limited to image widths, comes near.
+// Marks an unused entry. Displacements, which are limited to image widths, stay far below.
 const float kNoMotion = 1e9;
 
+// True if the entry holds a displacement.
 bool isMotion(vec2 d) { return d.x < 0.5 * kNoMotion; }
 
 #endif

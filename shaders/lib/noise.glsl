@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Per-pixel noise in [0, 1). Everything is a function of pixel, frame and seed: no clock, no state, no texture.
+// Noise per pixel in [0, 1): pure functions of pixel, frame and seed, without clock, state or texture.
 #ifndef STROBE_NOISE_GLSL
 #define STROBE_NOISE_GLSL
 #include "lib/random.glsl"
 
-// Interleaved gradient noise, Jimenez 2014; (1,0) .555713, (0,1) .309269, (1,1) .864983, (7,3) .817801.
+// Interleaved gradient noise (Jimenez 2014). Values: (1,0) .555713, (0,1) .309269, (1,1) .864983, (7,3) .817801.
 float gradientNoise(ivec2 pixel) {
   return fract(52.9829189 * fract(0.06711056 * float(pixel.x) + 0.00583715 * float(pixel.y)));
 }
 
-// The upper 24 bits, which a float holds exactly.
+// Number in [0, 1) of the upper 24 bits, which a float holds exactly.
 float unitFromBits(uint bits) { return float(bits >> 8u) / 16777216.0; }
 
 uint pixelHash(ivec2 pixel, uint key) { return pcgHash(uint(pixel.x) ^ pcgHash(uint(pixel.y) ^ key)); }

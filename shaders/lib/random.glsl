@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random numbers as hashes of (seed, frame, pixel, iteration, dimension).
+// Random numbers as hashes of (seed, frame, pixel, iteration, dimension), and points of a scrambled Sobol sequence.
 #ifndef STROBE_RANDOM_GLSL
 #define STROBE_RANDOM_GLSL
 
@@ -14,8 +14,8 @@ uint randomUint(uint pixel, uint iteration, uint dimension) {
   return pcgHash(frame.seed ^ pcgHash(frame.frame ^ pcgHash(pixel ^ pcgHash(iteration ^ pcgHash(dimension)))));
 }
 
-// Owen's scrambling, by a hash: each bit is flipped or not as those above it and the seed have it (Laine and Karras 2011;
-// Burley, "Practical Hash-based Owen Scrambling", JCGT 2020; multipliers by Vegdahl).
+// Owen scrambling by a hash: the seed and the bits above a bit decide if it is flipped (Laine and Karras 2011; Burley,
+// "Practical Hash-based Owen Scrambling", JCGT 2020; multipliers by Vegdahl).
 uint scrambled(uint value, uint seed) {
   uint x = bitfieldReverse(value);
   x ^= x * 0x3d20adeau;
@@ -26,8 +26,8 @@ uint scrambled(uint value, uint seed) {
   return bitfieldReverse(x);
 }
 
-// Point `number` in [0, 1)^2 of a sequence whose points are evenly spread, as the pixel scrambles it: the first two
-// dimensions of Sobol's, with which number / count is evenly spread too as a third.
+// Point `number`, in [0, 1)^2, of the first two dimensions of the Sobol sequence, scrambled per pixel. The first `count`
+// points are evenly spread, and stay so with number / count as a third dimension.
 vec2 stratified2(uint pixel, uint number) {
   uvec2 point = uvec2(0u), bit = uvec2(0x80000000u);
   for (uint rest = number; rest != 0u; rest >>= 1u) {
@@ -38,8 +38,8 @@ vec2 stratified2(uint pixel, uint number) {
   return vec2(x >> 8u, y >> 8u) * (1.0 / 16777216.0);
 }
 
-// In which of two halves of these points the point is, 0 or 1. Bits of the number that no coordinate's highest bits are
-// made of decide, so that each half is as evenly spread as the whole.
+// Half of the sequence, 0 or 1, that contains a point: the parity of two of every three bits of the number. The highest bits
+// of the coordinates are parities of other sets of bits, so that each half is spread nearly as evenly as the whole.
 uint stratifiedHalf(uint number) { return uint(bitCount(number & 0xdb6db6dbu)) & 1u; }
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The part of the picture that motion may reach.
+// Test for the rectangle of the image that moving surfaces can reach within the exposure.
 #ifndef STROBE_REACHED_GLSL
 #define STROBE_REACHED_GLSL
 
-// Can anything that moves be seen there?
+// True if a moving surface may be visible at the pixel at some time of the exposure. Conservative; may be true elsewhere.
 bool isReached(ivec2 pixel) {
   return all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What time samples of a pixel have met, as bits; f is the instance seen at the capture.
+// Regions of a pixel as bits, set by the hits of its time samples; f is the instance that the pixel shows at the raster time.
 #ifndef STROBE_REGIONS_GLSL
 #define STROBE_REGIONS_GLSL
 
-const uint kRegionInner = 1u;   // a sample saw a farther, different instance, where the capture sees f
-const uint kRegionHidden = 2u;  // a sample saw a point that was occluded at the capture
-const uint kRegionOuter = 4u;   // a sample saw a nearer, different instance
-const uint kRegionSelf = 8u;    // a sample saw a point of f that was occluded at the capture
+const uint kRegionInner = 1u;   // a sample hit another instance or the sky, farther than f
+const uint kRegionHidden = 2u;  // a sample hit a point that is occluded at the raster time
+const uint kRegionOuter = 4u;   // a sample hit another instance, nearer than f
+const uint kRegionSelf = 8u;    // a sample hit a point of f that is occluded at the raster time
 
 #endif

@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: MIT
-// What time samples of a pixel have seen of what is at rest: (whose, geometry, triangle, a distance).
+// Summary of the surfaces that a pixel's time samples hit: (surface, geometry, triangle, distance). A moving surface is stored
+// only if the samples hit no static one.
 #ifndef STROBE_SEEN_GLSL
 #define STROBE_SEEN_GLSL
 
-// Whose surface: instance + 2, or one of these. A triangle may be kSeenSeveral too.
+// Values of the first component besides instance + 2. The triangle may be kSeenSeveral too.
 const uint kSeenNothing = 0u, kSeenSky = 1u, kSeenSeveral = 0xffffffffu;
 
-// One geometry of one instance, or the sky; one triangle of it.
+// True if all samples hit one geometry of one instance, or the sky.
 bool isOneSurface(uvec4 seen) { return seen.x != kSeenNothing && seen.x != kSeenSeveral; }
+// True if all samples hit one triangle, or the sky.
 bool isOneTriangle(uvec4 seen) { return isOneSurface(seen) && seen.z != kSeenSeveral; }
 
 uint instanceOf(uvec4 seen) { return seen.x - 2u; }
 
-// Shadows of the first 16 lights by bits: free at all samples that asked, and from bit 16 on blocked at all of them; both where
-// none asked, as where a surface turns away from the light. Of two instances: (the first + 2, its shadows, the second + 2, its
-// shadows). With a third the second is kSeenSeveral.
+// Shadows of the first 16 lights on an instance, one word. Bit i is set if light i was visible from all samples that traced
+// it, bit 16 + i if it was blocked from all these samples. Both are set if no sample traced it, for example on a surface
+// that faces away from the light. A texel holds two instances: (first instance + 2, its shadows, second instance + 2, its
+// shadows). If samples hit a third instance, the second becomes kSeenSeveral.
+// `free_and_blocked`: bits of the lights found visible (x) and found blocked (y).
 uint shadowsFrom(uvec2 free_and_blocked) {
   uvec2 never = ~free_and_blocked.yx;
   return (never.x & 0xffffu) | (never.y << 16u);
 }
-// Lights that are known to be free, and to be blocked.
+// Bits of the lights that are known to be visible, and of the lights that are known to be blocked.
 uvec2 lightsOf(uint shadows) { return uvec2(shadows & ~(shadows >> 16u) & 0xffffu, (shadows & ~(shadows << 16u)) >> 16u); }
+// Number of lights that are known to be visible or blocked.
 int countLights(uint shadows) { return bitCount((shadows ^ (shadows >> 16u)) & 0xffffu); }
 
+// Shadows of the instance in the texel; 0, which means unknown, if the texel does not hold it.
 uint shadowsOf(uvec4 kept, uint instance) {
   return kept.x == instance + 2u ? kept.y : kept.z == instance + 2u ? kept.w : 0u;
 }
 
+// Texel with the shadows of one more sample on the instance.
 uvec4 withShadows(uvec4 kept, uint instance, uint shadows) {
   uint whose = instance + 2u;
   if (kept.x == kSeenNothing) return uvec4(whose, shadows, kSeenNothing, 0u);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The times at which every filter takes its samples: times that count alike, by the frame's shutter curve. With the
-// curve `box` these are even, and where a frame has no other curve (FACT_weighted) nothing of it is compiled.
-// A curve is known from both ends of the exposure to the middle of its weight, so that a curve that is its own mirror
-// image has mirrored times, bit for bit. Of the frame alone. docs/exposure.md, docs/derivations.md.
+// Sample times of equal weight under the frame's shutter curve, for all filters (docs/exposure.md, docs/derivations.md).
+// They depend on the frame alone. With the curve `box` they are even. FACT_weighted is 0 if the frame has no other curve;
+// then the code for curves is not compiled.
+// The frame stores a curve from both ends of the exposure to the middle of its weight. A symmetric curve therefore has
+// mirrored times, bit for bit.
 #ifndef STROBE_TIMES_GLSL
 #define STROBE_TIMES_GLSL
 #include "lib/blur.glsl"
@@ -10,10 +11,11 @@
 #if FACT_weighted
 bool isWeighted() { return frame.curve_counts.x > 0u; }
 
-// Distance from the end, share of the weight so far, weight, slope of the weight.
+// Knot i, counted from shutter close (`closing`) or shutter open: distance from that end, share of the weight so far, weight,
+// slope of the weight.
 vec4 curveKnot(bool closing, uint i) { return closing ? frame.curve_closing[i] : frame.curve_opening[i]; }
 
-// The last knot whose distance (0) or share (1) is not above the value.
+// Last knot with a distance (`what` = 0) or share (`what` = 1) that is not above the value.
 vec4 curveKnotBefore(bool closing, int what, float value) {
   uint low = 0u, high = closing ? frame.curve_counts.y : frame.curve_counts.x;
   while (high - low > 1u) {
@@ -24,7 +26,7 @@ vec4 curveKnotBefore(bool closing, int what, float value) {
   return curveKnot(closing, low);
 }
 
-// How far from an end, as a share of the exposure, the share of its weight has passed: at most 1/2.
+// Distance from an end, as a share of the exposure, within which the share of the weight lies; `share` is at most 1/2.
 float distanceToShare(bool closing, float share) {
   vec4 knot = curveKnotBefore(closing, 1, share);
   float more = share - knot.y;
@@ -32,32 +34,33 @@ float distanceToShare(bool closing, float share) {
   return more > 0.0 && twice_mean > 0.0 ? knot.x + 2.0 * more / twice_mean : knot.x;
 }
 
-// The time at a distance from an end.
+// Time at a distance from an end.
 float timeFromEnd(bool closing, float away) {
   return closing ? frame.shutter.y * (1.0 - away) + frame.shutter.x * away
                  : frame.shutter.x * (1.0 - away) + frame.shutter.y * away;
 }
 
-// The time with these shares of the weight between it and an end, and between it and the other end.
+// Time with `share` of the weight between it and an end, and `others` between it and the other end.
 float timeBetween(bool closing, float share, float others) {
   if (share < others) return timeFromEnd(closing, distanceToShare(closing, share));
   if (share > others) return timeFromEnd(!closing, distanceToShare(!closing, others));
   return 0.5 * (timeFromEnd(closing, distanceToShare(closing, 0.5)) + timeFromEnd(!closing, distanceToShare(!closing, 0.5)));
 }
 
+// Distance of a time from an end, as a share of the exposure.
 float distanceFromEnd(bool closing, float t) {
   vec2 window = frame.shutter;
   return clamp((closing ? window.y - t : t - window.x) / (window.y - window.x), 0.0, 1.0);
 }
 
-// The share of the weight that has passed this far from an end, at most 1/2.
+// Share of the weight within this distance from an end, at most 1/2.
 float shareToDistance(bool closing, float away) {
   vec4 knot = curveKnotBefore(closing, 0, away);
   float more = away - knot.x;
   return min(knot.y + more * (knot.z + 0.5 * knot.w * more), 0.5);
 }
 
-// The share of the weight between a time and an end.
+// Share of the weight between a time and an end.
 float shareFromEnd(bool closing, float t) {
   float away = distanceFromEnd(closing, t);
   uint last = (closing ? frame.curve_counts.y : frame.curve_counts.x) - 1u;
@@ -74,10 +77,11 @@ float timeAt(float part, int parts) {
   return evenTimeAt(part, parts, frame.shutter);
 }
 
-// Midpoint of the i-th of n parts of the exposure that count alike, moved by a jitter in [-1/2, 1/2] of a part.
+// Midpoint of part i of n parts of equal weight, moved by a jitter in [-1/2, 1/2] of a part.
 float sampleTime(int i, int n, float jitter) { return timeAt(float(i) + 0.5 + jitter, n); }
 
-// Which of n samples, taken at the parts 1 ... n of n + 1, falls on the capture in the middle of the exposure; -1: none.
+// Index of the sample that falls on the raster time in the middle of the exposure, for n samples at the fractions 1 ... n of
+// n + 1; -1 if no sample does.
 int sampleAtCapture(int n) {
   if (!isCentred(frame.shutter) || n % 2 == 0) return -1;
 #if FACT_weighted
@@ -86,9 +90,9 @@ int sampleAtCapture(int n) {
   return (n - 1) / 2;
 }
 
-// ---- from the capture to one end: `after` it or before
+// ---- one side of the exposure: from the raster time to shutter close (`after`) or back to shutter open
 
-// Of all that counts, what lies on that side, as a multiple of half of it where the exposure has both sides.
+// Weight of a side as a multiple of half of all weight, if the exposure has both sides and a curve; otherwise 1.
 float sideFactor(bool after) {
 #if FACT_weighted
   if (isWeighted() && isCentred(frame.shutter)) return 2.0 * (after ? frame.curve_sides.y : frame.curve_sides.x);
@@ -96,7 +100,7 @@ float sideFactor(bool after) {
   return 1.0;
 }
 
-// The time, from the capture outwards, at which a share of what counts on a side has passed.
+// Time such that the share of a side's weight lies between the raster time and it.
 float timeOutwards(bool after, float share) {
   float end = after ? frame.shutter.y : frame.shutter.x;
 #if FACT_weighted
@@ -108,7 +112,7 @@ float timeOutwards(bool after, float share) {
   return end * share;
 }
 
-// The share of what counts on a side that lies within the time `span` (>= 0) of the capture.
+// Share of a side's weight that lies within the time `span` (>= 0) of the raster time.
 float shareWithin(bool after, float span) {
 #if FACT_weighted
   if (isWeighted()) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pixels of the window's panels: the texture times the vertices' color, blended over what is there.
-// In:  uv; color; both sRGB-encoded, and blended as such: what is shown is what the pictures' files hold.
+// Fragments of the window's panels: texture times vertex color, blended over the window.
+// In:  uv; color (sRGB-encoded); panel_tex (sRGB-encoded).
 // Out: color of the window.
+// Method: blend the encoded values without decoding, so that the window shows the values of the image files.
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec4 color;
 layout(location = 0) out vec4 out_color;

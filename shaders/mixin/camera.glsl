@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Pixels to rays and points to pixels. Pixel coordinates: x right, y down, the first pixel's centre at (0.5, 0.5).
+// Rays through pixels, and projection of points. Pixel coordinates: x right, y down, the first pixel's centre at (0.5, 0.5).
 #ifndef STROBE_CAMERA_GLSL
 #define STROBE_CAMERA_GLSL
 #include "lib/hit.glsl"
@@ -11,7 +11,7 @@ vec2 ndcOf(vec2 position_px) {
   return vec2(2.0 * unit.x - 1.0, 1.0 - 2.0 * unit.y);
 }
 
-// The ray through a pixel coordinate; its parameter is the view depth in metres.
+// Ray through a pixel coordinate; its parameter is the view depth, metres.
 Ray cameraRay(uint slice, vec2 position_px) {
   SceneCamera camera = scene_cameras[slice];
   vec2 offset = ndcOf(position_px) * camera.half_extent;
@@ -20,17 +20,17 @@ Ray cameraRay(uint slice, vec2 position_px) {
   return Ray(camera.position, camera.forward + sideways);
 }
 
-// Can anything that moves be seen in a pixel at that time?
+// True if a moving surface may be visible at the pixel at the time of the slice. Conservative; may be true elsewhere.
 bool isReachedAt(uint slice, ivec2 pixel) {
   ivec4 area = scene_cameras[slice].moving;
   return all(greaterThanEqual(pixel, area.xy)) && all(lessThan(pixel, area.zw));
 }
 
-// The sample position of a pixel of this frame.
+// Sample position of a pixel in this frame, pixel coordinate.
 vec2 samplePosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.subpixel; }
 
-// From here on `precise`: a device that contracts a product and a difference to one rounding may do so at one end of a path
-// and not at the other, and then what stands still moves by some millionths of a pixel.
+// The functions below compute with `precise`. Without it, a device may contract a product and a difference to one rounding at
+// one end of a path and not at the other. Static points would then move by some millionths of a pixel.
 
 // View space: x right, y up, z the view depth (positive in front).
 vec3 viewFromWorld(uint slice, vec3 position_ws) {
@@ -40,6 +40,7 @@ vec3 viewFromWorld(uint slice, vec3 position_ws) {
   return position_vs;
 }
 
+// Pixel coordinate of a point in view space.
 vec2 pixelFromView(uint slice, vec3 position_vs) {
   SceneCamera camera = scene_cameras[slice];
   float scale = camera.orthographic != 0u ? 1.0 : position_vs.z;
@@ -48,11 +49,11 @@ vec2 pixelFromView(uint slice, vec3 position_vs) {
   return position_px;
 }
 
-// Has this invocation extrapolated a path from the near plane?
+// True if this invocation has extrapolated a path from the near plane.
 bool met_near_plane = false;
 
-// Screen displacement, px, from a point at the capture to the same point at another slice. Where it passes behind the
-// near plane on the way, the path up to there is extrapolated to its full length: the divide never sees depths <= 0.
+// Screen displacement of a point from the raster time to another slice, px. If the point passes behind the near plane on the
+// way, the path up to that plane is extrapolated to its full length. The projection therefore never divides by a depth <= 0.
 vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs, float near) {
   vec2 start = pixelFromView(SLICE_CAPTURE, capture_vs);
   bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || capture_vs.z <= near;

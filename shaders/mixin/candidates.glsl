@@ -3,8 +3,9 @@
 //   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex; may have: PARAM_trajectory,
 //   after_dominant_tex, after_second_tex, after_velocity_tex, curve_tex, dominant_curve_tex, dominant_place_tex, reach_tex,
 //   revealed_after_dominant_tex, revealed_after_velocity_tex, revealed_curve_tex, revealed_dominant_tex, second_tex.
-// The displacements by which a composite of layers looks for what is at a pixel at some time: those of its tile, its own, and
-// those met along the way, as far as they differ. composite/layered.glsl says which, and why.
+// Candidate displacements for a composite of layers, which uses them to search for the surface at a pixel at a time. They are
+// the displacements of the tile, of the pixel and of taps along the motion, as far as they differ. composite/layered.glsl has
+// the rules and the reasons.
 #ifndef STROBE_CANDIDATES_GLSL
 #define STROBE_CANDIDATES_GLSL
 #include "mixin/layers.glsl"
@@ -13,10 +14,10 @@
 
 const int kMaxCandidates = 4;
 
-// The rounding of a place to a texel, px.
+// Tolerance for the rounding of a position to a texel, px: sqrt(1/2), rounded up.
 const float kNearest = 0.75;
 
-// Displacements, the unused ones out of reach; how their paths are curved, and the texels that they are of.
+// Candidate displacements, with the curves of their paths and the texels that have them. Unused entries are out of reach.
 struct Candidates {
   vec4 x, y;
 #if HAS_curve
@@ -25,23 +26,25 @@ struct Candidates {
 #endif
   vec4 tolerance_px;
   int count;
-  bool crowded;  // one was left out that none of the others leads to
+  bool crowded;  // the list overflowed by a displacement that differs from all entries by more than 2 px and 14 %
 };
 
 const float kUnused = 1e9;
 
-// How far from where a displacement looks for it something may be: as far as that goes in nearly half the time between two
-// samples, px. What is half-way is as near to the next sample: what is at the pixel at the capture would be there at the
-// samples beside it.
+// Tolerance for the match of a surface, px: the length of the displacement within nearly half the time between two samples.
+// With exactly half, a surface half-way between two samples would match at both: for example the pixel's own surface, at the
+// samples before and after the raster time.
 float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
 
-// Is what a texel shows at the pixel at time t, as far as nearest texels tell? Where displacements vary over a surface none
-// may be nearer than about half-way to the next sample; so far off may be what moves as fast.
+// True if the texel's surface projects to the pixel at time t, within the tolerance of nearest texels. Where displacements vary
+// over a surface, the nearest match may be almost half-way to the next sample. The larger tolerance for this case is the
+// smaller one of the candidate's (`tolerance_px`) and the texel's own.
 bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
   if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
   return isAt(pixel, now, path, t, kNearest) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)));
 }
 
+// Path of candidate k.
 Path candidate(Candidates candidates, int k) {
 #if HAS_curve
   return onCurve(vec2(candidates.x[k], candidates.y[k]), candidates.curves[k]);
@@ -50,6 +53,7 @@ Path candidate(Candidates candidates, int k) {
 #endif
 }
 
+// Add a path, unless it is within half a pixel of a candidate. If the list is full, mark the overflow instead.
 Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   vec2 d = path.d;
   vec4 x = candidates.x - d.x, y = candidates.y - d.y;
@@ -74,30 +78,32 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   return candidates;
 }
 
-// Those of all layers at a texel: of what is behind raster, where it holds something.
+// Add the paths of both layers at a texel; the revealed layer only with `behind` and if it has a surface there.
 Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
   for (int layer = kRaster; layer == kRaster || (behind && layer <= kRevealed && isRevealed(at)); ++layer)
     candidates = withCandidate(candidates, pathOf(layer, at, after), at);
   return candidates;
 }
 
-// Is there nothing more to learn from others?
+// True if further taps cannot change the list: it is full, and an overflow is already marked or has no effect.
 bool isFull(Candidates candidates) {
   return candidates.count == kMaxCandidates && (PARAM_leaves_open == 0 || candidates.crowded);
 }
 
-// The k-th nearest of the taps. Of two equally far away, with the capture in the middle, the one before it comes first.
+// Index of the k-th nearest tap. With the raster time in the middle, of two taps at equal distance the tap before the raster
+// time comes first.
 int nearest(int k) {
   if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
   return frame.shutter.x < 0.0 ? params.samples - 1 - k : k;
 }
 
-// The displacements of the tile.
+// Displacements of the tile: longest, a second one, longest of the revealed layer.
 struct Dominant {
   Path longest, second, revealed;
-  ivec2 place;  // the texel that has the longest
+  ivec2 place;  // texel with the longest displacement
 };
 
+// Texel with the tile's longest displacement; `kNoTexel` if the pass does not read it.
 ivec2 placeOfDominant(ivec2 tile) {
 #if HAS_dominant_place
   return ivec2(texelFetch(dominant_place_tex, tile, 0).xy);
@@ -106,6 +112,7 @@ ivec2 placeOfDominant(ivec2 tile) {
 #endif
 }
 
+// Displacements for the times before the raster time; for all times if motion is not in two segments.
 Dominant dominantBefore(ivec2 tile) {
   Path longest = dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile);
   Dominant dominant = Dominant(longest, longest, longest, placeOfDominant(tile));
@@ -118,6 +125,7 @@ Dominant dominantBefore(ivec2 tile) {
   return dominant;
 }
 
+// Displacements for the times after the raster time.
 Dominant dominantAfter(ivec2 tile) {
 #if HAS_after_dominant
   Path longest = straight(vec2(texelFetch(after_dominant_tex, tile, 0)));
@@ -134,8 +142,9 @@ Dominant dominantAfter(ivec2 tile) {
 #endif
 }
 
-// Those met at the pixel, then at the taps along the longest and the second of its tile, from the pixel outwards, since only
-// the first few count: the same whichever way time runs. In one loop: each copy of what is asked there takes long to compile.
+// Add the displacements at the pixel, then at the taps along the tile's longest and second displacement. Only the first few
+// count, so taps go from the pixel outwards: the result is then the same whichever way time runs. One loop serves all, because
+// each inlined copy of its body takes long to compile.
 Candidates harvested(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   int ways = PARAM_harvest == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
@@ -144,7 +153,7 @@ Candidates harvested(Candidates candidates, ivec2 pixel, Dominant dominant, floa
     Path path = dominant.longest;
     if (way == 2) path = dominant.second;
     int taps = along ? params.samples : 1;
-    int sides = along && !isCentred(frame.shutter) ? 2 : 1;  // centred the taps lie to both sides already
+    int sides = along && !isCentred(frame.shutter) ? 2 : 1;  // a centred window has taps on both sides already
     for (int k = 0; k < taps && !isFull(candidates); ++k) {
       ivec2 offset = ivec2(0);
       if (along) {
@@ -160,6 +169,7 @@ Candidates harvested(Candidates candidates, ivec2 pixel, Dominant dominant, floa
   return candidates;
 }
 
+// Candidates of a pixel. `behind`: search the revealed layer too. `after`: for the times after the raster time.
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
   Candidates candidates;
   candidates.x = candidates.y = vec4(kUnused);

@@ -2,9 +2,10 @@
 // Needs: PARAM_shades_unlike, count_shaded, depth_tex, id_tex, params.detail_below, params.same_depth, params.unlike, rays,
 //   scene; may have: PARAM_displacement, color_tex, revealed_color_tex, revealed_depth_tex, revealed_id_tex,
 //   revealed_valid_tex.
-// The colour that what is seen at another time has at the capture: that of a layer of the capture which holds it, blended as
-// that of a filter's tap, else shaded anew. With `shades_unlike` the layer's only where the four texels around hold it and
-// differ by no more than the share `unlike`, or it moves by more than `detail_below` px from sample to sample.
+// Colour at the raster time of a surface point that a ray hits at another time.
+// Method: if a layer shows the point at the raster time, interpolate the layer's colour from the four nearest texels that show
+//   its surface. Otherwise shade the point. With `shades_unlike`, use the layer only in two cases: all four texels show the
+//   surface and differ by at most the share `unlike`, or the surface moves by more than `detail_below` px between samples.
 #ifndef STROBE_CAPTURED_COLOR_GLSL
 #define STROBE_CAPTURED_COLOR_GLSL
 #include "lib/blur.glsl"
@@ -12,11 +13,12 @@
 #include "lib/spread.glsl"
 #include "mixin/shade.glsl"
 
-// Does raster's texel show the surface, or what was revealed behind it?
+// True if the raster layer's texel shows the surface `id` at the view depth `depth`.
 bool isSeen(ivec2 at, uvec2 id, float depth) {
   return texelFetch(id_tex, at, 0).xy == id && relativeGap(texelFetch(depth_tex, at, 0).x, depth) <= params.same_depth;
 }
 
+// True if the revealed layer's texel shows the surface.
 bool isRevealed(ivec2 at, uvec2 id, float depth) {
 #if HAS_revealed_valid
   return texelFetch(revealed_valid_tex, at, 0).x > 0.5 && texelFetch(revealed_id_tex, at, 0).xy == id &&
@@ -26,6 +28,7 @@ bool isRevealed(ivec2 at, uvec2 id, float depth) {
 #endif
 }
 
+// Colour of the raster layer (`seen`) or of the revealed layer.
 vec3 texelOf(ivec2 at, bool seen) {
 #if HAS_revealed_valid
   return finiteColor(seen ? texelFetch(color_tex, at, 0) : texelFetch(revealed_color_tex, at, 0));
@@ -34,7 +37,7 @@ vec3 texelOf(ivec2 at, bool seen) {
 #endif
 }
 
-// How far a surface point moves from sample to sample, px.
+// Distance on the screen that a surface point moves between two samples, px.
 float spacingOf(Hit hit) {
   vec3 open_vs = viewFromWorld(SLICE_OPEN, positionOf(SLICE_OPEN, hit));
   vec3 close_vs = viewFromWorld(SLICE_CLOSE, positionOf(SLICE_CLOSE, hit));
@@ -69,7 +72,7 @@ vec3 capturedColorOf(Hit hit) {
 #if PARAM_shades_unlike
   if ((!alike || !isNarrow(spread, params.unlike)) && !(spacingOf(hit) > params.detail_below)) weights = 0.0;
 #endif
-  if (weights > 0.0) return isNarrow(spread, 0.0) ? spread.low : fromSum(sum / weights);  // of equal colours not rounded
+  if (weights > 0.0) return isNarrow(spread, 0.0) ? spread.low : fromSum(sum / weights);  // equal colours are not rounded
   count_shaded(1u);
   return shade(SLICE_CAPTURE, hit);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Needs: nothing; may have: PARAM_trajectory.
-// Paths over the picture that are no straight lines, through poses inside of the exposure. With u in [0, 1] from its start
-// to its end, and x = u - 1/2, a point leaves the line between the ends of its path
-//   on a parabola by   4 u (1 - u) b,   b = curve.xy, px;
-//   on an arc by       b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)),   w = curve.zw,
-// products of complex numbers. b is the distance from that line in the middle. w turns and stretches a circle about a centre
-// that goes along a line: by w.y radians and a factor of exp(w.x) over the exposure. Wheels that roll are arcs. w = 0 is the
-// parabola, and a curve of 0 the straight line, bit for bit.
+// Curved screen paths of surface points, parabolas or arcs, through poses inside the exposure. With u in [0, 1] from shutter
+// open to shutter close, and x = u - 1/2, the deviation from the straight line between the ends of the path is
+//   parabola:  4 u (1 - u) b,   b = curve.xy, px;
+//   arc:       b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)),   w = curve.zw, in complex numbers.
+// b is the deviation in the middle. An arc is a rotation by w.y radians and a scale by exp(w.x) over the exposure, about a
+// centre that moves along a line: for example a rolling wheel. w = 0 is the parabola. A curve of 0 is the straight line, bit
+// for bit.
 #ifndef STROBE_CURVE_GLSL
 #define STROBE_CURVE_GLSL
 #include "lib/blur.glsl"
@@ -22,12 +22,13 @@ vec2 complexProduct(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b
 vec2 complexQuotient(vec2 a, vec2 b) { return complexProduct(a, vec2(b.x, -b.y)) / dot(b, b); }
 vec2 complexExp(vec2 z) { return exp(z.x) * vec2(cos(z.y), sin(z.y)); }
 
-// Below, an arc's formula is the difference of nearly equal numbers, and three terms of its series say the same.
+// |w| below which three terms of a series replace the arc's formula, which is then a difference of nearly equal numbers.
 const float kSmallTurn = 0.3;
 
-// Does an arc turn, and hardly grow? Things that do turn in the picture as a whole, about one centre.
+// True if an arc turns and hardly grows. Objects with such paths turn as a whole in the image plane, about one centre.
 bool isTurning(vec4 curve) { return 8.0 * abs(curve.z) < abs(curve.w); }
 
+// Deviation from the straight line at u, px.
 vec2 fromLine(vec4 curve, float u) {
   vec2 w = curve.zw;
   float x = u - 0.5;
@@ -44,16 +45,17 @@ vec2 fromLine(vec4 curve, float u) {
   return complexProduct(curve.xy, share);
 }
 #else
+// Deviation from the straight line at u, px.
 vec2 fromLine(vec4 curve, float u) { return 4.0 * u * (1.0 - u) * curve.xy; }
 #endif
 
-// Where what moves by d over the exposure, on that curve, is at time t, from where it is at the capture, px.
+// Offset from the raster time to time t, px, of a point with the displacement d and this curve.
 vec2 movedBy(vec2 d, vec4 curve, float t, vec2 shutter) {
   if (curve == vec4(0)) return d * t;
   return d * t + fromLine(curve, t - shutter.x) - fromLine(curve, -shutter.x);
 }
 
-// How much two curves differ, squared px.
+// Squared difference of two curves, px^2.
 float apartSquared(vec4 a, vec4 b) {
   if (a == b) return 0.0;
   vec4 apart = a - b;
@@ -63,7 +65,7 @@ float apartSquared(vec4 a, vec4 b) {
   return dot(apart, apart);
 }
 
-// A curve made shorter, as its displacement is.
+// Curve of a path whose displacement is scaled by `share`.
 vec4 shortenedCurve(vec4 curve, float share) {
 #if ON_ARCS
   return vec4(curve.xy * share, curve.zw);
@@ -72,8 +74,8 @@ vec4 shortenedCurve(vec4 curve, float share) {
 #endif
 }
 
-// The three control points of the path as a cubic Bezier curve but the first, from where it is at the start, px: the path is
-// within their hull.
+// The last three of the four control points of the parabola as a cubic Bezier curve, relative to the first, px. The path lies
+// in the hull of all four.
 void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
   points[0] = d / 3.0 + 4.0 / 3.0 * curve.xy;
   points[1] = 2.0 / 3.0 * d + 4.0 / 3.0 * curve.xy;
@@ -81,7 +83,7 @@ void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
 }
 
 #if ON_ARCS
-// The same of an arc: the corners of a box around places along it, and by how much it leaves the lines between these.
+// `straightened` for an arc: corners of a box around 16 places on it, widened by its deviation from the chords between them.
 void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   const int kPlaces = 16;
   vec2 low = vec2(0), high = vec2(0), bulge = vec2(0), from = vec2(0);
@@ -100,8 +102,8 @@ void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
 }
 #endif
 
-// Displacements px over the exposure that, in a straight line, come where the path's control points lie: their box holds
-// it. Each is d where the curve is straight.
+// Four straight displacements, px over the exposure, whose box bounds the path: each reaches a control point of the path at the
+// farther end of the window. All equal d if the path is straight.
 void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   around = vec2[4](d, d, d, d);
   if (curve == vec4(0)) return;
@@ -116,14 +118,14 @@ void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
 #endif
 }
 
-// How long a straight displacement must be to reach as far, px.
+// Length of a straight displacement that reaches as far as the path, px.
 float reachOf(vec2 d, vec4 curve, vec2 shutter) {
   vec2 around[4];
   straightened(d, curve, shutter, around);
   return max(max(lengthOf(around[0]), lengthOf(around[1])), max(lengthOf(around[2]), lengthOf(around[3])));
 }
 
-// In how many steps tiles of so many px are followed along a curve: half a tile each, or 1/64 of the exposure.
+// Number of steps along a curve over tiles with sides of `tile` px: four per tile of its reach, at least 4, at most 64.
 int stepsAlong(vec2 d, vec4 curve, int tile) { return clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / tile, 4, 64); }
 
 #endif

@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex; may have:
 //   behind_depth_tex, behind_valid_tex, reach_tex, second_tex, valid_tex.
-// The second direction along which a gather looks. Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable
-// Feature-Aware Motion Blur Filter", section 3. `second` is what else moves around, px over the exposure, per tile.
+// The second direction of a gather's taps. Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion
+// Blur Filter", section 3.
+// In:  `second`: per tile, another displacement in the neighbourhood, px over the exposure.
 #ifndef STROBE_DIRECTIONS_GLSL
 #define STROBE_DIRECTIONS_GLSL
 #include "mixin/layer.glsl"
 
-// A displacement whose component along the perpendicular is shorter than this (px) says nothing of its side.
+// Least component along the perpendicular that gives a displacement a side, px.
 const float kNoSide = 1.0 / 64.0;
 
+// Unit vector along d; 0 if d is 0.
 vec2 unitOf(vec2 d) {
   float d_length = lengthOf(d);
   return d_length > 0.0 ? d / d_length : vec2(0);
 }
 
-// Unit length, or 0. `own` is the displacement of the pixel's surface, `radius_px` how far it spreads. A pixel at rest
-// looks perpendicular to the dominant displacement, one that spreads by gamma_px + 1/2 or more along its own, those
-// between in between. The perpendicular is taken to the side of `own`, or, where that has none, of `other`: what else
-// moves around here. Where neither tells there is none: nothing is known to move across. (The paper leaves the side to
-// rounding then. A gather to one side only would look the wrong way half of the time, and mirrored scenes would not
-// give mirrored pictures.)
+// Second direction, a unit vector or 0. `own`: displacement of the pixel's surface. `radius_px`: its spread. `other`: another
+// displacement in the neighbourhood.
+// A static pixel uses the perpendicular of the dominant displacement. A pixel with a spread of gamma_px + 1/2 or more uses its
+// own displacement. A pixel in between uses a blend of both. The perpendicular points to the side of `own`, or of `other` if
+// `own` has no side. If `other` has no side either, the perpendicular is 0, because no surface is known to move across. (The
+// paper leaves the side to rounding in this case. A one-sided gather would then sample the wrong side half of the time, and
+// mirrored scenes would not give mirrored images.)
 vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float gamma_px) {
   vec2 across = unitOf(vec2(-dominant.y, dominant.x));
   float side = dot(across, own);
@@ -30,7 +33,7 @@ vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float
   return unitOf(mix(sign(side) * across, unitOf(own), along_own));
 }
 
-// The second direction at a pixel of a tile.
+// Second direction at a pixel of a tile.
 vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gamma_px) {
   vec2 other = vec2(0);
 #if HAS_second
@@ -39,9 +42,9 @@ vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gam
   return secondDirection(dominant, texelAt(pixel).d, other, radius_px, gamma_px);
 }
 
-// Is sample i of N taken along the second direction? Counted from the tap nearest to the pixel where all lie to one
-// side: the anchor `open` is `close` backwards. count = N/2 takes every other one, from the second on: of an odd N
-// these are the same counted from either end.
+// True if sample i of N is taken along the second direction; `count` of the N samples are. If all taps lie on one side, they
+// are counted from the tap nearest to the pixel, because the anchor `open` is the reverse of `close`. count = N/2 takes every
+// other sample, from the second on. If N is odd, these are the same samples from either end.
 bool isAlongSecond(int i, int count) {
 #if PARAM_directions == directions_two
   if (frame.shutter.x >= 0.0) i = params.samples - 1 - i;

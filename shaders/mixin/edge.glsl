@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Needs: edge_img; may have: where_tex.
-// What every edge detector shares: where it looks and what it says. Where `where` is above 1/2 it looks; absent:
-// everywhere.
+// Input mask and output of every edge detector.
+// In:  `where` (optional): the detector runs where it is above 1/2; everywhere if absent.
+// Out: `edge`: 1 on edges, 0 elsewhere.
 #ifndef STROBE_EDGE_GLSL
 #define STROBE_EDGE_GLSL
 
+// True if the detector runs at the pixel.
 bool isWanted(ivec2 pixel) {
 #if HAS_where
   return texelFetch(where_tex, pixel, 0).x > 0.5;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Needs: depth_tex, edge_img, normal_tex, params.depth_threshold, params.normal_threshold, PARAM_combine, PARAM_norm;
 //   may have: where_tex.
-// Gradients of depth and normal by small kernels. Every kernel answers a step of 1 along an axis with 1.
+// Gradients of depth and normal by kernels of 3x3 pixels. Each kernel returns 1 for a step of 1 along an axis.
 #ifndef STROBE_EDGE_GRADIENT_GLSL
 #define STROBE_EDGE_GRADIENT_GLSL
 #include "mixin/edge.glsl"
 #include "mixin/edge_features.glsl"
 #include "mixin/edge_steps.glsl"
 
+// Length of (a, b) in the norm `norm`.
 float sizeOf(float a, float b) {
 #if PARAM_norm == norm_l1
   return abs(a) + abs(b);
@@ -16,11 +17,13 @@ float sizeOf(float a, float b) {
 #endif
 }
 
-// Of the differences in two directions at right angles: that of the depth, and that of all components of the normal.
+// True if the gradient is above the thresholds; `a` and `b`: differences of the features in two perpendicular directions. The
+// components of the normal count together.
 bool isStep(vec4 a, vec4 b) {
   return combined(sizeOf(a.w, b.w), sizeOf(length(vec3(a)), length(vec3(b)))) > 1.0;
 }
 
+// Difference of the features ahead and behind in the direction `along`, each a weighted sum of three pixels.
 vec4 difference(ivec2 pixel, ivec2 along, ivec2 across, float depth, float middle, float side) {
   vec4 ahead = side * featureAt(pixel + along - across, depth) + middle * featureAt(pixel + along, depth) +
                side * featureAt(pixel + along + across, depth);
@@ -29,7 +32,7 @@ vec4 difference(ivec2 pixel, ivec2 along, ivec2 across, float depth, float middl
   return ahead - behind;
 }
 
-// Kernel [side middle side]^T [-1 0 1] and its transpose; 2 * side + middle = 1.
+// True on an edge by the kernel [side middle side]^T [-1 0 1] and its transpose; 2 * side + middle = 1.
 bool isStepBy(ivec2 pixel, float middle, float side) {
   float depth = depthAt(pixel);
   if (!isWanted(pixel) || !isSurface(depth)) return false;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.depth_threshold, params.normal_threshold, PARAM_combine.
-// Steps of depth and normal, each against its own threshold. depth_threshold is a share of the pixel's own depth,
-// normal_threshold a length.
+// Combination of a depth step and a normal step, each relative to its threshold. `depth_threshold`: share of the pixel's depth.
+// `normal_threshold`: length of a difference of unit normals.
 #ifndef STROBE_EDGE_STEPS_GLSL
 #define STROBE_EDGE_STEPS_GLSL
 
-// Above 1 on an edge. `max`: either step suffices; `sum`: both count together; `and`: both must be there.
+// Strength of the edge, above 1 on an edge. `max`: either step suffices. `sum`: both add up. `and`: both are required.
 float combined(float depth_step, float normal_step) {
   float in_depth = depth_step / params.depth_threshold;
   float in_normal = normal_step / params.normal_threshold;

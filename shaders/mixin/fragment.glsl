@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// What the fragments of scene/visibility.vert.glsl know of the triangle they are of, and whether they are there at all.
+// Inputs of the fragments of scene/visibility.vert.glsl, and the test that discards fragments.
 #ifndef STROBE_FRAGMENT_GLSL
 #define STROBE_FRAGMENT_GLSL
 #include "mixin/trace_payload.glsl"
@@ -25,7 +25,7 @@ layout(location = 6) in vec3 position_os;
 const vec3 position_os = vec3(0);
 #endif
 
-// Is it what alpha leaves out, by the same tests as rays use, or the back of what is seen from one side alone?
+// True if alpha cuts the fragment out, by the same tests as for rays, or if it is the back of a one-sided material.
 bool isLeftOut() {
 #if FACT_one_sided
   if (gl_FrontFacing == (mirrored != 0u) && isOneSided(draw.x, draw.y)) return true;

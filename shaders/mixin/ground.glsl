@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, hit_tex, rays, scene; may have: PARAM_displacement.
-// What a pixel sees at many times: before a camera at rest, what is at rest on its ray is found once, and what moves is
-// traced before it.
+// Nearest surface at a pixel at many times. If the camera is static, the static background on the pixel's ray is found once.
+// Rays at other times then test only the moving instances in front.
 #ifndef STROBE_GROUND_GLSL
 #define STROBE_GROUND_GLSL
 #include "lib/blur.glsl"
@@ -10,25 +10,28 @@
 
 const float kFar = 3.0e38;
 
-// What is at rest on a pixel's ray, before a camera at rest.
+// Static background on the ray of a pixel, for a static camera.
 struct Ground {
   bool is_known;
   Hit hit;
-  float t;  // as a ray measures it
+  float t;  // distance along the ray; view depth, metres
   vec3 color;
 };
 
+// True if the hit is static and the camera is static.
 bool isGround(Hit hit) { return frame.camera_rests != 0u && isAtRest(hit); }
 
 Ground groundOf(Hit hit, vec3 color) { return Ground(true, hit, isHit(hit) ? hit.t : kFar, color); }
 
-// Is a point on the border of its triangle? Those beside it, which only raster's rounding finds there, are moved to it.
+// True if the point is on the border of its triangle. `hitOnTriangle` also moves points to the border that the raster places
+// in the triangle only by rounding.
 bool isOnBorder(Hit hit) {
   vec3 weights = cornerWeights(hit.barycentrics);
   return min(weights.x, min(weights.y, weights.z)) <= 1e-6;
 }
 
-// Does a pixel around it show another thing at rest? Raster's rounding may have kept that from this one.
+// True if one of the 8 neighbours shows another static surface, which rounding in the raster may have hidden from the pixel.
+// `thing`: instance + 1 and geometry of the pixel.
 bool isBesideOther(ivec2 pixel, uvec2 thing) {
   for (int k = 0; k < 9; ++k) {
     ivec2 at = clampToImage(pixel + ivec2(k % 3, k / 3) - 1, ivec2(frame.size));
@@ -38,7 +41,8 @@ bool isBesideOther(ivec2 pixel, uvec2 thing) {
   return false;
 }
 
-// What the capture sees, if that is at rest: nothing at rest is nearer. Not at silhouettes, where a ray may see otherwise.
+// Static background from the raster image, if the pixel shows a static surface there: no static surface is nearer. Unknown at
+// silhouettes and borders of triangles, where a ray may hit another surface than the raster.
 Ground groundAt(ivec2 pixel) {
   Ground ground = Ground(false, noHit(), kFar, vec3(0));
   if (frame.camera_rests == 0u) return ground;
@@ -53,7 +57,7 @@ Ground groundAt(ivec2 pixel) {
   return groundOf(hit, finiteColor(texelFetch(color_tex, pixel, 0)));
 }
 
-// The nearest surface on a pixel's ray at a slice of time.
+// Nearest surface on a pixel's ray at a slice.
 Hit nearestAt(uint slice, Ray ray, Ground ground) {
   uint mask = ground.is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
   Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, ground.t, NO_INSTANCE, NO_INSTANCE);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_jitter, PARAM_jitter_frame.
-// The jitter of a pass with the choice parameters `jitter` and `jitter_frame` (passes/lib/jitter.lua): in
-// [-1/2, 1/2] of the distance between two samples, one value per pixel. Per frame, `hash` draws anew and `ign` is
-// shifted by the golden ratio, which spreads successive frames evenly over the range.
+// Jitter per pixel, in [-1/2, 1/2] of the distance between two samples, for passes with the parameters `jitter` and
+// `jitter_frame` (passes/lib/jitter.lua). With `per_frame`, `hash` has new values in each frame. `ign` is shifted by the golden
+// ratio per frame, which spreads successive frames evenly over the range.
 #ifndef STROBE_JITTER_GLSL
 #define STROBE_JITTER_GLSL
 #include "lib/noise.glsl"
 
-// In [0, 1): fract(frame / golden ratio), as 32-bit fixed point.
+// Shift of the frame in [0, 1): fract(frame / golden ratio), computed in 32-bit fixed point.
 float frameShift() { return float((frame.frame * 2654435769u) >> 8u) / 16777216.0; }
 
 float jitterOf(ivec2 pixel) {

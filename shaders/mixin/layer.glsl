@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: behind_depth_tex,
 //   behind_valid_tex, reach_tex, valid_tex.
-// One layer of the picture as gathers read it, and the revealed layer behind it.
+// Texels of one layer as gathers read them, and the depth of the revealed layer behind it.
 #ifndef STROBE_LAYER_GLSL
 #define STROBE_LAYER_GLSL
 #include "mixin/limit.glsl"
@@ -9,10 +9,11 @@
 
 struct Texel {
   vec3 color;   // linear, finite
-  float depth;  // view depth, sky +inf
+  float depth;  // view depth, metres; +inf for the sky
   vec2 d;       // px over the exposure, at most limit * image width long
 };
 
+// Displacement of a texel, shortened to the limit.
 vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
 Texel texelAt(ivec2 pixel) {
@@ -20,7 +21,7 @@ Texel texelAt(ivec2 pixel) {
   return Texel(finiteColor(texelFetch(color_tex, pixel, 0)), saneDepth(texelFetch(depth_tex, pixel, 0).x), d);
 }
 
-// Does the layer hold anything there?
+// True if the layer has a surface at the pixel.
 bool isValid(ivec2 pixel) {
 #if HAS_valid
   return texelFetch(valid_tex, pixel, 0).x > 0.5;
@@ -29,7 +30,7 @@ bool isValid(ivec2 pixel) {
 #endif
 }
 
-// Was something revealed behind it?
+// True if the revealed layer has a surface behind the pixel.
 bool hasBehind(ivec2 pixel) {
 #if HAS_behind_valid
   return texelFetch(behind_valid_tex, pixel, 0).x > 0.5;
@@ -38,6 +39,7 @@ bool hasBehind(ivec2 pixel) {
 #endif
 }
 
+// View depth of the revealed layer; `otherwise` if it has no surface there.
 float behindDepth(ivec2 pixel, float otherwise) {
 #if HAS_behind_depth
   if (hasBehind(pixel)) return saneDepth(texelFetch(behind_depth_tex, pixel, 0).x);

@@ -2,7 +2,8 @@
 // Needs: color_tex, params.limit, revealed_color_tex, revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex,
 //   velocity_tex; may have: PARAM_trajectory, after_velocity_tex, curve_tex, dominant_curve_tex, reach_tex,
 //   revealed_after_velocity_tex, revealed_curve_tex.
-// The two layers of a composite: raster, which has a surface everywhere, and revealed, which has one where rays found it.
+// The two layers of a composite: the raster layer, which has a surface at every pixel, and the revealed layer, which has a
+// surface where a ray found one.
 #ifndef STROBE_LAYERS_GLSL
 #define STROBE_LAYERS_GLSL
 #include "mixin/path.glsl"
@@ -18,9 +19,10 @@ bool hasSurface(int layer, ivec2 texel) {
   return isInside(texel, textureSize(color_tex, 0)) && (layer == kRaster || isRevealed(texel));
 }
 
+// View depth of the revealed layer, metres.
 float revealedDepth(ivec2 pixel) { return saneDepth(texelFetch(revealed_depth_tex, pixel, 0).x); }
 
-// Curve of the path of a texel, px.
+// Curve of a texel's path (mixin/curve.glsl); 0 if the layer has no curves.
 vec4 curveAt(int layer, ivec2 pixel) {
 #if HAS_curve
   if (layer == kRaster) return texelFetch(curve_tex, pixel, 0);
@@ -31,7 +33,7 @@ vec4 curveAt(int layer, ivec2 pixel) {
   return vec4(0);
 }
 
-// Displacements in the part of the exposure after the raster time, or before it.
+// Raster layer's displacement for the times after the raster time (`after`) or before it, px over the exposure.
 vec4 displacementAt(ivec2 pixel, bool after) {
 #if HAS_after_velocity
   if (after) return texelFetch(after_velocity_tex, pixel, 0);
@@ -39,6 +41,7 @@ vec4 displacementAt(ivec2 pixel, bool after) {
   return texelFetch(velocity_tex, pixel, 0);
 }
 
+// Displacement of the revealed layer for the times after or before the raster time, px over the exposure.
 vec4 revealedDisplacementAt(ivec2 pixel, bool after) {
 #if HAS_revealed_after_velocity
   if (after) return texelFetch(revealed_after_velocity_tex, pixel, 0);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.limit; may have: reach_tex.
-// The longest displacement that a filter handles, and how far from a pixel it must look for it. With limit = auto, which
-// is held as a negative number, nothing is shortened, and a filter looks as far as anything moves.
+// Longest displacement that a filter handles, and bound of the distance within which it searches. With limit = auto, stored as
+// a negative number, no displacement is shortened, and the bound is the longest displacement in the image.
 #ifndef STROBE_LIMIT_GLSL
 #define STROBE_LIMIT_GLSL
 #include "lib/blur.glsl"
 
-const float kNoLimit = 1e18;   // its square is a finite number
-const float kMostReach = 1e6;  // of what passes the near plane, px: still an integer number of tiles
+const float kNoLimit = 1e18;   // px; its square is finite
+const float kMostReach = 1e6;  // px; bound for paths through the near plane, so that numbers of tiles fit an integer
 
-// Longer displacements are shortened to it, px over the exposure.
+// Limit of the lengths of displacements, px over the exposure. Longer ones are shortened.
 float limitPx() { return params.limit < 0.0 ? kNoLimit : params.limit * float(frame.size.x); }
 
-// No displacement is longer, px over the exposure. Where nobody has measured that: one across the picture.
+// Upper bound of the lengths of displacements, px over the exposure. If no pass has measured the longest one: twice the
+// diagonal of the image.
 float reachPx() {
   if (params.limit >= 0.0) return limitPx();
 #if HAS_reach

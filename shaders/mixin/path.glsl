@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.limit; may have: PARAM_trajectory, curve_tex, dominant_curve_tex, reach_tex.
-// The path of a surface over the picture: a displacement, and how it leaves the straight line (mixin/curve.glsl) where the
-// pass reads that; else lines, with no arithmetic more.
+// Screen path of a surface: a displacement and, if the pass reads curves, the deviation from the straight line
+// (mixin/curve.glsl). Without curves, paths are straight lines and cost no extra arithmetic.
 #ifndef STROBE_MIXIN_PATH_GLSL
 #define STROBE_MIXIN_PATH_GLSL
 #include "mixin/limit.glsl"
@@ -33,7 +33,7 @@ bool isCurved(Path path) {
 #endif
 }
 
-// From what textures hold, shortened to the limit; its curve by as much.
+// Path from values of images, shortened to the limit. The curve is scaled alike; a curve that is not finite becomes 0.
 Path limitedPath(vec4 velocity, vec4 curve) {
   vec2 d = finiteDisplacement(velocity), shortened = clampLength(d, limitPx());
 #if HAS_curve
@@ -43,7 +43,7 @@ Path limitedPath(vec4 velocity, vec4 curve) {
   return onCurve(shortened, curve);
 }
 
-// How far a path comes: the length of its displacement, or of the straight one that holds its curve, px.
+// Reach of a path, px: length of its displacement or, if curved, of a straight displacement that reaches as far.
 float reachOf(Path path) {
 #if HAS_curve
   return reachOf(path.d, path.curve, frame.shutter);
@@ -52,7 +52,7 @@ float reachOf(Path path) {
 #endif
 }
 
-// The path of a tile's dominant displacement.
+// Path of a tile's dominant displacement.
 Path dominantPath(vec2 d, ivec2 tile) {
 #if HAS_curve && HAS_dominant_curve
   return onCurve(d, texelFetch(dominant_curve_tex, tile, 0));

@@ -1,37 +1,38 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.limit; may have: PARAM_trajectory, curve_tex, dominant_curve_tex, reach_tex.
-// How a search for what is at a pixel at some time goes on from a texel that is not: where, of a guess, what the texel there
-// says instead. Motion that varies over a surface (perspective, turning) is met by asking once more from where the first guess
-// led. A texel that passes `isAt` is at the pixel, however it was found.
+// Iterative search for the texel whose surface is at a pixel at a given time. If a texel's surface is not at the pixel, the
+// texel's own displacement gives the next texel. This handles motion that varies over a surface (perspective, rotation). A
+// texel that passes `isAt` is at the pixel, whichever texels were tried before.
 #ifndef STROBE_SEARCH_GLSL
 #define STROBE_SEARCH_GLSL
 #include "mixin/path.glsl"
 
-// Of displacements whose texel nobody knows.
+// Marks an unknown texel.
 const ivec2 kNoTexel = ivec2(-1);
 
-// How often what a texel says is followed to another, and where paths are curved. Loops over two are unrolled.
+// Texels that a search tries, on straight and on curved paths. Compilers unroll the loop over two.
 #if HAS_curve
 const int kGuesses = 2, kCurvedGuesses = 4;
 #else
 const int kGuesses = 2, kCurvedGuesses = kGuesses;
 #endif
 
-// Is there another guess after the i-th?
+// True if the search tries another texel after texel i.
 bool isAskedAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurvedGuesses : kGuesses); }
 
-// A path that changes by more from texel to texel is another thing's, px.
+// Largest difference between the paths of adjacent texels of one surface, px. A larger difference means another object.
 const float kMostSlope = 2.0;
 
-// Of the layers that are searched: the path of what a texel shows, and whether it shows anything. Whoever searches has these.
+// Path of a texel of a layer, and the test for a surface there. The including shader defines both.
 Path pathOf(int layer, ivec2 texel, bool after);
 bool hasSurface(int layer, ivec2 texel);
 
+// Texel at the raster time of a surface that is at the pixel at time t and has this path.
 ivec2 asked(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
 
 #if HAS_curve
-// By how much a path changes from a texel to the next along an axis, px at time t; not known where the texels beside it are
-// of something else.
+// Change of a path from a texel to the next one along an axis, px at time t. Unknown if both neighbours belong to another
+// object.
 struct Slope {
   vec2 px;
   bool is_known;
@@ -49,8 +50,9 @@ Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t) {
   return Slope(vec2(0), false);
 }
 
-// By how much the place at time t changes with the texel. At corners, where one axis alone is known, as if what is there
-// turned and grew alike in all directions: half-known it would lead far astray from afar.
+// Derivative of the position at time t with respect to the texel. At corners of an object, where the slope along one axis is
+// unknown, the motion is taken for a rotation with a uniform scale. Without this, the step from a distant texel would be far
+// off.
 mat2 changeOf(int layer, ivec2 now, Path path, float t) {
   Slope x = slopeOf(layer, now, ivec2(1, 0), path, t), y = slopeOf(layer, now, ivec2(0, 1), path, t);
   if (!x.is_known) x.px = vec2(y.px.y, -y.px.x);
@@ -59,9 +61,10 @@ mat2 changeOf(int layer, ivec2 now, Path path, float t) {
 }
 #endif
 
-// Where a texel `now` of a layer leads. Where paths are curved things turn: they vary over a surface by as much as it turns,
-// which is known of what turns on an arc and which the texels beside it show of others, so that Newton's step is taken. It
-// leads there at once where a surface is turned or stretched alike.
+// Next texel of the search after the texel `now` of a layer.
+// Method: on a straight path, a step of fixed-point iteration. On a curved path, a Newton step, because a surface with curved
+// paths rotates and its paths vary. The derivative is exact for rotation on an arc. Otherwise it is the difference to adjacent
+// texels. One step suffices if the whole surface rotates or stretches uniformly.
 ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 #if HAS_curve
   if (!isCurved(path)) return asked(pixel, path, t);

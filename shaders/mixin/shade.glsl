@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene; may have: PARAM_displacement.
-// THE shading function, used alike for what raster sees, what rays reveal and what truth integrates: colour of a point
-// of a surface as a function of that point and of the pose of the scene, whatever ray found it. So a point that raster
-// and a ray both see has one colour, and differences between methods are differences of visibility and filtering.
-//
-// Metallic-roughness as glTF 2.0 defines it: Lambert plus GGX (Smith, height-correlated; Schlick's Fresnel) under
-// punctual lights with traced shadows, plus light from everywhere, blended from ground to sky by the normal.
+// The shading function of all passes: colour of a surface point, as a function of the point and of the pose of the scene alone.
+// The raster layer, revealed layers and ground truth share it. A point has one colour, whether the raster or a ray found it.
+// Differences between methods are therefore differences of visibility and filtering.
+// Method: metallic-roughness of glTF 2.0: Lambert plus GGX (Smith, height-correlated; Schlick's Fresnel) under punctual lights
+//   with traced shadows, plus ambient light that the normal blends from ground to sky.
 #ifndef STROBE_SHADE_GLSL
 #define STROBE_SHADE_GLSL
 #include "lib/sanitise.glsl"
@@ -13,17 +12,17 @@
 
 const float kPi = 3.14159265358979;
 
-// Radiance that arrives from far outside of the scene.
+// Ambient radiance from a direction.
 vec3 skyLight(vec3 direction_unit) { return mix(frame.ground, frame.sky, 0.5 + 0.5 * direction_unit.y); }
 
-// What a ray that leaves the scene sees.
+// Radiance of a ray that leaves the scene.
 vec3 environment(vec3 direction_ws) {
   if (frame.background.w != 0.0) return frame.background.rgb;
   return skyLight(unitOr(direction_ws, vec3(0, 1, 0)));
 }
 
-// Change of world position on the surface's plane per pixel to the right (x) and down (y), from the camera at `slice`.
-// A function of the surface point alone. Grazing planes are taken to recede no faster than 1:16.
+// Footprint of a pixel of the camera at `slice` on the surface's plane: change of the world position per pixel to the right
+// (column 0) and down (column 1). A function of the surface point alone. The cosine at grazing angles is at least 1/16.
 mat2x3 footprintOf(uint slice, Surface surface) {
   SceneCamera camera = scene_cameras[slice];
   vec2 pixel = 2.0 * camera.half_extent / vec2(frame.size);
@@ -40,10 +39,10 @@ mat2x3 footprintOf(uint slice, Surface surface) {
   return mat2x3(right - view * (dot(n, right) / facing), down - view * (dot(n, down) / facing));
 }
 
-// Texture coordinates per metre along two directions of the triangle's plane, by least squares on its edges.
+// Change of texture coordinates along `direction_ws` in the triangle's plane, by least squares on its edges.
 vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
   vec3 e1 = surface.edge1_ws, e2 = surface.edge2_ws;
-  // Edges are divided by their largest component first: their squares then stay within range at any scene scale.
+  // Divide by the largest component of the edges, so that their squares stay within range at any scale of the scene.
   float scale = max(max(abs(e1.x), max(abs(e1.y), abs(e1.z))), max(abs(e2.x), max(abs(e2.y), abs(e2.z))));
   if (!(scale > 0.0)) return vec2(0);
   e1 /= scale;
@@ -56,8 +55,8 @@ vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
   return ((p * c - q * b) * uv_edge1 + (q * a - p * b) * uv_edge2) / determinant;
 }
 
-// Filtered texel of a use that has a texture, footprint from the surface: taps along the longer axis, mip level from the
-// shorter. A texture of a single level is looked up as it is.
+// Anisotropically filtered texel of a use that has a texture: lookups along the longer axis of the footprint, mip level by the
+// shorter axis. A texture with a single level gets one lookup.
 vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   vec2 uv = transformedUv(use, surface.uv0, surface.uv1);
   bool is_plain = textureQueryLevels(scene_textures[nonuniformEXT(use.texture)]) == 1;
@@ -82,12 +81,12 @@ vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   return sum / float(taps);
 }
 
-// What textures say of a surface point: 1 of each that its material has not.
+// Texels at a surface point, one per texture slot; 1 if the material has no texture there.
 struct Texels {
   vec4 base_color, metallic_roughness, normal, emissive;
 };
 
-// Of the first `count` uses. In one loop: each copy of a lookup takes long to compile.
+// Texels of the first `count` slots. One loop serves all slots, because each inlined copy of a lookup takes long to compile.
 Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
   Texels texels = Texels(vec4(1), vec4(1), vec4(1), vec4(1));
   for (int i = 0; i < count; ++i) {
@@ -102,8 +101,8 @@ Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
   return texels;
 }
 
-// Directions of a surface along which the coordinates that a use is looked up with grow, each scaled; false where they do
-// not vary.
+// World directions of growing texture coordinates u and v of a use, not of unit length. Returns false if the coordinates are
+// constant.
 bool textureAxes(SceneTextureUse use, Surface surface, out vec3 along_u, out vec3 along_v) {
   vec2 d1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
   vec2 d2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
@@ -115,8 +114,8 @@ bool textureAxes(SceneTextureUse use, Surface surface, out vec3 along_u, out vec
   return determinant != 0.0;
 }
 
-// Tangent-space normal map, its frame from the vertices' tangents (glTF 2.0, 3.7.2.1), else from the triangle's texture
-// gradients.
+// Normal with the material's normal map. The tangent frame is from the vertices' tangents (glTF 2.0, 3.7.2.1) or, if they are
+// missing, from the triangle's texture gradients.
 vec3 bumpedNormal(uint slice, Hit hit, SceneMaterial material, Surface surface, vec4 texel) {
   SceneTextureUse use = material.uses[USE_NORMAL];
   if (use.texture < 0) return surface.normal_ws;
@@ -132,7 +131,7 @@ vec3 bumpedNormal(uint slice, Hit hit, SceneMaterial material, Surface surface, 
   }
   tangent = unitOr(tangent - surface.normal_ws * dot(surface.normal_ws, tangent), vec3(0));
   bitangent = unitOr(bitangent - surface.normal_ws * dot(surface.normal_ws, bitangent), vec3(0));
-  // Texture v runs downwards: green points against it.
+  // Texture v points down, green points up.
   return unitOr(tangent * n.x - bitangent * n.y + surface.normal_ws * max(n.z, 1e-3), surface.normal_ws);
 }
 
@@ -157,8 +156,8 @@ vec3 reflected(Reflectance r, vec3 n, vec3 view, vec3 light) {
   return (r.diffuse / kPi * (1.0 - fresnel) + fresnel * distribution * visibility) * n_l;
 }
 
-// How far from its surface a shadow ray starts, for single precision to tell them apart: a share (2^-14) of the
-// distance to the origin of the frame or to the light, never an absolute length.
+// Offset of shadow rays from their surface, so that single precision separates the two: the share 2^-14 of the distance to the
+// frame's origin or to the light. Not an absolute length, so that it works at any scale of the scene.
 const float kShadowLift = 6.1e-5;
 vec3 shadowOrigin(Surface surface, float extent) {
   vec3 p = abs(surface.position_ws);
@@ -167,13 +166,15 @@ vec3 shadowOrigin(Surface surface, float extent) {
 }
 
 #ifdef STROBE_KEEPS_SHADOWS
-// Lights by bits, the first 32 of them: whose rays are known to be free, and to be blocked, without being traced; whose
-// were found to be so.
+// Bits of the first 32 lights. known_*: input, lights that are known to be visible or blocked and need no ray. found_*: output,
+// lights that rays found visible or blocked.
 uint known_free = 0u, known_blocked = 0u, found_free = 0u, found_blocked = 0u;
 
+// Bit of a light; 0 from light 32 on.
 uint bitOf(uint number) { return number < 32u ? 1u << number : 0u; }
 #endif
 
+// True if the light is known to be blocked without a ray.
 bool isKnownBlocked(uint number) {
 #ifdef STROBE_KEEPS_SHADOWS
   return (known_blocked & bitOf(number)) != 0u;
@@ -182,6 +183,7 @@ bool isKnownBlocked(uint number) {
 #endif
 }
 
+// True if the shadow ray to light `number` is blocked; traces it unless the result is known.
 bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
 #ifdef STROBE_KEEPS_SHADOWS
   uint bit = bitOf(number);
@@ -195,7 +197,8 @@ bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
 #endif
 }
 
-// Light of punctual light `number` at a surface: direction towards it and irradiance at normal incidence, shadow included.
+// Irradiance of punctual light `number` at a surface, at normal incidence, with its shadow; 0 on surfaces that face away.
+// `towards`: unit direction to the light.
 vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
   SceneLight light = scene_lights[slice * frame.light_count + number];
   vec3 offset = light.position - surface.position_ws;
@@ -234,7 +237,8 @@ vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
 }
 
 #ifdef STROBE_KEEPS_SHADOWS
-// Finds the shadows of a point as `shade` does, but for lights that a normal map turns away from it or towards it.
+// Trace the shadow rays of a point as `shade` does. Normal maps are ignored, so the traced lights differ from those in `shade`
+// where a normal map turns the surface away from a light or towards it.
 void findShadows(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);
   if ((scene_materials[surface.material].flags & MATERIAL_UNLIT) != 0u) return;
@@ -245,21 +249,22 @@ void findShadows(uint slice, Hit hit) {
 }
 #endif
 
-// Radiances this invocation has replaced because they were not finite.
+// Number of radiances that this invocation replaced because they were not finite.
 uint replaced_radiances = 0u;
 
-// NaN to 0 and infinity to 65504, so that one texel or light does not take the whole mean of a pixel with it.
+// Radiance with NaN as 0 and infinity as 65504, so that one texel or light does not spoil a pixel's mean.
 vec3 finiteRadiance(vec3 radiance) {
   vec3 sound = finiteColor(vec4(radiance, 0));
   if (sound != radiance) ++replaced_radiances;
   return sound;
 }
 
-// Base colour of a surface point, by the texel of its texture.
+// Base colour of a surface point with the given texel of its texture.
 vec3 baseColorOf(SceneMaterial material, Surface surface, vec4 texel) {
   return material.base_color.rgb * surface.color.rgb * texel.rgb;
 }
 
+// Radiance of a surface point towards the camera; may be infinite or NaN.
 vec3 radianceOf(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);
   SceneMaterial material = scene_materials[surface.material];
@@ -286,7 +291,7 @@ vec3 radianceOf(uint slice, Hit hit) {
     if (irradiance == vec3(0)) continue;
     radiance += irradiance * reflected(r, surface.normal_ws, view, towards);
   }
-  // From everywhere: diffuse by the normal, specular by the mirror direction, dimmer for rough surfaces.
+  // Ambient light: diffuse by the normal, specular by the mirror direction, dimmer for rough surfaces.
   vec3 mirror = reflect(-view, surface.normal_ws);
   float edge = pow(1.0 - clamp(dot(surface.normal_ws, view), 0.0, 1.0), 5.0);
   vec3 fresnel = r.specular + (max(vec3(1.0 - roughness), r.specular) - r.specular) * edge;
@@ -294,7 +299,7 @@ vec3 radianceOf(uint slice, Hit hit) {
   return radiance;
 }
 
-// Radiance of the point a hit names towards the camera, with the scene posed at `slice`; linear, scene-referred, finite.
+// Radiance of the hit point towards the camera, with the scene posed at `slice`; linear, scene-referred, finite.
 vec3 shade(uint slice, Hit hit) { return finiteRadiance(radianceOf(slice, hit)); }
 
 #endif

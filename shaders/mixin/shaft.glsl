@@ -1,44 +1,48 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene; may have: PARAM_displacement.
-// What becomes of all shadow rays of a tile towards one light: does something surely stop each of them, or surely
-// nothing any? Found by walking the runtime's own tree with the volume that the rays sweep (Haines and Wallace, "Shaft
-// Culling for Efficient Ray-Cast Radiosity", 1991). Bounds have room for more than rounding moves a ray or a triangle
-// by, so what is sure is what each ray would find. Other structures cannot be walked: there nothing is sure.
+// Visibility of a light from all shadow ray origins of a tile at once: kFree (no ray is blocked), kStopped (each ray is
+// blocked) or kUnsure.
+// Method: walk the runtime's own tree with the volume that the rays sweep (Haines and Wallace, "Shaft Culling for Efficient
+//   Ray-Cast Radiosity", 1991). All bounds are widened by more than the rounding errors of rays and triangles, so kFree and
+//   kStopped equal the result of every ray.
+// Fails: returns kUnsure with the drivers' acceleration structures, which shaders cannot walk.
 #ifndef STROBE_SHAFT_GLSL
 #define STROBE_SHAFT_GLSL
 #include "mixin/trace.glsl"
 
 const uint kUnsure = 0u, kFree = 1u, kStopped = 2u;
 
-// Where the rays of a tile start: in a box, and each at least `raised` above one of some planes (`start_planes`), where
-// the light is too.
+// Origins of a tile's shadow rays. They lie in a box. Each is at least `raised` above one of the planes `start_planes`, and the
+// light is above the same plane.
 struct ShaftStart {
   vec3 centre, extent;  // world
-  vec3 one;             // where one ray starts
-  uint plane_count;     // 0: planes are not known
-  uint unused_planes;   // by bits, those that no ray to the light starts from
+  vec3 one;             // origin of one of the rays
+  uint plane_count;     // 0: unknown planes
+  uint unused_planes;   // bits of the planes without rays to the light
   float raised;
 };
 const uint kMostStartPlanes = 12u;
-vec4 start_planes[kMostStartPlanes];  // unit normal, and the least dot(normal, p) of what is on it
+vec4 start_planes[kMostStartPlanes];  // unit normal; least dot(normal, p) of its surface points p
 
 #ifdef STROBE_STRUCTURES_OWN
 
-const int kMostShaftNodes = 64;           // that a walk visits before it gives up
-const float kRounding = 1.0 / 1048576.0;  // of the largest coordinate on the way from one space to another
+const int kMostShaftNodes = 64;           // visits of nodes before a walk returns kUnsure
+const float kRounding = 1.0 / 1048576.0;  // bound of rounding errors in a change of space, as a share of the largest coordinate
 
-// Rays between a box and a light, in the space of a tree: at u from 0 to `u_end` they are between
-// from_low + u * to_low and from_high + u * to_high. They begin at a light that has a place, else in the box.
+// Volume of the rays between a box and a light, in the space of a tree. At the parameter u, from 0 to `u_end`, all rays lie
+// between from_low + u * to_low and from_high + u * to_high. Rays begin at a light with a position; for a directional light
+// they begin in the box.
 struct Shaft {
   vec3 from_low, from_high;
   vec3 low_inverse, high_inverse;  // 1 / to_low, 1 / to_high, bounded
   float u_end;
 };
 
+// Bound of the components of m * v for |v| <= sizes, per component.
 vec3 ofSizes(mat3 m, vec3 sizes) { return mat3(abs(m[0]), abs(m[1]), abs(m[2])) * sizes; }
 
-// `light`: a place, w = 1, or a direction, w = 0. `space`: of the tree, from world coordinates. No coordinate of the
-// tree's planes is larger than `reach`, none of what is brought there than `size`.
+// Volume for a box and a light. `light`: position (w = 1) or direction towards it (w = 0). `space`: tree from world. `reach`:
+// bound of the coordinates of the tree's planes. `size`: bound of the world coordinates that are transformed.
 Shaft shaftIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 light, float size) {
   mat3 turned = mat3(space);
   vec3 room = kRounding * (ofSizes(turned, vec3(size)) + abs(space[3]) + reach);
@@ -64,7 +68,7 @@ Shaft shaftIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 light, f
   return shaft;
 }
 
-// The first child of a node that the shaft meets, and the others: as nearestChild.
+// First child of a node that the swept volume meets; results as in `nearestChild`.
 uint firstChild(uint node, Shaft shaft, out uint others) {
   BvhNode at = loadedNode(node);
   vec3 step_size = stepsOf(at);
@@ -74,7 +78,7 @@ uint firstChild(uint node, Shaft shaft, out uint others) {
   vec3 low_slack = slackOf(low_offset, low_step), high_slack = slackOf(high_offset, high_step);
   vec4 enter = vec4(0), leave = vec4(shaft.u_end);
   for (int axis = 0; axis < 3; ++axis) {
-    // The shaft's lower bound is below the child's upper plane, its upper bound above the child's lower plane.
+    // The volume meets a child if its lower bound is below the child's upper plane, and its upper bound above the lower plane.
     vec4 lower = planes(at.high[axis]) * low_step[axis] + low_offset[axis];
     vec4 upper = planes(at.low[axis]) * high_step[axis] + high_offset[axis];
     if (shaft.low_inverse[axis] < 0.0) enter = max(enter, lower - low_slack[axis]);
@@ -85,11 +89,11 @@ uint firstChild(uint node, Shaft shaft, out uint others) {
   return firstMet(at, node, enter, leave, others);
 }
 
-// What a triangle does to the rays: it stops none of them, maybe some, each, or each that passes on the inner side of
-// its edge of that number (+ 4 where the corners go round the other way as the light sees them).
+// Effect of a triangle on the rays: it blocks no ray; possibly some; all; or all rays on the inner side of one edge. In the
+// last case the number of the edge is added, and 4 if the corners run in the opposite direction as seen from the light.
 const uint kStopsNone = 0u, kStopsSome = 1u, kStopsAll = 2u, kStopsInside = 3u;
 
-// `rounding`: of the coordinates of rays and corners.
+// Effect of a triangle, kStops*. `rounding`: bound of the rounding errors of the coordinates of rays and corners.
 uint stops(ShaftStart start, vec4 light, vec3 corner[3], float rounding) {
   bool is_below = start.plane_count > 0u;
   for (uint i = 0u; i < start.plane_count && is_below; ++i) {
@@ -107,7 +111,7 @@ uint stops(ShaftStart start, vec4 light, vec3 corner[3], float rounding) {
   float away = max(sizes.x, max(sizes.y, sizes.z)) + edge;
   float far = max(abs(towards.x), max(abs(towards.y), abs(towards.z))) + edge;
 
-  // Is its plane between the light and the starts? With the light in the plane nothing is known.
+  // Test if the triangle's plane is between the light and the origins; unknown if the light is in the plane.
   vec3 normal = cross(edge1, edge2);
   float room = 8.0 * rounding * edge * (edge + max(away, far));
   float light_side = dot(normal, towards), start_side = dot(normal, here), wide = dot(abs(normal), start.extent);
@@ -116,7 +120,7 @@ uint stops(ShaftStart start, vec4 light, vec3 corner[3], float rounding) {
   if (facing * start_side - wide > room) return kStopsNone;
   bool between = facing * start_side + wide < -room;
 
-  // Are the starts on the inner sides of the planes through the light and its edges?
+  // Test if the origins are on the inner sides of the planes through the light and the edges.
   room = 8.0 * rounding * (edge * away + edge * far + away * far);
   uint open = 0u, open_edge = 0u;
   for (uint i = 0u; i < 3u; ++i) {
@@ -133,7 +137,7 @@ uint stops(ShaftStart start, vec4 light, vec3 corner[3], float rounding) {
   return open == 0u ? kStopsAll : kStopsInside + open_edge + (facing < 0.0 ? 4u : 0u);
 }
 
-// Does a hit on the triangle count wherever it is?
+// True if every hit on the triangle counts, because alpha cuts no part out.
 bool isSolid(uint instance, uint geometry) {
   if ((geometry & BVH_OPAQUE) != 0u) return true;
 #if FACT_alpha
@@ -146,10 +150,11 @@ bool isSolid(uint instance, uint geometry) {
 
 mat4x3 columnsOf(vec4 x, vec4 y, vec4 z) { return transpose(mat3x4(x, y, z)); }
 
-// kFree, kStopped or kUnsure. `light`: its place, w = 1, or the direction towards it as long as `reach`, w = 0. Neither
-// coordinates of starts and light nor distances between them are larger than `reach`.
-// Walks along one ray first, for a triangle, or two with a common edge, that stop all: these are on that ray, or beside
-// it. Where there are none, walks with the whole shaft until anything may stop some.
+// Visibility of the light from all origins: kFree, kStopped or kUnsure. `light`: position (w = 1), or direction towards it with
+// the length `reach` (w = 0). `reach`: bound of the coordinates of origins and light and of the distances between them.
+// Method: the first walk follows one ray and searches for a triangle that blocks all rays, or for two triangles with a common
+// edge that do so together. Such triangles are on this ray or beside it. If the walk finds none, the second walk follows the
+// whole swept volume until it meets a triangle that may block a ray.
 uint restOf(uint slice, ShaftStart start, vec4 light, float reach) {
   uint level = levelOf(slice), root = rootOf(level, RAYS_TO_ALL);
   for (uint walk = 0u; walk < 2u; ++walk) {
@@ -160,12 +165,12 @@ uint restOf(uint slice, ShaftStart start, vec4 light, float reach) {
     uint instance = NO_INSTANCE, reference = root;
     mat4x3 world_from_object;
     vec3 object_sizes;
-    vec3 open_from, open_to;  // an edge, on the inner side of which a triangle stops all
+    vec3 open_from, open_to;  // edge of a triangle that blocks all rays on its inner side
     uint open_instance = NO_INSTANCE;
     BvhStack stack = noEntries();
     int visited = 0;
     while (true) {
-      // To the next leaf.
+      // Descend to the next leaf.
       while (true) {
         if (reference == kNextOnStack) {
           if (top(stack) == kInstanceEnds) {

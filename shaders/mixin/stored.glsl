@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: MIT
 // Needs: nothing; may have: PARAM_color_format, PARAM_depth_encoding, PARAM_velocity_format, count_color_clamped,
 //   count_depth_lost, count_velocity_clamped, scene.
-// What a renderer's memory would keep of colours, displacements and depths. For passes with the parameters
-// velocity_format, color_format or depth_encoding of passes/lib/stored.lua and the counters to them.
-// In:  linear colours; displacements, px over the exposure; linear view depths, m (sky +inf, 0 where there is nothing).
-// Out: the same as they come back from memory. With fp32 and linear: bit for bit what was given, without arithmetic.
-// Half floats: to the nearest, ties to even, here and not by the store, which may truncate. Beyond 65504 a colour's
-//   channel becomes 65504, and a displacement is shortened until its larger component is 65504, so that it keeps its
-//   direction; both are counted. Relative error at most 2^-11 from 2^-14 up, absolute error at most 2^-25 below.
-// Depths: through the number that a depth buffer would hold and back. With n the camera's near distance:
+// Colours, displacements and depths, quantised to the memory formats of a renderer. For passes with the parameters
+// velocity_format, color_format or depth_encoding of passes/lib/stored.lua and their counters.
+// In:  linear colours; displacements, px over the exposure; linear view depths, metres (+inf for the sky, 0 for no surface).
+// Out: the quantised values. The formats fp32 and linear return the input bit for bit, without arithmetic.
+// Method, half floats: round to the nearest, ties to even. This is done before the store, because a store may truncate. A
+//   colour channel beyond 65504 becomes 65504. A displacement beyond 65504 px is shortened until its larger component is
+//   65504, so that it keeps its direction. Both cases are counted. Largest error: relative 2^-11 from 2^-14 up, absolute 2^-25
+//   below.
+// Method, depths: encode as a depth buffer does, then decode. With the camera's near distance n:
 //   reversed  w = n/z in fp32 (infinite reversed z; sky 0); relative error about 2^-24 for each of two divisions;
-//   inverse   w = 1/z in fp32 (sky 0); the same, without the near distance;
-//   unorm24   1 - n/z in 24 bits (infinite standard z; sky 1): relative error up to z/(n * 2^25).
-//   An orthographic camera, whose own projection is linear, has its near distance in the same formulas.
-// NaN and infinity are kept: readers replace them (lib/sanitise.glsl), whatever the format. A depth of 0 is kept too.
-// Fails: unorm24 takes what is farther than 2^25 near distances for sky, and reversed and inverse what is so far that w
-//   is 0 (about 1e38 times farther than n or 1 m); counted as depth_lost. Nothing is nearer than the near distance.
+//   inverse   w = 1/z in fp32 (sky 0); same error, independent of the near distance;
+//   unorm24   1 - n/z in 24 bits (infinite standard z; sky 1); relative error up to z/(n * 2^25).
+//   An orthographic camera, whose own projection is linear, uses its near distance in the same formulas.
+// NaN, infinity and a depth of 0 are unchanged in every format. Readers replace NaN and infinity (lib/sanitise.glsl).
+// Fails: unorm24 turns surfaces farther than 2^25 n into sky. reversed and inverse do so where w is 0 (about 1e38 times n or
+//   1 m). Counter: depth_lost. Surfaces are not nearer than the near distance.
 #ifndef STROBE_STORED_GLSL
 #define STROBE_STORED_GLSL
 
 const float kLargestHalf = 65504.0;
 
-// To the nearest half float; of at most 65504 in magnitude, or infinite, or NaN.
+// Nearest half float of a value with a magnitude of at most 65504; infinity and NaN are unchanged.
 float nearestHalf(float value) {
   uint sign_bit = floatBitsToUint(value) & 0x80000000u, magnitude = floatBitsToUint(value) & 0x7fffffffu;
   if (magnitude >= 0x7f800000u) return value;
   if (magnitude < 0x38800000u)  // below 2^-14 half floats are the multiples of 2^-24
     magnitude = floatBitsToUint(roundEven(uintBitsToFloat(magnitude) * 16777216.0) / 16777216.0);
-  else  // above, 13 bits shorter
+  else  // above, the mantissa is 13 bits shorter
     magnitude = (magnitude + 0xfffu + ((magnitude >> 13) & 1u)) & 0xffffe000u;
   return uintBitsToFloat(sign_bit | magnitude);
 }
 
-// Finite and beyond half floats?
+// True if the value is finite and beyond the range of half floats.
 bool overflowsHalf(float value) { return abs(value) > kLargestHalf && !isinf(value); }
 
 vec4 storedColor(vec4 color) {
@@ -76,7 +77,7 @@ float storedDepth(float depth) {
   stored = min(1.0 / depth, 3.402823466e38);
   decoded = 1.0 / stored;
 #else
-  // Of the code 1 - n/z of 2^24 - 1 steps the distance from 1, which single precision can hold.
+  // Distance of the code 1 - n/z from 1, in steps of 1 / (2^24 - 1): single precision holds this number exactly.
   stored = round(min(near / depth, 1.0) * 16777215.0);
   decoded = near * 16777215.0 / stored;
 #endif

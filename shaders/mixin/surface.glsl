@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene; may have: PARAM_displacement.
-// From a hit to the surface there, at any slice of time.
+// Surface attributes, positions and screen paths of hit points, at any slice.
 #ifndef STROBE_SURFACE_GLSL
 #define STROBE_SURFACE_GLSL
 #include "mixin/camera.glsl"
@@ -16,12 +16,14 @@ Triangle triangleOf(SceneGeometry geometry, uint primitive) {
   return triangle;
 }
 
+// World position of a position in object space.
 vec3 worldFromObject(SceneTransform transform, vec3 position_os) {
   vec4 p = vec4(position_os, 1);
   return vec3(dot(transform.row_x, p), dot(transform.row_y, p), dot(transform.row_z, p));
 }
 
-// Normals go with the cofactors of the matrix: right under non-uniform scale and mirroring, no inverse needed.
+// World normal, not of unit length. The cofactors of the matrix transform normals correctly under non-uniform scale and
+// mirroring, without an inverse.
 vec3 normalFromObject(SceneTransform transform, vec3 normal_os) {
   vec3 x = transform.row_x.xyz, y = transform.row_y.xyz, z = transform.row_z.xyz;
   vec3 c0 = cross(y, z), c1 = cross(z, x), c2 = cross(x, y);
@@ -29,7 +31,7 @@ vec3 normalFromObject(SceneTransform transform, vec3 normal_os) {
   return flip * vec3(dot(c0, normal_os), dot(c1, normal_os), dot(c2, normal_os));
 }
 
-// Unit length whatever the scale (lengths are divided by their largest component first).
+// Unit vector along v at any scale (the largest component is divided out first); `fallback` if v is 0 or infinite.
 vec3 unitOr(vec3 v, vec3 fallback) {
   float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
   if (!(largest > 0.0) || isinf(largest)) return fallback;
@@ -39,7 +41,7 @@ vec3 unitOr(vec3 v, vec3 fallback) {
 
 vec3 cornerWeights(vec2 barycentrics) { return vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics); }
 
-// World position at `slice` of the point a hit names.
+// World position of a hit point at `slice`.
 vec3 positionOf(uint slice, Hit hit) {
   Triangle triangle = triangleOf(geometryOf(hit.instance, hit.geometry), hit.primitive);
   vec3 weights = cornerWeights(hit.barycentrics);
@@ -49,8 +51,8 @@ vec3 positionOf(uint slice, Hit hit) {
   return worldFromObject(transformOf(slice, hit.instance), position_os);
 }
 
-// Where the point a hit names is in the capture's picture: texels, whole numbers at their centres, and view depth; false
-// where it is not before the camera.
+// Position of a hit point in the image of the raster time: texel coordinates, with whole numbers at the centres of texels, and
+// view depth. Returns false if the point is not in front of the camera.
 bool placeInCapture(Hit hit, out vec3 place) {
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
   place = vec3(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel - 0.5, capture_vs.z);
@@ -58,10 +60,10 @@ bool placeInCapture(Hit hit, out vec3 place) {
   return camera.orthographic != 0u || capture_vs.z > camera.near;
 }
 
-// May nothing of it move within the frame? The sky's share is the camera's.
+// True if the hit instance is proven static within the exposure. True for the sky, which moves only with the camera.
 bool isAtRest(Hit hit) { return !isHit(hit) || instanceAt(hit.instance).moves == 0u; }
 
-// Do vertices of the instance move against each other?
+// True if the instance is deformed: its vertices move relative to each other.
 bool bends(uint instance) {
 #if FACT_bends
   return isBending(geometryOf(instance, 0u).first_vertex);
@@ -70,8 +72,8 @@ bool bends(uint instance) {
 #endif
 }
 
-// Where a point would be at `slice` if it had been fixed to an instance at the capture. What bends carries nothing as a
-// whole: then it is no number, and near nothing.
+// Position at `slice` of a point that is fixed to an instance since the raster time. NaN for deformed instances, which have no
+// single transform; every distance test with it then fails.
 vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
 #if FACT_bends
   if (bends(instance)) return vec3(uintBitsToFloat(0x7fc00000u));
@@ -84,9 +86,9 @@ vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
 
 struct Surface {
   vec3 position_ws;
-  vec3 face_normal_ws;  // unit, of the triangle, on the side that is seen
-  vec3 normal_ws;       // unit, interpolated, on the side that is seen
-  float normal_side;    // -1 where the vertices have it on the other side
+  vec3 face_normal_ws;  // unit, of the triangle, on the side that the ray hit
+  vec3 normal_ws;       // unit, interpolated, on the side that the ray hit
+  float normal_side;    // -1 if the vertices' normals are on the other side
   vec2 uv0, uv1;
   vec4 color;
   vec3 edge1_ws, edge2_ws;      // corner 1 - corner 0, corner 2 - corner 0
@@ -94,7 +96,7 @@ struct Surface {
   uint material;
 };
 
-// The point a hit names, posed at `slice`.
+// Surface at a hit point, posed at `slice`.
 Surface surfaceOf(uint slice, Hit hit) {
   SceneGeometry geometry = geometryOf(hit.instance, hit.geometry);
   SceneTransform transform = transformOf(slice, hit.instance);
@@ -112,14 +114,14 @@ Surface surfaceOf(uint slice, Hit hit) {
   vec3 normal_os =
       weights.x * vertexNormal(slice, a) + weights.y * vertexNormal(slice, b) + weights.z * vertexNormal(slice, c);
   vec3 normal_ws = unitOr(normalFromObject(transform, normal_os), side * surface.face_normal_ws);
-  // Meshes whose normals disagree with their winding exist: the face decides which side is seen.
+  // The face normal decides which side was hit, because some meshes have normals that disagree with their winding.
   surface.normal_side = dot(normal_ws, surface.face_normal_ws) < 0.0 ? -1.0 : 1.0;
   surface.normal_ws = surface.normal_side * normal_ws;
   vec2 a_uv0 = vertexUv0(a), b_uv0 = vertexUv0(b), c_uv0 = vertexUv0(c);
   vec2 a_uv1 = vertexUv1(a), b_uv1 = vertexUv1(b), c_uv1 = vertexUv1(c);
   surface.uv0 = weights.x * a_uv0 + weights.y * b_uv0 + weights.z * c_uv0;
   surface.uv1 = weights.x * a_uv1 + weights.y * b_uv1 + weights.z * c_uv1;
-  // By differences: corners of one colour give just that, as weights that are rounded would not.
+  // Interpolated by differences, so that three equal colours give exactly this colour in spite of rounded weights.
   vec4 color = vertexColor(a);
   surface.color = color + weights.y * (vertexColor(b) - color) + weights.z * (vertexColor(c) - color);
   surface.edge1_ws = worldFromObject(transform, b_os) - worldFromObject(transform, a_os);
@@ -132,7 +134,7 @@ Surface surfaceOf(uint slice, Hit hit) {
   return surface;
 }
 
-// A direction and a handedness of what packedTangent of runtime/world/tangent.h gives; w 0: none.
+// Direction and handedness of a tangent packed by packedTangent (runtime/world/tangent.h); w = 0 without a tangent.
 vec4 unpackedTangent(uint packed) {
   if ((packed & TANGENT_PRESENT) == 0u) return vec4(0);
   const uint mask = (1u << TANGENT_BITS) - 1u;
@@ -163,8 +165,8 @@ vec4 tangentOf(uint slice, Hit hit) {
   return vec4(dot(x, tangent_os), dot(y, tangent_os), dot(z, tangent_os), handedness * mirrored);
 }
 
-// Where the point a hit names, which is at `capture_ws` at the capture, is at `slice`. Moved by the difference of the
-// poses and of the vertices: what stands still stands still exactly, and a point of a large mesh is as precise as the ray that met it.
+// World position at `slice` of a hit point that is at `capture_ws` at the raster time. Differences of poses and vertices are
+// added to `capture_ws`: static points stay exactly in place, and a point of a large mesh is as precise as the ray that hit it.
 vec3 movedTo(uint slice, Hit hit, vec3 capture_ws) {
   SceneTransform then = transformOf(slice, hit.instance), now = transformOf(SLICE_CAPTURE, hit.instance);
   SceneTransform step = SceneTransform(then.row_x - now.row_x, then.row_y - now.row_y, then.row_z - now.row_z);
@@ -185,23 +187,23 @@ vec3 movedTo(uint slice, Hit hit, vec3 capture_ws) {
   return capture_ws + worldFromObject(step, position_os);
 }
 
-// Screen path, px, of that point from the capture to the pose of `slice`.
+// Screen path, px, of a hit point that is at `capture_ws` at the raster time, from there to the pose of `slice`.
 vec2 pathOf(uint slice, Hit hit, vec3 capture_ws) {
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, capture_ws);
   return pathFromCapture(capture_vs, slice, viewFromWorld(slice, movedTo(slice, hit, capture_ws)));
 }
 
-// The same of the point of a rigid instance that is at `position_ws` at the capture.
+// Screen path, px, of a point of a rigid instance that is at `position_ws` at the raster time.
 vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, carriedBy(instance, SLICE_CAPTURE, position_ws));
   return pathFromCapture(capture_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
 }
 
-// A direction, of which the capture sees a depth of 1, is behind the camera where its depth is less: directions have no
-// lengths, and no near plane.
+// Near distance for directions of the sky, which are scaled to a view depth of 1 at the raster time. Directions have no length,
+// so the camera's near distance does not apply.
 const float kSkyNear = 1.0 / 64.0;
 
-// The same of what lies infinitely far along a camera's ray: it moves with the camera's rotation alone.
+// Screen path, px, of a point infinitely far away along a camera's ray. It moves with the camera's rotation alone.
 vec2 pathOfSky(uint slice, vec3 direction_ws) {
   if (scene_cameras[SLICE_CAPTURE].orthographic != 0u) return vec2(0);
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, scene_cameras[SLICE_CAPTURE].position + direction_ws);
@@ -209,9 +211,9 @@ vec2 pathOfSky(uint slice, vec3 direction_ws) {
   return pathFromCapture(capture_vs, slice, other_vs, kSkyNear);
 }
 
-// Screen displacement over the exposure, px: where the point is at the window's end minus where it was at its start.
-// In a pass with the choice parameter `displacement` = window | extrapolated, the latter takes the path since the frame
-// before the capture for all there is: as long a part of it as the exposure is of a frame, whatever the anchor.
+// Screen displacement over the exposure, px: position at shutter close minus position at shutter open. With the parameter
+// `displacement` = extrapolated it is extrapolated from the path since the previous frame, scaled by the length of the
+// exposure in frames, for every anchor.
 vec2 displacementOf(Hit hit, vec3 capture_ws) {
 #if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
   return -frame.exposure * pathOf(SLICE_PREVIOUS, hit, capture_ws);
@@ -220,6 +222,7 @@ vec2 displacementOf(Hit hit, vec3 capture_ws) {
 #endif
 }
 
+// Screen displacement of the sky over the exposure, px.
 vec2 displacementOfSky(vec3 direction_ws) {
 #if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
   return -frame.exposure * pathOfSky(SLICE_PREVIOUS, direction_ws);
@@ -228,8 +231,8 @@ vec2 displacementOfSky(vec3 direction_ws) {
 #endif
 }
 
-// Where the camera's ray meets the plane of a known triangle: what raster found, made exact. Points that the raster's
-// rounding put just outside of the triangle are moved to its border.
+// Hit of a camera's ray on a known triangle, for example a triangle that the raster found. A point just outside of the
+// triangle, which the raster includes by rounding, is moved to the triangle's border.
 Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint primitive) {
   SceneTransform transform = transformOf(slice, instance);
   Triangle triangle = triangleOf(geometryOf(instance, geometry_index), primitive);
@@ -245,11 +248,12 @@ Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint 
   vec3 weights = max(cornerWeights(barycentrics), vec3(0));
   weights /= weights.x + weights.y + weights.z;
   vec3 position_ws = a + weights.y * edge1 + weights.z * edge2;
-  // A mirroring transform turns the winding around.
+  // A mirroring transform reverses the winding.
   float handed = dot(transform.row_x.xyz, cross(transform.row_y.xyz, transform.row_z.xyz));
   bool front = (determinant > 0.0) == (handed >= 0.0);
   float t = viewFromWorld(slice, position_ws).z;
-  // Corners far away are rounded by as much as what is near is large: there the ray's own distance to the plane is better.
+  // The rounding errors of distant corners can be as large as near objects. On such large triangles the ray's own distance to
+  // the plane is more accurate.
   vec3 reach = max(abs(edge1), abs(edge2));
   bool large = max(reach.x, max(reach.y, reach.z)) > 16.0 * t;
   bool inside = all(greaterThanEqual(cornerWeights(barycentrics), vec3(0)));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, hit_tex, normal_tex, params.most_growth.
-// Screen paths of the surface points at the texels of a layer, from true poses, and the growth of a pixel along them.
+// Screen paths of the surface points at the texels of a layer, from the scene's poses, and the stretch of pixels along them.
 #ifndef STROBE_TEXEL_PATH_GLSL
 #define STROBE_TEXEL_PATH_GLSL
 #include "lib/blur.glsl"
 #include "mixin/surface.glsl"
 
-// Screen path of what a texel shows, px, from the capture to the pose of `slice`.
+// Screen path of a texel's surface point, px, from the raster time to the pose of `slice`.
 vec2 pathOfTexel(uint slice, ivec2 at) {
   Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
   uint id = texelFetch(id_tex, at, 0).x;
@@ -21,29 +21,30 @@ vec2 pathOfTexel(uint slice, ivec2 at) {
 #endif
 }
 
-// How an instance goes over the picture; the sky as the camera does.
+// PATH_* bits of an instance, given by id; the sky, which follows the camera, is curved and turns.
 uint pathKind(uint id) { return id == 0u ? PATH_CURVED | PATH_TURNS : instanceAt(id - 1u).path; }
 
-// Of a texel of what is not curved its displacement says all.
+// Screen path of a texel's surface point from the raster time to time t, px. Straight paths follow from the displacement.
 vec2 shiftAt(uint slice, float t, ivec2 at, uint kind) {
   if ((kind & PATH_CURVED) != 0u) return pathOfTexel(slice, at);
   return t * vec2(texelFetch(velocity_tex, at, 0));
 }
 
+// True if the texel is in the image and shows the instance `id`.
 bool isSame(ivec2 at, uint id) { return isInside(at, ivec2(frame.size)) && texelFetch(id_tex, at, 0).x == id; }
 
-// Where the ray through a texel meets the plane of a surface.
+// Intersection of the ray through a texel with the plane of a surface.
 vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
   Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
   return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
 }
 
-// The texel itself, and those beside it.
+// Offsets of the texel itself and of its four neighbours.
 const ivec2 kCross[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
 
-// Is the longest way to the texels beside, of the same object, longer at an end of the exposure than `most_growth` px? Where
-// there is none along an axis, the object is turned away: the surface's plane says where they would be. Paths stand here
-// once, in one loop over both ends and all texels: each copy of them takes long to compile.
+// True if the distance to a neighbouring texel of the same object, 1 px at the raster time, exceeds `most_growth` px at shutter
+// open or shutter close. If the object has no neighbour along an axis, because it is turned away, the surface's plane replaces
+// the neighbours. One loop covers both ends and all texels, because each inlined copy of the path takes long to compile.
 bool growsAt(ivec2 pixel, uint id) {
 #if HAS_normal
   vec3 normal_ws = vec3(texelFetch(normal_tex, pixel, 0));
@@ -77,7 +78,7 @@ bool growsAt(ivec2 pixel, uint id) {
 #endif
 }
 
-// Does the layer have something there that moves?
+// True if the layer has a moving surface at the pixel.
 bool isMoving(ivec2 pixel) {
   return texelFetch(depth_tex, pixel, 0).x > 0.0 && vec2(texelFetch(velocity_tex, pixel, 0)) != vec2(0);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.tile, PARAM_tile_jitter.
-// Which tile a pixel looks its dominant displacement up in: the pixel's own, or that of a point up to a quarter of a
-// tile away, so that the borders of tiles, where the dominant displacement changes, turn to noise. Guertin et al. 2014;
-// as ports of it do it.
+// Lookup of a pixel's dominant displacement: in the pixel's own tile, or in the tile of a point up to a quarter of a
+// tile away. The dominant displacement changes at the borders of tiles, and the jitter turns these borders into noise. Guertin
+// et al. 2014, in the form of its public ports.
 #ifndef STROBE_TILE_LOOKUP_GLSL
 #define STROBE_TILE_LOOKUP_GLSL
 #include "lib/blur.glsl"
@@ -10,7 +10,7 @@
 
 const float kTwoPi = 6.28318530718;
 
-// In tiles.
+// Offset of the point, in tiles.
 vec2 lookupShift(ivec2 pixel) {
 #if PARAM_tile_jitter == tile_jitter_angle
   float angle = kTwoPi * gradientNoise(pixel + ivec2(2, 0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: longest_tex, params.tile.
-// Tiles that a tile passes within the exposure, if all its pixels move by its longest displacement: along the line of its centre,
-// one tile for each step along the longer axis, from the start of the exposure to the end.
+// Tiles that a tile passes over within the exposure if all its pixels move by its longest displacement: along the line of its
+// centre, one tile for each step along the longer axis, from shutter open to shutter close.
 #ifndef STROBE_TILE_WALK_GLSL
 #define STROBE_TILE_WALK_GLSL
 #include "lib/blur.glsl"
@@ -10,10 +10,11 @@ struct Walk {
   ivec2 from;
   vec2 d;           // tiles over the exposure
   float steps;      // tiles over the exposure, along the longer axis
-  int first, last;  // steps from where it is now
+  int first, last;  // steps, counted from the tile's place at the raster time
 };
 
-// `tiles`: how many there are; what leaves them does not come back.
+// Walk of a tile. `tiles`: number of tiles per axis, which bounds the steps, because a straight path that leaves the image does
+// not return.
 Walk walkOf(ivec2 tile, ivec2 tiles) {
   vec2 d = vec2(texelFetch(longest_tex, tile, 0)) / float(params.tile);
   float steps = max(abs(d.x), abs(d.y)), most = float(max(tiles.x, tiles.y));
@@ -21,7 +22,7 @@ Walk walkOf(ivec2 tile, ivec2 tiles) {
   return Walk(tile, d, steps, -before, after);
 }
 
-// The tile at a step from `first` to `last`; the outermost are where the exposure ends.
+// Tile at a step from `first` to `last`. The outermost steps are at the ends of the exposure.
 ivec2 placeOf(Walk walk, int step) {
   if (step == 0) return walk.from;
   float t = clamp(float(step) / walk.steps, frame.shutter.x, frame.shutter.y);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene; may have: PARAM_displacement.
-// Rays. One interface over the tracing backends, which find the same hits (runtime/shader/backends.h lists them).
-// A ray interval is open at both ends: a hit at exactly t_min, which is 0 or more, or at t_max is not found.
-// What is seen from one side alone is not there for rays that meet it from behind, but for those of `isBlocked`.
+// Ray tracing: one interface over the tracing backends, which find the same hits (runtime/shader/backends.h lists them).
+// The interval of a ray is open at both ends: a hit at exactly t_min (0 or more) or at t_max is not found. Rays pass through
+// one-sided surfaces from behind. Only the rays of `isBlocked` hit both sides.
 #ifndef STROBE_TRACE_GLSL
 #define STROBE_TRACE_GLSL
 #include "mixin/surface.glsl"
 #include "mixin/trace_payload.glsl"
 
-// Rays this invocation has launched; the runtime adds them to the pass's counter of its backend.
+// Number of rays that this invocation traced. The runtime adds it to the pass's counter for the backend.
 uint launched_rays = 0u;
 
 struct TraceResult {
@@ -25,7 +25,7 @@ struct TraceResult {
 #include "mixin/trace_query.glsl"
 #endif
 
-// Is the triangle seen from its front by this ray?
+// True if the ray meets the triangle from its front.
 bool seenFromFront(uint slice, Ray ray, uint instance, uint geometry, uint primitive) {
   Triangle triangle = triangleOf(geometryOf(instance, geometry), primitive);
   vec3 a = vertexPosition(slice, triangle.vertex[0]);
@@ -33,9 +33,9 @@ bool seenFromFront(uint slice, Ray ray, uint instance, uint geometry, uint primi
   return dot(normalFromObject(transformOf(slice, instance), face_os), ray.direction) < 0.0;
 }
 
-// The nearest hit with t in (t_min, t_max) on anything but `skip_instance` (NO_INSTANCE skips nothing); where
-// `skip_geometry` is not NO_INSTANCE only that geometry of the instance is skipped. A miss has instance NO_INSTANCE.
-// `mask`: RAYS_TO_ALL, or RAYS_TO_MOVING for what may move within the exposure alone.
+// Nearest hit with t in (t_min, t_max), except on `skip_instance` (NO_INSTANCE: skip nothing). If `skip_geometry` is not
+// NO_INSTANCE, only this geometry of the instance is skipped. A miss has the instance NO_INSTANCE.
+// `mask`: RAYS_TO_ALL, or RAYS_TO_MOVING for the instances that may move within the exposure.
 Hit traceExcept(uint slice, uint mask, Ray ray, float t_min, float t_max, uint skip_instance, uint skip_geometry) {
   ++launched_rays;
   TraceResult found = launch(slice, mask, false, false, ray, t_min, t_max, skip_instance, skip_geometry);
@@ -45,7 +45,8 @@ Hit traceExcept(uint slice, uint mask, Ray ray, float t_min, float t_max, uint s
   return hit;
 }
 
-// The nearest hit where that is one of `instance`, which backend `bvh` asks alone; the others ask all.
+// Nearest hit, for callers that use it only if it is on `instance`. The backend `bvh` tests this instance alone, so it can
+// return a hit that another instance hides. The other backends test all instances.
 Hit traceInstance(uint slice, uint instance, Ray ray, float t_min, float t_max) {
 #ifdef STROBE_BACKEND_BVH
   uint mask = RAYS_TO_ONE + instance;
@@ -55,17 +56,19 @@ Hit traceInstance(uint slice, uint instance, Ray ray, float t_min, float t_max) 
   return traceExcept(slice, mask, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE);
 }
 
+// Nearest hit with t in (t_min, t_max) on any instance.
 Hit traceNearest(uint slice, Ray ray, float t_min, float t_max) {
   return traceExcept(slice, RAYS_TO_ALL, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE);
 }
 
-// Does anything lie on the ray with t in (t_min, t_max), whichever side it turns there? Surfaces cast shadows with both.
+// True if a surface is on the ray with t in (t_min, t_max). Both sides of a surface count, because both cast shadows.
 bool isBlocked(uint slice, Ray ray, float t_min, float t_max) {
   ++launched_rays;
   return launch(slice, RAYS_TO_ALL, true, true, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;
 }
 
-// Would anything be seen on the ray with t in (t_min, t_max)? `mask` as above.
+// True if a surface is visible on the ray with t in (t_min, t_max): one-sided surfaces count only from the front. `mask` as in
+// `traceExcept`.
 bool isHidden(uint slice, uint mask, Ray ray, float t_min, float t_max) {
   ++launched_rays;
   return launch(slice, mask, true, false, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// Tracing backend `bvh`: the runtime's own tree (shared/bvh.h), walked in compute. Of hits at one distance the first in
-// the scene counts: by instance, then geometry, then triangle.
-// Triangles: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013), at twice the precision where the
-// device has it.
+// Tracing backend `bvh`: traversal of the runtime's own tree (shared/bvh.h) in compute shaders. Of several hits at the same
+// distance, the first in the scene counts: by instance, then geometry, then triangle.
+// Triangle test: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013), in double precision if the device
+// has it.
 #include "mixin/trace_bvh_stack.glsl"
 
 #ifdef STROBE_DOUBLES
 #define BVH_FLOAT double
 #define BVH_VEC2 dvec2
 
-// The structures of shared/bvh.h by two words, which are loaded at once: loads are most of what a ray costs on a processor.
+// Structures of shared/bvh.h as pairs of words, because one load reads two words. On a processor, loads are most of the cost of
+// a ray.
 struct BvhNodePairs {
   double at[8];
 };
@@ -32,7 +33,7 @@ uvec2 instanceWords(uint at, int pair) {
   return unpackDouble2x32(BvhPairsOfInstances(scene_bvh.instances).of[at].at[pair]);
 }
 
-// What the loops of a ray read of them.
+// Nodes, triangles and instances, with the members that the loops of a ray read.
 BvhNode loadedNode(uint node) {
   uvec2 w0 = nodeWords(node, 0), w1 = nodeWords(node, 1), w2 = nodeWords(node, 2), w3 = nodeWords(node, 3);
   uvec2 w4 = nodeWords(node, 4), w5 = nodeWords(node, 5), w6 = nodeWords(node, 6);
@@ -60,8 +61,8 @@ BvhTriangle loadedTriangle(uint triangle) { return scene_bvh.triangles.at[triang
 BvhInstance loadedInstance(uint at) { return scene_bvh.instances.at[at]; }
 #endif
 
-// A ray in the space of the tree it is in. Triangles are met with the last three: component `longest` of the direction
-// is its largest, `shear` leads there; `mirrored` keeps the winding.
+// A ray in the space of a tree. The last three members serve the triangle test: `longest` is the axis of the direction's
+// largest component, `shear` maps the direction to this axis, `mirrored` preserves the winding.
 struct BvhRay {
   vec3 origin, inverse;
   vec3 shear;
@@ -69,12 +70,13 @@ struct BvhRay {
   bool mirrored;
 };
 
+// Vector with the axis `longest` as its z.
 vec3 alongLongest(BvhRay ray, vec3 v) {
   vec3 turned = ray.longest == 0 ? v.yzx : ray.longest == 1 ? v.zxy : v;
   return ray.mirrored ? turned.yxz : turned;
 }
 
-// Bounded, so that a node's planes, within `reach` of the origin of space, are at finite distances.
+// 1 / direction, bounded so that planes with coordinates up to `reach` are at finite distances.
 vec3 boundedInverse(vec3 origin, vec3 direction, float reach) {
   vec3 bounded = max(abs(direction), max(abs(origin) * 1e-36 + reach * 1e-36, vec3(1e-18)));
   return mix(1.0 / bounded, -1.0 / bounded, lessThan(direction, vec3(0)));
@@ -90,7 +92,7 @@ BvhRay rayOf(vec3 origin, vec3 direction, float reach) {
   return ray;
 }
 
-// The ray in an instance's space; the root of its mesh.
+// Ray in the space of an instance. `root`: root of the tree of its mesh.
 BvhRay rayIn(uint at, Ray world_ray, out uint root) {
   BvhInstance instance = loadedInstance(at);
   vec4 x = instance.row_x, y = instance.row_y, z = instance.row_z;
@@ -101,8 +103,8 @@ BvhRay rayIn(uint at, Ray world_ray, out uint root) {
   return rayOf(vec3(dot(x, start), dot(y, start), dot(z, start)), direction, instance.reach);
 }
 
-// Distance and weights of the second and third corner; a distance that is not positive is a miss. `geometry`: as the
-// triangle has it.
+// Intersection with a triangle: distance, weights of the second and third corner. A distance that is not positive is a miss.
+// `geometry`: the triangle's member of this name, with its flag.
 vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   BvhTriangle met = loadedTriangle(triangle);
   geometry = met.geometry;
@@ -112,7 +114,7 @@ vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   vec2 p = a.xy - ray.shear.xy * a.z;
   vec2 q = b.xy - ray.shear.xy * b.z;
   vec2 r = c.xy - ray.shear.xy * c.z;
-  // Products that differ after rounding differ so before: most misses need no double precision.
+  // Products that differ after rounding have the same order before it, so most misses need no double precision.
   vec3 more = vec3(r.x * q.y, p.x * r.y, q.x * p.y), less = vec3(r.y * q.x, p.y * r.x, q.y * p.x);
   bool has_positive = more.x > less.x || more.y > less.y || more.z > less.z;
   bool has_negative = more.x < less.x || more.y < less.y || more.z < less.z;
@@ -133,32 +135,34 @@ vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   return vec3(float(t / determinant), float(v) / divisor, float(w) / divisor);
 }
 
-// Is the first of two triangles of one instance before the other in the scene?
+// True if `triangle` comes before `other` in the scene, for triangles of one instance.
 bool isBefore(uint triangle, uint other) {
   uint geometry = scene_bvh.triangles.at[triangle].geometry, other_geometry = scene_bvh.triangles.at[other].geometry;
   if (geometry != other_geometry) return (geometry & ~BVH_OPAQUE) < (other_geometry & ~BVH_OPAQUE);
   return scene_bvh.triangles.at[triangle].primitive < scene_bvh.triangles.at[other].primitive;
 }
 
-// One plane of each of four children, in steps. Through signed integers: processors convert no others at once.
+// One plane of each of four children, in steps. Converted from signed integers: processors convert vectors of unsigned integers
+// more slowly.
 vec4 planes(uint bytes) { return vec4(ivec4((uvec4(bytes) >> uvec4(0, 8, 16, 24)) & 255u)); }
 
-// Of finite distances, by their bits, which is one step where floats that may be no number take three. In order among
-// those that are not negative; the largest is right where one of them is, the smallest is negative where one is.
+// Larger and smaller one of finite distances, compared by their bits. This takes one instruction; floats take three, to handle
+// NaN. The order is right for distances of at least 0. The larger one is right if one distance is at least 0. The smaller one
+// is negative if one distance is negative.
 vec4 largestDistance(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 vec4 smallestDistance(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
 
-// The length of a node's steps.
+// Lengths of a node's steps along the axes.
 vec3 stepsOf(BvhNode at) { return uintBitsToFloat((uvec3(at.steps) << uvec3(23, 15, 7)) & 0x7f800000u); }
 
-// What rounding may take away from distances to planes.
+// Bound of the rounding errors of distances to planes.
 vec3 slackOf(vec3 offset, vec3 step_t) { return (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0); }
 
-// The first of the children that are met from `enter`, 0 or more, to `leave`; kNextOnStack where none is. `others`: an
-// entry of the stack for the others that are met; 0: there are none.
+// Nearest of the children that the ray meets, which are those with `enter` (0 or more) <= `leave`; kNextOnStack if it meets no
+// child. `others`: stack entry of the other children that it meets; 0 if it meets no others.
 uint firstMet(BvhNode at, uint node, vec4 enter, vec4 leave, out uint others) {
   uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(at.steps >> 24)));
-  // Distances with the child in their last bits, sorted; children that are missed come last.
+  // Sort distances with the child's number in their last bits. Missed children come last.
   uvec4 keys = (floatBitsToUint(enter) & ~3u) | uvec4(0, 1, 2, 3) | (met - 1u);
   uvec2 first = min(keys.xz, keys.yw), second = max(keys.xz, keys.yw);
   uint k0 = min(first.x, first.y), k3 = max(second.x, second.y);
@@ -172,7 +176,7 @@ uint firstMet(BvhNode at, uint node, vec4 enter, vec4 leave, out uint others) {
   return hits == 0u ? kNextOnStack : nearest;
 }
 
-// The nearest child of a node that the ray meets from t_min, 0 or more, to t_max, and the others: as firstMet.
+// Nearest child of a node that the ray meets between t_min (0 or more) and t_max; results as in `firstMet`.
 uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint others) {
   BvhNode at = loadedNode(node);
   vec3 step_t = stepsOf(at) * ray.inverse;
@@ -190,7 +194,7 @@ uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint othe
   return firstMet(at, node, enter, leave, others);
 }
 
-// Does a ray from `origin`, in object space, meet the triangle from behind, where that matters?
+// True if a ray from `origin`, in object space, meets the triangle from behind. False in scenes without one-sided materials.
 bool isFromBehind(vec3 origin, uint triangle) {
 #if FACT_one_sided
   vec3 a = scene_bvh.triangles.at[triangle].corner[0];
@@ -201,16 +205,16 @@ bool isFromBehind(vec3 origin, uint triangle) {
 #endif
 }
 
-// The trees of a slice; as levelOf of runtime/world/structures.h.
+// Level of the trees of a slice; matches levelOf of runtime/world/structures.h.
 uint levelOf(uint slice) { return slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u; }
 
-// Root of the tree over instances, of all or of those that move.
+// Root of the tree over all instances or, with the mask RAYS_TO_MOVING, over the moving instances.
 uint rootOf(uint level, uint mask) {
   return scene_bvh.first_root + (2u * level + uint(mask == RAYS_TO_MOVING)) * scene_bvh.nodes_per_tree;
 }
 
-// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found; `both_sides`: of whatever is
-// met from behind.
+// Trace a ray with the parameters of `traceExcept` (mixin/trace.glsl). `mask`: RAYS_TO_*. `any_hit`: stop at the first hit
+// found, instead of the nearest. `both_sides`: one-sided surfaces count from behind too.
 TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray world_ray, float t_min, float t_max,
                    uint skip_instance, uint skip_geometry) {
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
@@ -221,10 +225,10 @@ TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray wor
       boundedInverse(world_ray.origin, world_ray.direction, scene_bvh.nodes.at[reference].reach);
   BvhRay ray = BvhRay(world_ray.origin, world_inverse, vec3(0), 0, false);
   if (mask >= RAYS_TO_ONE) reference = BVH_LEAF | (mask - RAYS_TO_ONE);
-  uint instance = NO_INSTANCE;  // of the tree that the ray is in; NO_INSTANCE: the tree over instances
+  uint instance = NO_INSTANCE;  // instance of the current tree; NO_INSTANCE: the tree over instances
   BvhStack stack = noEntries();
   while (true) {
-    // To the next leaf.
+    // Descend to the next leaf.
     while (true) {
       if (reference == kNextOnStack) {
         if (top(stack) == kInstanceEnds) {

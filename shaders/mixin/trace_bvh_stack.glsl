@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// What a ray through the runtime's own tree has yet to visit: an entry for each node of which children are left. The
-// newest entries are in variables; an array, which a processor keeps in memory, takes the older ones of deep trees.
+// Stack of a ray through the runtime's own tree: an entry for each node with children that are left to visit. The newest six
+// entries are in variables. The older entries of deep trees are in an array, which a processor keeps in memory.
 
-const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;  // where a ray stands, besides nodes and leaves
-const uint kInstanceEnds = 0xffffffffu;  // an entry: what is below it is of the tree over instances
+const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;  // a ray's reference, besides nodes and leaves
+const uint kInstanceEnds = 0xffffffffu;  // entry: the entries below it belong to the tree over instances
 const int kMovedAtOnce = 3;
 
 struct BvhStack {
-  uint a, b, c, d, e, f;  // from the newest; 0: there is none
-  int older;              // how many are in the array
+  uint a, b, c, d, e, f;  // from the newest; 0: unused
+  int older;              // number of entries in the array
 };
 
-uint older_entries[BVH_MESH_DEPTH + BVH_TOP_DEPTH + 1];  // of the one ray that is on its way
+uint older_entries[BVH_MESH_DEPTH + BVH_TOP_DEPTH + 1];  // of the one ray that the invocation traces at a time
 
 BvhStack noEntries() {
   return BvhStack(0u, 0u, 0u, 0u, 0u, 0u, 0);
 }
 
-// The node, the numbers of children that are left (in the last 2 bits of k1 to k3), nearest first, and how many.
+// Stack entry: node, numbers of the children that are left (last 2 bits of k1 to k3, nearest first), and their count.
 uint entryOf(uint node, uint k1, uint k2, uint k3, uint count) {
   return (node << 8) | ((k1 & 3u) << 2) | ((k2 & 3u) << 4) | ((k3 & 3u) << 6) | count;
 }
 
+// Push an entry if `pushes` is true.
 void push(inout BvhStack stack, uint entry, bool pushes) {
   if (pushes && stack.f != 0u) {
     older_entries[stack.older] = stack.f;
@@ -39,6 +40,7 @@ void push(inout BvhStack stack, uint entry, bool pushes) {
   stack.a = pushes ? entry : stack.a;
 }
 
+// Drop the newest entry.
 void drop(inout BvhStack stack) {
   stack.a = stack.b;
   stack.b = stack.c;
@@ -48,7 +50,7 @@ void drop(inout BvhStack stack) {
   stack.f = 0u;
 }
 
-// The newest entry, 0 without any.
+// Newest entry; 0 if the stack is empty.
 uint top(inout BvhStack stack) {
   if (stack.a == 0u && stack.older > 0) {
     stack.older -= kMovedAtOnce;
@@ -59,7 +61,7 @@ uint top(inout BvhStack stack) {
   return stack.a;
 }
 
-// The next child of the newest entry, and the entry without it.
+// Next child of the newest entry, which loses this child; kNothingLeft if the stack is empty.
 uint takeFrom(inout BvhStack stack) {
   uint entry = top(stack);
   if (entry == 0u) return kNothingLeft;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// What a ray carries between the stages of the ray tracing pipeline, and which hits it accepts in every backend.
+// Payload of a ray between the stages of the ray tracing pipeline, and the test that accepts hits in every backend.
 #ifndef STROBE_TRACE_PAYLOAD_GLSL
 #define STROBE_TRACE_PAYLOAD_GLSL
 #include "lib/random.glsl"
@@ -13,16 +13,17 @@ struct TracePayload {
   uint skip_instance, skip_geometry;
 };
 
+// Texture coordinates of a use.
 vec2 transformedUv(SceneTextureUse use, vec2 uv0, vec2 uv1) {
   vec2 uv = use.uv_set == 0u ? uv0 : uv1;
   return use.u * uv.x + use.v * uv.y + use.offset;
 }
 
 #if FACT_blend
-// A number in (0, 1) for a place on an instance: below it, alpha leaves a point of a blended material out. Places are
-// cubes of object space, 16 to 32 to a pixel at the capture, so that a point of the surface is there
-// or not whenever and by whatever it is seen, and sub-pixel samples see different ones (Wyman and McGuire, "Hashed Alpha
-// Testing", I3D 2017).
+// Alpha threshold in (0, 1) at a place on an instance with a blended material; points with a lower alpha are cut out. Wyman and
+// McGuire, "Hashed Alpha Testing", I3D 2017. The threshold is constant in cubes of object space, 16 to 32 along the side of a
+// pixel at the raster time. A surface point is therefore cut out or not at all times and for all rays, and samples within a
+// pixel get different thresholds.
 float blendThreshold(uint instance, uint geometry, vec3 position_os) {
   SceneTransform m = transformOf(SLICE_CAPTURE, instance);
   SceneCamera camera = scene_cameras[SLICE_CAPTURE];
@@ -37,7 +38,7 @@ float blendThreshold(uint instance, uint geometry, vec3 position_os) {
 }
 #endif
 
-// Alpha below which a point of a material that has MATERIAL_ALPHA_MASK or MATERIAL_ALPHA_BLEND is not there.
+// Alpha threshold of a material with MATERIAL_ALPHA_MASK or MATERIAL_ALPHA_BLEND; points with a lower alpha are cut out.
 float leastAlpha(SceneMaterial material, uint instance, uint geometry, vec3 position_os) {
 #if FACT_blend
   if ((material.flags & MATERIAL_ALPHA_BLEND) != 0u) return blendThreshold(instance, geometry, position_os);
@@ -45,7 +46,7 @@ float leastAlpha(SceneMaterial material, uint instance, uint geometry, vec3 posi
   return material.alpha_cutoff;
 }
 
-// Is a material not there at a point, by its alpha? Of full-resolution texels, so that raster and rays agree.
+// True if alpha cuts a point of a triangle out. Texels are read at full resolution, so that raster and rays agree.
 bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentrics) {
   SceneGeometry geometry = geometryOf(instance, geometry_index);
   SceneMaterial material = scene_materials[geometry.material];
@@ -72,12 +73,14 @@ bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentr
   return alpha < leastAlpha(material, instance, geometry_index, position_os);
 }
 
+// True if the material of a geometry is one-sided.
 bool isOneSided(uint instance, uint geometry_index) {
   SceneGeometry geometry = geometryOf(instance, geometry_index);
   return (scene_materials[geometry.material].flags & MATERIAL_ONE_SIDED) != 0u;
 }
 
-// `unseen`: the ray meets the triangle from behind, and is one that then sees nothing of what is seen from one side.
+// True if a ray accepts the hit. `unseen`: the ray meets the triangle from behind and passes through the backs of one-sided
+// materials.
 bool acceptsHit(uint instance, uint geometry, uint primitive, vec2 barycentrics, uint skip_instance, uint skip_geometry,
                 bool unseen) {
   bool skipped = instance == skip_instance && (skip_geometry == NO_INSTANCE || geometry == skip_geometry);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// Tracing backend `pipeline`: ray tracing pipelines; miss, any-hit and closest-hit stages are in shaders/backend/.
+// Tracing backend `pipeline`: ray tracing pipelines. The miss, any-hit and closest-hit stages are in shaders/backend/.
 layout(location = 0) rayPayloadEXT TracePayload trace_payload;
 
-// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found;
-// `both_sides`: of whatever is met from behind.
+// Trace a ray with the parameters of `traceExcept` (mixin/trace.glsl). `mask`: RAYS_TO_*. `any_hit`: stop at the first hit
+// found, instead of the nearest. `both_sides`: one-sided surfaces count from behind too.
 TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray, float t_min, float t_max,
                    uint skip_instance,
                    uint skip_geometry) {
@@ -14,7 +14,7 @@ TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray
 #endif
   trace_payload = TracePayload(NO_INSTANCE, 0u, 0u, vec2(0), 0.0, skip_instance, skip_geometry);
   if (any_hit) {
-    // A ray that stops at its first hit runs no closest-hit shader: it counts as blocked unless the miss shader says so.
+    // A ray that stops at its first hit runs no closest-hit shader. It counts as a hit unless the miss shader resets it.
     flags |= gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT;
     trace_payload.instance = 0u;
   }

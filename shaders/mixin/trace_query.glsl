@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// Tracing backend `query`: ray queries in compute.
+// Tracing backend `query`: ray queries in compute shaders.
 
-// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found;
-// `both_sides`: of whatever is met from behind.
+// Trace a ray with the parameters of `traceExcept` (mixin/trace.glsl). `mask`: RAYS_TO_*. `any_hit`: stop at the first hit
+// found, instead of the nearest. `both_sides`: one-sided surfaces count from behind too.
 TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray, float t_min, float t_max,
                    uint skip_instance,
                    uint skip_geometry) {

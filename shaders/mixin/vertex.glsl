@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Vertices of the scene: all that reads them. What changes with the slice is asked for with it.
+// Access to the vertices of the scene. Functions for attributes that change with time have the slice as a parameter.
 #ifndef STROBE_VERTEX_GLSL
 #define STROBE_VERTEX_GLSL
 
-// The vertex at a corner of a triangle of a geometry. No load by address is checked: a triangle that the geometry does not
-// have is its last one.
+// Index of the vertex at a corner of a geometry's triangle. Loads by address are not checked, so a triangle out of range
+// becomes the last one.
 uint vertexOf(SceneGeometry geometry, uint primitive, uint corner) {
   uint triangle = min(primitive, max(geometry.triangle_count, 1u) - 1u);
   return geometry.first_vertex + scene_arrays.indices.at[geometry.first_index + 3u * triangle + corner];
 }
 
-// Object space, at the slice. Of what does not bend it is the same at all.
+// Positions and normals in object space, at the slice. Vertices of rigid meshes are the same at all slices.
 #if FACT_bends
+// True if the vertex deforms.
 bool isBending(uint vertex) { return vertex >= scene_arrays.first_bending; }
 
 uint bentAt(uint slice, uint vertex) {
@@ -33,7 +34,7 @@ vec3 vertexPosition(uint slice, uint vertex) { return scene_arrays.vertices.at[v
 vec3 vertexNormal(uint slice, uint vertex) { return scene_arrays.vertices.at[vertex].normal; }
 #endif
 
-// The packed tangent of a vertex of the geometry, at the slice; 0: none.
+// Packed tangent of a vertex of the geometry at the slice; 0: no tangent.
 uint vertexTangent(uint slice, SceneGeometry geometry, uint vertex) {
 #if FACT_bends
   if (isBending(vertex)) return scene_arrays.bent.at[bentAt(slice, vertex)].tangent;

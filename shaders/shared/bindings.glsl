@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The scene's bindings (set 0), as the runtime fills them. Included by the generated preamble of a pass that sees the
-// scene; a shader never includes it.
+// Bindings of the scene (set 0), filled by the runtime. The generated preamble of a pass that reads the scene includes this
+// file. Shaders do not include it.
 #ifndef STROBE_BINDINGS_GLSL
 #define STROBE_BINDINGS_GLSL
 #include "shared/scene.h"
 
-// By address: what is bound as a buffer may be no larger than 128 MiB, and from one a software device loads invocation by
-// invocation, with branches that take most of a shader's time to compile. No load is checked: an index must be one of the
-// array. The functions below take any id of an instance and of a geometry; mixin/vertex.glsl reads vertices and indices.
+// Arrays are read by address. A bound buffer can be limited to 128 MiB, and a software device loads from it for each invocation
+// separately, with branches that take most of a shader's compile time. Loads are not checked: an index must be in the array.
+// The functions below accept any id of an instance and of a geometry. mixin/vertex.glsl reads vertices and indices.
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneTangents { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
@@ -34,8 +34,8 @@ layout(set = 0, binding = 1, scalar) uniform SceneArrays {
   SceneCameras cameras;        // per slice
 #if FACT_bends
   SceneBentVertices bent;  // per slice
-  uint first_bending;      // vertices from this one bend,
-  uint bending_count;      // so many
+  uint first_bending;      // first vertex that deforms
+  uint bending_count;      // vertices that deform
 #endif
 } scene_arrays;  // `SceneAddresses` of runtime/world/gpu_scene.cpp
 #define scene_draws scene_arrays.draws.at
@@ -43,11 +43,12 @@ layout(set = 0, binding = 1, scalar) uniform SceneArrays {
 #define scene_lights scene_arrays.lights.at
 #define scene_cameras scene_arrays.cameras.at
 
-// Of an id that no instance has, which a pass that is being edited may write, the last one.
+// Valid instance id: an id out of range, which a pass under edit may write, becomes the last instance.
 uint knownInstance(uint instance) { return min(instance, max(frame.instance_count, 1u) - 1u); }
 
 SceneInstance instanceAt(uint instance) { return scene_arrays.instances.at[knownInstance(instance)]; }
 
+// World-from-object transform of an instance at a slice.
 SceneTransform transformOf(uint slice, uint instance) {
   return scene_arrays.transforms.at[slice * frame.instance_count + knownInstance(instance)];
 }
@@ -67,11 +68,11 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Bv
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhTriangles { BvhTriangle at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
 layout(set = 0, binding = 3, scalar) uniform SceneBvh {
-  BvhNodes nodes;          // of all meshes, then at each level (the capture, then each sample) of all instances, of those
-                           // that move; then of what bends at each level
-  BvhTriangles triangles;  // of all meshes, then of what bends at each level
+  BvhNodes nodes;          // of all meshes; then, at each level (the raster time, then each sample), of all instances and
+                           // of the moving instances; then of the deforming meshes at each level
+  BvhTriangles triangles;  // of all meshes, then of the deforming meshes at each level
   BvhInstances instances;  // at each level
-  uint first_root;         // of the instances at the capture
+  uint first_root;         // of the tree over the instances at the raster time
   uint nodes_per_tree;
 } scene_bvh;  // `Addresses` of runtime/world/own_structures.cpp
 #endif

@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: MIT
-// The runtime's own tree over a scene: two levels, instances above and the triangles of each mesh below, four children
-// to a node. Bounds are quantised to 8 bits per plane (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on
-// GPUs Through Compressed Wide BVHs", HPG 2017). Sizes are multiples of 8 bytes: devices load two words at once.
+// The runtime's own bounding volume hierarchy over a scene: an upper tree over the instances and a tree over the triangles of
+// each mesh, four children to a node. Bounds are quantised to 8 bits per plane (Ylitie, Karras, Laine, "Efficient Incoherent
+// Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017). Sizes are multiples of 8 bytes, because shaders load two
+// words at once.
 #ifndef STROBE_SHARED_BVH_H
 #define STROBE_SHARED_BVH_H
 #include "shared/types.h"
 STROBE_SHARED_BEGIN
 
-// A child is the index of a node or, with its highest bit set, a leaf: above an instance, below 1 to 4 triangles, whose
-// number less 1 is in the bits from BVH_LEAF_COUNT and the first of which in those below.
+// A child is the index of a node or, if its highest bit is set, a leaf. A leaf of the upper tree holds an instance's index. A
+// leaf of a mesh's tree holds 1 to 4 triangles: their number minus 1 in the bits from BVH_LEAF_COUNT, the index of the first
+// triangle in the bits below.
 #define BVH_LEAF 0x80000000u
 #define BVH_LEAF_COUNT 29u
 #define BVH_MOST_NODES 0x1000000u
-// Levels of the tree over triangles and of that over instances; a ray keeps one entry of each level.
+// Most levels of a tree over triangles and of the tree over instances. A ray keeps at most one entry per level.
 #define BVH_MESH_DEPTH 40
 #define BVH_TOP_DEPTH 20
 
-// The planes of child c are at origin + step * (byte c of low, of high), outside of what is in the child.
+// The bounds of child c are origin + step * (byte c of `low`) and origin + step * (byte c of `high`), rounded outwards.
 struct BvhNode {
   vec3 origin;
-  uint steps;  // from the lowest byte: biased exponents of the power of two that is a step in x, y, z; number of
-               // children
+  uint steps;  // bytes from the lowest: biased exponents of the step (a power of two) in x, y, z; number of children
   uvec3 low, high;
   uint children[4];
-  float reach;  // of the first node of a tree: no plane's coordinate is larger
+  float reach;  // first node of a tree: upper bound of the magnitude of all bounds' coordinates
   uint unused;
 };
 
 struct BvhTriangle {
   vec3 corner[3];  // object space
-  uint geometry;   // within the instance; the highest bit is set where a hit on it counts without a question
+  uint geometry;   // within the instance; BVH_OPAQUE is set if every hit counts, without a test of alpha or side
   uint primitive;
   uint unused;
 };
@@ -38,7 +39,7 @@ struct BvhTriangle {
 struct BvhInstance {
   vec4 row_x, row_y, row_z;  // object-from-world
   uint root;                 // node of its mesh
-  float reach;               // of that node
+  float reach;               // `reach` of that node
 };
 
 STROBE_SHARED_END

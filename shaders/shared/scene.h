@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The scene as shaders see it. Positions are relative to the frame's origin (the camera at the capture), so that
-// single precision is spent on what the camera sees. A *slice* is one time at which the scene is posed.
+// Layout of the scene in shaders. Positions are relative to the frame's origin, the camera at the raster time, so that single
+// precision is highest near the camera. A *slice* is the scene's pose at one time.
 #ifndef STROBE_SHARED_SCENE_H
 #define STROBE_SHARED_SCENE_H
 #include "shared/types.h"
@@ -9,20 +9,20 @@ STROBE_SHARED_BEGIN
 #define SLICE_CAPTURE 0u
 #define SLICE_OPEN 1u
 #define SLICE_CLOSE 2u
-#define SLICE_PREVIOUS 3u  // one frame before the capture
+#define SLICE_PREVIOUS 3u  // one frame before the raster time
 #define SLICE_SAMPLE 4u    // first of a loop's sample times
 #define NO_INSTANCE 0xffffffffu
-// Masks of rays: what they may hit. RAYS_TO_ONE + i: instance i alone, of backend `bvh`.
+// Masks of the instances that a ray can hit. RAYS_TO_ONE + i: instance i alone, backend `bvh` only.
 #define RAYS_TO_ALL 0xffu
 #define RAYS_TO_MOVING 0x80u
 #define RAYS_TO_ONE 0x100u
 
-// How an instance goes over the picture within the exposure, and since the frame before. Each is set unless it surely
-// is not so, to within 1/20 px.
-#define PATH_CURVED 1u   // a point of it leaves the straight line between the ends of its path, or is not even in time
-#define PATH_TURNS 2u    // points of it move differently
-#define PATH_COVERED 4u  // something else may be in front of it, or a part of it that moves differently
-#define PATH_ARRIVES 8u  // something of it is seen at another time that the capture does not show
+// Properties of an instance's screen motion within the exposure and since the frame before. Conservative: a bit is clear only
+// if the property is proven false, with a tolerance of 0.05 px. Clear for static instances.
+#define PATH_CURVED 1u   // some point deviates from a straight path at constant speed
+#define PATH_TURNS 2u    // its points have different velocities
+#define PATH_COVERED 4u  // another object, or an own part with another velocity, may be in front
+#define PATH_ARRIVES 8u  // some part may be visible at another time but not at the raster time
 
 struct SceneVertex {
   vec3 position;  // first: acceleration structures read it
@@ -32,26 +32,26 @@ struct SceneVertex {
   uint color;  // rgba8 unorm, linear
 };
 
-// Tangents of vertices, for normal maps: a direction as two numbers of 15 bits (Cigolle et al., "A Survey of Efficient
-// Representations for Independent Unit Vectors", JCGT 2014), then TANGENT_NEGATIVE for
-// a handedness of -1, then TANGENT_PRESENT. 0: no tangent.
+// Packed tangents of vertices, for normal maps: from the lowest bit, a direction as two numbers of 15 bits (Cigolle et al., "A
+// Survey of Efficient Representations for Independent Unit Vectors", JCGT 2014), TANGENT_NEGATIVE if the handedness is -1, and
+// TANGENT_PRESENT. 0: no tangent.
 #define TANGENT_BITS 15u
 #define TANGENT_LARGEST 16383.0
 #define TANGENT_NEGATIVE 0x40000000u
 #define TANGENT_PRESENT 0x80000000u
 #define NO_TANGENTS 0xffffffffu
 
-// Of what bends, at one slice.
+// A vertex of a deforming mesh at one slice.
 struct SceneBentVertex {
   vec3 position;  // first: acceleration structures read it
-  vec3 normal;    // unit; 0: that of the triangle
-  uint tangent;   // 0: by the texture coordinates
+  vec3 normal;    // unit; 0: use the triangle's normal
+  uint tangent;   // packed; 0: derive it from the texture coordinates
 };
 
 struct SceneInstance {
   uint first_geometry;
   uint geometry_count;
-  uint moves;  // 0 where it surely stands still within the exposure
+  uint moves;  // 0 if it is proven static within the exposure
   uint path;   // PATH_*
 };
 
@@ -60,7 +60,7 @@ struct SceneGeometry {
   uint first_vertex;
   uint triangle_count;
   uint material;
-  uint first_tangent;  // of as many as there are vertices; NO_TANGENTS
+  uint first_tangent;  // one per vertex; NO_TANGENTS: none
 };
 
 // A draw of the raster path, one per geometry of each instance.
@@ -73,7 +73,7 @@ struct SceneTextureUse {
   int texture;  // -1 for none
   uint uv_set;
   vec2 u, v, offset;  // uv' = u * uv.x + v * uv.y + offset
-  uint most_taps;     // blended along the direction in which a surface recedes
+  uint most_taps;     // limit of anisotropic filtering: lookups along the longer axis of the footprint
 };
 
 #define MATERIAL_UNLIT 1u
@@ -81,7 +81,7 @@ struct SceneTextureUse {
 #define MATERIAL_ALPHA_BLEND 4u
 #define MATERIAL_ONE_SIDED 8u
 
-// What a material has textures for.
+// Texture slots of a material.
 #define USE_BASE_COLOR 0
 #define USE_METALLIC_ROUGHNESS 1
 #define USE_NORMAL 2
@@ -107,7 +107,7 @@ struct SceneLight {
   vec3 position;
   uint type;
   vec3 direction;  // unit, from the light
-  float range;     // 0 unlimited
+  float range;     // 0: unlimited
   vec3 intensity;  // candela (point, spot) or lux (directional), in the renderer's radiance units
   uint shadow;
   float cos_inner, cos_outer;
@@ -124,8 +124,8 @@ struct SceneCamera {
   vec3 right, up, forward;  // unit
   vec2 half_extent;         // perspective: tangents of the half angles; orthographic: metres
   uint orthographic;
-  float depth_range;  // orthographic: metres behind the near plane up to which something may be seen
-  ivec4 moving;       // pixels [x, z) x [y, w) in which something that moves may be seen at this time
+  float depth_range;  // orthographic: depth of the visible range behind the near plane, metres
+  ivec4 moving;       // pixels [x, z) x [y, w) that may show a moving surface at this time; conservative
 };
 
 STROBE_SHARED_END

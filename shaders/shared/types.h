@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One spelling for structures that C++ fills and GLSL reads (scalar layout on both sides).
+// Macros for structures that C++ fills and GLSL reads from one source; scalar layout on both sides.
 #ifndef STROBE_SHARED_TYPES_H
 #define STROBE_SHARED_TYPES_H
 #ifdef __cplusplus
