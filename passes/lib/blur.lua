@@ -23,7 +23,7 @@ return {
     values = {
       line = "Straight line at constant speed. Fails for rotation: wheels blur in straight lines.",
       quadratic = "Parabola through the positions at shutter open, in the middle and at shutter close; with displacement = " ..
-        "extrapolated, through the positions in this frame and the two frames before it. Fails for more than a sixth of a turn.",
+        "extrapolated, through the positions in this frame and the two frames before it. Fails beyond a sixth of a turn.",
       arc = "Arc about a centre that may move along a line, fitted to seven poses. Covers rotation in the image plane and " ..
         "rolling wheels, up to one and a quarter turns. Needs displacement = window. Fails for circles seen obliquely.",
     } },

@@ -14,7 +14,7 @@ local docs = {
   second   = { optional = true,
     doc = "displacement around each tile that differs most from the dominant one, px over the exposure" },
   slowest  = { optional = true,
-    doc = "length of the shortest displacement around each tile, px over the exposure; absent: no fast path for uniform motion" },
+    doc = "length of the shortest displacement around each tile, px over the exposure; absent: uniform motion is not tested" },
 
   after_velocity = { optional = true,
     doc = "displacement at times after the raster time, px over the exposure; absent: equal to `velocity`" },

@@ -11,5 +11,6 @@ return {
   detail_below  = param.float { 0.75, min = 0, max = 1e6, unit = "px",
     doc = "largest displacement between successive samples at which hits between differing texels are shaded; " ..
       "with shades_unlike" },
-  same_depth    = param.float { 0.01, min = 0, max = 1, doc = "relative depth difference up to which two depths count as equal" },
+  same_depth    = param.float { 0.01, min = 0, max = 1,
+    doc = "relative depth difference up to which two depths count as equal" },
 }

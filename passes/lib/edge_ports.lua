@@ -29,7 +29,7 @@ function edge_ports.depth_threshold(default, doc)
   return pass.float { default, min = 1e-6, max = 16, doc = doc or "smallest relative depth step of an edge" }
 end
 
--- Parameters of detectors by depth and normal: thresholds of both steps, their combination, and the parameters in `more`.
+-- Parameters of detectors by depth and normal: both thresholds, their combination, and the parameters in `more`.
 function edge_ports.steps(more)
   local params = {
     depth_threshold  = edge_ports.depth_threshold(0.05),
@@ -40,8 +40,8 @@ function edge_ports.steps(more)
         max     = "An edge is a step of depth or of normal. Fails where one of the two responds without a silhouette: " ..
                   "creases and curved surfaces are marked.",
         sum     = "The steps are added, each divided by its threshold. Fails as max does, on more surfaces.",
-        ["and"] = "An edge is a step of both depth and normal. Fails at silhouettes in front of a parallel surface, where " ..
-                  "normals are equal: they are missed.",
+        ["and"] = "An edge is a step of both depth and normal. Fails by missing silhouettes in front of a parallel " ..
+                  "surface, where normals are equal.",
       } },
   }
   for name, param in pairs(more or {}) do params[name] = param end
@@ -68,7 +68,7 @@ function edge_ports.measure()
                           "Fails if one neighbour of a pixel is as much nearer as the opposite one is farther, and at the " ..
                           "border of the image.",
       distance = "Distance from the neighbour's point to the plane through the pixel's point and normal. Fails at the " ..
-                 "silhouettes of curved surfaces, where that plane runs along the line of sight and contains background points.",
+                 "silhouettes of curved surfaces, where that plane runs along the line of sight and meets the background.",
     } }
 end
 

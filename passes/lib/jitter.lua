@@ -3,7 +3,7 @@
 local param = require "strobe.param"
 
 local stands = "the pattern is fixed to the screen: it is not mirrored or moved with the scene"
-local runs_on = "the shift has the same sign in time when time runs backwards"
+local runs_on = "the jitter shifts samples in the same direction in time when time runs backwards"
 local pattern = { mirrored = stands, shifted = stands, reversed = runs_on }
 
 return {

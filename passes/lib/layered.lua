@@ -15,8 +15,8 @@ local params = {
   taps         = param.choice { "nearest", "linear", default = "nearest", doc = "interpolation of a layer at a sample",
     values = {
       nearest = "Nearest texel. Fails by half a pixel: stairs in textures and highlights.",
-      linear = "Blend of those of the four surrounding texels whose surfaces are at the pixel at the sample's time. Fails by " ..
-        "smoothing across the motion.",
+      linear = "Blend of the four surrounding texels, without those whose surface is elsewhere at the sample's time. Fails " ..
+        "by smoothing across the motion.",
     },
     breaks = { linear = { uniform = "texels around a sample are blended, which differs from the mean of nearest texels" } } },
   leaves_open  = param.bool { false, wired = true,
@@ -44,11 +44,11 @@ return function(name, guesses)
     doc    = "For each time sample, the nearest surface of either layer that is at the pixel then" ..
              (guesses and "; also a fallback estimate of the unresolved samples" or ""),
     fails  = "Disoccluded surfaces that were not revealed (a second layer behind, or outside the mask) are missing. " ..
-             "Edges are misplaced where paths deviate from their curve or surfaces stretch by more than about a pixel within " ..
-             "the distance moved. If more than 4 different motions meet at a pixel, some are ignored.",
+             "Edges are misplaced if the path deviation or the stretch of a surface exceeds about a pixel within the " ..
+             "distance moved. If more than 4 different motions meet at a pixel, some are ignored.",
     breaks = {
       mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
-      reversed = "of more than 4 motions around a pixel the nearest are used; among equally near ones, the one from before the " ..
+      reversed = "of more than 4 motions around a pixel the nearest are used; among equally near ones, the one before the " ..
         "raster time",
     },
     size   = { of = "color" },
@@ -57,12 +57,12 @@ return function(name, guesses)
       "dominant_place",
     }, {
       moved  = { optional = true,
-        doc = "per cell, above 1/2 if a moving surface is there at some time; elsewhere the picture is copied; absent: everywhere" },
+        doc = "per cell, above 1/2 if a moving surface is there at some time; other cells are copied; absent: everywhere" },
       doubtful = { optional = true, uint = true,
         doc = "per cell, bit i is set if both layers are unreliable in time stratum i of at most 32; with leaves_open" },
       silhouettes = { optional = true,
-        doc = "mask, above 1/2 beside a texel with different motion; if present, samples within a pixel of such a silhouette " ..
-          "are unresolved" },
+        doc = "mask, above 1/2 beside a texel with different motion; samples within a pixel of such a silhouette are " ..
+          "unresolved; absent: silhouettes are not tested" },
       missed = { optional = true,
         doc = "per cell, above 1/2 if a surface with a motion outside the candidates reaches the cell; absent: nowhere" },
       behind = { optional = true,
@@ -70,13 +70,13 @@ return function(name, guesses)
     }),
     writes = {
       blurred = { format = "rgba32f",
-        doc = "blurred picture, linear radiance; alpha 1. With leaves_open: sum of the resolved samples over the number of all " ..
-          "samples; alpha: fraction of resolved samples" },
+        doc = "blurred picture, linear radiance; alpha 1. With leaves_open: sum of the resolved samples, divided by the " ..
+          "number of all samples; alpha: fraction of resolved samples" },
       open = { format = "rg32ui", cleared = true,
         doc = "bit i is set if time stratum i of at most 64 is unresolved; with leaves_open" },
       guess = guesses and { format = "rgba32f", cleared = true,
-        doc = "fallback estimate: sum over the unresolved samples over the number of all samples, linear radiance; alpha: " ..
-              "estimated error" } or nil,
+        doc = "fallback estimate, linear radiance: sum of the unresolved samples, divided by the number of all samples; " ..
+              "alpha: estimated error, linear radiance" } or nil,
     },
     without = { motion = copied, reached = copied },
     params = params,

@@ -29,9 +29,9 @@ stored.color_format = param.choice {
       still    = "a colour between two half floats is rounded to one of them",
       convex   = "a mean is rounded to a half float, which may lie outside the range of the averaged colours",
       linear   = "the rounding error of a sum differs from the sum of the rounding errors",
-      mirrored = "a difference in the last digit of single precision becomes one in the last digit of half precision",
-      reversed = "a difference in the last digit of single precision becomes one in the last digit of half precision",
-      scaled   = "a difference in the last digit of single precision becomes one in the last digit of half precision",
+      mirrored = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
+      reversed = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
+      scaled   = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
       unmasked = "blurring in two layers rounds the colour once more",
     },
   },
@@ -42,11 +42,12 @@ stored.depth_encoding = param.choice {
   doc = "encoding of depth in the depth buffer; filters read the decoded linear view depth",
   values = {
     linear = "View depth in single precision. Never fails: depths keep their computed values.",
-    reversed = "Near distance / view depth in single precision, 0 for the sky (reversed z). Fails by about 1e-7 of the depth: "
-      .. "surfaces closer together may swap or tie.",
+    reversed = "Near distance / view depth in single precision, 0 for the sky (reversed z). Fails by about 1e-7 of the "
+      .. "depth: surfaces closer together may swap or tie.",
     inverse = "1 / view depth in single precision, 0 for the sky. Fails as reversed does.",
-    unorm24 = "1 - near distance / view depth in 24 bits, 1 for the sky (conventional z). Fails in the distance: the error is up "
-      .. "to depth / (near distance * 2^25) of the depth. Surfaces farther than 2^25 near distances become sky and are counted.",
+    unorm24 = "1 - near distance / view depth in 24 bits, 1 for the sky (conventional z). Fails in the distance: the error is "
+      .. "up to depth / (near distance * 2^25) of the depth. Surfaces farther than 2^25 near distances become sky and are "
+      .. "counted.",
   },
 }
 
@@ -56,7 +57,8 @@ stored.color    = { by = "color_format", fp32 = "rgba32f", fp16 = "rgba16f" }
 stored.counters = {
   velocity_clamped = {
     doc   = "pixels with a displacement beyond 65504 px, the largest half float",
-    limit = "each displacement was shortened to 65504 px, in its direction. Use velocity_format = fp32, or shorten the exposure",
+    limit = "each displacement was shortened to 65504 px, in its direction. Use velocity_format = fp32, or shorten the " ..
+            "exposure",
   },
   color_clamped = {
     doc   = "pixels with a channel beyond 65504, the largest half float",

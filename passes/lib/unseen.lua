@@ -9,12 +9,12 @@ return function(name, end_of, fact)
   return {
     name   = name,
     shader = "scene/unseen",
-    doc    = ("Moving surfaces visible at the %s of the exposure that the raster layer and the revealed layer lack"):format(end_of),
+    doc    = ("Moving surfaces visible at the %s of the exposure that neither layer of the raster time has"):format(end_of),
     size   = { of = "hit" },
     scene  = true,
     reads  = {
       hit   = { uint = true,
-        doc = "visible surface at one end of the exposure: instance + 1, geometry, primitive; 0 for the sky or a static surface" },
+        doc = "surface visible at one end of the exposure: instance + 1, geometry, primitive; 0 for sky or a static surface" },
       depth = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
       id    = { uint = true, doc = "instance + 1 of the raster layer; 0 for the sky" },
       revealed_depth = { doc = "linear view depth of the revealed surface, metres; +inf for the sky" },
@@ -23,7 +23,8 @@ return function(name, end_of, fact)
     },
     writes = {
       unseen   = { format = "r8_unorm", cleared = true, doc = "1 where both layers lack the visible moving surface" },
-      velocity = { format = stored.velocity, cleared = true, doc = "displacement of the visible surface, px over the exposure" },
+      velocity = { format = stored.velocity, cleared = true,
+        doc = "displacement of the visible surface, px over the exposure" },
       bend     = { format = stored.velocity, cleared = true,
         doc = "path deviation of the visible surface from a straight line in the middle of the exposure, px" },
     },
