@@ -6,11 +6,11 @@ return {
   shades_unlike = param.bool { false,
     doc = "shade a hit whose four surrounding texels differ in colour, instead of blending the texels" },
   unlike        = param.float { 0.02, min = 0, max = 1,
-    doc = "largest relative difference of the colours of the four texels around a hit at which they are blended; " ..
-      "with shades_unlike" },
+    doc = "largest relative difference between the colours of the four texels around a hit that are blended; with " ..
+      "shades_unlike" },
   detail_below  = param.float { 0.75, min = 0, max = 1e6, unit = "px",
-    doc = "largest displacement between successive samples at which hits between differing texels are shaded; " ..
-      "with shades_unlike" },
+    doc = "largest displacement between successive samples of a surface that is shaded where texels differ; with " ..
+      "shades_unlike" },
   same_depth    = param.float { 0.01, min = 0, max = 1,
-    doc = "relative depth difference up to which two depths count as equal" },
+    doc = "relative tolerance for equal depths" },
 }

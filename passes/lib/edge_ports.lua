@@ -33,7 +33,7 @@ end
 function edge_ports.steps(more)
   local params = {
     depth_threshold  = edge_ports.depth_threshold(0.05),
-    normal_threshold = pass.float { 0.8, min = 1e-6, max = 16, doc = "smallest length of the difference of unit normals at an edge" },
+    normal_threshold = pass.float { 0.8, min = 1e-6, max = 16, doc = "smallest difference of unit normals at an edge" },
     combine          = pass.choice { "max", "sum", "and", default = "max",
       doc = "combination of the depth step and the normal step",
       values = {

@@ -26,8 +26,8 @@ local params = {
   unlike       = param.float { 0.02, min = 0, max = 1,
     doc = "largest relative difference of the colours of the texels around a resolved sample; with leaves_unlike" },
   detail_below = param.float { 0.75, min = 0, max = 1e6, unit = "px",
-    doc = "largest displacement between successive samples at which differing colours make a sample unresolved; with " ..
-      "leaves_unlike. For faster motion the samples are too sparse to show such detail" },
+    doc = "largest displacement between successive samples of a surface whose differing texels leave samples " ..
+      "unresolved; with leaves_unlike. Samples of faster surfaces are too sparse to show such detail" },
   slowest      = param.float { 0.5, min = 0, max = 100, unit = "px",
     doc = "smallest difference of the displacements of adjacent texels that counts as a silhouette; with leaves_unlike" },
   harvest      = param.bool { true, doc = "add the displacements found along the dominant one to the candidates" },

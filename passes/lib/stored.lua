@@ -25,8 +25,8 @@ stored.color_format = param.choice {
   },
   breaks = {
     fp16 = {
-      constant = "a colour between two half floats is rounded to one of them",
-      still    = "a colour between two half floats is rounded to one of them",
+      constant = "a colour between two half floats is rounded to the nearest",
+      still    = "a colour between two half floats is rounded to the nearest",
       convex   = "a mean is rounded to a half float, which may lie outside the range of the averaged colours",
       linear   = "the rounding error of a sum differs from the sum of the rounding errors",
       mirrored = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
@@ -62,7 +62,7 @@ stored.counters = {
   },
   color_clamped = {
     doc   = "pixels with a channel beyond 65504, the largest half float",
-    limit = "each channel was clamped to 65504, so that highlights blur darker than they should. Use color_format = fp32, or " ..
+    limit = "each channel was clamped to 65504, so that highlights blur too dark. Use color_format = fp32, or " ..
             "scale the lights down",
   },
   depth_lost = {

@@ -32,7 +32,7 @@ return function(name, end_of, fact)
     params = {
       velocity_format = stored.velocity_format,
       same_depth = param.float { 0.01, min = 0, max = 1,
-        doc = "relative depth difference up to which two depths count as equal" },
+        doc = "relative tolerance for equal depths" },
     },
     counters = { velocity_clamped = stored.counters.velocity_clamped },
     fails  = "Surfaces that appear after shutter open and disappear before shutter close are missed.",
