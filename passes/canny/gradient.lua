@@ -13,6 +13,7 @@ return pass.compute {
     depth  = { doc = "linear view depth, metres; +inf for the sky" },
     normal = { doc = "unit normal, world space; 0 for the sky" },
   },
-  writes = { gradient = { format = "rg32f", doc = "edge strength along the direction of steepest change; length 1 at the threshold" } },
+  writes = { gradient = { format = "rg32f",
+    doc = "edge strength along the direction of steepest change; length 1 at the threshold" } },
   params = edge_ports.steps(),
 }

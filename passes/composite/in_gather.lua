@@ -10,7 +10,7 @@ return pass.compute {
   name   = "in_gather",
   shader = "composite/in_gather",
   doc    = "One gather whose background taps read the revealed layer where the foreground hides them",
-  fails  = "A surface in front is missed if it moves neither like the dominant displacement nor like the pixel's own " ..
+  fails  = "A surface in front may be missed if it moves neither by the dominant displacement nor like the pixel's own " ..
            "surface, above all if it moves against both. The background is assumed to move as it does at the pixel: wrong " ..
            "where two backgrounds meet or the background turns. Only one layer behind the first is used.",
   size   = { of = "color" },

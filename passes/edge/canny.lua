@@ -18,6 +18,6 @@ return pass.compute {
   writes = { edge = edge_ports.edge },
   without = edge_ports.nowhere,
   params = {
-    reach = pass.int { 15, min = 0, max = 15, unit = "px", doc = "largest distance of a weak ridge from a strong ridge, along x or y" },
+    reach = pass.int { 15, min = 0, max = 15, unit = "px", doc = "largest distance between a weak and a strong ridge" },
   },
 }

@@ -15,7 +15,7 @@ return pass.compute {
   without = edge_ports.nowhere,
   scene  = true,
   params = edge_ports.steps {
-    depth_threshold = edge_ports.depth_threshold(0.02, "smallest distance of an edge from the plane, as a fraction of the depth"),
+    depth_threshold = edge_ports.depth_threshold(0.02, "smallest distance of an edge from the plane, divided by the depth"),
     measure         = edge_ports.measure(),
   },
 }

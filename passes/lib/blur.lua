@@ -16,7 +16,7 @@ return {
       "as far as the longest displacement of the image" },
 
   depth_extent = param.float { 0.01, min = 1e-6, max = 1, role = "depth_tolerance",
-    doc = "width of the soft depth test: smallest relative depth difference of two surfaces that are fully apart" },
+    doc = "width of the soft depth comparison, as a fraction of the farther depth" },
 
   trajectory = param.choice { "line", "quadratic", "arc", default = "line",
     doc = "screen path of a surface point over the exposure; with displacement = extrapolated, fitted to earlier frames",
