@@ -7,8 +7,8 @@ return pass.compute {
   name   = "along_motion",
   shader = "filter/along_motion",
   doc    = "Mean of five pixels along the dominant displacement, 2^octave px apart, weighted by similarity of luminance",
-  fails  = "Adds bias: where motions differ, everything is blurred along the longest one. Textures and silhouettes along it are "
-    .. "blurred if their contrast is within the noise. Noise coarser than the levels remains.",
+  fails  = "Adds bias: where motions differ, everything is blurred along the longest one. Textures and silhouettes along it "
+    .. "are blurred if their contrast is within the noise. Noise that the levels do not reach remains.",
   breaks = { linear = "weights depend on differences of luminance, and so on the light" },
   size   = { of = "noisy" },
   reads  = {

@@ -20,15 +20,16 @@ return pass.compute {
     samples      = blur.samples { doc = "number of taps along the displacement" },
     limit        = blur.limit,
     copy_below   = pass.float { 1, min = 0, max = 16, unit = "px",
-      doc = "displacement over the exposure below this is not blurred; displacement to one side of up to half a pixel neither" },
+      doc = "smallest displacement over the exposure that is blurred; displacements of up to half a pixel to one side " ..
+            "never are" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },
   counters = {
     clamped = {
       doc   = "pixels that move farther than the limit",
-      limit = "each displacement was shortened to the limit, so that the blur is too short; ground truth has no limit. Raise " ..
-              "`limit`, or shorten the exposure",
+      limit = "each displacement was shortened to the limit, so that the blur is too short; ground truth has no limit. " ..
+              "Raise `limit`, or shorten the exposure",
     },
     copied = "pixels copied because they do not move",
   },

@@ -8,7 +8,8 @@ local jitter = require "passes.lib.jitter"
 local more = {
   id = { uint = true, doc = "instance + 1, geometry + 1; 0 for the sky" },
   dominant      = { optional = true,
-    doc = "longest displacement per tile of the first two layers, px over the exposure; absent: only the pixel's own are searched" },
+    doc = "longest displacement per tile of the first two layers, px over the exposure; absent: only the pixel's own are " ..
+          "searched" },
   deep_dominant = { optional = true,
     doc = "longest displacement per tile of the third and fourth layer, px over the exposure; absent: not searched" },
 }
@@ -23,10 +24,10 @@ return pass.compute {
   name   = "layers2024",
   shader = "filter/layers2024",
   doc    = "For each time sample, the nearest texel of all layers that lies back along a displacement and moves by it",
-  fails  = "Surfaces in no layer are missing: surfaces that enter, have left or face away, and surfaces behind more layers than "
-    .. "there are. The background shows through where the missing surface is the nearest. Only the pixel's own displacements and "
-    .. "the longest of its tile are searched; surfaces with other displacements are missed. Motion that varies over a surface by "
-    .. "more than `agreement` is not found.",
+  fails  = "Surfaces in no layer are missing: surfaces that enter, have left or face away, and surfaces behind more layers "
+    .. "than there are. The background shows through where the missing surface is the nearest. Only the pixel's own "
+    .. "displacements and the longest of its tile are searched; surfaces with other displacements are missed. Motion that "
+    .. "varies over a surface by more than `agreement` is not found.",
   breaks = {
     mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
   },
@@ -46,8 +47,8 @@ return pass.compute {
   counters = {
     missed = "time samples that no layer resolves; the mean omits them",
     varied = {
-      doc   = "time samples that skip the pixel's own surface because it moves differently at the position it came from",
-      limit = "the background was used instead and shows through. Raise `agreement`, or shorten the exposure",
+      doc   = "time samples that skip the visible surface because its displacement varies from texel to texel",
+      limit = "a surface behind it was used instead and shows through. Raise `agreement`, or shorten the exposure",
     },
   },
 }

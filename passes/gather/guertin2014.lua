@@ -6,20 +6,21 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 local stored = require "passes.lib.stored"
 
-local every_other = "every other sample is taken along the second direction, counted from one end, as published; with an even number " ..
-  "of samples to both sides the count differs when reversed"
+local every_other = "an even number of samples around the pixel alternates between the directions from one end on, as " ..
+  "published, so that reversal swaps the directions"
 local stands = "the choice of the tile depends on the screen position: it is not mirrored or moved with the scene"
 
 return pass.compute {
   name   = "gather_guertin2014",
   shader = "gather/guertin2014",
   doc    = "Blur along the dominant displacement and a second direction, weighted by the alignment of motions with both",
-  fails  = "Too opaque inside silhouettes, like McGuire's filter; coverage ramps are not straight lines, and the background inside "
-    .. "a silhouette is copied from outside. Surfaces that move along neither direction stay sharp or leave noise. Each direction "
-    .. "gets half of the samples.",
+  fails  = "Too opaque inside silhouettes, like McGuire's filter; coverage ramps are not straight lines, and the background "
+    .. "inside a silhouette is copied from outside. Surfaces that move along neither direction stay sharp or leave noise. Each "
+    .. "direction gets half of the samples.",
   size   = { of = "color" },
   reads  = ports.of_layer({ "second", "slowest" }, {
-    variance = { optional = true, doc = "variance of motion directions per tile, 0 (parallel) to 1; absent: half of the samples take the second direction" },
+    variance = { optional = true, doc = "variance of motion directions per tile, 0 (parallel) to 1; absent: half of the " ..
+      "samples take the second direction" },
   }),
   writes = ports.layer,
   without = ports.still,
@@ -36,9 +37,11 @@ return pass.compute {
     limit        = blur.limit,
     depth_extent = blur.depth_extent,
     kappa        = pass.float { 40, min = 1e-3, max = 1e6,
-      doc = "divisor of the centre weight, which is samples / (kappa * radius); larger values hide static pixels under blur" },
+      doc = "divisor of the weight of the centre pixel, samples / (kappa * radius); larger values hide static pixels under " ..
+            "blur" },
     gamma        = pass.float { 1.5, min = 1e-3, max = 1024, unit = "px",
-      doc = "excess of the blur radius over 1/2 px that turns the second direction fully to the pixel's own displacement" },
+      doc = "blur radius beyond 1/2 px that makes the pixel's own displacement the second direction; smaller radii mix in " ..
+            "the perpendicular" },
     eta          = pass.float { 0.95, min = 0, max = 1, doc = "scale of the jitter" },
     tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "jitter of the tile lookup",
       values = {
@@ -58,6 +61,6 @@ return pass.compute {
   counters = {
     color_clamped = stored.counters.color_clamped,
     copied  = "pixels copied because no surface around moves",
-    uniform = "pixels with uniform motion around, which skip reading the taps' displacements",
+    uniform = "pixels treated as surrounded by uniform motion",
   },
 }

@@ -10,8 +10,9 @@ return pass.compute {
   name   = "gather_jimenez2014",
   shader = "gather/jimenez2014",
   doc    = "Blur by pairs of taps; the nearer and faster tap of a pair sets the weight of both",
-  fails  = "Inside a silhouette the background is copied from outside, so that edges there appear twice. Outside, the background "
-    .. "under a blurred object is copied from the opposite side. Motions that cross the dominant one are blurred along it.",
+  fails  = "Inside a silhouette the background is copied from outside, so that edges there appear twice. Outside, the "
+    .. "background under a blurred object is copied from the opposite side. Motions that cross the dominant one are blurred "
+    .. "along it.",
   size   = { of = "color" },
   reads  = ports.of_layer { "slowest" },
   writes = ports.layer,
@@ -29,11 +30,11 @@ return pass.compute {
     depth_extent = blur.depth_extent { doc = "width of the soft depth order, as a fraction of the farther depth" },
     mirror       = pass.bool { true, doc = "give both taps of a pair the weight of the nearer and faster one" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",
-      doc = "scale of a tap's weight by its direction of motion relative to the dominant displacement",
+      doc = "factor on the spread of a tap, by its motion relative to the dominant displacement",
       values = {
-        none = "No scale. Fails where surfaces cross: they are blurred along the dominant displacement.",
-        projected = "Length of the displacement projected on the dominant one, divided by the length of the dominant one. Fails "
-          .. "for slower surfaces with parallel motion: they spread too thinly.",
+        none = "Factor 1. Fails where surfaces cross: they are blurred along the dominant displacement.",
+        projected = "Length of the displacement projected on the dominant one, divided by the length of the dominant one. "
+          .. "Fails for slower surfaces with parallel motion: they spread too thinly.",
         cosine = "Cosine between the two displacements. Fails as none does for slow crossings at acute angles.",
         opposing = "0 for taps that move away from the pixel, otherwise 1. Has no effect with the anchor `centre`, where all "
           .. "motion is to both sides. Fails as none does for motions across.",

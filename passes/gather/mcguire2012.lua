@@ -6,16 +6,16 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 local stored = require "passes.lib.stored"
 
-local every_other = "every other sample is taken along the second direction, counted from one end; with an even number of samples " ..
-  "to both sides the count differs when reversed"
+local every_other = "an even number of samples around the pixel alternates between the directions from one end on, so that " ..
+  "reversal swaps the directions"
 
 return pass.compute {
   name   = "gather_mcguire2012",
   shader = "gather/mcguire2012",
   doc    = "Blur along the dominant displacement, weighted by cones and cylinders",
-  fails  = "Too opaque inside silhouettes (6/7 instead of 1/2), with a step at them; coverage ramps are not straight lines, and "
-    .. "opacity grows with the number of samples. The background inside a silhouette is copied from outside. Motions that cross "
-    .. "the dominant one are blurred along it.",
+  fails  = "Too opaque inside silhouettes (6/7 instead of 1/2), with a step at them; coverage ramps are not straight lines, "
+    .. "and opacity grows with the number of samples. The background inside a silhouette is copied from outside. Motions that "
+    .. "cross the dominant one are blurred along it.",
   breaks = {
     converging = "opacity grows with the number of samples: the weight of the centre pixel does not scale with it",
   },

@@ -10,9 +10,9 @@ return pass.compute {
   name   = "gather_uniform",
   shader = "gather/uniform",
   doc    = "Blur along the dominant displacement; each tap stands for an equal fraction of the exposure",
-  fails  = "Without a revealed layer the background inside a silhouette is copied from outside. Where the background moves under "
-    .. "a moving silhouette, the product of two means differs from the mean of the product. Surfaces whose motion leaves the line "
-    .. "of the dominant one by more than 3/4 px are not found.",
+  fails  = "Without a revealed layer the background inside a silhouette is copied from outside. Where the background moves "
+    .. "under a moving silhouette, the product of two means differs from the mean of the product. Surfaces whose motion leaves "
+    .. "the line of the dominant one by more than 3/4 px are not found.",
   size   = { of = "color" },
   reads  = ports.of_layer { "after_velocity", "after_dominant" },
   writes = ports.layer,

@@ -10,7 +10,7 @@ return pass.trace {
     origin    = { format = "rgba32f", doc = "origin of the ray relative to the camera at the raster time, world axes, metres" },
     direction = { format = "rgba32f", doc = "direction of the ray, of any length; alpha: largest t" },
     hit       = { format = "rgba32ui", doc = "instance + 1, geometry, primitive, bits of t; 0 for a miss" },
-    color     = { format = "rgba32f", doc = "t of the hit in each channel, in lengths of the direction; 0 for a miss" },
+    color     = { format = "rgba32f", doc = "rgb: t of the hit; 0 for a miss" },
     blocked   = { format = "r32ui", doc = "1 if any surface lies on the ray" },
   },
   params = {

@@ -13,5 +13,6 @@ return pass.compute {
     before = { uint = true, doc = "number of listed pixels in the row of squares before the square" },
     totals = { buffer = true, doc = "number of listed pixels in each row of squares" },
   },
-  writes = { list = { format = "buffer32ui", each = 64, doc = "listed pixels, their number and the number of workgroups to dispatch" } },
+  writes = { list = { format = "buffer32ui", each = 64,
+    doc = "listed pixels, their number and the number of workgroups to dispatch" } },
 }
