@@ -19,6 +19,6 @@ return pass.compute {
   without = { motion = { mask = 0 } },
   params = {
     tile             = blur.tile,
-    min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "smallest displacement that counts as motion" },
+    min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "smallest displacement of a moving pixel" },
   },
 }

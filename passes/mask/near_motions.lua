@@ -10,7 +10,8 @@ return pass.compute {
   name   = "mask_near_motions",
   shader = "mask/near_motions",
   doc    = "Up to eight distinct displacements around each tile, nearest first",
-  fails  = "Of more than eight motions near a tile, the farthest are lost; among equally far ones, the last in raster order.",
+  fails  = "If there are more than eight motions near a tile, the farthest are lost; among equally far ones, the last in " ..
+           "raster order.",
   size   = { of = "motions" },
   reads  = {
     motions  = { doc = "two displacements of each tile, px over the exposure" },

@@ -15,7 +15,7 @@ return pass.compute {
     depth    = { doc = "linear view depth, metres; +inf for the sky" },
   },
   writes = {
-    motions  = { format = "rgba32f", doc = "longest displacement and the one that differs most from it, px over the exposure" },
+    motions  = { format = "rgba32f", doc = "longest displacement and the displacement farthest from it, px over the exposure" },
     farthest = { format = "r32f", doc = "linear view depth of the farthest moving surface, metres; 0 for none" },
   },
   without = { motion = { motions = 0, farthest = 0 }, reached = { motions = 0, farthest = 0 } },

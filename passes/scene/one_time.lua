@@ -13,7 +13,7 @@ return pass.trace {
   doc    = "One ray per pixel at a random time of the exposure, in tiles that a moving surface may reach",
   fails  = "Noise: one time sample represents the whole exposure. Misses surfaces that enter from outside the image where no "
     .. "tile around has a displacement.",
-  breaks = { mirrored = drawn, shifted = drawn, reversed = drawn, uniform = "a pixel has one random time sample instead of the mean" },
+  breaks = { mirrored = drawn, shifted = drawn, reversed = drawn, uniform = "a pixel has one random time sample" },
   size   = { of = "color" },
   reads  = {
     color    = { doc = "colour of the raster layer, linear radiance" },
