@@ -35,7 +35,7 @@ return pass.trace {
     same_depth    = captured_color.same_depth,
   },
   counters = {
-    samples = "time samples with a ray at their own time",
+    samples = "time samples resolved by a ray",
     shaded  = "hits shaded because the layers do not show their surface in enough detail",
     audited = "pixels whose resolved samples were validated by rays",
     wrong   = "validated pixels whose resolved samples have a wrong mean",

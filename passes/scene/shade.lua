@@ -26,7 +26,7 @@ return pass.trace {
     shadow_tile = pass.int { 8, min = 1, max = 64, unit = "px", wired = true,
       doc = "side of a tile whose shadow rays towards a light share one test" },
     shading = pass.choice { "frozen", "full", default = "frozen", role = "shading",
-      doc = "time of the poses used for shading: the raster time, or the node's own time",
+      doc = "time of the poses used for shading: the raster time, or the time of the sample",
       values = {
         frozen = "Shading at the raster time, whenever the point is visible: the information of filters of one image. " ..
                  "Fails where light, shadows or highlights move within the exposure: they stay fixed.",

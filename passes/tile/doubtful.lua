@@ -3,10 +3,10 @@
 local pass  = require "strobe.pass"
 local blur  = require "passes.lib.blur"
 
-local at_end = { optional = true, doc = 
+local at_end = { optional = true,
   doc = "bounds of displacements or path deviations, per cell, of surfaces visible only at shutter open or close, px; " ..
         "absent: none" }
-local behind = { optional = true, doc = 
+local behind = { optional = true,
   doc = "bounds of displacements or path deviations, per cell, of unreliable texels of the revealed layer, px; absent: none" }
 
 return pass.compute {

@@ -3,7 +3,7 @@
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
-local more = { optional = true, doc = 
+local more = { optional = true,
   doc = "longest displacement of each tile, of another layer or after the raster time, px over the exposure; absent: none" }
 
 return pass.compute {
