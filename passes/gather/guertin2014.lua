@@ -19,8 +19,9 @@ return pass.compute {
     .. "direction gets half of the samples.",
   size   = { of = "color" },
   reads  = ports.of_layer({ "second", "slowest" }, {
-    variance = { optional = true, doc = "variance of motion directions per tile, 0 (parallel) to 1; absent: half of the " ..
-      "samples take the second direction" },
+    variance = { optional = true,
+      doc = "variance of motion directions per tile, 0 (parallel) to 1; absent: half of the samples take the second " ..
+            "direction" },
   }),
   writes = ports.layer,
   without = ports.still,

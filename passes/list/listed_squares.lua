@@ -9,8 +9,8 @@ return pass.compute {
   fails  = "Never: the bits equal the mask.",
   size   = { of = "mask", divide = "listed_side" },
   reads  = { mask = { doc = "mask, above 1/2 at listed pixels" } },
-  writes = { bits = { format = "rg32ui", doc = "mask of each square of 8 x 8 pixels, one bit per pixel, in the order of " ..
-    "the list" } },
+  writes = { bits = { format = "rg32ui",
+    doc = "mask of each square of 8 x 8 pixels, one bit per pixel, in the order of the list" } },
   params = {
     listed_side = pass.int { 8, min = 8, max = 8, unit = "px", wired = true, doc = "side of a square" },
   },

@@ -23,8 +23,8 @@ return pass.compute {
     motions_1 = pair "third and fourth displacement, px over the exposure; 1e9 for none",
     motions_2 = pair "fifth and sixth displacement, px over the exposure; 1e9 for none",
     motions_3 = pair "seventh and eighth displacement, px over the exposure; 1e9 for none",
-    farthest_around = { format = "r32f", doc = "linear view depth of the farthest moving surface around each tile, metres; " ..
-      "0 for none" },
+    farthest_around = { format = "r32f",
+      doc = "linear view depth of the farthest moving surface around each tile, metres; 0 for none" },
   },
   params = {
     tile  = blur.tile,

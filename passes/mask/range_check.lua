@@ -23,7 +23,7 @@ return pass.compute {
       doc = "smallest displacement of a moving pixel; slower pixels count as static" },
     limit            = blur.limit,
     taps             = pass.int { 0, min = 0, max = 1024, doc = "number of steps along the displacement; 0: one per pixel" },
-    own_edge         = pass.bool { true, doc = "require that the first edge along the displacement belongs to the pixel's " ..
-      "own instance" },
+    own_edge         = pass.bool { true,
+      doc = "require that the first edge along the displacement belongs to the pixel's own instance" },
   },
 }

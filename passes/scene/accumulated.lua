@@ -12,19 +12,19 @@ return pass.trace {
   fails  = "Highlights and shadows that move within the exposure stay fixed to their surfaces.",
   size   = { of = "hit" },
   reads  = {
-    hit    = { uint = true, doc = "visible moving surface at the sample's time: instance + 1 (0 for none), geometry, " ..
-      "primitive" },
+    hit    = { uint = true,
+      doc = "visible moving surface at the sample's time: instance + 1 (0 for none), geometry, primitive" },
     color  = { doc = "colour of the raster layer, linear radiance" },
     depth  = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
     id     = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
-    ground = { doc = "static background behind moving surfaces; alpha: linear view depth, metres; 0 where the raster layer " ..
-                     "is static" },
+    ground = {
+      doc = "static background behind moving surfaces; alpha: linear view depth, metres; 0 where the raster layer is static" },
   },
-  updates = { moving = { format = "rgba32f", doc = "mean of the visible moving surfaces, linear radiance; alpha: number of " ..
-    "samples" } },
+  updates = { moving = { format = "rgba32f",
+    doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples" } },
   params = {
-    reused        = pass.bool { true, doc = "reuse colours of the raster layer where it shows the surface; off: shade " ..
-      "every sample" },
+    reused        = pass.bool { true,
+      doc = "reuse colours of the raster layer where it shows the surface; off: shade every sample" },
     shades_unlike = captured_color.shades_unlike,
     unlike        = captured_color.unlike,
     detail_below  = captured_color.detail_below,

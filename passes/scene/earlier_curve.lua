@@ -15,13 +15,15 @@ return pass.compute {
   scene  = true,
   reads  = followed,
   writes = {
-    velocity = { format = stored.velocity, doc = "displacement between the ends of the curve, px; a straight path keeps " ..
-      "its displacement" },
+    velocity = { format = stored.velocity,
+      doc = "displacement between the ends of the curve, px; a straight path keeps its displacement" },
     bend = { format = stored.velocity, doc = "path deviation from a straight line in the middle of the exposure, px" },
-    bent = { format = "r8_unorm", doc = "1 where the curve misses the true pose at shutter open or close by more than " ..
-      "`most_bend`, or the stretch exceeds `most_growth`" },
-    curve = { format = "rgba32f", doc = "offset b of the parabola, px: at the fraction u of the exposure the path is 4 u " ..
-      "(1 - u) b off its straight line" },
+    bent = { format = "r8_unorm",
+      doc = "1 where the curve misses the true pose at shutter open or close by more than `most_bend`, or the stretch " ..
+            "exceeds `most_growth`" },
+    curve = { format = "rgba32f",
+      doc = "offset b of the parabola, px: at the fraction u of the exposure the path is 4 u (1 - u) b off its straight " ..
+            "line" },
   },
   without = { motion = straight, curves = straight },
   params = {

@@ -14,8 +14,8 @@ return pass.compute {
     depth    = { format = "r32f", doc = "linear view depth, metres; +inf for the sky" },
     normal   = { format = "rgba32f", doc = "unit normal towards the camera, world space; 0 for the sky" },
     id       = { format = "rg32ui", doc = "instance + 1, geometry + 1; 0 for the sky" },
-    velocity = { format = stored.velocity, doc = "displacement of the surface, x right, y down, never clamped, px over the " ..
-      "exposure" },
+    velocity = { format = stored.velocity,
+      doc = "displacement of the surface, x right, y down, never clamped, px over the exposure" },
   },
   params = {
     velocity_format = stored.velocity_format,

@@ -10,8 +10,9 @@ return pass.trace {
   doc    = "Colours of the unresolved time samples of each pixel, by one ray per sample, traced at the time of the sample",
   size   = { of = "seen" },
   reads  = {
-    seen  = { pointwise = true, doc = "sum of the resolved samples, divided by the number of all samples, linear radiance; " ..
-      "alpha: fraction of resolved samples" },
+    seen  = { pointwise = true,
+      doc = "sum of the resolved samples, divided by the number of all samples, linear radiance; alpha: fraction of " ..
+            "resolved samples" },
     open  = { uint = true, doc = "bit i is set if time stratum i of at most 64 is unresolved" },
     hit   = { uint = true, doc = "surface of the raster layer: instance + 1 (0 for the sky), geometry, primitive" },
     color = { doc = "colour of the raster layer, linear radiance" },

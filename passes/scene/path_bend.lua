@@ -14,8 +14,8 @@ return pass.compute {
   writes = {
     bend = { format = stored.velocity, cleared = true,
       doc = "path deviation from a straight line in the middle of the exposure, px" },
-    bent = { format = "r8_unorm", cleared = true, doc = "1 where the path deviation exceeds `most_bend`, or the stretch " ..
-      "exceeds `most_growth`" },
+    bent = { format = "r8_unorm", cleared = true,
+      doc = "1 where the path deviation exceeds `most_bend`, or the stretch exceeds `most_growth`" },
   },
   without = { motion = { bend = 0, bent = 0 }, curves = { bend = 0, bent = 0 }, reached = { bend = 0, bent = 0 } },
   params = {

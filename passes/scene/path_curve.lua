@@ -14,11 +14,11 @@ return pass.compute {
   reads  = followed,
   writes = {
     bend = { format = stored.velocity, doc = "path deviation from a straight line in the middle of the exposure, px" },
-    bent = { format = "r8_unorm", doc = "1 where the path leaves the curve by more than `most_bend`, or the stretch " ..
-      "exceeds `most_growth`" },
-    curve = { format = "rgba32f", doc = "xy: offset b of the parabola, px: at the fraction u of the exposure the path is 4 " ..
-      "u (1 - u) b off its straight line; zw, of arcs: logarithm of the growth factor, and turn in radians, over the " ..
-      "exposure" },
+    bent = { format = "r8_unorm",
+      doc = "1 where the path leaves the curve by more than `most_bend`, or the stretch exceeds `most_growth`" },
+    curve = { format = "rgba32f",
+      doc = "xy: offset b of the parabola, px: at the fraction u of the exposure the path is 4 u (1 - u) b off its straight " ..
+            "line; zw, of arcs: logarithm of the growth factor, and turn in radians, over the exposure" },
   },
   without = { motion = { bend = 0, bent = 0, curve = 0 }, curves = { bend = 0, bent = 0, curve = 0 },
     depth = { bend = 0, bent = 0, curve = 0 } },

@@ -6,10 +6,10 @@ return pass.raster {
   name   = "peel",
   shader = "scene/peel",
   doc    = "Nearest triangle behind the layer in front, at each sample position: one step of depth peeling",
-  reads  = { front = { uint = true, doc = "surface of the layer in front: instance + 1 (0 for the sky), geometry, " ..
-    "primitive" } },
-  writes = { hit = { format = "rgba32ui", doc = "surface of the layer behind: instance + 1 (0 for the sky), geometry, " ..
-    "primitive, 0" } },
+  reads  = { front = { uint = true,
+    doc = "surface of the layer in front: instance + 1 (0 for the sky), geometry, primitive" } },
+  writes = { hit = { format = "rgba32ui",
+    doc = "surface of the layer behind: instance + 1 (0 for the sky), geometry, primitive, 0" } },
   params = {
     sides = pass.choice { "front", "all", default = "front", doc = "sides of triangles that form layers",
       values = {

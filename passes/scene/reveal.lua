@@ -21,8 +21,8 @@ return pass.trace {
     color    = { cleared = true, format = stored.color, doc = "colour of the revealed surface, linear radiance; 0 for none" },
     depth    = { cleared = true, format = "r32f",
       doc = "linear view depth of the revealed surface, metres; +inf for the sky, 0 for none" },
-    id       = { cleared = true, format = "rg32ui", doc = "instance + 1, geometry + 1 of the revealed surface; 0 for the " ..
-      "sky or none" },
+    id       = { cleared = true, format = "rg32ui",
+      doc = "instance + 1, geometry + 1 of the revealed surface; 0 for the sky or none" },
     velocity = { cleared = true, format = stored.velocity, doc = "displacement of the revealed surface, px over the exposure" },
     found    = { cleared = true, format = "rgba32ui",
       doc = "revealed surface: instance + 1 (0 for the sky or none), geometry, primitive" },

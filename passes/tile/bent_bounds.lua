@@ -15,10 +15,11 @@ return pass.compute {
     valid    = { doc = "mask, above 1/2 at unreliable texels" },
   },
   writes = {
-    bounds = { format = "rgba32f", doc = "bounds of the displacements: least x and y, greatest x and y, px over the " ..
-      "exposure; 0 without unreliable texels" },
-    bends  = { format = "rgba32f", doc = "bounds of the path deviations: least x and y, greatest x and y, px; 0 without " ..
-      "unreliable texels" },
+    bounds = { format = "rgba32f",
+      doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; 0 without unreliable " ..
+            "texels" },
+    bends  = { format = "rgba32f",
+      doc = "bounds of the path deviations: least x and y, greatest x and y, px; 0 without unreliable texels" },
   },
   without = { valid = { bounds = 0, bends = 0 }, reached = { bounds = 0, bends = 0 } },
   params = {

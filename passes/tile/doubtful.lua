@@ -18,8 +18,8 @@ return pass.compute {
   size   = { of = "bounds" },
   reads  = {
     bounds        = { doc = "bounds of the displacements of the unreliable texels in each cell, px over the exposure" },
-    bends         = { doc = "bounds of the path deviations of the unreliable texels in each cell, px in the middle of the " ..
-                            "exposure" },
+    bends         = {
+      doc = "bounds of the path deviations of the unreliable texels in each cell, px in the middle of the exposure" },
     behind_bounds = behind, behind_bends = behind,
     open_bounds   = at_end, open_bends = at_end, close_bounds = at_end, close_bends = at_end,
   },

@@ -15,8 +15,8 @@ return pass.compute {
   reads  = {
     longest = { doc = "longest displacement of each tile, px over the exposure" },
     after = more, revealed = more, revealed_after = more,
-    curve = { optional = true, needs = "curve", doc = "curve of the path of each tile's longest displacement, px; absent: " ..
-      "paths are straight lines" },
+    curve = { optional = true, needs = "curve",
+      doc = "curve of the path of each tile's longest displacement, px; absent: paths are straight lines" },
   },
   writes = { reach = { format = "r32f", doc = "length of the longest displacement, one texel, px over the exposure" } },
   without = { motion = { reach = 0 } },

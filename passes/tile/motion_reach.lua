@@ -28,11 +28,11 @@ return pass.compute {
     reach = reach,
   },
   writes = {
-    moved  = { cleared = true, format = "r8_unorm", doc = "1 if a moving surface is in the cell at some time, 0 if all is " ..
-      "static" },
+    moved  = { cleared = true, format = "r8_unorm",
+      doc = "1 if a moving surface is in the cell at some time, 0 if all is static" },
     behind = { cleared = true, format = "r8_unorm", doc = "1 if a revealed surface is in the cell at some time" },
-    missed = { cleared = true, format = "r8_unorm", doc = "1 if a surface with a motion outside the candidates reaches the " ..
-      "cell" },
+    missed = { cleared = true, format = "r8_unorm",
+      doc = "1 if a surface with a motion outside the candidates reaches the cell" },
   },
   params = {
     cell_side = blur.cell_side,

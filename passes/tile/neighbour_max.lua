@@ -13,10 +13,10 @@ return pass.compute {
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "longest displacement of each tile, px over the exposure" },
-    motions = { optional = true, doc = "two displacements that represent each tile, px over the exposure; absent: " ..
-      "`longest` alone" },
-    curve = { optional = true, needs = "curve", doc = "curve of the path of each tile's longest displacement, px; absent: " ..
-      "paths are straight lines" },
+    motions = { optional = true,
+      doc = "two displacements that represent each tile, px over the exposure; absent: `longest` alone" },
+    curve = { optional = true, needs = "curve",
+      doc = "curve of the path of each tile's longest displacement, px; absent: paths are straight lines" },
     place = { optional = true, needs = "curve", doc = "texel that has the longest displacement of each tile, px" },
     reach = reach,
   },
@@ -24,8 +24,8 @@ return pass.compute {
     dominant = { format = "rg32f", doc = "longest displacement that reaches each tile, px over the exposure" },
     dominant_curve = { format = "rgba32f", doc = "curve of the path of the dominant displacement, px" },
     dominant_place = { format = "rg32f", doc = "texel that has the dominant displacement, px; 0 if paths are straight lines" },
-    second   = { format = "rg32f", doc = "displacement that differs most from the dominant one, px over the exposure; " ..
-      "equal to it if none differs" },
+    second   = { format = "rg32f",
+      doc = "displacement that differs most from the dominant one, px over the exposure; equal to it if none differs" },
   },
   without = { motion = { dominant = 0, dominant_curve = 0, dominant_place = 0, second = 0 } },
   params = {

@@ -11,8 +11,8 @@ return pass.compute {
   fails  = "One static pixel in range makes the whole neighbourhood count as static.",
   size   = { of = "shortest" },
   reads  = { shortest = { doc = "length of the shortest displacement of each tile, px over the exposure" }, reach = reach },
-  writes = { slowest = { format = "r32f", doc = "length of the shortest displacement around each tile, px over the " ..
-    "exposure" } },
+  writes = { slowest = { format = "r32f",
+    doc = "length of the shortest displacement around each tile, px over the exposure" } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

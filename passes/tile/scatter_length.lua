@@ -11,7 +11,7 @@ return pass.compute {
            "cross in a tile, one is lost.",
   size   = { of = "longest" },
   reads  = { longest = { doc = "longest displacement of each tile, px over the exposure" } },
-  updates = { length = { format = "r32ui", doc = "length of the longest displacement as the bits of a float, px over the " ..
-    "exposure; 0 for none" } },
+  updates = { length = { format = "r32ui",
+    doc = "length of the longest displacement as the bits of a float, px over the exposure; 0 for none" } },
   params = { tile = blur.tile },
 }

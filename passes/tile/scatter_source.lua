@@ -11,8 +11,8 @@ return pass.compute {
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "longest displacement of each tile, px over the exposure" },
-    length  = { uint = true, doc = "length of the longest displacement that reaches each tile, bits of a float, from " ..
-      "`scatter_length`" },
+    length  = { uint = true,
+      doc = "length of the longest displacement that reaches each tile, bits of a float, from `scatter_length`" },
   },
   updates = { source = { format = "r32ui",
     doc = "number of tiles minus the raster index of the tile of origin; 0 for none" } },

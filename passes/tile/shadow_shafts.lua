@@ -12,8 +12,9 @@ return pass.trace {
            "backends all lights are mixed.",
   size   = { of = "hit", divide = "shadow_tile" },
   reads  = { hit = { uint = true, doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive" } },
-  writes = { sure = { format = "rg32ui", doc = "bits of the first 32 lights; x: visible from the whole tile, y: blocked " ..
-    "from the whole tile; neither: mixed, traced per pixel" } },
+  writes = { sure = { format = "rg32ui",
+    doc = "bits of the first 32 lights; x: visible from the whole tile, y: blocked from the whole tile; neither: mixed, " ..
+          "traced per pixel" } },
   without = { shadows = { sure = 0 } },
   params = {
     shadow_tile = shade.params.shadow_tile,

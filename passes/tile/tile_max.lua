@@ -19,15 +19,15 @@ return pass.compute {
       doc = "curve of the screen path, px; absent: paths are straight lines" },
     extra_curve    = { optional = true, needs = "curve",
       doc = "curve of the screen path of the second layer, px; absent: paths are straight lines" },
-    extra_velocity = { optional = true, doc = "displacement of a second layer at the same pixels, px over the exposure; " ..
-      "absent: one layer" },
+    extra_velocity = { optional = true,
+      doc = "displacement of a second layer at the same pixels, px over the exposure; absent: one layer" },
     extra_valid    = { optional = true, doc = "mask, above 1/2 at texels of the second layer that count; absent: all texels" },
   },
   writes = { longest = { format = "rg32f",
                doc = "longest displacement, px over the exposure; the first in raster order among equal lengths" },
              curve_of_it = { format = "rgba32f", doc = "curve of the path of the longest displacement, px" },
-             place_of_it = { format = "rg32f", doc = "texel that has the longest displacement, px; 0 if paths are straight " ..
-               "lines" } },
+             place_of_it = { format = "rg32f",
+               doc = "texel that has the longest displacement, px; 0 if paths are straight lines" } },
   without = { motion = nothing, reached = nothing },
   params = {
     tile  = blur.tile,

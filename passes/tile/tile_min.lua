@@ -14,8 +14,8 @@ return pass.compute {
     velocity = { doc = "displacement of the surface, px over the exposure" },
     valid    = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
   },
-  writes = { shortest = { format = "r32f", doc = "length of the shortest displacement, px over the exposure; the limit in " ..
-    "a tile without counting texels" } },
+  writes = { shortest = { format = "r32f",
+    doc = "length of the shortest displacement, px over the exposure; the limit in a tile without counting texels" } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

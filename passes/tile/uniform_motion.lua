@@ -18,8 +18,8 @@ return pass.trace {
     reach    = reach,
   },
   writes = {
-    certain = { format = "r8_unorm", doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, " ..
-      "otherwise 0" },
+    certain = { format = "r8_unorm",
+      doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, otherwise 0" },
     longest = { format = "rg32f", doc = "longest displacement of the surfaces that reach the cell, px over the exposure" },
   },
   without = { motion = { certain = 0, longest = 0 } },

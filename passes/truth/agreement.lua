@@ -10,8 +10,8 @@ return pass.compute {
   size   = { of = "ground" },
   reads  = {
     ground = { uint = true,
-      doc = "surface found by the samples; x: 0 none, 1 sky, 2 + instance; y: geometry; z: triangle. A moving surface only " ..
-            "if all samples found it" },
+      doc = "surface found by the samples; x: 0 none, 1 sky, 2 + instance; y: geometry; z: triangle. A moving surface is " ..
+            "stored only if no sample found a static surface" },
     still  = { doc = "mean colour of the static surface, linear radiance" },
     unlike = { doc = "largest difference of a sample's colour from the mean of the samples before it, relative to that mean" },
     shadows = { uint = true,
@@ -30,8 +30,8 @@ return pass.compute {
   params = {
     even_within = pass.float { 0.02, min = 0, max = 1,
       doc = "largest difference of colours from their mean, relative to the mean, that counts as one colour" },
-    one_shading = pass.bool { true, wired = true, doc = "set if all samples are shaded at the raster time, so that one " ..
-      "colour may suffice" },
+    one_shading = pass.bool { true, wired = true,
+      doc = "set if all samples are shaded at the raster time, so that one colour may suffice" },
     audit = pass.float { 0, min = 0, max = 1, wired = true,
       doc = "fraction of the pixels that take all samples, for validation" },
   },

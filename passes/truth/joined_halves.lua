@@ -12,10 +12,10 @@ return pass.compute {
   size   = { of = "first_a" },
   reads  = { first_a = half, first_b = half, more_a = half, more_b = half, first_regions = bits, more_regions = bits },
   writes = {
-    mean_a  = { format = "rgba32f", doc = "mean of one half of all samples, linear radiance; alpha: number of samples in " ..
-      "that half" },
-    mean_b  = { format = "rgba32f", doc = "mean of the other half of all samples, linear radiance; alpha: number of " ..
-      "samples in that half" },
+    mean_a  = { format = "rgba32f",
+      doc = "mean of one half of all samples, linear radiance; alpha: number of samples in that half" },
+    mean_b  = { format = "rgba32f",
+      doc = "mean of the other half of all samples, linear radiance; alpha: number of samples in that half" },
     regions = { format = "r32ui", doc = "region of the pixel as bits: 1 inner, 2 hidden, 4 outer, 8 self" },
   },
 }

@@ -12,7 +12,7 @@ return pass.compute {
   reads  = { mean_a = half, mean_b = half },
   writes = {
     color = { format = "rgba32f", doc = "mean of all samples, linear radiance; alpha 1" },
-    error = { format = "rgba32f", doc = "half of the absolute difference of both means, linear radiance; alpha: number of " ..
-      "samples" },
+    error = { format = "rgba32f",
+      doc = "half of the absolute difference of both means, linear radiance; alpha: number of samples" },
   },
 }

@@ -13,27 +13,27 @@ return pass.trace {
   reads  = {
     hit = { uint = true, doc = "surface of the raster layer: instance + 1 (0 for the sky), geometry, primitive" },
     listed = { buffer = true, optional = true, doc = "list of the pixels to sample; absent: all pixels" },
-    sure = { optional = true, uint = true, doc = "bits per tile from `shadow_shafts`: lights whose shadow rays need no " ..
-      "tracing" },
+    sure = { optional = true, uint = true,
+      doc = "bits per tile from `shadow_shafts`: lights whose shadow rays need no tracing" },
     known_hit     = { optional = true, uint = true, doc = "surface that the first samples agree on, from `truth_agreement`" },
-    known_shadows = { optional = true, uint = true, doc = "light visibility that the first samples agree on, from " ..
-      "`truth_agreement`" },
-    even_color    = { optional = true, doc = "colour of the static surface that the first samples agree on, from " ..
-      "`truth_agreement`" },
+    known_shadows = { optional = true, uint = true,
+      doc = "light visibility that the first samples agree on, from `truth_agreement`" },
+    even_color    = { optional = true,
+      doc = "colour of the static surface that the first samples agree on, from `truth_agreement`" },
     first_ground  = { optional = true, uint = true, doc = "static or common surface of earlier samples, encoded as `ground`" },
     first_still   = { optional = true, doc = "mean colour of the static surface in earlier samples, encoded as `still`" },
     first_regions = { optional = true, uint = true, doc = "regions of earlier samples, encoded as `regions`" },
   },
   over = "listed",
   updates = {
-    mean_a  = { format = "rgba32f", doc = "mean of one half of the samples, linear radiance; alpha: number of samples in " ..
-      "that half" },
-    mean_b  = { format = "rgba32f", doc = "mean of the other half of the samples, linear radiance; alpha: number of " ..
-      "samples in that half" },
+    mean_a  = { format = "rgba32f",
+      doc = "mean of one half of the samples, linear radiance; alpha: number of samples in that half" },
+    mean_b  = { format = "rgba32f",
+      doc = "mean of the other half of the samples, linear radiance; alpha: number of samples in that half" },
     regions = { format = "r32ui", doc = "region of the pixel as bits: 1 inner, 2 hidden, 4 outer, 8 self" },
     still   = { format = "rgba32f", doc = "mean colour of the static surface, linear radiance; alpha: number of samples" },
-    unlike  = { format = "r32f", doc = "largest difference of a sample's colour from the mean of the samples before it, " ..
-      "relative to that mean" },
+    unlike  = { format = "r32f",
+      doc = "largest difference of a sample's colour from the mean of the samples before it, relative to that mean" },
     ground  = { format = "rgba32ui",
       doc = "surface found by the samples; x: 0 none, 1 sky, 2 + instance, 2^32 - 1 several; y: geometry; z: triangle; w: " ..
             "distance as bits of a float. Moving surfaces are recorded only where no sample found a static surface, with " ..
@@ -53,8 +53,8 @@ return pass.trace {
     pixel   = pass.choice { "centre", "box", default = "centre",
       doc = "sample positions within the pixel: its centre, or its whole area" },
     in_turn = pass.bool { false, wired = true,
-      doc = "spread sample positions evenly in the order of the iterations, wherever the loop stops; off: evenly together " ..
-            "with the time strata" },
+      doc = "spread sample positions evenly over successive iterations, so that the loop may stop at any time; off: spread " ..
+            "positions evenly together with the time strata" },
     shadow_tile = shade.params.shadow_tile,
     every_ray = pass.bool { false, doc = "trace every ray, including rays whose result other samples have found" },
     keeps_notes = pass.bool { false, wired = true, doc = "store per-pixel statistics of the samples, for `truth_agreement`" },
