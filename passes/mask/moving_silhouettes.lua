@@ -10,7 +10,7 @@ return pass.compute {
   size   = { of = "velocity" },
   reads  = {
     velocity       = { doc = "displacement of the surface, px over the exposure" },
-    after_velocity = { optional = true, 
+    after_velocity = { optional = true,
       doc = "displacement of the surface at times after the raster time, px over the exposure; absent: equal to `velocity`" },
   },
   writes = { near = { format = "r8_unorm", cleared = true, doc = "mask, 1 beside a texel with different motion" } },

@@ -11,7 +11,7 @@ local nothing = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0, found =
 return pass.trace {
   name   = "reveal",
   shader = "scene/reveal",
-  doc    = "Colour, depth, ids and displacement of the surface behind the masked foreground, by one ray path per pixel",
+  doc    = "Colour, depth, ids and displacement of the surface behind the masked foreground",
   size   = { of = "hit" },
   reads  = {
     hit  = { uint = true, doc = "foreground surface: instance + 1 (0 for the sky), geometry, primitive" },
@@ -59,7 +59,7 @@ return pass.trace {
       doc = "continuation of a ray past a hit",
       values = {
         instance_filter = "One traversal of the same ray that ignores the instance in front (with termination = geometry: " ..
-                          "only its geometry in front). Instance and geometry termination need one ray and never reach the " ..
+                          "only its front geometry). Instance and geometry termination need one ray and never reach the " ..
                           "cap; luminance and motion termination visit the hits on other instances in turn. Luminance " ..
                           "termination then never stops at the back of the foreground.",
         origin_kept     = "Hit by hit along the same ray, with its lower bound raised by 4 units in the last place. Loses " ..
@@ -80,9 +80,9 @@ return pass.trace {
       doc = "largest screen distance between the motions of a surface and the foreground that counts as moving along; with " ..
             "termination = motion or uncovered" },
     tolerance = pass.float { 0.01, min = 0, max = 1,
-      doc = "relative luminance difference of another object, plus 0.0001; with termination = luminance" },
+      doc = "smallest relative luminance difference of another object, plus 0.0001; with termination = luminance" },
     luminance_of = pass.choice { "radiance", "base_color", "material", default = "radiance",
-      doc = "quantity compared by termination = luminance; the paper says only luminance of an object",
+      doc = "quantity compared by termination = luminance; the paper does not define the luminance of an object",
       values = {
         radiance   = "Radiance towards the camera, as in the picture. Treats a surface and its own back as different " ..
                      "objects if their lighting differs.",

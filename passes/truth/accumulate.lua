@@ -4,7 +4,7 @@ local pass = require "strobe.pass"
 
 local function half(which)
   return { format = "rgba32f",
-    doc = "mean of the samples of  iterations, linear radiance; alpha: number of those samples" }
+    doc = "mean of the samples of " .. which .. " iterations, linear radiance; alpha: number of those samples" }
 end
 
 return pass.compute {
