@@ -6,7 +6,7 @@ local blur = require "passes.lib.blur"
 return pass.compute {
   name   = "along_motion",
   shader = "filter/along_motion",
-  doc    = "Mean of five pixels along the dominant displacement, 2^octave px apart, weighted by similarity of luminance",
+  doc    = "Mean of five pixels along the dominant displacement, 2^octave px apart, weighted by luminance and variance",
   fails  = "Adds bias: where motions differ, everything is blurred along the longest one. Textures and silhouettes along it "
     .. "are blurred if their contrast is within the noise. Noise that the levels do not reach remains.",
   breaks = { linear = "weights depend on differences of luminance, and so on the light" },

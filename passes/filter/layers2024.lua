@@ -23,7 +23,7 @@ end
 return pass.compute {
   name   = "layers2024",
   shader = "filter/layers2024",
-  doc    = "For each time sample, the nearest texel of all layers that lies back along a displacement and moves by it",
+  doc    = "For each time sample, the nearest texel of all layers that moves by the displacement that leads to it",
   fails  = "Surfaces in no layer are missing: surfaces that enter, have left or face away, and surfaces behind more layers "
     .. "than there are. The background shows through where the missing surface is the nearest. Only the pixel's own "
     .. "displacements and the longest of its tile are searched; surfaces with other displacements are missed. Motion that "

@@ -9,7 +9,7 @@ return {
     doc = "side of a tile, a square of pixels with one dominant displacement" },
 
   cell_side = param.int { 10, min = 1, max = 1024, unit = "px",
-    doc = "side of a cell, a square of pixels that is skipped if the bounds of the displacements show that it needs no work" },
+    doc = "side of a cell, a square of pixels that is skipped if the bounds of its displacements show that it needs no work" },
 
   limit = param.float { "auto", min = 0, max = 10, auto = true, unit = "image widths", role = "reach",
     doc = "longest displacement that filters handle; longer ones are shortened and counted. auto: no limit; filters search " ..

@@ -17,8 +17,8 @@ return pass.trace {
     color  = { doc = "colour of the raster layer, linear radiance" },
     depth  = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
     id     = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
-    ground = { doc = "static background behind moving surfaces; alpha: linear view depth, metres, 0 where the raster layer is " ..
-                     "static; rgb is not read" },
+    ground = { doc = "static background behind moving surfaces; alpha: linear view depth, metres, 0 where the raster layer " ..
+                     "is static; rgb is not read" },
   },
   updates = { moving = { format = "rgba32f",
     doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples" } },

@@ -38,13 +38,13 @@ return pass.compute {
     },
     not_finite = {
       doc   = "pixels whose displacement is not a finite number",
-      limit = "it was replaced by 0, so that the pixel is not blurred. Check the transforms of the visible objects for " ..
-              "lengths beyond single precision",
+      limit = "the displacement was replaced by 0, so that the pixel is not blurred. Check the transforms of the visible " ..
+              "objects for lengths beyond single precision",
     },
     stretched = {
       doc   = "pixels whose displacement is the path of one frame, scaled to an exposure of more than one frame",
-      limit = "motion before the previous frame is assumed to be the same. Use displacement = window, or an exposure of at " ..
-              "most 1",
+      limit = "motion outside that frame interval is assumed to be the same. Use displacement = window, or an exposure of " ..
+              "at most 1",
     },
     velocity_clamped = stored.counters.velocity_clamped,
     depth_lost       = stored.counters.depth_lost,

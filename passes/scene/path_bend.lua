@@ -23,7 +23,7 @@ return pass.compute {
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "largest path deviation from a straight line in the middle of the exposure" },
     most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",
-      doc = "largest length of a stretched pixel of a surface; with more stretch the taps of a filter leave holes" },
+      doc = "largest distance of adjacent texels of a surface after stretching; beyond it the taps of a filter leave holes" },
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
   fails  = "A path that crosses its straight line in the middle of the exposure, such as a fast oscillation, is treated as " ..

@@ -28,7 +28,7 @@ return pass.compute {
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "largest distance of the path from the curve" },
     most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",
-      doc = "largest length of a stretched pixel of a surface; with more stretch the taps of a filter leave holes" },
+      doc = "largest distance of adjacent texels of a surface after stretching; beyond it the taps of a filter leave holes" },
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
   fails  = "Parabolas fail beyond a sixth of a turn. Arcs fail beyond one and a quarter turns, and for circles seen obliquely.",

@@ -12,7 +12,7 @@ local behind = { optional = true,
 return pass.compute {
   name   = "doubtful",
   shader = "tile/doubtful",
-  doc    = "Time strata of each cell that an unreliable surface passes over: one whose position the layers do not predict",
+  doc    = "Time strata, per cell, with an unreliable surface: its position then does not follow from the layers",
   fails  = "Conservative: may mark extra cells around a cell with several motions. A path that is not a parabola may leave " ..
            "the marked cells.",
   size   = { of = "bounds" },

@@ -18,8 +18,8 @@ return pass.compute {
     valid          = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
   },
   writes = { bounds = { format = "rgba32f",
-    doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; least above greatest " ..
-          "without texels" } },
+    doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; least exceeds greatest in a " ..
+          "cell where no texel counts" } },
   without = { reached = { bounds = 0 } },
   params = {
     cell_side = blur.cell_side,

@@ -36,8 +36,8 @@ return pass.compute {
       values = {
         reach = "Tiles whose box passes over this tile within the exposure. Fails for a slow pixel of a tile whose longest "
           .. "displacement misses this tile.",
-        sign = "Tiles whose displacement points here on every axis that separates the tiles (Guertin et al. 2014). Fails as "
-          .. "reach does, and lets distant tiles dominate that stop short of this tile.",
+        sign = "Tiles whose displacement points to this tile on every axis that separates the two (Guertin et al. 2014). Fails "
+          .. "as reach does, and lets distant tiles dominate that stop short of this tile.",
         all = "Every tile in range (McGuire et al. 2012). Fails by letting motion dominate that never reaches this tile.",
       } },
   },

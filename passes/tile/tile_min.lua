@@ -15,7 +15,7 @@ return pass.compute {
     valid    = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
   },
   writes = { shortest = { format = "r32f",
-    doc = "length of the shortest displacement, px over the exposure; the limit in a tile without counting texels" } },
+    doc = "length of the shortest displacement, px over the exposure; the limit in a tile where no texel counts" } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

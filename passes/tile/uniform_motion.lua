@@ -9,7 +9,7 @@ return pass.trace {
   shader = "tile/uniform_motion",
   doc    = "Reliability of a gather per cell: all surfaces that reach the cell move alike, and a few rays confirm it",
   fails  = "Misses objects smaller than a cell that are neither in the raster layer nor hit by a validation ray.",
-  breaks = { mirrored = "the pixels of a cell with a ray depend on the screen position of the cell" },
+  breaks = { mirrored = "the choice of the pixels with rays depends on the screen position of the cell" },
   size   = { of = "bounds" },
   reads  = {
     bounds   = { doc = "bounds of the displacements in each cell, px over the exposure" },

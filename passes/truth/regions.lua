@@ -14,6 +14,6 @@ return pass.compute {
     hidden = { format = "r8_unorm", doc = "1 where any time sample hits a point that is occluded at the raster time" },
     outer  = { format = "r8_unorm", doc = "1 where any time sample hits another, nearer instance than at the raster time" },
     self   = { format = "r8_unorm",
-      doc = "1 where any time sample hits an occluded point of the instance that is visible at the raster time" },
+      doc = "1 where any time sample hits a point, occluded at the raster time, of the instance visible at the raster time" },
   },
 }

@@ -11,6 +11,6 @@ return pass.compute {
   writes = { stop = { format = "r32f", doc = "1 to stop the loop, otherwise 0" } },
   params = {
     tolerance   = pass.float { 0.001, min = 0, max = 1e6, doc = "largest standard error of the mean, linear radiance" },
-    min_samples = pass.int { 64, min = 1, max = 65536, doc = "number of samples before the first stop test" },
+    min_samples = pass.int { 64, min = 1, max = 65536, doc = "smallest number of samples before the loop may stop" },
   },
 }
