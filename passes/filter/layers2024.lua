@@ -48,7 +48,7 @@ return pass.compute {
     missed = "time samples that no layer resolves; the mean omits them",
     varied = {
       doc   = "time samples that skip the visible surface because its displacement varies from texel to texel",
-      limit = "a surface behind it was used instead and shows through. Raise `agreement`, or shorten the exposure",
+      limit = "a surface behind it was used instead: it shows through. Raise `agreement`, or shorten the exposure",
     },
   },
 }

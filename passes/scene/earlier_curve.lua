@@ -32,7 +32,7 @@ return pass.compute {
     most_growth = path_curve.params.most_growth,
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
-  fails  = "A surface that changes direction after the raster time continues as before. Errors of the poses are amplified the " ..
-           "farther the exposure extends beyond them. Wrong in the first frames of a clip, whose earlier frames are static. " ..
-           "A surface in the same position as one frame ago is treated as static.",
+  fails  = "A surface that changes direction after the raster time continues as before. Errors of the poses are amplified " ..
+           "the farther the exposure extends beyond them. Wrong in the first frames of a clip, whose earlier frames are " ..
+           "static. A surface in the same position as one frame ago is treated as static.",
 }

@@ -42,7 +42,7 @@ return pass.compute {
               "objects for lengths beyond single precision",
     },
     stretched = {
-      doc   = "pixels whose displacement is the path of one frame, scaled to an exposure of more than one frame",
+      doc   = "pixels whose displacement is the path of one frame, stretched over an exposure of more than one frame",
       limit = "motion outside that frame interval is assumed to be the same. Use displacement = window, or an exposure of " ..
               "at most 1",
     },

@@ -100,7 +100,7 @@ return pass.trace {
               "`max_layers`, or use advance = instance_filter, which skips the object in front at once",
     },
     passed = {
-      doc   = "rays that pass through another instance with the luminance of the foreground",
+      doc   = "rays that pass through another instance as bright as the foreground",
       limit = "the surface behind that instance was revealed instead. Use termination = instance",
     },
     not_finite = shade.counters.not_finite,

@@ -16,7 +16,7 @@ return pass.trace {
   writes = { color = { format = stored.color, doc = "colour, linear radiance; alpha 1" } },
   counters = {
     not_finite = {
-      doc   = "radiances that are not finite numbers",
+      doc   = "radiances that were not finite numbers",
       limit = "NaN became 0 and infinity 65504. Check the textures, lights and normals of the visible objects",
     },
     color_clamped = stored.counters.color_clamped,
