@@ -99,7 +99,7 @@
 ---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string|strobe.Counter> counters, each with its counted event
----@field without? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact fails or a read is 0
+---@field without? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read 0
 
 ---An image port of a node, to be wired to a read.
 ---@class strobe.Image
@@ -162,7 +162,7 @@ function pass.choice(t) end
 ---@class strobe.PipelineTable
 ---@field doc string result and source of the method
 ---@field params? table<string, strobe.Param>
----@field kind? "method"|"sharp"|"truth"|"list" "truth" has an output `error`; a "list" has no pixels; default "method"
+---@field kind? "method"|"sharp"|"truth"|"list" "truth" has an output `error`; a "list" is not a picture; default "method"
 ---@field presets? table<string, strobe.Preset> by name, for `--set preset=NAME`
 ---@field default_preset? string name of the default preset; default "none"
 ---@field breaks? table<strobe.Invariant, string> invariants that do not hold with any values, with reasons
