@@ -1,6 +1,6 @@
 ---@meta
 -- SPDX-License-Identifier: MIT
--- Annotations with which editors complete and check passes and pipelines. The program does not load this file.
+-- Annotations for editors, which complete and check passes and pipelines. The program does not load this file.
 -- A test compares the fields below with the fields that scripts/strobe accepts.
 
 ---@alias strobe.Format
@@ -14,7 +14,7 @@
 ---| "constant" | "still" | "brief" | "mirrored" | "shifted" | "reversed" | "convex" | "uniform" | "linear" | "scaled"
 ---| "converging" | "unmasked" | "finite" | "permuted"
 
----Role of a parameter, by which commands find it without its name; at most one of each in a pipeline.
+---Role of a parameter: commands find it by its role, without its name. At most one of each in a pipeline.
 ---@alias strobe.Role
 ---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
 ---| "still_once" | "moving_alone" | "within_reach"

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Rays with which tracing backends are compared with each other. Not a picture of the scene.
+-- Rays for comparing tracing backends with each other. Not a picture of the scene.
 local pipeline = require "strobe.pipeline"
 local rays     = require "passes.inspect.test_rays"
 

@@ -22,8 +22,8 @@ return pipeline {
         none = "Shading, in the pose of the raster time, of every sample. Costs a shadow ray per sample and light.",
         blended = "Blend of the four nearest texels of the raster image if they show the surface, otherwise shading. Fails " ..
                   "by smoothing textures.",
-        detailed = "As blended, but shading where the four texels differ by more than `unlike` and the surface moves by at " ..
-                   "most `detail_below` from sample to sample.",
+        detailed = "The blend, except where the four texels differ by more than `unlike` and the surface moves by at most " ..
+                   "`detail_below` from sample to sample: there shading.",
       } },
     unlike = captured_color.unlike {
       doc = "with reuse = detailed: largest difference of the four texels that are blended, share of their colour" },

@@ -93,7 +93,7 @@ return pipeline {
     mark_regions = bool { true, role = "regions",
       doc = "find the error regions; costs one more ray per sample" },
     audit        = trace.params.audit,
-    tolerance    = float { 0, min = 0, max = 1e6, doc = "standard error of the mean at which sampling stops; 0 = never" },
+    tolerance    = float { 0, min = 0, max = 1e6, doc = "standard error of the mean that stops sampling; 0 = never" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"

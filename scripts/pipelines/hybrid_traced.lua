@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Extension of hybrid_layered: time samples that the layers do not resolve are traced, each at its own time.
+-- Extension of hybrid_layered: rays resolve the time samples that the layers leave unresolved.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.composite.layered"

@@ -102,7 +102,7 @@ end
 
 local function bar(displacement_px, set, more) return bar_in(48, 4, displacement_px, 16, 32, set, more) end
 
--- Share of the window [from, to] (in exposures, relative to the raster time) in which a bar [left, right) that moves by `d` px
+-- Share of the window [from, to] (in exposures, relative to the raster time) while a bar [left, right) that moves by `d` px
 -- covers x.
 local function coverage(left, right, d, from, to, x)
   if d == 0 then return x >= left and x < right and 1 or 0 end

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Captures: pictures that can be rendered again bit for bit, and the figures and films made of them. `capture { ... }` is
--- checked as a whole and reports all mistakes at once. docs/captures.md explains each field.
+-- Captures: pictures that can be rendered again bit for bit, and figures and films of these pictures. `capture { ... }` is
+-- checked as a whole and reports all mistakes at once. docs/captures.md describes each field.
 local check      = require "strobe.check"
 local experiment = require "strobe.experiment"
 local fields     = require "strobe.fields"
@@ -16,8 +16,8 @@ local copied = fields.copied
 -- Fields of each table, with their types; optional fields may be left out. A shot also has the options of the command line.
 capture.fields = {
   -- layers: images in a picture's file besides its colour: "all" (every output of every pass) or a list of outputs and
-  -- "node.port". most_flip: largest mean FLIP at which a picture of another device counts as equal. truth: name of the arm that
-  -- errors are measured against. figures, films: see strobe.figure.
+  -- "node.port". most_flip: largest mean FLIP of equal pictures of different devices. truth: name of the
+  -- reference arm of errors. figures, films: see strobe.figure.
   capture = {
     title = { text }, note = { text, optional = true }, size = { list, optional = true },
     seed = { number, optional = true }, shots = { list }, arms = { list }, truth = { text, optional = true },

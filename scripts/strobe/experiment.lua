@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Experiments: arms render shots along axes, the pictures are measured against truth, and expectations check the numbers.
--- `experiment { ... }` is checked as a whole and reports all mistakes at once. docs/writing-experiments.md explains each field.
+-- `experiment { ... }` is checked as a whole and reports all mistakes at once. docs/writing-experiments.md describes each field.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local judge  = require "strobe.judge"
@@ -50,10 +50,10 @@ experiment.fields = {
     full = { map, optional = true },
   },
   -- at: function from a value to its settings; default: the value sets the parameter or option of the axis' name. shots: names
-  -- of the shots that vary; default: all. benign: the value at which nothing is extreme. region: region of the curves.
-  -- same_picture: the picture does not depend on the value. fixed, note, reading: texts; {ARM @ VALUE} in a reading is
-  -- replaced by that error. against, costs: for `strobe bench slopes`, the measure used instead of the values and the expected
-  -- growth of times.
+  -- of the shots that vary; default: all. benign: the value without extremes, the reference for the others. region: region of
+  -- the curves. same_picture: the picture does not depend on the value. fixed, note, reading: texts; {ARM @ VALUE} in a reading
+  -- is replaced by the error of ARM at VALUE. against, costs: for `strobe bench slopes`, the measure used instead of the values
+  -- and the expected growth of times.
   axis = {
     name = { text }, values = { list }, at = { func, optional = true }, shots = { list, optional = true },
     title = { text, optional = true }, unit = { text, optional = true }, scale = { text, optional = true },
@@ -62,7 +62,7 @@ experiment.fields = {
     fixed = { text, optional = true }, note = { text, optional = true }, reading = { text, optional = true },
     against = { text, optional = true }, costs = { list, optional = true },
   },
-  -- part: "frame", "passes" (each pass that no other entry names) or a node. arm: the only arm to which the entry applies.
+  -- part: "frame", "passes" (each pass that no other entry names) or a node. arm: the entry applies only to this arm.
   cost = { part = { text }, grows = { text }, arm = { text, optional = true }, why = { text, optional = true } },
   -- arm: the arm whose outputs `color` and `valid` hold the background. front: the arm that shows the foreground.
   background = { arm = { text }, color = { text }, valid = { text }, front = { text } },

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Figures and films of a capture: checks of their tables, and their form as plain data. docs/figures.md explains each field.
+-- Figures and films of a capture: checks of their tables, and their form as plain data. docs/figures.md describes each field.
 -- A field of a cell may also be set in its figure, row or column. The cell overrides its column, the column its row, the row
 -- its figure; marks and insets add up.
 local check  = require "strobe.check"
@@ -22,7 +22,7 @@ end
 -- Marks drawn over a picture. Positions and lengths in pixels of the captured picture, x right, y down.
 local marks = optional { arrows = list, circles = list, boxes = list, ranges = list, texts = list }
 
--- Fields of a cell: its picture, the display of it, and its texts.
+-- Fields of a cell: its picture, display options, and texts.
 local looks = optional({
   shot = text, arm = text, step = number, view = text, kind = text, low = number, high = number, stops = number,
   against = text, difference = text, gain = number, crop = list, zoom = number, shrink = number, key = bool,

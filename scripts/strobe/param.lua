@@ -146,7 +146,7 @@ end
 
 local roles = native.roles()
 
--- The role, by which commands find a parameter without its name: one of native.roles(), or nil.
+-- The role: commands find a parameter by its role, without its name. One of native.roles(), or nil.
 local function check_role(problems, given, place, what)
   if given.role == nil then return nil end
   if check.contains(roles, given.role) then return given.role end

@@ -211,7 +211,7 @@ local function declare_counters(problems, t, place, owner)
   return list
 end
 
--- `over`: name of a buffer read. Its entries are the pixels for which the pass runs.
+-- `over`: name of a buffer read. The pass runs once for each entry, which is a pixel.
 local function declare_over(problems, t, kind, result, place, owner)
   if t.over == nil then return "" end
   local at = native.key_place(place, "over")

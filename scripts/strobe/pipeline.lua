@@ -63,7 +63,8 @@ local function check_condition(problems, params, when, i, place)
   end
 end
 
--- Values with which another pipeline gives the same picture: `{ when = { mask = "none" }, pipeline = "x", set = {} }`.
+-- Checks `equals`, equalities with other pipelines: `{ when = { mask = "none" }, pipeline = "x", set = {} }`. If the parameters
+-- have the values `when`, the pipeline `x` with the values `set` gives the same picture.
 local function check_equals(problems, t, params, place)
   local result = {}
   for i, equal in ipairs(t.equals or {}) do
@@ -163,7 +164,7 @@ local function check_until(problems, t, loop, results, place)
   return ""
 end
 
--- Checks `first` and `parts`: the exposure has `parts` parts, and the loop takes `count` of them from number `first` (0-based).
+-- Checks `first` and `parts`: the exposure has `parts` parts, and the loop takes `count` parts from number `first` (0-based).
 local function check_parts(problems, t, place)
   for _, key in ipairs { "first", "parts" } do
     local at_least = key == "first" and 0 or 1

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Axes of an experiment, each a name with values, and the combinations of their values that are points.
--- docs/writing-experiments.md explains each kind. Nothing depends on the order of `pairs`.
+-- docs/writing-experiments.md describes each kind. Nothing depends on the order of `pairs`.
 local check     = require "strobe.check"
 local native    = require "strobe.native"
 local sequences = require "strobe.sequences"

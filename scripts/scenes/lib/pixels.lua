@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Shared parts of the oracle scenes: an orthographic camera, for which one unit is one pixel of a `width` x `height`
+-- Shared parts of the oracle scenes: an orthographic camera with one unit per pixel of a `width` x `height`
 -- picture, and rectangles placed in pixels (x right, y down, from the top left corner). All materials are unlit.
 local scene = require "strobe.scene"
 
 local pixels = {}
 
--- Parameters of every oracle: size of the picture; frames per second and exposure, to which displacements refer.
+-- Parameters of every oracle: size of the picture; frames per second and exposure. Displacements refer to that exposure.
 function pixels.picture(width, height)
   return {
     width = scene.param("width", width), height = scene.param("height", height),

@@ -6,8 +6,8 @@ local scene = require "strobe.scene"
 
 local stage = {}
 
--- Parameters of every such scene: size of the picture; frames per second and exposure, to which displacements refer; `scale`
--- of all lengths; `offset` of the whole scene along each axis of the world, metres.
+-- Parameters of every such scene: size of the picture; frames per second and exposure (displacements refer to that exposure);
+-- `scale` of all lengths; `offset` of the whole scene along each axis of the world, metres.
 function stage.open()
   local self = {
     width = scene.param("width", 320), height = scene.param("height", 180),

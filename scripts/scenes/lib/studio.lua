@@ -7,7 +7,7 @@ local node, material, srgb = scene.node, scene.material, scene.srgb
 local studio = {}
 
 -- A camera at `eye` that looks at `aim`, with the vertical angle `fov` in degrees. Parameters of each of these scenes: size of
--- the picture; frames per second and exposure, to which displacements refer.
+-- the picture; frames per second and exposure (displacements refer to that exposure).
 function studio.open(eye, aim, fov)
   local self = {
     width = scene.param("width", 480), height = scene.param("height", 270),

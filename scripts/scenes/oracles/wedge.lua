@@ -2,7 +2,7 @@
 -- A wedge turns about its tip at the centre of the picture, anticlockwise by `degrees` over the exposure, over a constant
 -- background (docs/derivations.md). At frame 0 it covers the directions from `from` to `to` degrees (anticlockwise from +x,
 -- y up) and extends beyond the picture. `blades`: number of such wedges, evenly around the tip. `slide`: motion to the left, px
--- over the exposure; with it, points follow cycloids like those of a rolling wheel. `slides_off`: two cards in the
+-- over the exposure; with it, points follow cycloids, as on a rolling wheel. `slides_off`: two cards in the
 -- background's colour cover the right half at frame 0 and slide to the right by so many px over the exposure; 0: no cards.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"

@@ -22,7 +22,7 @@ local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                       
 local order, peel = param("order", 0), param("peel", 0)  -- order of nodes and triangles; number of nearest objects left out
 local value = param("value", 0)                          -- not 0: the colour of everything
 local first, second = param("first", 1), param("second", 1)  -- weights of the two terms of each colour
--- Radiance of the nearest card, and a factor of it. A negative factor: infinity times 0 where the product is infinite.
+-- Radiance of the nearest card, and its factor. A negative factor: infinity times 0 where the product is infinite.
 local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 
 local exposures_per_second = 24 / 0.5

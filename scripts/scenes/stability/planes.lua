@@ -8,11 +8,11 @@
 --         `lean` degrees about the vertical through the first card's middle; order = -1 lists the second card first
 --      4  a ball of radius `depth` around the camera, in a room 8 times as large
 --      5  one triangle that covers the picture and extends behind the camera
---      6  the card of kind 2 with many additional triangles without area, and a node without triangles
+--      6  the card of kind 2 with 150 more triangles without area, another mesh of such triangles, and a node without triangles
 --      7  the card of kind 2 in front of a wall of the same colour
 --      8  `count` x `count` leaves, each a separate instance
 --      9  a ball of `count` x `count` triangles
--- aside  distance by which the card of kind 2 is shifted to the right
+-- aside  shift of the card of kind 2 to the right
 -- velocity_x, _y, _z: motion of the object. camera_x, _y, _z: motion of the camera. turn: rotation of the camera to its left,
 -- degrees over the exposure
 local scene = require "strobe.scene"
