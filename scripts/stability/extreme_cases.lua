@@ -127,7 +127,8 @@ end
 -- ---- displacements
 
 for _, v in ipairs { { "zero", 0 }, { "1e_8", 1e-8 }, { "0_49", 0.49 }, { "half", 0.5 }, { "minus_half", -0.5 } } do
-  case("displacement_" .. v[1] .. "_px", "displacement", "half a pixel does not reach another pixel centre: the raster image, bit for bit",
+  case("displacement_" .. v[1] .. "_px", "displacement",
+       "half a pixel does not reach another pixel centre: the raster image, bit for bit",
        function() return { as_captured(bar(v[2], { limit = 10 })) } end)
 end
 
@@ -520,12 +521,14 @@ case("cards_a_hair_apart", "equal depths", "1e-5 of the depth apart: raster and 
   }
 end)
 
-case("one_triangle_over_the_picture", "triangles", "a triangle that extends behind the camera: the raster image if static; one colour",
+case("one_triangle_over_the_picture", "triangles",
+     "a triangle that extends behind the camera: the raster image if static; one colour",
      function()
   return { as_captured(planes(5)), same(planes(5, { velocity_x = 3 }), planes(5), 1e-6, 0.25) }
 end)
 
-case("triangles_of_no_area", "triangles", "triangles without area and nodes without triangles do not change the picture", function()
+case("triangles_of_no_area", "triangles",
+     "triangles without area and nodes without triangles do not change the picture", function()
   local motion = { velocity_x = 0.7031, velocity_y = 0.2969 }
   return { same(planes(6, motion), planes(2, motion), 1e-6, 0) }
 end)

@@ -16,8 +16,8 @@ local copied = fields.copied
 -- Fields of each table, with their types; optional fields may be left out. A shot also has the options of the command line.
 capture.fields = {
   -- layers: images in a picture's file besides its colour: "all" (every output of every pass) or a list of outputs and
-  -- "node.port". most_flip: largest mean FLIP of equal pictures of different devices. truth: name of the
-  -- reference arm of errors. figures, films: see strobe.figure.
+  -- "node.port". most_flip: a picture of another device counts as equal if its mean FLIP is not larger. truth: name of the arm
+  -- that is the reference of errors. figures, films: see strobe.figure.
   capture = {
     title = { text }, note = { text, optional = true }, size = { list, optional = true },
     seed = { number, optional = true }, shots = { list }, arms = { list }, truth = { text, optional = true },

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Experiments: arms render shots along axes, the pictures are measured against truth, and expectations check the numbers.
--- `experiment { ... }` is checked as a whole and reports all mistakes at once. docs/writing-experiments.md describes each field.
+-- `experiment { ... }` is checked as a whole and reports all mistakes at once. docs/writing-experiments.md lists its fields.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local judge  = require "strobe.judge"

@@ -238,7 +238,9 @@ local function declare_group(problems, t, kind, result, place, owner)
   if t.group == nil or not check.field(problems, t, "group", "boolean", place, owner) or not t.group then return false end
   local at = native.key_place(place, "group")
   if kind ~= "compute" then problems:add(at, "%s is a %s pass; only compute passes have groups", owner, kind) end
-  if result.over ~= "" then problems:add(at, "%s runs over '%s', which takes one invocation per entry, not a group", owner, result.over) end
+  if result.over ~= "" then
+    problems:add(at, "%s runs over '%s', which takes one invocation per entry, not a group", owner, result.over)
+  end
   for _, one in ipairs(result.params) do
     if one.role == "still_once" then
       problems:add(one.place, "'%s' of %s, which has a group for each pixel, cannot be still_once", one.name, owner)

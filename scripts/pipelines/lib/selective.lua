@@ -31,7 +31,7 @@ function selective.settings(effort, samples)
     allowance = 0.08 * 2 ^ -tenths,
     apart_px = 2 ^ (-tenths / 2),
     hit_color = effort < 0.25 and "kept" or "shaded",
-    parts = math.min(2 ^ (math.floor(math.log(samples, 2)) + finer) // 1 | 0, most_parts),  -- a power of two, so that halves are even
+    parts = math.min(2 ^ (math.floor(math.log(samples, 2)) + finer) // 1 | 0, most_parts),  -- a power of two: even halves
   }
 end
 
