@@ -111,8 +111,8 @@ local function with_file(problems, presets, params, name)
   return list, name
 end
 
--- Resolves `--set preset=VALUE`: returns the available presets and the name of the chosen one. After a mistake the name is nil,
--- and a message follows it.
+-- Resolves `--set preset=VALUE`: returns the available presets and the name of the chosen one. After a mistake the name is nil;
+-- a message follows unless `problems` has it already.
 function preset.taken(problems, presets, params, value)
   if is_file(value) then return with_file(problems, presets, params, value) end
   local choice = { name = "preset", type = "choice", choices = {}, unit = "" }
