@@ -7,7 +7,7 @@
 ---| "r8_unorm" | "rgba8_unorm" | "r32f" | "rg16f" | "rg32f" | "rgba16f" | "rgba32f" | "r32ui" | "rg32ui" | "rgba32ui"
 ---| "buffer32ui"
 
----@alias strobe.Time "capture" | "open" | "close" | "sample"
+---@alias strobe.Time "raster" | "shutter_open" | "shutter_close" | "sample"
 
 ---Properties that every blur should have (docs/invariants.md).
 ---@alias strobe.Invariant
@@ -17,7 +17,7 @@
 ---Role of a parameter: commands find it by its role, without its name. At most one of each in a pipeline.
 ---@alias strobe.Role
 ---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
----| "still_once" | "moving_alone" | "within_reach"
+---| "static_once" | "moving_only" | "in_moving_rect"
 
 ---@class strobe.Param A declared parameter.
 
@@ -82,24 +82,26 @@
 ---@field doc string counted event
 ---@field limit? string warning if the count is not 0: the change of the picture, and the remedy
 
----@alias strobe.Fact "motion"|"curves"|"covered"|"arrives"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"|"before"|"after"|"weighted"
+---@alias strobe.Fact
+---| "motion" | "curves" | "may_be_occluded" | "may_appear" | "alpha" | "blend" | "one_sided" | "shadows" | "deforms" | "before"
+---| "after" | "weighted"
 
 ---@class strobe.PassTable
----@field name string unique; default name of its nodes
----@field shader string path below shaders/, without .glsl (for a raster pass without .vert.glsl and .frag.glsl)
+---@field name? string unique; default: path of its file below passes/, without .lua. Its last part is the default name of nodes
+---@field shader? string path below shaders/, without .glsl (for a raster pass without .vert.glsl and .frag.glsl)
 ---@field doc string result of the pass
 ---@field fails? string when its result is wrong, and how
 ---@field breaks? table<strobe.Invariant, string> invariants that do not hold in a pipeline that uses it, with reasons
 ---@field size? "frame"|strobe.Size size of its outputs; default "frame"
 ---@field scene? boolean (compute) the shader reads the scene; raster and trace passes always do
----@field over? string a buffer read whose entries are the pixels for which the pass runs
+---@field dispatch_over? string a buffer read whose entries are the pixels for which the pass runs
 ---@field group? boolean (compute) one work group per output pixel, instead of one invocation
 ---@field reads? table<string, strobe.Read> images it samples
 ---@field writes? table<string, strobe.Write> images it fills, every pixel
 ---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string|strobe.Counter> counters, each with its counted event
----@field without? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read 0
+---@field if_no? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read 0
 
 ---An image port of a node, to be wired to a read.
 ---@class strobe.Image

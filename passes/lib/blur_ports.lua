@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Images that filters along the motion read and write. Each name has one meaning in every filter.
-local stored = require "passes.lib.stored"
+local quantised = require "passes.lib.quantised"
 
 local blur_ports = {}
 
@@ -16,12 +16,12 @@ local docs = {
   slowest  = { optional = true,
     doc = "length of the shortest displacement around each tile, px over the exposure; absent: uniform motion is not tested" },
 
-  after_velocity = { optional = true,
+  velocity_post = { optional = true,
     doc = "displacement at times after the raster time, px over the exposure; absent: equal to `velocity`" },
-  after_dominant = { optional = true,
+  dominant_post = { optional = true,
     doc = "dominant displacement of each tile at times after the raster time, px over the exposure" },
-  after_second   = { optional = true,
-    doc = "displacement around each tile that differs most from `after_dominant`, px over the exposure" },
+  second_post   = { optional = true,
+    doc = "displacement around each tile that differs most from `dominant_post`, px over the exposure" },
 
   curve          = { optional = true, needs = "curve", doc = "curve of the screen path, px; absent: paths are straight lines" },
   revealed_curve = { optional = true, needs = "curve",
@@ -31,9 +31,10 @@ local docs = {
   dominant_place = { optional = true, needs = "curve", doc = "texel that has the dominant displacement, px" },
 
   -- Ports of one layer in front of a revealed layer.
-  valid        = { optional = true, doc = "mask, above 1/2 where the layer has a surface; absent: everywhere" },
-  behind_depth = { optional = true, doc = "linear view depth of the revealed surface behind each pixel, metres" },
-  behind_valid = { optional = true, doc = "mask, above 1/2 where a surface was revealed behind the pixel; absent: nowhere" },
+  valid            = { optional = true, doc = "mask, above 1/2 where the layer has a surface; absent: everywhere" },
+  background_depth = { optional = true, doc = "linear view depth of the revealed surface behind each pixel, metres" },
+  background_valid = { optional = true,
+    doc = "mask, above 1/2 where a surface was revealed behind the pixel; absent: nowhere" },
 
   -- Ports of the revealed layer.
   revealed_color    = { doc = "colour of the revealed surface, linear radiance" },
@@ -42,9 +43,9 @@ local docs = {
   revealed_valid    = { doc = "mask, above 1/2 where a surface was revealed" },
   revealed_dominant = { optional = true,
     doc = "dominant displacement of each tile of the revealed layer alone, px over the exposure" },
-  revealed_after_velocity = { optional = true,
+  revealed_velocity_post = { optional = true,
     doc = "displacement of the revealed surface at times after the raster time, px over the exposure" },
-  revealed_after_dominant = { optional = true,
+  revealed_dominant_post = { optional = true,
     doc = "dominant displacement of each tile of the revealed layer at times after the raster time, px over the exposure" },
 }
 
@@ -60,22 +61,22 @@ function blur_ports.of(names, more) return reads(names, more) end
 
 -- Reads of a filter of one layer that may have a revealed layer behind it: its own ports, the named ports and those in `more`.
 function blur_ports.of_layer(names, more)
-  local all = { "color", "depth", "velocity", "dominant", "valid", "behind_depth", "behind_valid" }
+  local all = { "color", "depth", "velocity", "dominant", "valid", "background_depth", "background_valid" }
   return reads(table.move(names, 1, #names, #all + 1, all), more)
 end
 
 -- Reads of a filter of both layers at once: their ports, the named ports and those in `more`.
 function blur_ports.of_both(names, more)
-  local all = { "color", "depth", "velocity", "dominant", "after_velocity", "after_dominant", "revealed_color",
-                "revealed_depth", "revealed_velocity", "revealed_valid", "revealed_after_velocity" }
+  local all = { "color", "depth", "velocity", "dominant", "velocity_post", "dominant_post", "revealed_color",
+                "revealed_depth", "revealed_velocity", "revealed_valid", "revealed_velocity_post" }
   return reads(table.move(names, 1, #names, #all + 1, all), more)
 end
 
-blur_ports.layer = { blurred = { format = stored.color,
+blur_ports.layer = { blurred = { format = quantised.color,
   doc = "blurred layer, linear radiance times alpha; alpha is below 1 only over a revealed surface" } }
 
 -- Stand-in for the output of a filter if nothing moves: the unblurred colour.
-blur_ports.still = { motion = { blurred = "color" } }
+blur_ports.no_motion = { motion = { blurred = "color" } }
 
 blur_ports.picture = { blurred = { format = "rgba32f", doc = "blurred picture, linear radiance; alpha 1" } }
 

@@ -3,11 +3,9 @@
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
-local nothing = { longest = 0, curve_of_it = 0, place_of_it = 0 }
+local nothing = { longest = 0, curve_of_it = 0, place_of_it = 0, max_displacement = 0 }
 
 return pass.compute {
-  name   = "tile_max",
-  shader = "tile/tile_max",
   doc    = "Longest displacement of each tile, shortened to the limit",
   fails  = "One displacement represents a tile: slower ones, and others of equal length, are lost.",
   size   = { of = "velocity", divide = "tile" },
@@ -27,8 +25,11 @@ return pass.compute {
                doc = "longest displacement, px over the exposure; the first in raster order among equal lengths" },
              curve_of_it = { format = "rgba32f", doc = "curve of the path of the longest displacement, px" },
              place_of_it = { format = "rg32f",
-               doc = "texel that has the longest displacement, px; 0 if paths are straight lines" } },
-  without = { motion = nothing, reached = nothing },
+               doc = "texel that has the longest displacement, px; 0 if paths are straight lines" },
+             max_displacement = { format = "buffer32ui",
+               doc = "entry 0: length of the longest displacement of the image, px over the exposure, as the bits of a " ..
+                     "float" } },
+  if_no = { motion = nothing, moving_rect = nothing },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

@@ -4,8 +4,6 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  name   = "tile_min",
-  shader = "tile/tile_min",
   doc    = "Length of the shortest displacement of each tile",
   fails  = "Directions are not compared: a rotating tile counts as uniform, like a sliding tile.",
   size   = { of = "velocity", divide = "tile" },

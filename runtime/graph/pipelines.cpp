@@ -35,10 +35,10 @@ static bool decidesAFormat(const PassDesc& pass, const std::string& param) {
 }
 
 static uint32_t timeSlice(const std::string& time) {
-  if (time == "open") return SLICE_OPEN;
-  if (time == "close") return SLICE_CLOSE;
+  if (time == "shutter_open") return SLICE_SHUTTER_OPEN;
+  if (time == "shutter_close") return SLICE_SHUTTER_CLOSE;
   if (time == "sample") return SLICE_SAMPLE;
-  return SLICE_CAPTURE;
+  return SLICE_RASTER;
 }
 
 bool hasStages(const shader::Interface& in) {
@@ -92,8 +92,8 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   for (int resource : node.reads) wired.push_back(resource >= 0);
   shader::Interface in = interfaceOf(pass, backend, wired, node.params, plan.absent);
   in.slices = slices;
-  in.still_once = node.still_once;
-  in.within_reach = node.within_reach;
+  in.static_once = node.static_once;
+  in.in_moving_rect = node.in_moving_rect;
   in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
   return in;
 }
@@ -131,7 +131,7 @@ std::vector<shader::Interface> interfacesOf(const PassDesc& pass, Backend backen
   auto add = [&](const std::vector<bool>& wired, const Settings& values) {
     shader::Interface in = interfaceOf(pass, backend, wired, values);
     in.slices = SLICE_SAMPLE + 1;
-    in.time_slice = SLICE_CLOSE;  // no other name stands for it
+    in.time_slice = SLICE_SHUTTER_CLOSE;  // no other name stands for it
     if (seen.insert(textOf(in)).second) interfaces.push_back(in);
   };
   for (size_t a = 0; a < decisions.size(); ++a)
@@ -305,7 +305,7 @@ std::set<std::string> ShaderCheck::problemsOf(const std::vector<Job>& jobs) cons
       compile(ownStages(home_, in, pass));
       const std::vector<Path> files = shaderFiles(home_, pass);
       if (!used) used = shader::namesUsed(home_, files, &sources_);
-      for (const std::string& problem : unusedNames(home_, in, files, *used)) problems.insert(problem);
+      for (const std::string& problem : nameProblems(home_, in, files, *used)) problems.insert(problem);
     });
     if (with_shared) note([&] { compile(sharedStages(home_)); });
   }
@@ -506,7 +506,7 @@ void PipelineCache::compile(Making& one) const {
   const auto& [in, pass] = *one.request;
   one.stages = compileStages(home_, in, *pass);
   const std::vector<Path> shaders = shaderFiles(home_, *pass);
-  throwIfAny(unusedNames(home_, in, shaders, shader::namesUsed(home_, shaders)));
+  throwIfAny(nameProblems(home_, in, shaders, shader::namesUsed(home_, shaders)));
   one.pipeline = std::make_shared<NodePipeline>();
   one.pipeline->interface = in;
   for (const auto& stage : one.stages)

@@ -112,8 +112,8 @@ static std::vector<ShotOption> allOptions() {
           "time the shutter is open, as a share of the frame interval", Concern::Frame, O::kSuggested | O::kControl),
       one(real("exposure_time", &S::exposure_time, 0, 0, 1e6, "s"),
           "the same in seconds, instead: equal at any number of frames per second", Concern::Frame, O::kControl),
-      one(text("anchor", &S::anchor, "close", {"close", "centre", "open"}),
-          "where the exposure lies: it ends at the capture, is centred on it, or opens at it", Concern::Frame,
+      one(text("anchor", &S::anchor, "end", {"end", "centre", "start"}),
+          "raster time within the exposure: its end, its centre, or its start", Concern::Frame,
           O::kSpelled | O::kControl),
       one(checked(text("shutter_curve", &S::shutter_curve, "box"), checkCurve),
           "how much the times of the exposure count: box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA (shares "

@@ -29,9 +29,9 @@ const std::vector<std::string>& invariantNames() {
 }
 
 const std::vector<std::string>& roleNames() {
-  static const std::vector<std::string> names = {"tile",       "sample_count", "reach",        "depth_tolerance",
-                                                 "jitter",     "shading",      "sample_times", "regions",
-                                                 "still_once", "moving_alone", "within_reach"};
+  static const std::vector<std::string> names = {"tile",        "sample_count", "reach",         "depth_tolerance",
+                                                 "jitter",      "shading",      "sample_times",  "regions",
+                                                 "static_once", "moving_only",  "in_moving_rect"};
   return names;
 }
 

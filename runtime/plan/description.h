@@ -134,7 +134,7 @@ struct CounterDesc {
 };
 
 // The name of what stands in at each pixel in which nothing that moves is seen at any time.
-inline const char* const kReached = "reached";
+inline const char* const kReached = "moving_rect";
 
 // What stands in for a pass where a fact of the frame does not hold (plan/facts.h), or where a read is nothing but
 // zeros: bit for bit what it would write. It does not run then; of `kReached`, it may run on the other pixels alone.
@@ -180,7 +180,7 @@ struct NodeDesc {
   std::string pass;
   std::vector<std::pair<std::string, std::string>> inputs;  // read port -> "node.port"
   std::vector<std::pair<std::string, Binding>> params;
-  std::string time = "capture";  // pose of the scene it sees: "capture", "open", "close" or "sample" (its loop's)
+  std::string time = "raster";  // pose of the scene it sees: "raster", "shutter_open", "shutter_close" or "sample" (its loop's)
   std::string loop;              // name of the loop it is repeated in, or ""
   Place place;
 };

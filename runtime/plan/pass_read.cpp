@@ -124,7 +124,7 @@ void checkGroup(const Reader& reader, const PassDesc& pass) {
   if (pass.kind != PassDesc::Kind::Compute) reader.fail("compute passes alone have a group for each pixel");
   if (!pass.over.empty()) reader.fail(fmt::format("it has a group for each pixel and runs over '{}'", pass.over));
   for (const ParamDesc& param : pass.params)
-    if (param.role == Role::StillOnce) reader.fail("it has a group for each pixel and a parameter that is still_once");
+    if (param.role == Role::StillOnce) reader.fail("it has a group for each pixel and a parameter that is static_once");
 }
 
 // Buffers are of compute and trace passes, and of one frame.
@@ -157,7 +157,8 @@ PassDesc passFromJson(const Json& json) {
   Reader reader(json, "pass");
   PassDesc pass;
   pass.place = reader.place();
-  pass.name = nameOf(reader);
+  pass.name = reader.text("name", std::nullopt);
+  if (!isPath(pass.name)) reader.fail(fmt::format("'{}' is not the name of a pass", pass.name));
   pass.kind = static_cast<PassDesc::Kind>(reader.oneOf("kind", kPassKinds));
   pass.shader = reader.text("shader", std::nullopt);
   checkShaderPath(reader, pass.shader);

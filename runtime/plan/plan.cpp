@@ -97,8 +97,8 @@ class Compiler {
     node.loop = loop;
     node.params = wired.params;
     bool raster = pass.kind == PassDesc::Kind::Raster;
-    node.still_once = loop >= 0 && !raster && isSet(Role::StillOnce, pass, node.params);
-    node.moving_alone = raster && isSet(Role::MovingAlone, pass, node.params);
+    node.static_once = loop >= 0 && !raster && isSet(Role::StillOnce, pass, node.params);
+    node.moving_only = raster && isSet(Role::MovingAlone, pass, node.params);
     node.counters = !pass.counters.empty();
     for (const Source& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
     const NodeSize& size = sizes_.of(index);
@@ -121,8 +121,8 @@ class Compiler {
     }
     for (size_t i = 0; i < pass.reads.size(); ++i)
       if (pass.reads[i].name == pass.over) node.over = node.reads[i];
-    if (node.over >= 0) node.still_once = false;
-    node.within_reach = !raster && !node.still_once && keepsWithinReach(node, pass);
+    if (node.over >= 0) node.static_once = false;
+    node.in_moving_rect = !raster && !node.static_once && keepsWithinReach(node, pass);
     if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
     for (int image : node.reads) markRead(image);
 
@@ -183,7 +183,7 @@ class Compiler {
       if (std::find(node.writes.begin(), node.writes.end(), image) == node.writes.end()) continue;
       const std::vector<WithoutDesc>& without = plan_.pipeline.passes[node.pass].without;
       auto of_pixels = [](const WithoutDesc& one) { return one.name == kReached; };
-      return !node.within_reach && std::any_of(without.begin(), without.end(), of_pixels);
+      return !node.in_moving_rect && std::any_of(without.begin(), without.end(), of_pixels);
     }
     return false;
   }
@@ -197,7 +197,7 @@ class Compiler {
       for (size_t i = 0; i < reads.size(); ++i) {
         if (node.reads[i] < 0) continue;
         const bool same_pixel = reads[i].pointwise && is_whole(node) && is_whole(plan_.images[node.reads[i]]);
-        if (!node.within_reach || !same_pixel) looked_at[node.reads[i]] = true;
+        if (!node.in_moving_rect || !same_pixel) looked_at[node.reads[i]] = true;
       }
     }
     for (size_t i = 0; i < plan_.images.size(); ++i)

@@ -103,7 +103,7 @@ BendingTree::BendingTree(const scene::Scene& scene, const scene::Mesh& mesh) {
   }
 }
 
-void BendingTree::fit(std::span<const shared::SceneBentVertex> vertices, uint32_t first_node, uint32_t first_triangle,
+void BendingTree::fit(std::span<const shared::SceneDeformedVertex> vertices, uint32_t first_node, uint32_t first_triangle,
                       BvhNode* nodes, BvhTriangle* triangles) {
   bounds_ = {};
   for (size_t i = 0; i < triangles_.size(); ++i) {

@@ -25,13 +25,13 @@ return pipeline {
       doc = "use the dominant displacement for all surfaces where the shortest one around is at least 0.65 as long" },
   }),
   build = function(p)
-    local seen = scene.captured()
+    local raster = scene.raster()
     local two = p.directions() == "two"
-    local around = tiles.dominant(p, seen, { second = two })
-    local images = gathers.images(seen, around)
-    if p.uniform_path() then images.slowest = tiles.slowest(seen, around) end
+    local around = tiles.dominant(p, raster, { second = two })
+    local images = gathers.images(raster, around)
+    if p.uniform_path() then images.slowest = tiles.slowest(raster, around) end
     if p.second_share() == "variance" then images.variance = tiles.variance(around) end
-    return scene.outputs(seen, {
+    return scene.outputs(raster, {
       color = gathers.blurred("guertin2014", images, "gather"),
     })
   end,

@@ -2,10 +2,10 @@
 -- Tan, Cui and Bhojan 2020, "Hybrid MBlur: Using Ray Tracing to Solve the Partial Occlusion Artifacts in Real-Time
 -- Rendering of Motion Blur Effect", SIGGRAPH '20 Posters. One function per section of the paper.
 local pipeline    = require "strobe.pipeline"
-local candidate   = require "passes.mask.candidate"
-local range_check = require "passes.mask.range_check"
-local reveal      = require "passes.scene.reveal"
-local alpha_over  = require "passes.composite.alpha_over"
+local candidate   = require "passes.hybrid.displaced_position"
+local range_check = require "passes.hybrid.range_check"
+local reveal      = require "passes.hybrid.ray_reveal"
+local alpha_over  = require "passes.hybrid.alpha_over"
 local mcguire2012 = require "passes.gather.mcguire2012"
 local edges       = require "scripts.pipelines.lib.edges"
 local gathers     = require "scripts.pipelines.lib.gathers"
@@ -29,10 +29,10 @@ local function ray_reveal(raster, mask)
   }
 end
 
--- Post-Process: tile-dilate and gather of one layer. `behind`: the background layer that its silhouettes disocclude.
-local function blurred(p, layer, name, behind)
+-- Post-Process: tile-dilate and gather of one layer. `background`: the background layer that its silhouettes disocclude.
+local function blurred(p, layer, name, background)
   local dominant = tiles.dominant(p, layer, { prefix = name .. "_" })
-  return gathers.blurred(p.weights(), gathers.images(layer, dominant, behind), "gather_" .. name, p.color_format)
+  return gathers.blurred(p.weights(), gathers.images(layer, dominant, background), "gather_" .. name, p.color_format)
 end
 
 local edge_choice = { default = "sobel", doc = "edge detector of the ray mask", values = edges.texts(),
@@ -72,7 +72,7 @@ return pipeline {
   default_preset = "paper",
   compare_with = "mcguire2012",
   build = function(p)
-    local raster = scene.captured()
+    local raster = scene.raster()
     local mask = ray_mask(p, raster)
     local revealed = ray_reveal(raster, mask)
     local front, back = blurred(p, raster, "raster", revealed), blurred(p, revealed, "revealed")

@@ -18,11 +18,11 @@ return pipeline {
     cheap       = pipeline.bool { true, doc = "average the taps without weights where all surfaces around move alike" },
   }),
   build = function(p)
-    local seen = scene.captured()
-    local around = tiles.dominant(p, seen)
-    local images = gathers.images(seen, around)
-    if p.cheap() then images.slowest = tiles.slowest(seen, around) end
-    return scene.outputs(seen, {
+    local raster = scene.raster()
+    local around = tiles.dominant(p, raster)
+    local images = gathers.images(raster, around)
+    if p.cheap() then images.slowest = tiles.slowest(raster, around) end
+    return scene.outputs(raster, {
       color = gathers.blurred("jimenez2014", images, "gather"),
     })
   end,

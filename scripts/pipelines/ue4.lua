@@ -13,9 +13,9 @@ return pipeline {
     mirror = gather.params.mirror,
   }),
   build = function(p)
-    local seen = scene.captured()
-    local images = gathers.images(seen, tiles.dominant(p, seen))
-    return scene.outputs(seen, {
+    local raster = scene.raster()
+    local images = gathers.images(raster, tiles.dominant(p, raster))
+    return scene.outputs(raster, {
       color = gathers.blurred("jimenez2014", images, "gather"),
     })
   end,

@@ -89,7 +89,7 @@ local function shot(scene, width, height, scene_set, set, more)
   return merged({ scene = scene, size = { width, height }, frame = 0, scene_set = numbers, set = set }, more or {})
 end
 
-local anchors = { "close", "centre", "open" }
+local anchors = { "end", "centre", "start" }
 
 -- ---- a bar over a static background
 
@@ -226,7 +226,7 @@ end)
 
 -- ---- exposure and samples
 
-local window_start = { close = -1, centre = -0.5, open = 0 }
+local window_start = { ["end"] = -1, centre = -0.5, start = 0 }
 
 for _, anchor in ipairs(anchors) do
   case("exposure_0_" .. anchor, "exposure", "an exposure of 0 is the raster image, bit for bit", function()
@@ -368,8 +368,8 @@ end
 -- exposure).
 local function displacement_of(point, step, anchor)
   local back, ahead = anchor == "centre" and 0.5 or 1, anchor == "centre" and 0.5 or 1
-  if anchor == "open" then back = 0 end
-  if anchor == "close" then ahead = 0 end
+  if anchor == "start" then back = 0 end
+  if anchor == "end" then ahead = 0 end
   local open, close = {}, {}
   for i = 1, 3 do open[i], close[i] = point[i] - step[i] * back, point[i] + step[i] * ahead end
   local near = near_m * 1.001
@@ -409,7 +409,7 @@ local function moving_card(name, away, anchor)
       return displacement_of({ (x - wide / 2) / focal * 4, (y - high / 2) / focal * 4, 4 }, { 0.5, 0, away }, anchor)
     end
     local share, near = anchor == "centre" and 0.5 or 1, 1.001 * near_m
-    local crosses = anchor ~= "open" and 4 - away * share < near or anchor ~= "close" and 4 + away * share < near
+    local crosses = anchor ~= "start" and 4 - away * share < near or anchor ~= "end" and 4 + away * share < near
     return {
       displacement(card, path, path_share, path_px), (crosses and warns or silent)(card, "behind the near plane"),
       within(card, 0.2, 1),
@@ -468,7 +468,7 @@ for _, v in ipairs { { "2e4", 2e4 }, { "2e7", 2e7 } } do
     local flight = planes(1, { camera_x = 0.5, camera_z = -1, depth = 1.5, extent = v[2] })
     local function path(x, y)
       local point = floor_at(x, y, 1.5)
-      if point then return displacement_of(point, { -0.5, 0, -1 }, "close") end
+      if point then return displacement_of(point, { -0.5, 0, -1 }, "end") end
     end
     return { displacement(flight, path, 1e-3, 1e-2) }
   end)

@@ -33,6 +33,15 @@ function check.is_name(value)
   return type(value) == "string" and #value <= 64 and value:find("^[a-z][a-z0-9_]*$") ~= nil
 end
 
+-- True if `value` is names separated by slashes.
+function check.is_path(value)
+  if type(value) ~= "string" or value:find("^/") or value:find("/$") then return false end
+  for part in value:gmatch("[^/]+") do
+    if not check.is_name(part) then return false end
+  end
+  return not value:find("//", 1, true)
+end
+
 -- True if the format holds unsigned integers.
 function check.is_uint(format)
   return format:find("ui$") ~= nil

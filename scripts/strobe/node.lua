@@ -6,7 +6,7 @@ local param  = require "strobe.param"
 
 local node = {}
 
-node.times = { "capture", "open", "close", "sample" }
+node.times = { "raster", "shutter_open", "shutter_close", "sample" }
 
 -- The pipeline being built: { nodes, passes, loop = name or nil, params = its declarations, p = the build's `p` }. Nil
 -- outside of a `build`.
@@ -210,7 +210,7 @@ end
 
 local function choose_name(problems, pass, arguments, place)
   local given = rawget(arguments, "as")
-  local name = given == nil and pass.name or given
+  local name = given == nil and pass.name:match("[^/]+$") or given
   local at = given == nil and place or native.key_place(place, "as")
   if type(name) == "string" then name = (node.graph.prefix or "") .. name end
   if not check.is_name(name) or name == "scene" then
@@ -228,7 +228,7 @@ end
 
 local function choose_time(problems, pass, arguments, place)
   local time = rawget(arguments, "time")
-  if time == nil then return "capture" end
+  if time == nil then return "raster" end
   local at = native.key_place(place, "time")
   if not check.contains(node.times, time) then
     local near = type(time) == "string" and native.nearest(time, node.times) or ""

@@ -4,13 +4,13 @@
 local check   = require "strobe.check"
 local native  = require "strobe.native"
 local param   = require "strobe.param"
-local without = require "strobe.without"
+local stand_in = require "strobe.stand_in"
 
 local pass = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
 pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
-  "without", "over", "group",
+  "if_no", "dispatch_over", "group",
 }
 pass.read_keys  = { "doc", "uint", "optional", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
@@ -211,26 +211,27 @@ local function declare_counters(problems, t, place, owner)
   return list
 end
 
--- `over`: name of a buffer read. The pass runs once for each entry, which is a pixel.
+-- `dispatch_over`: name of a buffer read. The pass runs once for each entry, which is a pixel.
 local function declare_over(problems, t, kind, result, place, owner)
-  if t.over == nil then return "" end
-  local at = native.key_place(place, "over")
+  if t.dispatch_over == nil then return "" end
+  local at = native.key_place(place, "dispatch_over")
   local read
   for _, port in ipairs(result.reads) do
-    if port.name == t.over then read = port end
+    if port.name == t.dispatch_over then read = port end
   end
   if not read or not read.buffer then
-    local near = type(t.over) == "string" and not read and native.nearest(t.over, port_names(result.reads)) or ""
-    problems:add(at, "%s runs over %s, which is not a buffer read of the pass%s", owner, check.quoted(t.over), near)
+    local is_unknown = type(t.dispatch_over) == "string" and not read
+    local near = is_unknown and native.nearest(t.dispatch_over, port_names(result.reads)) or ""
+    problems:add(at, "%s runs over %s, which is not a buffer read of the pass%s", owner, check.quoted(t.dispatch_over), near)
   end
   if kind == "raster" then problems:add(at, "%s is a raster pass, which runs over triangles", owner) end
   for _, write in ipairs(result.writes) do
     if not write.cleared and not check.is_buffer(write.format or "") then
       problems:add(write.place, "'%s' of %s, which runs over '%s', wants cleared = true: the other pixels are zero",
-                   write.name, owner, t.over)
+                   write.name, owner, t.dispatch_over)
     end
   end
-  return t.over
+  return t.dispatch_over
 end
 
 -- `group`: one work group per pixel, instead of one invocation.
@@ -242,8 +243,8 @@ local function declare_group(problems, t, kind, result, place, owner)
     problems:add(at, "%s runs over '%s', which takes one invocation per entry, not a group", owner, result.over)
   end
   for _, one in ipairs(result.params) do
-    if one.role == "still_once" then
-      problems:add(one.place, "'%s' of %s, which has a group for each pixel, cannot be still_once", one.name, owner)
+    if one.role == "static_once" then
+      problems:add(one.place, "'%s' of %s, which has a group for each pixel, cannot be static_once", one.name, owner)
     end
   end
   return true
@@ -320,14 +321,35 @@ local function check_twins(problems, result, owner)
   end
 end
 
-local function check_shader(problems, t, place, owner)
-  if not check.field(problems, t, "shader", "string", place, owner) then return end
-  local plain = t.shader:find("^[%w_][%w_%-./]*$") and not t.shader:find("..", 1, true)
-  local at = native.key_place(place, "shader")
-  if not plain then problems:add(at, "shader '%s' of %s is not a path below shaders/", t.shader, owner) end
-  if t.shader:find("%.glsl$") then
-    problems:add(at, "shader '%s' of %s is written without its ending .glsl", t.shader, owner)
+-- Path below passes/ of the file at `place`, without its ending; nil for a file outside of passes/ and for libraries.
+local function path_of(place)
+  local path = ("/" .. place.file):match(".*/passes/(.+)%.lua$")
+  return path and not path:find("^lib/") and path or nil
+end
+
+-- Name and shader of a pass. Both default to the path of the file that declares it; the shader also defaults to the name.
+local function named_by_file(problems, t, place)
+  local name = t.name or path_of(place)
+  if name == nil then
+    problems:add(place, "the pass needs a name: it is not in a file of passes/, which would name it")
+    return nil, t.shader
   end
+  if not check.is_path(name) then
+    problems:add(native.key_place(place, "name"), "%s is not a name of a pass (parts of a-z, 0-9 and _, separated by /)",
+                 check.quoted(name))
+  end
+  return name, t.shader or path_of(place) or name
+end
+
+local function check_shader(problems, shader, place, owner)
+  local at = native.key_place(place, "shader")
+  if type(shader) ~= "string" then
+    problems:add(at, "shader of %s is a %s instead of a string", owner, type(shader))
+    return
+  end
+  local plain = shader:find("^[%w_][%w_%-./]*$") and not shader:find("..", 1, true)
+  if not plain then problems:add(at, "shader '%s' of %s is not a path below shaders/", shader, owner) end
+  if shader:find("%.glsl$") then problems:add(at, "shader '%s' of %s is written without its ending .glsl", shader, owner) end
 end
 
 -- Descriptions of the passes that files declare. Passes that a `build` declares are left out: they may differ each time.
@@ -345,13 +367,11 @@ local Pass = check.index_of_records({}, "a pass")
 local function declare(kind, place, t)
   if type(t) ~= "table" then check.fail(place, "pass.%s wants a table: pass.%s { ... }", kind, kind) end
   local problems = check.problems()
-  local owner = ("pass '%s'"):format(tostring(t.name))
+  local owner = ("pass '%s'"):format(tostring(t.name or path_of(place)))
   check.keys(problems, t, pass.keys, place, owner)
-  if check.field(problems, t, "name", "string", place, "the pass") and not check.is_name(t.name) then
-    problems:add(native.key_place(place, "name"), "'%s' is not a name (a-z, then a-z, 0-9 and _)", t.name)
-  end
-  check_shader(problems, t, place, owner)
-  for _, key in ipairs { "reads", "writes", "updates", "params", "counters", "without" } do
+  local name, shader = named_by_file(problems, t, place)
+  check_shader(problems, shader, place, owner)
+  for _, key in ipairs { "reads", "writes", "updates", "params", "counters", "if_no" } do
     if t[key] ~= nil then check.field(problems, t, key, "table", place, owner) end
   end
   if t.scene ~= nil then check.field(problems, t, "scene", "boolean", place, owner) end
@@ -362,7 +382,7 @@ local function declare(kind, place, t)
   if t.fails ~= nil then check.field(problems, t, "fails", "string", place, owner) end
   problems:raise()
 
-  local result = { name = t.name, kind = kind, shader = t.shader, doc = doc, fails = t.fails or "", place = place }
+  local result = { name = name, kind = kind, shader = shader, doc = doc, fails = t.fails or "", place = place }
   result.scene    = kind ~= "compute" or t.scene == true
   result.params   = param.declare_all(problems, t.params or {}, place, owner)
   result.reads    = declare_reads(problems, t, place, owner)
@@ -373,7 +393,7 @@ local function declare(kind, place, t)
   result.size     = declare_size(problems, t, place, result, owner)
   result.over     = declare_over(problems, t, kind, result, place, owner)
   result.group    = declare_group(problems, t, kind, result, place, owner)
-  result.without  = without.declare(problems, t.without, result, place, owner)
+  result.without  = stand_in.declare(problems, t.if_no, result, place, owner)
   check_twins(problems, result, owner)
   problems:raise()
   param.note_pass(result.params)

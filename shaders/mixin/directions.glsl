@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex; may have:
-//   behind_depth_tex, behind_valid_tex, reach_tex, second_tex, valid_tex.
+//   background_depth_tex, background_valid_tex, max_displacement_buf, second_tex, valid_tex.
 // The second direction of a gather's taps. Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion
 // Blur Filter", section 3.
 // In:  `second`: per tile, another displacement in the neighbourhood, px over the exposure.

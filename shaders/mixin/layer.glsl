@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: behind_depth_tex,
-//   behind_valid_tex, reach_tex, valid_tex.
+// Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: background_depth_tex,
+//   background_valid_tex, max_displacement_buf, valid_tex.
 // Texels of one layer as gathers read them, and the depth of the revealed layer behind it.
 #ifndef STROBE_LAYER_GLSL
 #define STROBE_LAYER_GLSL
@@ -31,18 +31,18 @@ bool isValid(ivec2 pixel) {
 }
 
 // True if the revealed layer has a surface behind the pixel.
-bool hasBehind(ivec2 pixel) {
-#if HAS_behind_valid
-  return texelFetch(behind_valid_tex, pixel, 0).x > 0.5;
+bool hasBackground(ivec2 pixel) {
+#if HAS_background_valid
+  return texelFetch(background_valid_tex, pixel, 0).x > 0.5;
 #else
   return false;
 #endif
 }
 
 // View depth of the revealed layer; `otherwise` if it has no surface there.
-float behindDepth(ivec2 pixel, float otherwise) {
-#if HAS_behind_depth
-  if (hasBehind(pixel)) return saneDepth(texelFetch(behind_depth_tex, pixel, 0).x);
+float backgroundDepth(ivec2 pixel, float otherwise) {
+#if HAS_background_depth
+  if (hasBackground(pixel)) return saneDepth(texelFetch(background_depth_tex, pixel, 0).x);
 #endif
   return otherwise;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, params.limit, revealed_color_tex, revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex,
-//   velocity_tex; may have: PARAM_trajectory, after_velocity_tex, curve_tex, dominant_curve_tex, reach_tex,
-//   revealed_after_velocity_tex, revealed_curve_tex.
+//   velocity_tex; may have: PARAM_trajectory, velocity_post_tex, curve_tex, dominant_curve_tex, max_displacement_buf,
+//   revealed_velocity_post_tex, revealed_curve_tex.
 // The two layers of a composite: the raster layer, which has a surface at every pixel, and the revealed layer, which has a
 // surface where a ray found one.
 #ifndef STROBE_LAYERS_GLSL
@@ -35,16 +35,16 @@ vec4 curveAt(int layer, ivec2 pixel) {
 
 // Raster layer's displacement for the times after the raster time (`after`) or before it, px over the exposure.
 vec4 displacementAt(ivec2 pixel, bool after) {
-#if HAS_after_velocity
-  if (after) return texelFetch(after_velocity_tex, pixel, 0);
+#if HAS_velocity_post
+  if (after) return texelFetch(velocity_post_tex, pixel, 0);
 #endif
   return texelFetch(velocity_tex, pixel, 0);
 }
 
 // Displacement of the revealed layer for the times after or before the raster time, px over the exposure.
 vec4 revealedDisplacementAt(ivec2 pixel, bool after) {
-#if HAS_revealed_after_velocity
-  if (after) return texelFetch(revealed_after_velocity_tex, pixel, 0);
+#if HAS_revealed_velocity_post
+  if (after) return texelFetch(revealed_velocity_post_tex, pixel, 0);
 #endif
   return texelFetch(revealed_velocity_tex, pixel, 0);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the longest displacement around that can reach it (McGuire 2012, NeighborMax), and a second, different one.
 // In:  `longest`:  longest displacement of each tile, px over the exposure
-//      `motions`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: `longest` alone
+//      `velocities`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: `longest` alone
 //      `curve`:    curve of the path of `longest`, px; absent: straight
 //      `place`:    texel that has `longest`, px
 // Out: `dominant`: longest accepted displacement, px over the exposure
@@ -75,7 +75,7 @@ bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
 }
 
 bool accepts(ivec2 offset, vec2 d) {
-#if PARAM_rule == rule_reach
+#if PARAM_rule == rule_swept_box
   return reaches(offset, d);
 #elif PARAM_rule == rule_sign
   return pointsHere(offset, d);
@@ -123,8 +123,8 @@ void run(ivec2 pixel) {
     for (int x = first.x; x <= last.x; ++x) {
       ivec2 offset = ivec2(x, y) - pixel;
       second = otherThan(dominant, second, vec2(texelFetch(longest_tex, ivec2(x, y), 0)), offset);
-#if HAS_motions
-      vec4 pair = texelFetch(motions_tex, ivec2(x, y), 0);
+#if HAS_velocities
+      vec4 pair = texelFetch(velocities_tex, ivec2(x, y), 0);
       second = otherThan(dominant, second, vec2(pair.x, pair.y), offset);
       second = otherThan(dominant, second, vec2(pair.z, pair.w), offset);
 #endif

@@ -96,6 +96,11 @@ void run(ivec2 tile) {
   if (!isGreatest(longest.d_length, place)) return;
 
   Path path = limitedPath(vec4(longest.d, 0, 0), longest.curve);
+  float length_px = lengthOf(path.d);
+#if HAS_curve
+  length_px = max(length_px, reachOf(path.d, path.curve, frame.shutter));
+#endif
+  atomicMax(max_displacement_buf.entries[0], floatBitsToUint(length_px));  // bits of floats from 0 on are in their order
   imageStore(longest_img, tile, vec4(path.d, 0, 0));
 #if HAS_curve
   imageStore(curve_of_it_img, tile, path.curve);

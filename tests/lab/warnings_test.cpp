@@ -111,7 +111,7 @@ TEST(ClipWarnings, StepsAndCutsDoNotBlur) {
 
 // A frame of 24 is 41.7 ms.
 TEST(ClipWarnings, AnExposureLongerThanTheLoopSpansItsEnd) {
-  for (const char* anchor : {"open", "centre", "close"}) {
+  for (const char* anchor : {"start", "centre", "close"}) {
     EXPECT_EQ(kindsOf(sceneOf({slide("a", 0, 0.03)}), 48, 1, anchor), "seam ") << anchor;
     EXPECT_EQ(kindsOf(sceneOf({slide("a", 0, 0.041666)}), 24, 1, anchor), "seam ") << anchor;
     EXPECT_EQ(kindsOf(sceneOf({slide("a", 0, 20)}), 24, 1, anchor), "") << anchor;

@@ -33,7 +33,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
     bool asks_alike = true;  // not where rays to one instance alone are asked of the own tree, and of the others all
   };
   const Traced cases[] = {
-      {"shade", crowd("none", {"shadow_shafts.shafts=false"})},
+      {"shade", crowd("none", {"tile_light_visibility.per_tile=false"})},
       {"reveal", crowd("hybrid_traced", {"tile=8", "limit=0.25"})},
       {"reveal", crowd("hybrid", {"preset=text", "tile=8", "limit=0.25"})},
       {"reveal", crowd(hybridSteps(), {"mask=all", "advance=restart", "tile=8", "limit=0.25"})},
@@ -41,7 +41,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
       {"reveal", with(shotOf("crowd", 64, 40, {{"crumbs", 300}}), "hybrid_traced", {"tile=8", "limit=0.25"})},
       // A box has a back, which rays that skip it pass over at once.
       {"reveal", with(shotOf("turning_box", 64, 36, {}), hybridSteps(), {"mask=all"})},
-      {"truth_trace", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"}), false},
+      {"sample", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"}), false},
   };
   for (Traced traced : cases) {
     std::map<std::string, lab::Picture> pictures;

@@ -109,7 +109,7 @@ double errorOf(const Wheel& wheel, const lab::Picture& picture, Window window) {
   return std::sqrt(sum / count);
 }
 
-// Displacements, and bends, of what is doubtful in each cell of a layer, which has things where they are at a time.
+// Displacements, and bends, of what is unreliable in each cell of a layer, which has things where they are at a time.
 struct DoubtedLayer {
   const image::Image &bounds, &bends;
   double seen;
@@ -120,7 +120,7 @@ struct DoubtedLayer {
   }
 };
 
-// Cells of 10 px in which something doubtful certainly is, and may be, a bit for each of four parts of an exposure
+// Cells of 10 px in which something unreliable certainly is, and may be, a bit for each of four parts of an exposure
 // around the capture.
 struct Doubts {
   static constexpr int kParts = 4;
@@ -187,11 +187,11 @@ TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
 // more than they may be.
 TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
   for (const Anchor& anchor : anchors()) {
-    lab::Shot shot = with(wedge(), "hybrid_traced", {"raster_bend.most_bend=2"}, anchor.name);
-    shot.taps = {"raster_bend.bend", "raster_bend.bent"};
+    lab::Shot shot = with(wedge(), "hybrid_traced", {"raster_deviation.max_deviation=2"}, anchor.name);
+    shot.taps = {"raster_deviation.bend", "raster_deviation.bent"};
     lab::Picture picture = render(shot);
-    const image::Image &bend = picture.frame.taps.at("raster_bend.bend").floats,
-                       &bent = picture.frame.taps.at("raster_bend.bent").floats;
+    const image::Image &bend = picture.frame.taps.at("raster_deviation.bend").floats,
+                       &bent = picture.frame.taps.at("raster_deviation.bent").floats;
     int near = 0, far = 0;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -214,7 +214,7 @@ TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
 TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
   for (const Anchor& anchor : anchors()) {
     std::vector<std::string> settings = {"trajectory=arc"};
-    for (const char* node : {"raster_bounds", "revealed_bounds", "motion_reach", "composite"})
+    for (const char* node : {"raster_bounds", "revealed_bounds", "classify_cells", "composite"})
       settings.push_back(fmt::format("{}.cell_side=1", node));
     lab::Shot shot = with(wedge(), "hybrid_layered", settings, anchor.name);
     shot.taps = {"raster_bounds.bounds"};
@@ -247,11 +247,11 @@ TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
 }
 
 // In each part of the exposure, in which a jittered sample may be anywhere, cells are doubted in which something
-// doubtful is; and none farther off than the pixel and a half that rounding and the width of a tap make.
+// unreliable is; and none farther off than the pixel and a half that rounding and the width of a tap make.
 TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
   lab::Shot shot = with(shotOf("swerve", kSide, 64), "hybrid_traced",
                         {fmt::format("samples={}", Doubts::kParts), "jitter=hash"}, "centre");
-  shot.taps = {"doubtful.doubtful"};
+  shot.taps = {"unreliable.unreliable"};
   const std::pair<const char*, double> layers[] = {{"raster_bent_bounds", 0},
                                                    {"revealed_1_bent_bounds", 0},
                                                    {"open_unseen_bounds", Doubts::kOpen},
@@ -259,8 +259,8 @@ TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
   for (const auto& layer : layers)
     for (const char* of : {"bounds", "bends"}) shot.taps.push_back(fmt::format("{}.{}", layer.first, of));
   const lab::Picture picture = render(shot);
-  const image::UintImage& doubtful = picture.frame.taps.at(shot.taps[0]).uints;
-  Doubts doubts{{doubtful.width, doubtful.height}};
+  const image::UintImage& unreliable = picture.frame.taps.at(shot.taps[0]).uints;
+  Doubts doubts{{unreliable.width, unreliable.height}};
   for (size_t l = 0; l < std::size(layers); ++l) {
     const DoubtedLayer layer{picture.frame.taps.at(shot.taps[2 * l + 1]).floats,
                              picture.frame.taps.at(shot.taps[2 * l + 2]).floats, layers[l].second};
@@ -270,10 +270,10 @@ TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
     }
   }
   int doubted = 0, trusted = 0;
-  for (size_t c = 0; c < doubtful.values.size(); ++c) {
-    EXPECT_EQ(doubts.least[c] & ~doubtful.values[c], 0u) << c;
-    EXPECT_EQ(doubtful.values[c] & ~doubts.most[c], 0u) << c;
-    for (int i = 0; i < Doubts::kParts; ++i) ++((doubtful.values[c] >> i & 1) != 0 ? doubted : trusted);
+  for (size_t c = 0; c < unreliable.values.size(); ++c) {
+    EXPECT_EQ(doubts.least[c] & ~unreliable.values[c], 0u) << c;
+    EXPECT_EQ(unreliable.values[c] & ~doubts.most[c], 0u) << c;
+    for (int i = 0; i < Doubts::kParts; ++i) ++((unreliable.values[c] >> i & 1) != 0 ? doubted : trusted);
   }
   EXPECT_GT(doubted, 20);
   EXPECT_GT(trusted, 20);

@@ -85,7 +85,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
     {"guertin2014", {{"second_share=variance", "color_format=fp16"}, {"uniform_path=false"}}},
     {"jimenez2014", {{"color_format=fp16", "copy_below=0"}}},
     {"hybrid",
-     {{"mask.min_displacement=0", "mask_candidate.min_displacement=0", "edge=canny"},
+     {{"mask.min_displacement=0", "displaced_position.min_displacement=0", "edge=canny"},
       {"edge=plane"},
       {"weights=guertin2014"},
       {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
@@ -138,21 +138,21 @@ class RenderFacts : public oracle::RenderTest {
     }
     EXPECT_EQ(required.record["pipeline"]["plan"], everything.record["pipeline"]["plan"]);
     bool still = std::count(one.absent.begin(), one.absent.end(), "motion") && isMethod(pipeline) &&
-                 !required.record["counters"].contains("truth_trace.not_finite");  // truth is no method, whoever has it
+                 !required.record["counters"].contains("sample.not_finite");  // truth is no method, whoever has it
     if (!still || required.frame.outputs.at("color").format != "rgba32f") return;
     Picture capture = render(with(
         one.shot, "none", halves ? std::vector<std::string>{"shade.color_format=fp16"} : std::vector<std::string>{}));
     EXPECT_TRUE(oracle::identical(oracle::colorOf(required), oracle::colorOf(capture)));
   }
 
-  static bool hasOwnTimes(const Picture& picture) { return picture.record["counters"].contains("own_time.samples"); }
+  static bool hasOwnTimes(const Picture& picture) { return picture.record["counters"].contains("trace_time_samples.samples"); }
 
   // Then what is at rest counts in the mean at once, or is the capture's where nothing reaches, and else sample by
   // sample.
-  static bool hasGround(const Picture& picture) { return picture.record["counters"].contains("over_ground.samples"); }
+  static bool hasGround(const Picture& picture) { return picture.record["counters"].contains("over_background.samples"); }
   static bool takesMeansOtherwise(const Picture& picture) {
     const Json& passes = picture.record["counters"];
-    return hasGround(picture) || passes.contains("refined_time.samples");
+    return hasGround(picture) || passes.contains("adaptive_times.samples");
   }
 
   static bool mayDiffer(const Picture& picture) { return hasOwnTimes(picture) || takesMeansOtherwise(picture); }
@@ -246,7 +246,7 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
                                                        {"trajectory=quadratic"},
                                                        {"trajectory=arc"}};
   for (double after : {-6., 60.})
-    for (const char* anchor : {"close", "centre", "open"})
+    for (const char* anchor : {"end", "centre", "open"})
       for (std::vector<std::string> settings : paths) {
         Shot shot = shotOf("bent", 256, 32, {{"before", 20}, {"after", after}, {"top", 8}, {"bottom", 20}});
         const Shot foretold = with(shot, "hybrid_layered", settings, anchor);
@@ -263,7 +263,7 @@ TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
   const Shot square = shotOf("quad_2d", kWidth, kHeight, {{"left", 18}, {"right", 24}, {"top", 10}, {"bottom", 15}});
   Shot shot = with(square, "hybrid_traced", {}, "close");
   shot.taps = {"composite.open",   "mask.mask",        "reveal.found",
-               "raster_bend.bend", "tile_max.longest", "composite.blurred"};
+               "raster_deviation.bend", "tile_max.longest", "composite.blurred"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
@@ -274,7 +274,7 @@ TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
 // A tap of what is left out is what stands in for it.
 TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
   Shot shot = with(cases()[0].shot, "hybrid_traced");
-  shot.taps = {"composite.blurred", "mask.mask", "tile_max.longest", "mask_near_motions.motions_0"};
+  shot.taps = {"composite.blurred", "mask.mask", "tile_max.longest", "gather_candidates.candidates_0"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
@@ -299,13 +299,13 @@ TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
     return std::count(nodes.begin(), nodes.end(), node) > 0;
   };
   for (const char* node :
-       {"own_time", "open_visibility", "unseen_open", "raster_bend", "doubtful", "mask_moving_silhouettes"})
+       {"trace_time_samples", "shutter_open_visibility", "disoccluded_at_open", "raster_deviation", "unreliable", "moving_silhouettes"})
     EXPECT_FALSE(runs("close", "hybrid_layered", node)) << node;
   const std::map<std::string, std::pair<bool, bool>> ends = {
       {"close", {true, false}}, {"centre", {true, true}}, {"open", {false, true}}};
   for (const auto& [anchor, seen] : ends) {
-    EXPECT_EQ(runs(anchor, "hybrid_traced", "open_visibility"), seen.first) << anchor;
-    EXPECT_EQ(runs(anchor, "hybrid_traced", "close_visibility"), seen.second) << anchor;
+    EXPECT_EQ(runs(anchor, "hybrid_traced", "shutter_open_visibility"), seen.first) << anchor;
+    EXPECT_EQ(runs(anchor, "hybrid_traced", "shutter_close_visibility"), seen.second) << anchor;
   }
 }
 
@@ -313,10 +313,10 @@ TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
 TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
   auto seenAtOpen = [](Shot shot) {
     shot = with(shot, "hybrid_traced", {}, "close");
-    shot.taps = {"open_visibility.hit"};
+    shot.taps = {"shutter_open_visibility.hit"};
     Picture picture = render(shot);
     std::set<uint32_t> seen;
-    const image::UintImage& hit = picture.frame.taps.at("open_visibility.hit").uints;
+    const image::UintImage& hit = picture.frame.taps.at("shutter_open_visibility.hit").uints;
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) seen.insert(hit.at(x, y, 0));
     return seen;

@@ -189,7 +189,7 @@ TEST_F(RenderGathers, GuertinInThePlane) {
                             {"tile=16", "limit=0.2", "jitter=ign", fmt::format("second_share={}", share)}, anchor.name);
       shot.taps = {"neighbour_max.dominant", "neighbour_max.second"};
       bool by_variance = share == std::string("variance");
-      if (by_variance) shot.taps.push_back("tile_variance.variance");
+      if (by_variance) shot.taps.push_back("direction_variance.variance");
       lab::Picture picture = render(shot);
       auto tapped = [&](const std::string& name) { return &picture.frame.taps.at(name).floats; };
       Plane plane{&color,
@@ -260,8 +260,8 @@ TEST_F(RenderGathers, TileVarianceIsOneMinusTheMeanAlignment) {
   for (const Case& c : {Case{0, 10, 0}, Case{7, 7, std::sqrt(.5)}, Case{-10, 0, 1}, Case{6, -8, .6}}) {
     lab::Shot shot = with(shotOf("crossing", 96, 96, {{"b_x", c.x}, {"b_y", c.y}}), "guertin2014",
                           {"tile=32", "limit=0.3", "tile_rule=all", "second_share=variance"});
-    shot.taps = {"tile_variance.variance"};
-    image::Image variance = render(shot).frame.taps.at("tile_variance.variance").floats;
+    shot.taps = {"direction_variance.variance"};
+    image::Image variance = render(shot).frame.taps.at("direction_variance.variance").floats;
     double both = 1 - (1 + c.cosine) / 2;
     // The right column is beside b alone, the bottom row beside neither.
     const double expected[3][3] = {{both, both, 0}, {both, both, 0}, {0, 0, 0}};

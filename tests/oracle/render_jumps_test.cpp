@@ -81,7 +81,7 @@ TEST_F(RenderJumps, ACutBeforeTheExposureIsNoPathToExtrapolate) {
 }
 
 TEST_F(RenderJumps, ACutOfOneThingStandsItStill) {
-  for (const char* anchor : {"close", "centre", "open"}) {
+  for (const char* anchor : {"end", "centre", "open"}) {
     double cut = anchor == std::string("open") ? .4 : -.4;
     expectAlike(jumps({{"a_cut", cut}}), jumps({{"a_x", 0}}), anchor, "object");
     expectAlike(jumps({{"camera_cut", cut}}), jumps({{"camera_x", 0}}), anchor, "camera");
@@ -177,7 +177,7 @@ TEST_F(RenderJumps, SharesOfTheMotionAreLessMotion) {
   no_objects.object_blur = 0;
   both.camera_blur = .25;
   both.object_blur = .5;
-  for (const char* anchor : {"close", "centre"}) {
+  for (const char* anchor : {"end", "centre"}) {
     expectAlike(half_camera, jumps({{"camera_x", 4}}), anchor, "half of the camera's");
     expectAlike(no_objects, jumps({{"a_x", 0}, {"b_y", 0}}), anchor, "none of the objects'");
     expectAlike(both, jumps({{"camera_x", 2}, {"a_x", 8}, {"b_y", 4}}), anchor, "both");
@@ -207,7 +207,7 @@ TEST_F(RenderJumps, BetweenDepthsOtherThingsStandStill) {
   far.motion_depths = "105,105";
   soft.motion_depths = "100,104,2";
   expectAlike(all, jumps({}), "close", "all");
-  for (const char* anchor : {"close", "centre"}) {
+  for (const char* anchor : {"end", "centre"}) {
     expectAlike(near, jumps({{"camera_x", 0}, {"b_y", 0}}), anchor, "near");
     expectAlike(far, jumps({{"camera_x", 0}, {"a_x", 0}}), anchor, "far");
     expectAlike(soft, jumps({{"camera_x", 0}, {"b_y", 4}}), anchor, "a metre of two beyond the end");

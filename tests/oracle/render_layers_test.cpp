@@ -106,7 +106,7 @@ void expectSimulated(const lab::Picture& picture, const Strips& strips, int samp
 class RenderLayers : public RenderTest {
  protected:
   lab::Picture layered(const Stripes& stripes, Case c, const std::string& mask, int samples = 32,
-                       const std::string& anchor = "close") {
+                       const std::string& anchor = "end") {
     std::vector<std::string> more = {"mask=" + mask, "edge=id", "own_edge=true"};
     return render(with(stripes.shot(c), hybridSteps(), settings(samples, more), anchor));
   }

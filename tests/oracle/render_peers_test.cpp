@@ -89,7 +89,7 @@ TEST_F(RenderPeers, Layers2024SeeAsFarAsTheyHaveLayers) {
     for (const Anchor& anchor : anchors()) {
       SCOPED_TRACE(fmt::format("{} layers, {}", layers, anchor.name));
       lab::Shot shot =
-          with(stacked(), "layers2024",
+          with(stacked(), "lee2024",
                {fmt::format("layer_count={}", layers), fmt::format("samples={}", kSamples), "tile=20"}, anchor.name);
       image::Image color = colorOf(render(shot));
       double worst = 0;
@@ -110,7 +110,7 @@ TEST_F(RenderPeers, Layers2024SeeAsFarAsTheyHaveLayers) {
 TEST_F(RenderPeers, Layers2024MissWhatHasLeft) {
   const Strips gone = {{260, 300, 60, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, kRows, {{"left", 260}, {"right", 300}, {"d_f", 60}});
-  image::Image color = colorOf(render(with(shot, "layers2024", {"layer_count=4"}, "close")));
+  image::Image color = colorOf(render(with(shot, "lee2024", {"layer_count=4"}, "close")));
   for (int x = 0; x < kWidth; ++x) EXPECT_EQ(color.at(x, kRow, 0), 0) << x;
   EXPECT_GT(exposeCentre(gone, kCloseAnchor, 230).colour, .4);
 }
@@ -118,7 +118,7 @@ TEST_F(RenderPeers, Layers2024MissWhatHasLeft) {
 // Its cost: each layer draws all that lies over each other at a pixel, while one ray behind a silhouette meets one
 // surface.
 TEST_F(RenderPeers, PeelingDrawsEverythingForEachLayer) {
-  lab::Picture picture = render(with(stacked(), "layers2024", {"layer_count=4"}, "close"));
+  lab::Picture picture = render(with(stacked(), "lee2024", {"layer_count=4"}, "close"));
   constexpr uint64_t kDrawn = 128 * kRows + 3 * 64 * kRows;  // wall, three cards
   for (int layer = 2; layer <= 4; ++layer)
     EXPECT_EQ(counterOf(picture, fmt::format("layer_{}_peel.fragments", layer)), kDrawn) << layer;
@@ -127,8 +127,8 @@ TEST_F(RenderPeers, PeelingDrawsEverythingForEachLayer) {
 // A pixel that is at none of its layers' paths knows of what passes over it by its tile alone.
 TEST_F(RenderPeers, Layers2024FindNothingOutsideByOwnDisplacements) {
   lab::Shot shot = shotOf("bar", kWidth, kRows);
-  image::Image own = colorOf(render(with(shot, "layers2024", {"paths=own"}, "close")));
-  image::Image tiles = colorOf(render(with(shot, "layers2024", {"paths=tiles", "samples=64"}, "close")));
+  image::Image own = colorOf(render(with(shot, "lee2024", {"paths=own"}, "close")));
+  image::Image tiles = colorOf(render(with(shot, "lee2024", {"paths=tiles", "samples=64"}, "close")));
   image::Image sharp = colorOf(render(with(shot, "none")));
   const Strips bar = {{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   for (int x = 70; x < 96; ++x) {
@@ -218,7 +218,7 @@ const Strips kStriped = {{96, 160, 20, {.9, .6, 8, 96}}, {-kInfinity, kInfinity,
 
 lab::Shot oneRay(int levels, int seed) {
   lab::Shot shot =
-      with(shotOf("textured_bar", kWidth, kTallRows), "temporal1", {fmt::format("octaves={}", levels)}, "close");
+      with(shotOf("textured_bar", kWidth, kTallRows), "oberberger2022", {fmt::format("octaves={}", levels)}, "close");
   shot.seed = uint32_t(seed);
   return shot;
 }
@@ -279,7 +279,7 @@ TEST_F(RenderPeers, Temporal1BlursWhatRestsAlongWhatMoves) {
   // Of stripes at rest under a bar of one colour the contrast is what is left of them by the bar's share of the time.
   lab::Shot shot = shotOf("textured_bar", kWidth, kTallRows, {{"f_light", .25}, {"f_dark", .25}, {"period_b", 2}});
   auto contrast = [&](int levels) {
-    image::Image color = colorOf(render(with(shot, "temporal1", {fmt::format("octaves={}", levels)}, "close")));
+    image::Image color = colorOf(render(with(shot, "oberberger2022", {fmt::format("octaves={}", levels)}, "close")));
     double sum = 0;
     for (int x = 80; x < 92; x += 4) sum += meanOfColumn(color, x) - meanOfColumn(color, x + 2);
     return sum / 3;

@@ -180,7 +180,7 @@ TEST_F(RenderRanges, SplitCompositesAreExactWhereMotionBends) {
 TEST_F(RenderRanges, OneSidedExposuresHaveOnePart) {
   lab::Shot shot = kTextured[0].shot();
   for (const Method& method : kSplitting)
-    for (const char* anchor : {"close", "open"}) {
+    for (const char* anchor : {"end", "open"}) {
       image::Image whole = colorBy(method, shot, {}, anchor), split = colorBy(method, shot, {"range=split"}, anchor);
       EXPECT_TRUE(identical(whole, split)) << method.name() << " " << anchor;
     }

@@ -89,7 +89,7 @@ TEST_F(RenderSelective, GathersWhereAllMovesAlike) {
       worst = std::max(worst, std::abs(colorOf(own).at(x, y, 0) - sum / kSamples));
     }
   EXPECT_LE(worst, 1e-6);
-  EXPECT_GE(counterOf(own, "refined_time.gathered"), 128u * 40 / 3);
+  EXPECT_GE(counterOf(own, "adaptive_times.gathered"), 128u * 40 / 3);
 }
 
 // What the capture does not show is found by rays: a bar that was in the picture only before the capture, one that is
@@ -112,8 +112,8 @@ TEST_F(RenderSelective, FindsWhatTheCaptureDoesNotSee) {
 // it.
 TEST_F(RenderSelective, RaysRefuteCellsThatSeemCertain) {
   const lab::Picture own = at(shotOf("bar", 64, 40, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), .4, {}, "close");
-  EXPECT_GT(counterOf(own, "uniform_motion.checked"), counterOf(own, "uniform_motion.refuted"));
-  EXPECT_GT(counterOf(own, "uniform_motion.refuted"), 0u);
+  EXPECT_GT(counterOf(own, "coherent_cells.checked"), counterOf(own, "coherent_cells.refuted"));
+  EXPECT_GT(counterOf(own, "coherent_cells.refuted"), 0u);
 }
 
 // Raster puts the left edge of a card at rest, a thousandth of a pixel to the right of a pixel's centre, on that centre
@@ -147,8 +147,8 @@ TEST_F(RenderSelective, RaysLookAtThePictureAlone) {
       "crossing", 64, kHigh, {{"a_left", -200}, {"a_width", 400}, {"a_top", -8}, {"a_height", 8 + kHigh}, {"a_x", 12}});
   for (const Anchor& anchor : anchors()) {
     const lab::Picture own = at(moves, .4, {}, anchor.name);
-    EXPECT_GT(counterOf(own, "uniform_motion.checked"), 0u) << anchor.name;
-    EXPECT_EQ(counterOf(own, "uniform_motion.refuted"), 0u) << anchor.name;
+    EXPECT_GT(counterOf(own, "coherent_cells.checked"), 0u) << anchor.name;
+    EXPECT_EQ(counterOf(own, "coherent_cells.refuted"), 0u) << anchor.name;
   }
 }
 

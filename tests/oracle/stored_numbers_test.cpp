@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of mixin/stored.glsl run on chosen numbers, against what half floats and depth encodings are by
+// The functions of mixin/quantised.glsl run on chosen numbers, against what half floats and depth encodings are by
 // definition: the list of all half floats, and 1 - n/z in double precision.
 #include <fmt/format.h>
 
@@ -64,7 +64,7 @@ const char* kPreamble = R"(#version 460
 #define depth_encoding_reversed 1
 #define depth_encoding_inverse 2
 #define depth_encoding_unorm24 3
-#define SLICE_CAPTURE 0
+#define SLICE_RASTER 0
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0, std430) buffer Io { vec4 io[]; };
 struct Camera { float near; };
@@ -82,7 +82,7 @@ class StoredNumbers : public RenderTest {
     padded.resize((values.size() + 3) / 4 * 4, 0.0f);
     gpu::Device& device = bench().device();
     std::string main =
-        "#include \"mixin/stored.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
+        "#include \"mixin/quantised.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
         "  if (i >= io.length()) return;\n  vec4 v = io[i];\n  " +
         body + "\n  io[i] = v;\n}\n";
     std::string pattern = (std::filesystem::temp_directory_path() / "strobe_stored_XXXXXX").string();

@@ -310,7 +310,7 @@ TEST(Buffers, ARunOverAListReadsItsGroups) {
   Builder b;
   b.compute("list", {}, {"x buffer32ui"});
   PassDesc& over = b.compute("over", {{"x", "list.x"}}, {"y"});
-  over.over = "x", over.writes[0].cleared = true;
+  over.dispatch_over = "x", over.writes[0].cleared = true;
   b.output("color", "over.y");
   Plan plan = compiled(b.pipeline);
   EXPECT_EQ(plan.nodes.at(1).over, plan.nodes.at(0).writes.at(0));
@@ -672,7 +672,7 @@ TEST(Refusals, RaysAtTimesNobodyBuildsAStructureFor) {
   Builder b;
   b.trace("rays", {}, {"hit"});
   b.output("color", "rays.hit");
-  b.node("rays").time = "open";
+  b.node("rays").time = "shutter_open";
   EXPECT_EQ(refusal(b.pipeline),
             "test.lua:1: trace node 'rays' has time 'open'; rays see the capture or, in a loop, the sample");
 }

@@ -78,7 +78,7 @@ TEST_F(Project, Runs) {
   EXPECT_NE(inside("help smear.taps").out.find("averaged colours"), std::string::npos);
   std::string record = contentOf(path("pipelines/out/a.record.json"));
   for (const char* file : {"project:pipelines/smear.lua", "project:passes/smear.lua", "project:shaders/smear.glsl",
-                           "strobe:passes/scene/gbuffer.lua", "strobe:shaders/lib/hit.glsl"})
+                           "strobe:passes/gbuffer/gbuffer.lua", "strobe:shaders/lib/hit.glsl"})
     EXPECT_NE(record.find("\"" + std::string(file) + "\""), std::string::npos) << file;
   EXPECT_EQ(inside("render none" + kSmall).exit_code, 0);
   EXPECT_NE(run("plan smear").err.find("there is no pipeline 'smear'"), std::string::npos);  // outside of it

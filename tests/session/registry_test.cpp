@@ -41,7 +41,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
      {{{}, {}},
       kJitter,
       kBent,
-      {{"tile=8"}, {"tile_rule", "second_share", "tile_jitter", "tile_variance.rule"}},
+      {{"tile=8"}, {"tile_rule", "second_share", "tile_jitter", "direction_variance.rule"}},
       {{"jitter=hash"}, {"eta"}},
       {{"tile=8", "pan=20", "limit=1"}, {"uniform_path"}},
       {{"anchor=centre"}, {"uniform_ratio", "uniform_speed"}}}},
@@ -61,7 +61,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"anchor=centre"}, {"mirror"}},
       {{"tile=8", "pan=10", "limit=1"}, {"cheap_ratio"}},
       {{"tile=8", "pan=10", "limit=1", "cheap_ratio=0.5"}, {"cheap"}}}},
-    {"layers2024",
+    {"lee2024",
      {{{}, {}},
       kJitter,
       kBent,
@@ -75,11 +75,11 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"effort=0", "tile=8"}, {"tile_rule"}},
       {{}, {"preset"}},
       {{"effort=0.1", "scene=solids"},
-       {"refined_time.pace", "refined_time.allowance", "refined_time.hit_color", "refined_time.same_depth",
-        "refined_time.cell_side", "uniform_motion.apart_px", "uniform_motion.audit_rays"}},
+       {"adaptive_times.pace", "adaptive_times.allowance", "adaptive_times.hit_color", "adaptive_times.same_depth",
+        "adaptive_times.cell_side", "coherent_cells.apart_px", "coherent_cells.validation_rays"}},
       {{"effort=0.8", "samples=4"}, {}}}},
     {"accumulation", {{{"scene=solids"}, {}}, {{"scene=solids", "samples=64"}, {"unlike", "detail_below"}}}},
-    {"temporal1", {{{}, {}}, {{"frame=1"}, {"jitter_frame"}}, kBent, {{"tile=8"}, {"tile_rule"}}}},
+    {"oberberger2022", {{{}, {}}, {{"frame=1"}, {"jitter_frame"}}, kBent, {{"tile=8"}, {"tile_rule"}}}},
     {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
     {"hybrid",
      {{{},
@@ -127,9 +127,9 @@ const std::map<std::string, std::vector<Context>> kContexts = {
         "reveal.tolerance=0.5"},
        {"reveal.on_cap"}},
       {{"samples=64"},
-       {"layered.slowest", "layered.unlike", "layered.detail_below", "own_time.unlike", "own_time.detail_below"}},
+       {"layered.slowest", "layered.unlike", "layered.detail_below", "trace_time_samples.unlike", "trace_time_samples.detail_below"}},
       {{"scene=solids", "anchor=centre"},
-       {"path_bend.most_growth", "unseen_open.same_depth", "unseen_close.same_depth", "own_time.same_depth"}}}},
+       {"path_deviation.max_stretch", "disoccluded_at_open.same_depth", "disoccluded_at_close.same_depth", "trace_time_samples.same_depth"}}}},
     {"ground_truth",
      {{{"samples=8"}, {}},
       {{"samples=8", "times=stratified"}, {"slices"}},
@@ -146,20 +146,20 @@ const std::map<std::string, std::string> kNoPicture = {
     {"selective: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"ue4: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
-    {"hybrid_layered: layered.leaves_unlike", kResolved},
+    {"hybrid_layered: layered.marks_contrast", kResolved},
     {"hybrid_layered: layered.unlike", kResolved},
     {"hybrid_layered: layered.detail_below", kResolved},
     {"hybrid_layered: layered.slowest", kResolved},
-    {"mask_crossings.margin", "which of the candidates that come to nothing are tried all the same"},
-    {"accumulated.where_reached", "elsewhere there is nothing to add"},
-    {"truth_trace.once_where_still", "what is at rest comes out the same however often it is sampled"},
-    {"truth_spread.block", "in which groups differences are added up"},
-    {"own_time.audit", "which pixels are checked"},
-    {"own_time.wrong_by", "what a check counts"},
+    {"cull_candidates.margin", "which of the candidates that come to nothing are tried all the same"},
+    {"accumulated.skip_static", "elsewhere there is nothing to add"},
+    {"sample.static_once_per_loop", "what is at rest comes out the same however often it is sampled"},
+    {"half_difference.block", "in which groups differences are added up"},
+    {"trace_time_samples.audit", "which pixels are checked"},
+    {"trace_time_samples.mismatch_tolerance", "what a check counts"},
     {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
-    {"uniform_motion.audit_rays", "which cells are checked; where no ray finds anything they stay what they are"},
-    {"selective: truth_agreement.even_within", "centres are sampled alone, whose rays are one"},
-    {"selective: truth_trace.audit", "which pixels are checked"},
+    {"coherent_cells.validation_rays", "which cells are checked; where no ray finds anything they stay what they are"},
+    {"selective: sample_consensus.even_within", "centres are sampled alone, whose rays are one"},
+    {"selective: sample.audit", "which pixels are checked"},
     {"truth_stop.min_samples", "keeps truth from stopping on few samples; the tolerance decides after that"},
 };
 
@@ -372,8 +372,8 @@ TEST_F(Registry, Jimenez2014) { walk("jimenez2014", 3); }
 TEST_F(Registry, Ue4) { walk("ue4", 4); }
 TEST_F(Registry, Bevy) { walk("bevy", 7); }
 TEST_F(Registry, Hdrp) { walk("hdrp", 9); }
-TEST_F(Registry, Temporal1) { walk("temporal1", 10); }
-TEST_F(Registry, Layers2024) { walk("layers2024", 8); }
+TEST_F(Registry, Temporal1) { walk("oberberger2022", 10); }
+TEST_F(Registry, Layers2024) { walk("lee2024", 8); }
 TEST_F(Registry, Selective) { walk("selective", 11); }
 TEST_F(Registry, Accumulation) { walk("accumulation", 12); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }

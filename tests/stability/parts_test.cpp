@@ -77,7 +77,7 @@ script::Settings settingsOf(const lab::Shot& shot) {
 
 TEST(Shrunk, LeavesWhatTheFailureNeeds) {
   lab::Shot shot = sized({}, 64, 40);
-  shot.anchor = "open";
+  shot.anchor = "start";
   for (const auto& [name, value] : script::Settings{{"weights", "x"},
                                                     {"scene.seed", 7},
                                                     {"scene.cards", 6},

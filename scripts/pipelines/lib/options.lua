@@ -2,8 +2,8 @@
 -- Parameters that blur pipelines share, so that a name means the same in each.
 local blur          = require "passes.lib.blur"
 local jitter        = require "passes.lib.jitter"
-local stored        = require "passes.lib.stored"
-local gbuffer       = require "passes.scene.gbuffer"
+local quantised     = require "passes.lib.quantised"
+local gbuffer       = require "passes.gbuffer.gbuffer"
 local neighbour_max = require "passes.tile.neighbour_max"
 
 local options = {}
@@ -21,9 +21,9 @@ function options.of_picture(more)
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     displacement = gbuffer.params.displacement,
-    velocity_format = stored.velocity_format,
-    color_format    = stored.color_format,
-    depth_encoding  = stored.depth_encoding,
+    velocity_format = quantised.velocity_format,
+    color_format    = quantised.color_format,
+    depth_encoding  = quantised.depth_encoding,
   }, more)
 end
 

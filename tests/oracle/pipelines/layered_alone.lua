@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- The layered composite without the second displacement per tile: what the taps alone find.
 local pipeline = require "strobe.pipeline"
-local layered  = require "passes.composite.layered"
-local reveal   = require "passes.scene.reveal"
+local layered  = require "passes.layered.layered_composite"
+local reveal   = require "passes.hybrid.ray_reveal"
 local layers   = require "scripts.pipelines.lib.layers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"

@@ -2,7 +2,7 @@
 -- Depth of what luminance termination reveals, by what the luminance is of.
 local pipeline = require "strobe.pipeline"
 local constant = require "passes.mask.constant"
-local reveal   = require "passes.scene.reveal"
+local reveal   = require "passes.hybrid.ray_reveal"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {

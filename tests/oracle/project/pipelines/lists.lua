@@ -5,7 +5,7 @@ local moving     = require "passes.mask.moving"
 local marked     = require "passes.marked"
 local traced     = require "passes.traced"
 local drawn_bins = require "passes.drawn_bins"
-local lists      = require "scripts.pipelines.lib.lists"
+local compact      = require "scripts.pipelines.lib.compact"
 local options    = require "scripts.pipelines.lib.options"
 local scene      = require "scripts.pipelines.lib.scene"
 local tiles      = require "scripts.pipelines.lib.tiles"
@@ -19,7 +19,7 @@ return pipeline {
   build = function(p)
     local seen = scene.captured()
     local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
-    local listed = p.over() == "list" and lists.of(mask, "moving") or nil
+    local listed = p.over() == "list" and compact.pixels(mask, "moving") or nil
     local made = marked { color = seen.color, listed = listed }
     return scene.outputs(seen, {
       color = seen.color, mask = mask, times = made.times, copied = made.copied,
