@@ -1,3 +1,3 @@
 -- SPDX-License-Identifier: MIT
--- Marks the folder of a Strobe project: inside it, commands find its files beside those that ship.
+-- Marks the folder of a Strobe project. Commands that run inside it find its files and the shipped files.
 return { name = "PROJECT" }

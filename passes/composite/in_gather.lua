@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- One gather over both layers: taps that stand for the background read the revealed layer where raster saw something in
--- front of it.
+-- One gather over both layers: background taps read the revealed layer where the raster layer shows a surface in front of
+-- the background.
 local pass   = require "strobe.pass"
 local blur   = require "passes.lib.blur"
 local ports  = require "passes.lib.blur_ports"
@@ -10,23 +10,23 @@ return pass.compute {
   name   = "in_gather",
   shader = "composite/in_gather",
   doc    = "One gather whose background taps read the revealed layer where the foreground hides them",
-  fails  = "A surface in front that moves neither like the fastest one around nor like what the pixel itself sees " ..
-           "may be missed, above all if it moves against them. The background is taken to move as it does at the " ..
-           "pixel: wrong where two backgrounds meet or where it turns. One layer behind the first, no more.",
+  fails  = "A surface in front may be missed if it moves neither by the dominant displacement nor like the pixel's own " ..
+           "surface, above all if it moves against both. The background is assumed to move as it does at the pixel: wrong " ..
+           "where two backgrounds meet or the background turns. Only one layer behind the first is used.",
   size   = { of = "color" },
   reads  = ports.of_both({}, {
-    id          = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
-    revealed_id = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
+    id          = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
+    revealed_id = { uint = true, doc = "instance + 1, geometry + 1 of the revealed surface; 0 for the sky" },
   }),
   writes = ports.picture,
   without = ports.still,
   params = {
-    samples      = blur.samples { doc = "time samples" },
+    samples      = blur.samples { doc = "number of time samples" },
     tile         = blur.tile,
     limit        = blur.limit,
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },
-  counters = { fallback = "time samples whose background neither layer had; that at the pixel stands in" },
+  counters = { fallback = "time samples whose background is in neither layer; the background at the pixel is used instead" },
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Per-time layered composite of what raster saw and what was revealed behind it.
+-- Composite of the raster layer and the revealed layer, per time sample.
 local pass    = require "strobe.pass"
 local layered = require "passes.lib.layered"
 

@@ -1,14 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Silhouettes between instances, on their nearer side.
+-- Silhouettes between instances, one pixel wide, on the nearer side.
 local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   name   = "edge_id",
   shader = "edge/id",
-  doc    = "Pixels beside another instance that is farther",
-  fails  = "Blind to self-occlusion of one instance. Where resting parts touch or intersect it marks the contact " ..
-           "too, which costs rays but is no error.",
+  doc    = "Pixels beside a farther pixel of another instance",
+  fails  = "Misses self-occlusion of one instance. Marks the contact where static parts touch or intersect, which " ..
+           "costs rays without an error.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "id"),
   writes = { edge = edge_ports.edge },

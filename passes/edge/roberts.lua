@@ -7,10 +7,10 @@ return pass.compute {
   name   = "edge_roberts",
   shader = "edge/roberts",
   doc    = "Edges from two diagonal differences of 2 x 2 pixels, one pixel wide",
-  fails  = "Its answer is half a pixel to the right and below. Silhouettes whose nearer side is to the right or " ..
-           "below are marked on the farther pixel, where the mask seed does not look: objects that move left or up " ..
-           "get no mask. Planes at grazing angles are marked, as with sobel.",
-  breaks = { mirrored = "its two by two pixels have no middle pixel" },
+  fails  = "The response is centred half a pixel to the right and below. Silhouettes with the nearer side to the right or " ..
+           "below are marked on the farther pixel, where the mask does not search: objects that move left or up get no " ..
+           "mask. Marks planes at grazing angles, as sobel does.",
+  breaks = { mirrored = "a block of 2 x 2 pixels has no centre pixel" },
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },

@@ -1,14 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Edges from gradients of depth and normal, least dependent on direction. Scharr 2000.
+-- Edges from gradients of depth and normal, with the most isotropic weights. Scharr 2000.
 local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   name   = "edge_scharr",
   shader = "edge/scharr",
-  doc    = "As sobel, with the weights whose answer depends least on direction",
-  fails  = "Planes at grazing angles and curved surfaces are marked, as with sobel. Its even answer is that of " ..
-           "smooth changes: a hard step along a diagonal of the pixels answers 15 % more than one along an axis.",
+  doc    = "Edges from gradients of depth and normal, with the weights whose response depends least on direction",
+  fails  = "Marks planes at grazing angles and curved surfaces, as sobel does. The response is isotropic only for " ..
+           "smooth changes: it is 15 % larger for a hard step along a diagonal than for one along an axis.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },

@@ -6,9 +6,9 @@ local edge_ports = require "passes.lib.edge_ports"
 return pass.compute {
   name   = "edge_sobel",
   shader = "edge/sobel",
-  doc    = "Edges where depth or normal change from pixel to pixel",
-  fails  = "On planes at grazing angles the depth changes from pixel to pixel as at an edge, so that whole floors " ..
-           "are marked; curved surfaces seen at grazing angles are marked too. Edges are two pixels wide.",
+  doc    = "Edges from gradients of depth and normal",
+  fails  = "Marks whole planes at grazing angles, such as floors, because their depth gradient is as large as at an edge. " ..
+           "Marks curved surfaces at grazing angles. Edges are two pixels wide.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },

@@ -6,25 +6,25 @@ local blur = require "passes.lib.blur"
 return pass.compute {
   name   = "along_motion",
   shader = "filter/along_motion",
-  doc    = "Five pixels along the motion around, 2^octave apart, weighed by how their luminance fits the variance",
-  fails  = "By bias: where motions differ all are blurred along the longest, and textures and silhouettes along it as far as "
-    .. "they pass for noise. What the levels do not reach stays noisy.",
-  breaks = { linear = "luminances are compared: other light has other weights" },
+  doc    = "Mean of five pixels along the dominant displacement, 2^octave px apart, weighted by luminance and variance",
+  fails  = "Adds bias: where motions differ, everything is blurred along the longest one. Textures and silhouettes along it "
+    .. "are blurred if their contrast is within the noise. Noise that the levels do not reach remains.",
+  breaks = { linear = "weights depend on differences of luminance, and so on the light" },
   size   = { of = "noisy" },
   reads  = {
-    noisy    = { doc = "linear, of the level before" },
-    variance = { doc = "of luminance / (1 + luminance), of the level before" },
-    dominant = { doc = "px over the exposure, per tile" },
+    noisy    = { doc = "noisy image of the previous level, linear radiance" },
+    variance = { doc = "variance of luminance / (1 + luminance) in the previous level" },
+    dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
   },
   writes = {
-    blurred = { format = "rgba32f", doc = "linear; alpha 1" },
-    less    = { format = "r32f", doc = "variance that is left" },
+    blurred = { format = "rgba32f", doc = "filtered image, linear radiance; alpha 1" },
+    less    = { format = "r32f", doc = "remaining variance of luminance / (1 + luminance)" },
   },
   without = { motion = { blurred = "noisy", less = "variance" } },
   params = {
     tile  = blur.tile,
-    octave = pass.int { 0, min = 0, max = 8, doc = "pixels lie 2^octave apart" },
+    octave = pass.int { 0, min = 0, max = 8, doc = "level of the filter; its pixels are 2^octave px apart" },
     deviations = pass.float { 4, min = 1e-3, max = 1024,
-      doc = "standard deviations by which a pixel may differ: more takes away more noise, and more of the picture" },
+      doc = "luminance tolerance of the weights, in standard deviations; larger values remove more noise and more detail" },
   },
 }

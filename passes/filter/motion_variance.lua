@@ -1,20 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- How noisy one time per pixel leaves a picture, told from the pixels along the motion. Oberberger, Chajdas, Westermann 2022.
+-- Noise of an image with one time sample per pixel, estimated along the motion. Oberberger, Chajdas, Westermann 2022.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "motion_variance",
   shader = "filter/motion_variance",
-  doc    = "Variance of the luminance along the motion around, 0 where no pixel on it sees anything that moves",
-  fails  = "A texture that lies along the motion is taken for noise.",
+  doc    = "Variance of luminance along the dominant displacement; 0 where no pixel along it hit a moving surface",
+  fails  = "A texture that varies along the motion is treated as noise.",
   size   = { of = "noisy" },
   reads  = {
-    noisy    = { doc = "linear, of one time per pixel" },
-    moved    = { doc = "px over the exposure, of what is seen at that time" },
-    dominant = { doc = "px over the exposure, per tile" },
+    noisy    = { doc = "image with one time sample per pixel, linear radiance" },
+    moved    = { doc = "displacement of the surface hit at the pixel's time, px over the exposure" },
+    dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
   },
-  writes = { variance = { format = "r32f", doc = "of luminance / (1 + luminance)" } },
+  writes = { variance = { format = "r32f", doc = "variance of luminance / (1 + luminance)" } },
   without = { motion = { variance = 0 } },
   params = { tile = blur.tile },
 }

@@ -6,29 +6,30 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 local stored = require "passes.lib.stored"
 
-local every_other = "of an even number of samples to both sides every other one is taken, counted from one end"
+local every_other = "an even number of samples around the pixel alternates between the directions from one end on, so that " ..
+  "reversal swaps the directions"
 
 return pass.compute {
   name   = "gather_mcguire2012",
   shader = "gather/mcguire2012",
   doc    = "Blur along the dominant displacement, weighted by cones and cylinders",
-  fails  = "It is too opaque inside silhouettes (6/7 where 1/2 is true), shows a step at them, and its ramps are no "
-    .. "straight lines; opacity grows with the number of samples. Background inside a silhouette is the picture from "
-    .. "outside. Motions that cross the dominant one are blurred along it.",
+  fails  = "Too opaque inside silhouettes (6/7 instead of 1/2), with a step at them; coverage ramps are not straight lines, "
+    .. "and opacity grows with the number of samples. The background inside a silhouette is copied from outside. Motions that "
+    .. "cross the dominant one are blurred along it.",
   breaks = {
-    converging = "opacity grows with the number of samples: the pixel itself weighs as much however many there are",
+    converging = "opacity grows with the number of samples: the weight of the centre pixel does not scale with it",
   },
   size   = { of = "color" },
   reads  = ports.of_layer { "second" },
   writes = ports.layer,
   without = ports.still,
   params = {
-    samples      = blur.samples { doc = "taps along the displacement" },
+    samples      = blur.samples { doc = "number of taps along the displacement" },
     directions   = blur.directions {
       values = {
-        one = "All along the dominant displacement, as published. Fails where things cross it: they blur along it.",
-        two = "Every other one along the pixel's own, or across the dominant one where the pixel is at rest. Fails "
-          .. "by spreading what moves one way along the other, since weights know distances, not directions.",
+        one = "All taps along the dominant displacement, as published. Fails where surfaces cross it: they blur along it.",
+        two = "Every other tap along the pixel's own displacement, or the perpendicular of the dominant one at static pixels. "
+          .. "Fails by spreading surfaces across their motion, since weights depend on distances, not directions.",
       },
       breaks = { two = { reversed = every_other } } },
     tile         = blur.tile,

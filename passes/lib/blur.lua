@@ -1,31 +1,32 @@
 -- SPDX-License-Identifier: MIT
--- Parameters that the passes of a blur share, so that a name means the same in each and follows the pipeline's.
+-- Parameters that the passes of a blur share. Each name has one meaning in every pass and follows the pipeline's parameter.
 local param = require "strobe.param"
 
 return {
-  samples = param.int { 16, min = 1, max = 1024, role = "sample_count", doc = "samples along the motion" },
+  samples = param.int { 16, min = 1, max = 1024, role = "sample_count", doc = "number of samples along the motion" },
 
-  tile = param.int { 40, min = 1, max = 1024, unit = "px", role = "tile", doc = "side of a tile" },
+  tile = param.int { 40, min = 1, max = 1024, unit = "px", role = "tile",
+    doc = "side of a tile, a square of pixels with one dominant displacement" },
 
   cell_side = param.int { 10, min = 1, max = 1024, unit = "px",
-    doc = "side of a cell, in which bounds of displacements tell what need not be looked at" },
+    doc = "side of a cell, a square of pixels that is skipped if the bounds of its displacements show that it needs no work" },
 
   limit = param.float { "auto", min = 0, max = 10, auto = true, unit = "image widths", role = "reach",
-    doc = "longest displacement handled; longer ones are shortened and counted. auto: what the picture has, none is" },
+    doc = "longest displacement that filters handle; longer ones are shortened and counted. auto: no limit; filters search " ..
+      "as far as the longest displacement of the image" },
 
   depth_extent = param.float { 0.01, min = 1e-6, max = 1, role = "depth_tolerance",
-    doc = "share of the depth over which two depths count as one" },
+    doc = "width of the soft depth comparison, as a fraction of the farther depth" },
 
   trajectory = param.choice { "line", "quadratic", "arc", default = "line",
-    doc = "how a point goes over the picture within the exposure; with displacement = extrapolated, as places in earlier " ..
-      "frames tell",
+    doc = "screen path of a surface point over the exposure; with displacement = extrapolated, fitted to earlier frames",
     values = {
-      line = "In a straight line at an even pace. Fails where things turn: wheels blur in straight lines.",
-      quadratic = "On a parabola, through its places at the ends and in the middle, or in this frame and the two before it. " ..
-        "Fails beyond a sixth of a turn.",
-      arc = "On an arc about a centre that may go along a line, from seven poses: what turns in the picture, wheels that " ..
-        "roll, up to one and a quarter turns. Needs displacement = window. Fails where circles are seen aslant.",
+      line = "Straight line at constant speed. Fails for rotation: wheels blur in straight lines.",
+      quadratic = "Parabola through the positions at shutter open, in the middle and at shutter close; with displacement = " ..
+        "extrapolated, through the positions in this frame and the two frames before it. Fails beyond a sixth of a turn.",
+      arc = "Arc about a centre that may move along a line, fitted to seven poses. Covers rotation in the image plane and " ..
+        "rolling wheels, up to one and a quarter turns. Needs displacement = window. Fails for circles seen obliquely.",
     } },
 
-  directions = param.choice { "one", "two", default = "one", doc = "along how many directions taps are taken" },
+  directions = param.choice { "one", "two", default = "one", doc = "number of directions along which taps are taken" },
 }

@@ -1,11 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- What passes share that give the capture's colour to what they see at other times (shaders/mixin/captured_color.glsl).
+-- Parameters of passes that trace rays at other times and reuse colours of the raster time (shaders/mixin/captured_color.glsl).
 local param = require "strobe.param"
 
 return {
-  shades_unlike = param.bool { false, doc = "shade what lies between texels that differ, instead of taking their colour" },
-  unlike        = param.float { 0.02, min = 0, max = 1, doc = "share of their colour by which these may differ" },
+  shades_unlike = param.bool { false,
+    doc = "shade a hit whose four surrounding texels differ in colour, instead of blending the texels" },
+  unlike        = param.float { 0.02, min = 0, max = 1,
+    doc = "largest relative difference between the colours of the four texels around a hit that are blended; with " ..
+      "shades_unlike" },
   detail_below  = param.float { 0.75, min = 0, max = 1e6, unit = "px",
-    doc = "and only of what moves by no more than this from sample to sample" },
-  same_depth    = param.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
+    doc = "largest displacement between successive samples of a surface that is shaded where texels differ; with " ..
+      "shades_unlike" },
+  same_depth    = param.float { 0.01, min = 0, max = 1,
+    doc = "relative tolerance for equal depths" },
 }

@@ -1,17 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- Images and parameters that edge detectors share, so that a name means the same in each.
+-- Images and parameters that edge detectors share. Each name has one meaning in every detector.
 local pass = require "strobe.pass"
 
 local edge_ports = {}
 
 local docs = {
-  depth  = { doc = "linear view depth, metres, sky = +inf" },
-  normal = { doc = "unit, world space; sky = 0" },
-  id     = { uint = true, doc = "instance + 1; sky = 0" },
-  where  = { optional = true, doc = "above 1/2 where to look; absent: everywhere" },
+  depth  = { doc = "linear view depth, metres; +inf for the sky" },
+  normal = { doc = "unit normal, world space; 0 for the sky" },
+  id     = { uint = true, doc = "instance + 1; 0 for the sky" },
+  where  = { optional = true, doc = "mask, above 1/2 where edges are detected; absent: everywhere" },
 }
 
--- What a detector reads: those named, and where to look.
+-- Reads of a detector: the named images and the mask `where`.
 function edge_ports.reads(...)
   local reads = { where = docs.where }
   for _, name in ipairs { ... } do
@@ -20,55 +20,55 @@ function edge_ports.reads(...)
   return reads
 end
 
-edge_ports.edge = { format = "r8_unorm", doc = "1 on an edge" }
+edge_ports.edge = { format = "r8_unorm", doc = "edge mask, 1 on an edge" }
 
--- What stands in for a detector that is to look nowhere.
+-- Stand-in for the output of a detector if `where` is empty.
 edge_ports.nowhere = { where = { edge = 0 } }
 
 function edge_ports.depth_threshold(default, doc)
-  return pass.float { default, min = 1e-6, max = 16, doc = doc or "relative depth step of an edge" }
+  return pass.float { default, min = 1e-6, max = 16, doc = doc or "smallest relative depth step of an edge" }
 end
 
--- Thresholds of both steps and how they count together, and those of `more`.
+-- Parameters of detectors by depth and normal: both thresholds, their combination, and the parameters in `more`.
 function edge_ports.steps(more)
   local params = {
     depth_threshold  = edge_ports.depth_threshold(0.05),
-    normal_threshold = pass.float { 0.8, min = 1e-6, max = 16, doc = "length of the normal step of an edge" },
+    normal_threshold = pass.float { 0.8, min = 1e-6, max = 16, doc = "smallest difference of unit normals at an edge" },
     combine          = pass.choice { "max", "sum", "and", default = "max",
-      doc = "either, both added, or both at once",
+      doc = "combination of the depth step and the normal step",
       values = {
-        max     = "A step of depth or of normal is an edge by itself. Fails when either alone says nothing of a " ..
-                  "silhouette: creases and curved surfaces are marked.",
-        sum     = "Both steps count together, each as a share of its threshold. Fails as max does, on more surfaces.",
-        ["and"] = "Depth and normal must both step. Fails at silhouettes in front of a parallel surface, where " ..
-                  "normals are equal: they are missed.",
+        max     = "An edge is a step of depth or of normal. Fails where one of the two responds without a silhouette: " ..
+                  "creases and curved surfaces are marked.",
+        sum     = "The steps are added, each divided by its threshold. Fails as max does, on more surfaces.",
+        ["and"] = "An edge is a step of both depth and normal. Fails by missing silhouettes in front of a parallel " ..
+                  "surface, where normals are equal.",
       } },
   }
   for name, param in pairs(more or {}) do params[name] = param end
   return params
 end
 
--- The same for gradients.
+-- Parameters of detectors by gradients.
 function edge_ports.gradients()
   return edge_ports.steps {
-    norm = pass.choice { "l1", "l2", default = "l2", doc = "how the gradients in both directions are combined",
+    norm = pass.choice { "l1", "l2", default = "l2", doc = "norm of the gradient of two components",
       values = {
-        l1 = "Their lengths are added. Fails to treat directions alike: a diagonal gradient counts 41 % more.",
-        l2 = "The length of the vector they make.",
+        l1 = "Sum of the magnitudes. Fails to be isotropic: a diagonal gradient counts 41 % more.",
+        l2 = "Euclidean length.",
       } },
   }
 end
 
--- How far a surface leaves a plane.
+-- Measure of the distance of a surface from a plane.
 function edge_ports.measure()
   return pass.choice { "second_difference", "distance", default = "second_difference",
-    doc = "how far a neighbour is off the plane",
+    doc = "measure of the distance of a neighbouring pixel from the plane of the surface",
     values = {
-      second_difference = "By depth alone: 1/z is affine on a plane, so its second difference is 0. Fails when both " ..
-                          "neighbours of a pixel are as much nearer as farther, and at the picture's border.",
-      distance = "From the neighbour's point to the plane through the pixel that its normal tells. Fails at the " ..
-                 "silhouettes of curved surfaces, where that plane runs along the line of sight and meets what is " ..
-                 "behind.",
+      second_difference = "Second difference of 1/z, which is 0 on a plane, since 1/z is affine there. Uses depth alone. " ..
+                          "Fails if one neighbour of a pixel is as much nearer as the opposite one is farther, and at the " ..
+                          "border of the image.",
+      distance = "Distance from the neighbour's point to the plane through the pixel's point and normal. Fails at the " ..
+                 "silhouettes of curved surfaces, where that plane runs along the line of sight and meets the background.",
     } }
 end
 

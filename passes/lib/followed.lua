@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- What passes read of a layer whose surfaces they follow over the exposure.
+-- Reads of passes that compute the screen paths of a layer's surfaces over the exposure.
 return {
-  depth    = { doc = "linear view depth, metres; sky = +inf, 0 where the layer has nothing" },
-  id       = { uint = true, doc = "instance + 1 (0 = sky)" },
-  velocity = { doc = "displacement over the exposure, px" },
+  depth    = { doc = "linear view depth, metres; +inf for the sky, 0 where the layer has no surface" },
+  id       = { uint = true, doc = "instance + 1; 0 for the sky" },
+  velocity = { doc = "displacement of the surface, px over the exposure" },
   hit      = { optional = true, uint = true,
-    doc = "instance + 1 (0 = sky), geometry, primitive; absent: joints and morph targets are not followed" },
-  normal   = { optional = true, doc = "unit, world space; sky = 0; absent: growth is not looked at" },
+    doc = "instance + 1 (0 for the sky), geometry, primitive; absent: joints and morph targets are ignored" },
+  normal   = { optional = true, doc = "unit normal, world space; 0 for the sky; absent: stretch is not tested" },
 }

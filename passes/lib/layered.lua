@@ -1,50 +1,55 @@
 -- SPDX-License-Identifier: MIT
--- Per-time layered composite of what raster saw and what was revealed behind it: the description of a pass.
+-- Description of a pass that composites the raster layer and the revealed layer per time sample.
 local param  = require "strobe.param"
 local blur   = require "passes.lib.blur"
 local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
--- One table for all, so that they follow the same parameters of a pipeline.
+-- One table for all variants, so that they follow the same parameters of a pipeline.
 local params = {
-  samples      = blur.samples { doc = "time samples" },
+  samples      = blur.samples { doc = "number of time samples" },
   tile         = blur.tile,
   cell_side    = blur.cell_side,
   limit        = blur.limit,
   trajectory   = blur.trajectory,
-  taps         = param.choice { "nearest", "linear", default = "nearest", doc = "what of a layer stands for a sample",
+  taps         = param.choice { "nearest", "linear", default = "nearest", doc = "interpolation of a layer at a sample",
     values = {
-      nearest = "The texel that is nearest to it. Fails by half a pixel: stairs in textures and highlights.",
-      linear = "The four around it, as far as they are there too. Fails by smoothing across the motion.",
+      nearest = "Nearest texel. Fails by half a pixel: stairs in textures and highlights.",
+      linear = "Blend of the four surrounding texels, without those whose surface is elsewhere at the sample's time. Fails " ..
+        "by smoothing across the motion.",
     },
-    breaks = { linear = { uniform = "texels around a sample are blended, which the mean of nearest ones is not" } } },
+    breaks = { linear = { uniform = "texels around a sample are blended, which differs from the mean of nearest texels" } } },
   leaves_open  = param.bool { false, wired = true,
-    doc = "leave samples out at which no layer has anything, for rays to find" },
-  leaves_unlike = param.bool { false, doc = "with leaves_open: so too those between texels that differ" },
-  unlike       = param.float { 0.02, min = 0, max = 1, doc = "share of their colour by which these may differ" },
+    doc = "leave unresolved samples out of the mean, so that a later pass traces a ray for each" },
+  leaves_unlike = param.bool { false,
+    doc = "treat samples between texels of different colour as unresolved; with leaves_open" },
+  unlike       = param.float { 0.02, min = 0, max = 1,
+    doc = "largest relative difference of the colours of the texels around a resolved sample; with leaves_unlike" },
   detail_below = param.float { 0.75, min = 0, max = 1e6, unit = "px",
-    doc = "and only of what moves by no more than this from sample to sample: else these are too few for it to show" },
+    doc = "largest displacement between successive samples of a surface whose differing texels leave samples " ..
+      "unresolved; with leaves_unlike. Samples of faster surfaces are too sparse to show such detail" },
   slowest      = param.float { 0.5, min = 0, max = 100, unit = "px",
-    doc = "with leaves_unlike: least difference of displacements between which a silhouette may lie" },
-  harvest      = param.bool { true, doc = "also try the displacements met along the dominant one" },
+    doc = "smallest difference of the displacements of adjacent texels that counts as a silhouette; with leaves_unlike" },
+  harvest      = param.bool { true, doc = "add the displacements found along the dominant one to the candidates" },
   jitter       = jitter.jitter,
   jitter_frame = jitter.jitter_frame,
 }
 
--- `guesses`: of samples that are left open it also says what layers would have.
+-- `guesses`: also write a fallback estimate of the unresolved samples.
 return function(name, guesses)
   local copied = { blurred = "color", open = 0, guess = guesses and 0 or nil }
   return {
     name   = name,
     shader = guesses and "layered_guessing" or "composite/layered",
-    doc    = "For each time sample, the nearest surface of any layer that is at the pixel then" ..
-             (guesses and "; and what stands in for the samples that are left open" or ""),
-    fails  = "A surface hidden at the capture and not revealed (a second layer behind, or outside of the mask) is " ..
-             "missing. Motion that bends or magnifies by more than about a pixel within the distance moved puts " ..
-             "edges wrong. Where more than 4 different motions meet at a pixel some are left out.",
+    doc    = "For each time sample, the nearest surface of either layer that is at the pixel then" ..
+             (guesses and "; also a fallback estimate of the unresolved samples" or ""),
+    fails  = "Disoccluded surfaces that were not revealed (a second layer behind, or outside the mask) are missing. " ..
+             "Edges are misplaced if the path deviation or the stretch of a surface exceeds about a pixel within the " ..
+             "distance moved. If more than 4 different motions meet at a pixel, some are ignored.",
     breaks = {
-      mirrored = "of displacements equally long, and of surfaces equally deep, those first in raster order count",
-      reversed = "of more than 4 motions around a pixel the nearest count, of equally near ones those before the capture",
+      mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
+      reversed = "of more than 4 motions around a pixel the nearest are used; among equally near ones, the one before the " ..
+        "raster time",
     },
     size   = { of = "color" },
     reads  = ports.of_both({
@@ -52,26 +57,29 @@ return function(name, guesses)
       "dominant_place",
     }, {
       moved  = { optional = true,
-        doc = "per cell, above 1/2 where something that moves is at some time, elsewhere the picture is copied; absent: 1" },
+        doc = "per cell, above 1/2 if a moving surface is there at some time; other cells are copied; absent: everywhere" },
       doubtful = { optional = true, uint = true,
-        doc = "per cell, a bit for each sample at which no layer is to be trusted; with leaves_open" },
+        doc = "per cell, bit i is set if both layers are unreliable in time stratum i of at most 32; with leaves_open" },
       silhouettes = { optional = true,
-        doc = "above 1/2 next to something that moves otherwise; with it, samples within a pixel of that are left open" },
+        doc = "mask, above 1/2 beside a texel with different motion; samples within a pixel of such a silhouette are " ..
+          "unresolved; absent: silhouettes are not tested" },
       missed = { optional = true,
-        doc = "per cell, above 1/2 where something comes that the displacements per tile do not lead to; absent: 0" },
-      behind = { optional = true, doc = "per cell, above 1/2 where something revealed is at some time; absent: 1" },
+        doc = "per cell, above 1/2 if a surface with a motion outside the candidates reaches the cell; absent: nowhere" },
+      behind = { optional = true,
+        doc = "per cell, above 1/2 if a revealed surface is there at some time; absent: everywhere" },
     }),
     writes = {
-      blurred = { format = "rgba32f", doc = "linear; alpha 1, with leaves_open the share of samples that are seen" },
+      blurred = { format = "rgba32f",
+        doc = "blurred picture, linear radiance; alpha 1. With leaves_open: sum of the resolved samples, divided by the " ..
+          "number of all samples; alpha: fraction of resolved samples" },
       open = { format = "rg32ui", cleared = true,
-        doc = "with leaves_open, a bit for each sample at which no layer has anything; of more than 64 for as many " ..
-              "together" },
+        doc = "bit i is set if time stratum i of at most 64 is unresolved; with leaves_open" },
       guess = guesses and { format = "rgba32f", cleared = true,
-        doc = "linear, of the samples that are left open what layers say nevertheless, over the number of all; alpha: by " ..
-              "how much that may be off" } or nil,
+        doc = "fallback estimate, linear radiance: sum of the unresolved samples, divided by the number of all samples; " ..
+              "alpha: estimated error, linear radiance" } or nil,
     },
     without = { motion = copied, reached = copied },
     params = params,
-    counters = { fallback = "time samples at which no layer had anything to show" },
+    counters = { fallback = "time samples that no layer resolves" },
   }
 end

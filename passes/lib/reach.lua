@@ -1,3 +1,4 @@
 -- SPDX-License-Identifier: MIT
--- The read by which passes that look around for what moves know how far to look, where the limit is auto.
-return { optional = true, doc = "px over the exposure, longest of the picture, one texel; absent: as far as it is wide" }
+-- Read that gives a pass its search radius if `limit` is auto.
+return { optional = true,
+  doc = "longest displacement of the image, one texel, px over the exposure; absent: twice the diagonal of the image" }

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Parameters of the paths that the relative mask walks, so that a name means the same in each of its steps.
+-- Parameters of the paths that the disocclusion mask follows. Each name has one meaning in every step of the mask.
 local param = require "strobe.param"
 
 return {
   match = param.float { 0.25, min = 0, max = 10,
-    doc = "share of the relative motion by which a background may differ" },
-  margin = param.int { 1, min = 0, max = 64, unit = "px", doc = "how much farther than the relative motion to look" },
+    doc = "tolerance between the displacement of a background pixel and the candidate displacement, as a fraction of the " ..
+      "relative motion" },
+  margin = param.int { 1, min = 0, max = 64, unit = "px", doc = "distance searched beyond the end of the relative motion" },
 }

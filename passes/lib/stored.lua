@@ -1,54 +1,53 @@
 -- SPDX-License-Identifier: MIT
--- How colours, displacements and depths are kept between passes: parameters, formats and counters of whatever includes
--- mixin/stored.glsl, for passes and pipelines alike.
+-- Memory formats of colours, displacements and depths between passes: parameters, formats and counters of passes and
+-- pipelines whose shaders include mixin/stored.glsl.
 local param = require "strobe.param"
 
 local stored = {}
 
 stored.velocity_format = param.choice {
   "fp32", "fp16", default = "fp32",
-  doc = "numbers in which displacements are kept between passes",
+  doc = "memory format of displacements between passes",
   values = {
-    fp32 = "Single precision, 8 bytes per pixel. Nothing to fail: displacements are as they were computed.",
-    fp16 = "Half floats, 4 bytes per pixel, rounded to the nearest. Fails by up to 1/2048 of the displacement (1/32 px "
-      .. "from 64 to 128 px), which moves samples across silhouettes, and beyond 65504 px, where displacements are "
-      .. "shortened and counted.",
+    fp32 = "Single precision, 8 bytes per pixel. Never fails: displacements keep their computed values.",
+    fp16 = "Half precision, 4 bytes per pixel, rounded to nearest. Fails by up to 1/2048 of the displacement (1/32 px "
+      .. "from 64 to 128 px), which moves samples across silhouettes. Displacements beyond 65504 px are shortened and counted.",
   },
 }
 
 stored.color_format = param.choice {
   "fp32", "fp16", default = "fp32",
-  doc = "numbers in which colours are kept between passes; the picture that comes out is always fp32",
+  doc = "memory format of colours between passes; the final picture is always fp32",
   values = {
-    fp32 = "Single precision, 16 bytes per pixel. Nothing to fail: colours are as they were computed.",
-    fp16 = "Half floats, 8 bytes per pixel, rounded to the nearest. Fails by up to 1/2048 of each channel, and beyond "
-      .. "65504, where channels are clamped and counted.",
+    fp32 = "Single precision, 16 bytes per pixel. Never fails: colours keep their computed values.",
+    fp16 = "Half precision, 8 bytes per pixel, rounded to nearest. Fails by up to 1/2048 of each channel. Channels beyond "
+      .. "65504 are clamped and counted.",
   },
   breaks = {
     fp16 = {
-      constant = "a colour that is no half float is rounded to one",
-      still    = "a colour that is no half float is rounded to one",
-      convex   = "a mean is rounded to a half float, which may lie outside of what it is a mean of",
-      linear   = "a sum is rounded otherwise than its parts",
-      mirrored = "rounding makes the last digit of single precision one of half floats",
-      reversed = "rounding makes the last digit of single precision one of half floats",
-      scaled   = "rounding makes the last digit of single precision one of half floats",
-      unmasked = "what is blurred in two layers is rounded once more",
+      constant = "a colour between two half floats is rounded to the nearest",
+      still    = "a colour between two half floats is rounded to the nearest",
+      convex   = "a mean is rounded to a half float, which may lie outside the range of the averaged colours",
+      linear   = "the rounding error of a sum differs from the sum of the rounding errors",
+      mirrored = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
+      reversed = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
+      scaled   = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
+      unmasked = "blurring in two layers rounds the colour once more",
     },
   },
 }
 
 stored.depth_encoding = param.choice {
   "linear", "reversed", "inverse", "unorm24", default = "linear",
-  doc = "number that the depth buffer holds; filters read what comes back from it as linear view depth",
+  doc = "encoding of depth in the depth buffer; filters read the decoded linear view depth",
   values = {
-    linear = "The view depth itself in single precision. Nothing to fail: depths are as they were computed.",
-    reversed = "Near distance / view depth in single precision, sky 0 (reversed z). Fails by about 1e-7 of the depth, "
-      .. "so that surfaces closer together than that may swap or tie.",
-    inverse = "1 / view depth in single precision, sky 0. Fails as reversed does.",
-    unorm24 = "1 - near distance / view depth in 24 bits, sky 1 (the standard z of old). Fails in the distance: by up "
-      .. "to depth / (near distance * 2^25) of the depth, and everything farther than 2^25 near distances is sky, "
-      .. "which is counted.",
+    linear = "View depth in single precision. Never fails: depths keep their computed values.",
+    reversed = "Near distance / view depth in single precision, 0 for the sky (reversed z). Fails by about 1e-7 of the "
+      .. "depth: surfaces closer together may swap or tie.",
+    inverse = "1 / view depth in single precision, 0 for the sky. Fails as reversed does.",
+    unorm24 = "1 - near distance / view depth in 24 bits, 1 for the sky (conventional z). Fails in the distance: the error is "
+      .. "up to depth / (near distance * 2^25) of the depth. Surfaces farther than 2^25 near distances become sky and are "
+      .. "counted.",
   },
 }
 
@@ -57,17 +56,18 @@ stored.color    = { by = "color_format", fp32 = "rgba32f", fp16 = "rgba16f" }
 
 stored.counters = {
   velocity_clamped = {
-    doc   = "pixels whose displacement is beyond the 65504 px of a half float",
-    limit = "it was shortened to that, in its direction. Take velocity_format = fp32, or shorten the exposure",
+    doc   = "pixels with a displacement beyond 65504 px, the largest half float",
+    limit = "each displacement was shortened to 65504 px, in its direction. Use velocity_format = fp32, or shorten the " ..
+            "exposure",
   },
   color_clamped = {
-    doc   = "pixels with a channel beyond the 65504 of a half float",
-    limit = "it was clamped to that: what is as bright blurs darker than it should. Take color_format = fp32, or scale " ..
-            "the lights down",
+    doc   = "pixels with a channel beyond 65504, the largest half float",
+    limit = "each channel was clamped to 65504, so that highlights blur too dark. Use color_format = fp32, or " ..
+            "scale the lights down",
   },
   depth_lost = {
-    doc   = "pixels so far away that the depth encoding cannot tell them from the sky",
-    limit = "they became sky, at infinite depth. Take another depth_encoding, or move the near plane away from the camera",
+    doc   = "pixels so far away that the depth encoding does not distinguish them from the sky",
+    limit = "each pixel became sky, at infinite depth. Use another depth_encoding, or move the near plane away from the camera",
   },
 }
 

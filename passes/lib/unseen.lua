@@ -1,37 +1,40 @@
 -- SPDX-License-Identifier: MIT
--- What an end of the exposure sees and no layer of the capture holds: the description of a pass.
+-- Description of a pass that finds moving surfaces visible at shutter open or shutter close but missing in both layers.
 local param  = require "strobe.param"
 local stored = require "passes.lib.stored"
 
--- `end_of`: "start" or "end"; `fact`: that the exposure has a part before, or after, the capture.
+-- `end_of`: "start" or "end" of the exposure. `fact`: the fact that the exposure has a part before, or after, the raster time.
 return function(name, end_of, fact)
   local nothing = { unseen = 0, velocity = 0, bend = 0 }
   return {
     name   = name,
     shader = "scene/unseen",
-    doc    = ("What moves and the %s of the exposure sees, that neither the capture nor its rays have found"):format(end_of),
+    doc    = ("Moving surfaces visible at the %s of the exposure that neither layer of the raster time has"):format(end_of),
     size   = { of = "hit" },
     scene  = true,
     reads  = {
-      hit   = { uint = true, doc = "of that end: instance + 1, geometry, primitive; 0 = sky, or what is at rest" },
-      depth = { doc = "of the capture: linear view depth, metres; sky = +inf" },
-      id    = { uint = true, doc = "of the capture: instance + 1; sky = 0" },
-      revealed_depth = { doc = "of what was revealed behind it: linear view depth, metres; sky = +inf" },
-      revealed_id    = { uint = true, doc = "its instance + 1; sky = 0" },
-      revealed_valid = { doc = "above 1/2 where something was revealed" },
+      hit   = { uint = true,
+        doc = "surface visible at one end of the exposure: instance + 1, geometry, primitive; 0 for sky or a static surface" },
+      depth = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
+      id    = { uint = true, doc = "instance + 1 of the raster layer; 0 for the sky" },
+      revealed_depth = { doc = "linear view depth of the revealed surface, metres; +inf for the sky" },
+      revealed_id    = { uint = true, doc = "instance + 1 of the revealed surface; 0 for the sky" },
+      revealed_valid = { doc = "mask, above 1/2 where a surface was revealed" },
     },
     writes = {
-      unseen   = { format = "r8_unorm", cleared = true, doc = "1 where no layer of the capture holds what is seen and moves" },
-      velocity = { format = stored.velocity, cleared = true, doc = "displacement over the exposure of what is seen, px" },
+      unseen   = { format = "r8_unorm", cleared = true, doc = "1 where both layers lack the visible moving surface" },
+      velocity = { format = stored.velocity, cleared = true,
+        doc = "displacement of the visible surface, px over the exposure" },
       bend     = { format = stored.velocity, cleared = true,
-        doc = "how far its path is from a line, px in the middle of the exposure" },
+        doc = "path deviation of the visible surface from a straight line in the middle of the exposure, px" },
     },
     without = { motion = nothing, arrives = nothing, reached = nothing, [fact] = nothing },
     params = {
       velocity_format = stored.velocity_format,
-      same_depth = param.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
+      same_depth = param.float { 0.01, min = 0, max = 1,
+        doc = "relative tolerance for equal depths" },
     },
     counters = { velocity_clamped = stored.counters.velocity_clamped },
-    fails  = "A surface that comes out and goes in again between the ends of the exposure is not known to either.",
+    fails  = "Surfaces that appear after shutter open and disappear before shutter close are missed.",
   }
 end

@@ -1,17 +1,18 @@
 -- SPDX-License-Identifier: MIT
--- The list of masked pixels that a pass runs over: the last of three passes that make it.
+-- List of masked pixels that a pass runs over; last of three passes of the stream compaction.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "listed_pixels",
   shader = "list/listed_pixels",
-  doc    = "The masked pixels, square by square, always in the same order",
-  fails  = "Never.",
+  doc    = "List of the masked pixels, square by square, in a fixed order",
+  fails  = "Never: every masked pixel is listed once.",
   size   = { of = "bits" },
   reads  = {
-    bits   = { uint = true, doc = "a bit for each pixel of a square" },
-    before = { uint = true, doc = "pixels listed in front of the square, of its row" },
-    totals = { buffer = true, doc = "pixels listed of each row of squares" },
+    bits   = { uint = true, doc = "mask of each square of 8 x 8 pixels, one bit per pixel" },
+    before = { uint = true, doc = "number of listed pixels in the row of squares before the square" },
+    totals = { buffer = true, doc = "number of listed pixels in each row of squares" },
   },
-  writes = { list = { format = "buffer32ui", each = 64, doc = "pixels, and the groups of invocations for them" } },
+  writes = { list = { format = "buffer32ui", each = 64,
+    doc = "listed pixels, their number and the number of workgroups to dispatch" } },
 }

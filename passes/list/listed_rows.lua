@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- Where each square's pixels begin on the list, row by row: the second of three passes that list masked pixels.
+-- Prefix sums of the numbers of masked pixels, row by row; second of three passes of the stream compaction.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "listed_rows",
   shader = "list/listed_rows",
-  doc    = "Of each square, how many pixels are listed in its row in front of it, and of each row how many are",
-  fails  = "Never: it adds.",
+  doc    = "Prefix sums of the numbers of masked pixels per square, along each row of squares, and the sum of each row",
+  fails  = "Never: sums of integers are exact.",
   size   = { of = "bits" },
-  reads  = { bits = { uint = true, doc = "a bit for each pixel of a square" } },
+  reads  = { bits = { uint = true, doc = "mask of each square of 8 x 8 pixels, one bit per pixel" } },
   writes = {
-    before = { format = "r32ui", doc = "pixels listed in front of the square, of its row" },
-    totals = { format = "buffer32ui", doc = "pixels listed of each row of squares" },
+    before = { format = "r32ui", doc = "number of listed pixels in the row of squares before the square" },
+    totals = { format = "buffer32ui", doc = "number of listed pixels in each row of squares" },
   },
 }

@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- A mask that is the same everywhere.
+-- Constant mask.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "mask_constant",
   shader = "mask/constant",
-  doc    = "Everywhere or nowhere",
-  fails  = "Everywhere costs a ray for every pixel; nowhere leaves out what every silhouette uncovers.",
-  writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
-  params = { everywhere = pass.bool { false, doc = "reveal behind every pixel" } },
+  doc    = "Constant mask: all pixels or none",
+  fails  = "All pixels cost a ray each; without masked pixels, disoccluded surfaces are missing at every silhouette.",
+  writes = { mask = { format = "r8_unorm", doc = "mask of the ray reveal, 1 where a ray is traced" } },
+  params = { everywhere = pass.bool { false, doc = "mask every pixel" } },
 }

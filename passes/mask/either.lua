@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- The union of two masks.
+-- Union of two masks.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "mask_either",
   shader = "mask/either",
-  doc    = "Pixels that one of two masks marks",
+  doc    = "Union of two masks",
   size   = { of = "first" },
   reads  = {
-    first  = { doc = "above 1/2 where set" },
-    second = { doc = "above 1/2 where set" },
+    first  = { doc = "first mask, above 1/2 where set" },
+    second = { doc = "second mask, above 1/2 where set" },
   },
-  writes = { mask = { format = "r8_unorm", doc = "1 where one of them is set" } },
-  fails  = "Never: what the two masks miss, it misses.",
+  writes = { mask = { format = "r8_unorm", doc = "union of the masks, 1 where set" } },
+  fails  = "Misses only pixels that both masks miss.",
 }

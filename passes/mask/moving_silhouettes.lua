@@ -1,21 +1,23 @@
 -- SPDX-License-Identifier: MIT
--- Where a sample between pixels may fall to either side of an edge that moves.
+-- Texels beside a moving silhouette, where a sample between texels may fall on either side.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "mask_moving_silhouettes",
   shader = "mask/moving_silhouettes",
-  doc    = "Texels of which one around moves otherwise: between them lies a silhouette",
-  fails  = "What is narrower than a pixel and lies between texels is not there.",
+  doc    = "Texels beside a texel with different motion, so that a silhouette lies between them",
+  fails  = "Misses objects narrower than a pixel that lie between texel centres.",
   size   = { of = "velocity" },
   reads  = {
-    velocity       = { doc = "px over the exposure" },
-    after_velocity = { optional = true, doc = "px over the exposure, at times after the capture" },
+    velocity       = { doc = "displacement of the surface, px over the exposure" },
+    after_velocity = { optional = true,
+      doc = "displacement of the surface at times after the raster time, px over the exposure; absent: equal to `velocity`" },
   },
-  writes = { near = { format = "r8_unorm", cleared = true, doc = "1 next to something that moves otherwise" } },
+  writes = { near = { format = "r8_unorm", cleared = true, doc = "mask, 1 beside a texel with different motion" } },
   params = {
     slowest = pass.float { 0.5, min = 0, max = 100, unit = "px",
-      doc = "least difference of displacements that counts, of what moves slowly" },
+      doc = "smallest difference of displacements that counts as different motion; for fast motion the threshold is 5 % of " ..
+            "the shorter displacement, up to 1/2 px" },
   },
   without = { motion = { near = 0 }, reached = { near = 0 } },
 }

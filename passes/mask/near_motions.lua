@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The distinct displacements around each tile; second step of the relative mask.
+-- Distinct displacements around each tile; second step of the disocclusion mask.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local reach = require "passes.lib.reach"
@@ -10,20 +10,21 @@ return pass.compute {
   name   = "mask_near_motions",
   shader = "mask/near_motions",
   doc    = "Up to eight distinct displacements around each tile, nearest first",
-  fails  = "Of more than eight movements near a tile the far ones are lost, and of those equally far the last in " ..
+  fails  = "If there are more than eight motions near a tile, the farthest are lost; among equally far ones, the last in " ..
            "raster order.",
   size   = { of = "motions" },
   reads  = {
-    motions  = { doc = "two displacements per tile, px over the exposure" },
-    farthest = { doc = "depth of the farthest that moves in each tile, metres; 0 = none" },
+    motions  = { doc = "two displacements of each tile, px over the exposure" },
+    farthest = { doc = "linear view depth of the farthest moving surface in each tile, metres; 0 for none" },
     reach    = reach,
   },
   writes = {
-    motions_0 = pair "first and second displacement, px over the exposure; 1e9 = none",
-    motions_1 = pair "third and fourth",
-    motions_2 = pair "fifth and sixth",
-    motions_3 = pair "seventh and eighth",
-    farthest_around = { format = "r32f", doc = "depth of the farthest that moves around each tile, metres; 0 = none" },
+    motions_0 = pair "first and second displacement, px over the exposure; 1e9 for none",
+    motions_1 = pair "third and fourth displacement, px over the exposure; 1e9 for none",
+    motions_2 = pair "fifth and sixth displacement, px over the exposure; 1e9 for none",
+    motions_3 = pair "seventh and eighth displacement, px over the exposure; 1e9 for none",
+    farthest_around = { format = "r32f",
+      doc = "linear view depth of the farthest moving surface around each tile, metres; 0 for none" },
   },
   params = {
     tile  = blur.tile,

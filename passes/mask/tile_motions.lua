@@ -1,22 +1,22 @@
 -- SPDX-License-Identifier: MIT
--- Two displacements that stand for all in a tile; first step of the relative mask.
+-- Two displacements that represent each tile; first step of the disocclusion mask.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "mask_tile_motions",
   shader = "mask/tile_motions",
-  doc    = "The longest displacement of each tile and the one that differs most from it",
-  fails  = "The third of three movements in a tile is lost.",
+  doc    = "Longest displacement of each tile, and the displacement that differs most from it",
+  fails  = "The third of three motions in a tile is lost.",
   size   = { of = "velocity", divide = "tile" },
   group  = true,
   reads  = {
-    velocity = { doc = "px over the exposure" },
-    depth    = { doc = "linear view depth, metres, sky = +inf" },
+    velocity = { doc = "displacement of the surface, px over the exposure" },
+    depth    = { doc = "linear view depth, metres; +inf for the sky" },
   },
   writes = {
-    motions  = { format = "rgba32f", doc = "two displacements, px over the exposure" },
-    farthest = { format = "r32f", doc = "depth of the farthest that moves, metres; 0 where nothing does" },
+    motions  = { format = "rgba32f", doc = "longest displacement and the displacement farthest from it, px over the exposure" },
+    farthest = { format = "r32f", doc = "linear view depth of the farthest moving surface, metres; 0 for none" },
   },
   without = { motion = { motions = 0, farthest = 0 }, reached = { motions = 0, farthest = 0 } },
   params = {

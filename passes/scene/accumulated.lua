@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- One time sample of what moves, added to the mean of those before it. Haeberli and Akeley 1990, "The Accumulation Buffer";
--- that shading is kept from one time for others is an idea of Ragan-Kelley et al. 2011, "Decoupled Sampling".
+-- One time sample of the moving surfaces, added to the mean of earlier samples. Haeberli and Akeley 1990, "The Accumulation
+-- Buffer"; reuse of shading for several times: Ragan-Kelley et al. 2011, "Decoupled Sampling".
 local pass  = require "strobe.pass"
 local captured_color = require "passes.lib.captured_color"
 local shade = require "passes.scene.shade"
@@ -8,28 +8,32 @@ local shade = require "passes.scene.shade"
 return pass.trace {
   name   = "accumulated",
   shader = "scene/accumulated",
-  doc    = "Adds what is seen of what moves at one time, in the colour that it has at the capture",
-  fails  = "Highlights and shadows that move within the exposure stand still on what they are seen on.",
+  doc    = "Running mean of the visible moving surfaces over time samples, shaded as at the raster time",
+  fails  = "Highlights and shadows that move within the exposure stay fixed to their surfaces.",
   size   = { of = "hit" },
   reads  = {
-    hit    = { uint = true, doc = "what is seen at that time of what moves: instance + 1 (0 = nothing), geometry, primitive" },
-    color  = { doc = "linear, of what the capture sees" },
-    depth  = { doc = "its linear view depth, metres; sky = +inf" },
-    id     = { uint = true, doc = "its instance + 1, geometry + 1; sky = 0" },
-    ground = { doc = "of what is at rest behind what moves, alpha: linear view depth, metres; 0: it is what the capture sees" },
+    hit    = { uint = true,
+      doc = "visible moving surface at the sample's time: instance + 1 (0 for none), geometry, primitive" },
+    color  = { doc = "colour of the raster layer, linear radiance" },
+    depth  = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
+    id     = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
+    ground = { doc = "static background behind moving surfaces; alpha: linear view depth, metres, 0 where the raster layer " ..
+                     "is static; rgb is not read" },
   },
-  updates = { moving = { format = "rgba32f", doc = "mean of what moves and is seen, linear; alpha: number of times" } },
+  updates = { moving = { format = "rgba32f",
+    doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples" } },
   params = {
-    reused        = pass.bool { true, doc = "what the capture shows has its colour; else all is shaded at each time" },
+    reused        = pass.bool { true,
+      doc = "reuse colours of the raster layer where it shows the surface; off: shade every sample" },
     shades_unlike = captured_color.shades_unlike,
     unlike        = captured_color.unlike,
     detail_below  = captured_color.detail_below,
     same_depth    = captured_color.same_depth,
     where_reached = pass.bool { true, role = "still_once",
-      doc = "leave out what nothing in motion reaches: there is nothing to add" },
+      doc = "skip pixels that no moving surface reaches" },
   },
   counters = {
-    shaded     = "samples that the capture does not show, or not finely enough: they were shaded",
+    shaded     = "samples shaded because the raster layer does not show their surface in enough detail",
     not_finite = shade.counters.not_finite,
   },
 }

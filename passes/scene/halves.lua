@@ -1,26 +1,28 @@
 -- SPDX-License-Identifier: MIT
--- The two-sided split of a layer's motion: its displacements before and after the capture.
+-- Piecewise linear motion of a layer in two segments, before and after the raster time.
 local pass   = require "strobe.pass"
 local stored = require "passes.lib.stored"
 
 return pass.compute {
   name   = "halves",
   shader = "scene/halves",
-  doc    = "Displacements of a layer in the parts of the exposure before and after the capture, from true poses",
+  doc    = "Displacements of a layer before and after the raster time, from true poses: motion in two linear segments",
   size   = { of = "velocity" },
   scene  = true,
   reads  = {
-    depth    = { doc = "linear view depth, metres; sky = +inf, 0 where the layer has nothing" },
-    id       = { uint = true, doc = "instance + 1 (0 = sky)" },
-    velocity = { doc = "displacement over the exposure, px" },
+    depth    = { doc = "linear view depth, metres; +inf for the sky, 0 where the layer has no surface" },
+    id       = { uint = true, doc = "instance + 1; 0 for the sky" },
+    velocity = { doc = "displacement of the surface, px over the exposure" },
   },
   writes = {
-    before = { format = stored.velocity, doc = "px over the exposure at the pace of the part before the capture; if it has " ..
-      "none, as after it" },
-    after  = { format = stored.velocity, doc = "px over the exposure at the pace of the part after the capture; if it has " ..
-      "none, as before it" },
+    before = { format = stored.velocity,
+      doc = "displacement before the raster time, scaled to the whole exposure, px; equal to `velocity` if the exposure " ..
+            "has one segment or the instance deforms" },
+    after  = { format = stored.velocity,
+      doc = "displacement after the raster time, scaled to the whole exposure, px; equal to `velocity` if the exposure has " ..
+            "one segment or the instance deforms" },
   },
   params = { velocity_format = stored.velocity_format },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
-  fails  = "Motion that bends elsewhere than at the capture is still taken for straight lines.",
+  fails  = "Each segment is a straight line: changes of direction at other times than the raster time are ignored.",
 }

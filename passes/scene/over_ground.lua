@@ -1,20 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- The mean of time samples of what moves, and of what is at rest at all others.
+-- Mean over time samples: moving surfaces where visible, the static background in all other samples.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "over_ground",
   shader = "scene/over_ground",
-  doc    = "The mean of samples at which something that moves is seen, and of what is at rest at the others",
+  doc    = "Mean over time samples of the visible moving surfaces, with the static background in all other samples",
   size   = { of = "moving" },
   reads  = {
-    moving = { doc = "mean of what moves and is seen, linear; alpha: number of times" },
-    ground = { doc = "linear, of what is at rest behind what moves; alpha 0: it is what the capture sees" },
-    color  = { doc = "linear, of what the capture sees" },
+    moving = { doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples" },
+    ground = { doc = "static background behind moving surfaces, linear radiance; alpha 0 where the raster layer is static" },
+    color  = { doc = "colour of the raster layer, linear radiance" },
   },
-  writes = { picture = { format = "rgba32f", doc = "linear; alpha 1" } },
+  writes = { picture = { format = "rgba32f", doc = "blurred picture, linear radiance; alpha 1" } },
   without = { motion = { picture = "color" }, reached = { picture = "color" } },
-  counters = { samples = "samples of pixels at which something that moves is seen" },
-  params = { samples = blur.samples { doc = "number of all samples" } },
+  counters = { samples = "time samples that show a moving surface" },
+  params = { samples = blur.samples { doc = "number of time samples" } },
 }

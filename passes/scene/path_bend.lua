@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Where paths over the exposure are no straight lines.
+-- Path deviation over the exposure from a straight line.
 local pass     = require "strobe.pass"
 local followed = require "passes.lib.followed"
 local stored   = require "passes.lib.stored"
@@ -7,22 +7,25 @@ local stored   = require "passes.lib.stored"
 return pass.compute {
   name   = "path_bend",
   shader = "scene/path_bend",
-  doc    = "Where the surfaces of a layer leave the straight line between the ends of their paths",
+  doc    = "Path deviation of a layer's surfaces from the straight line between their positions at shutter open and close",
   size   = { of = "velocity" },
   scene  = true,
   reads  = followed,
   writes = {
-    bend = { format = stored.velocity, cleared = true, doc = "px in the middle of the exposure" },
-    bent = { format = "r8_unorm", cleared = true, doc = "1 where the path is farther from a line than that" },
+    bend = { format = stored.velocity, cleared = true,
+      doc = "path deviation from a straight line in the middle of the exposure, px" },
+    bent = { format = "r8_unorm", cleared = true,
+      doc = "1 where the path deviation exceeds `most_bend`, or the stretch exceeds `most_growth`" },
   },
   without = { motion = { bend = 0, bent = 0 }, curves = { bend = 0, bent = 0 }, reached = { bend = 0, bent = 0 } },
   params = {
     velocity_format = stored.velocity_format,
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
-      doc = "how far a path may be from the line between its ends, in the middle of the exposure" },
+      doc = "largest path deviation from a straight line in the middle of the exposure" },
     most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",
-      doc = "to how much a side of a pixel of a surface may grow; a filter's taps have holes beyond" },
+      doc = "largest distance of adjacent texels of a surface after stretching; beyond it the taps of a filter leave holes" },
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
-  fails  = "A path that swings to and fro within half of the exposure is taken for a line.",
+  fails  = "A path that crosses its straight line in the middle of the exposure, such as a fast oscillation, is treated as " ..
+           "straight.",
 }

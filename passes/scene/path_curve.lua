@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- How paths over the exposure are curved, and where that does not say where they go.
+-- Curved screen paths over the exposure, and the texels where the curve is unreliable.
 local pass     = require "strobe.pass"
 local blur     = require "passes.lib.blur"
 local followed = require "passes.lib.followed"
@@ -8,15 +8,17 @@ local stored   = require "passes.lib.stored"
 return pass.compute {
   name   = "path_curve",
   shader = "scene/path_curve",
-  doc    = "Parabolas, or arcs, for the paths of the surfaces of a layer, through poses inside of the exposure",
+  doc    = "Parabolic or arc-shaped screen paths of a layer's surfaces, through poses within the exposure",
   size   = { of = "velocity" },
   scene  = true,
   reads  = followed,
   writes = {
-    bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
-    bent = { format = "r8_unorm", doc = "1 where the curve does not say where the surface is" },
-    curve = { format = "rgba32f", doc = "px: b; the path is 4 u (1 - u) b away from its line; " ..
-      "for arcs also the logarithm of a factor and radians by which it grows and turns over the exposure" },
+    bend = { format = stored.velocity, doc = "path deviation from a straight line in the middle of the exposure, px" },
+    bent = { format = "r8_unorm",
+      doc = "1 where the path leaves the curve by more than `most_bend`, or the stretch exceeds `most_growth`" },
+    curve = { format = "rgba32f",
+      doc = "xy: offset b of the parabola, px: at the fraction u of the exposure the path is 4 u (1 - u) b off its straight " ..
+            "line; zw, of arcs: logarithm of the growth factor, and turn in radians, over the exposure" },
   },
   without = { motion = { bend = 0, bent = 0, curve = 0 }, curves = { bend = 0, bent = 0, curve = 0 },
     depth = { bend = 0, bent = 0, curve = 0 } },
@@ -24,10 +26,10 @@ return pass.compute {
     velocity_format = stored.velocity_format,
     trajectory = blur.trajectory,
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
-      doc = "how far the path may be from the curve" },
+      doc = "largest distance of the path from the curve" },
     most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",
-      doc = "to how much a side of a pixel of a surface may grow; a filter's taps have holes beyond" },
+      doc = "largest distance of adjacent texels of a surface after stretching; beyond it the taps of a filter leave holes" },
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
-  fails  = "Parabolas beyond a sixth of a turn; arcs beyond one and a quarter turns, and for circles seen aslant.",
+  fails  = "Parabolas fail beyond a sixth of a turn. Arcs fail beyond one and a quarter turns, and for circles seen obliquely.",
 }

@@ -1,22 +1,25 @@
 -- SPDX-License-Identifier: MIT
--- What lies behind what each pixel sees: the scene drawn once more, without what is in front.
+-- Next raster layer: the scene drawn once more, without the surfaces in front. Everitt 2001, depth peeling.
 local pass = require "strobe.pass"
 
 return pass.raster {
   name   = "peel",
   shader = "scene/peel",
-  doc    = "Nearest triangle behind that of the layer in front at each sample position: one step of depth peeling",
-  reads  = { front = { uint = true, doc = "of the layer in front: instance + 1 (0 = sky), geometry, primitive" } },
-  writes = { hit = { format = "rgba32ui", doc = "of the layer behind: instance + 1 (0 = sky), geometry, primitive, 0" } },
+  doc    = "Nearest triangle behind the layer in front, at each sample position: one step of depth peeling",
+  reads  = { front = { uint = true,
+    doc = "surface of the layer in front: instance + 1 (0 for the sky), geometry, primitive" } },
+  writes = { hit = { format = "rgba32ui",
+    doc = "surface of the layer behind: instance + 1 (0 for the sky), geometry, primitive, 0" } },
   params = {
-    sides = pass.choice { "front", "all", default = "front", doc = "which sides of surfaces are layers",
+    sides = pass.choice { "front", "all", default = "front", doc = "sides of triangles that form layers",
       values = {
-        front = "Those that their triangles turn to the camera, as renderers draw them: a closed object is a layer or two "
-          .. "less. Fails behind what is open and seen from its back.",
-        all = "Both, as everything else draws and hits them. Fails by spending layers on the far side of what is in front.",
+        front = "Front faces only, as renderers draw them; a closed object takes one or two layers less. Fails for open " ..
+                "surfaces seen from the back.",
+        all = "Front and back faces, as all other passes draw and hit them. Fails by spending layers on the back of the " ..
+              "foreground.",
       } },
   },
-  counters = { fragments = "fragments that were drawn to find it" },
-  fails  = "A layer costs as much as drawing the scene anew, and more: nothing hidden is passed over early. Surfaces as close "
-    .. "together as a depth buffer's numbers may be in no layer.",
+  counters = { fragments = "fragments drawn to find the layer" },
+  fails  = "Each layer costs more than drawing the scene once, because early depth tests reject no hidden fragments. Of " ..
+           "surfaces closer together than the depth buffer resolves, one may be in no layer.",
 }

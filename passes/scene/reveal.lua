@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What lies behind: a ray through each masked pixel, advanced past the object in front until another one is hit.
+-- Ray reveal: a ray through each masked pixel, advanced past the object in front until it hits another object.
 -- Source: Tan, Cui, Bhojan, "Hybrid MBlur", SIGGRAPH '20 Posters, section "Ray Reveal".
 local pass    = require "strobe.pass"
 local gbuffer = require "passes.scene.gbuffer"
@@ -14,102 +14,97 @@ return pass.trace {
   doc    = "Colour, depth, ids and displacement of the surface behind the masked foreground",
   size   = { of = "hit" },
   reads  = {
-    hit  = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive of the foreground" },
-    mask = { doc = "1 where a ray is wanted" },
+    hit  = { uint = true, doc = "foreground surface: instance + 1 (0 for the sky), geometry, primitive" },
+    mask = { doc = "mask, above 1/2 where a ray is traced" },
   },
   writes = {
-    color    = { cleared = true, format = stored.color, doc = "linear radiance of what is revealed; 0 where nothing is" },
+    color    = { cleared = true, format = stored.color, doc = "colour of the revealed surface, linear radiance; 0 for none" },
     depth    = { cleared = true, format = "r32f",
-      doc = "its linear view depth, metres; sky = +inf, 0 where nothing is revealed" },
-    id       = { cleared = true, format = "rg32ui", doc = "its instance + 1, geometry + 1; 0 for sky and where nothing is" },
-    velocity = { cleared = true, format = stored.velocity, doc = "its displacement over the exposure, px" },
+      doc = "linear view depth of the revealed surface, metres; +inf for the sky, 0 for none" },
+    id       = { cleared = true, format = "rg32ui",
+      doc = "instance + 1, geometry + 1 of the revealed surface; 0 for the sky or none" },
+    velocity = { cleared = true, format = stored.velocity, doc = "displacement of the revealed surface, px over the exposure" },
     found    = { cleared = true, format = "rgba32ui",
-      doc = "what is revealed: instance + 1 (0 = sky, or nothing), geometry, primitive" },
-    valid    = { cleared = true, format = "r8_unorm", doc = "1 where something is revealed" },
+      doc = "revealed surface: instance + 1 (0 for the sky or none), geometry, primitive" },
+    valid    = { cleared = true, format = "r8_unorm", doc = "mask, 1 where a surface or the sky is revealed" },
   },
   without = { mask = nothing, reached = nothing },
-  fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..
-           "representable numbers of depth, more under restart) the second is lost. Glass is revealed " ..
-           "as if it were opaque.",
+  fails  = "A second layer behind the revealed one stays hidden. Of two surfaces whose depths differ by at most 4 units in " ..
+           "the last place (more under restart), the second is lost. Glass is revealed as if it were opaque.",
   params = {
     mask_reached = pass.bool { false, wired = true, role = "within_reach",
-      doc = "the mask is 0 wherever nothing in motion reaches" },
+      doc = "set if the mask is 0 wherever no moving surface reaches" },
     displacement = gbuffer.params.displacement,
     velocity_format = stored.velocity_format,
     color_format    = stored.color_format,
     depth_encoding  = stored.depth_encoding,
     termination = pass.choice { "luminance", "geometry", "instance", "motion", "uncovered", default = "instance",
-      doc = "what counts as another object than the one in front",
+      doc = "criterion for a hit on another object than the foreground",
       values = {
-        luminance = "The first hit whose luminance differs from that of the surface in front, as published. " ..
-                    "Passes through a background of equal luminance, stops inside an object whose back is lit or " ..
-                    "painted differently, and never stops in the dark. The picture is no linear function of the " ..
-                    "light.",
-        geometry  = "The first hit on another geometry (a part of a mesh with its own material) or another " ..
-                    "instance. Stops at the next part of the same object, which moves along and is not what gets " ..
-                    "uncovered.",
-        instance  = "The first hit on another instance. Takes an object made of several instances for several " ..
-                    "objects, and never sees one that covers itself.",
-        motion    = "The first hit that does not move as if fixed to the surface in front. Misses a background " ..
-                    "that happens to move alike, which would be uncovered only later than the exposure.",
-        uncovered = "The first hit that moves otherwise on the screen than the foreground does at this pixel, whatever " ..
-                    "it belongs to: parts that go along uncover nothing, a turning object uncovers itself. Goes from " ..
-                    "hit to hit, the foreground's own included. Fails where the first that does is inside of a closed " ..
-                    "object, seen from both sides, that turns.",
+        luminance = "First hit whose luminance differs from the luminance of the foreground, as published. Passes through a " ..
+                    "background of equal luminance, stops inside an object with a differently lit or painted back, and " ..
+                    "never stops in the dark. The picture is not a linear function of the light.",
+        geometry  = "First hit on another geometry (a part of a mesh with its own material) or another instance. Stops at " ..
+                    "the next part of the same object, which moves along and is not disoccluded.",
+        instance  = "First hit on another instance. Treats an object made of several instances as several objects, and " ..
+                    "misses self-occlusion.",
+        motion    = "First hit that does not move as if fixed to the foreground. Misses a background that happens to move " ..
+                    "along, which would be disoccluded only after the exposure.",
+        uncovered = "First hit that moves differently on the screen than the foreground at this pixel, on any object: parts " ..
+                    "that move along are skipped, a rotating object reveals itself. Visits every hit, also those on the " ..
+                    "foreground. Fails for a rotating closed object with two-sided triangles: the first such hit is inside it.",
       },
-      breaks = { luminance = { linear = "luminances are compared: another light may reveal another layer" } } },
+      breaks = { luminance = { linear = "luminances are compared, so that other lighting may reveal another layer" } } },
     advance = pass.choice { "instance_filter", "origin_kept", "restart", default = "instance_filter",
-      doc = "how a ray goes on past a hit",
+      doc = "continuation of a ray past a hit",
       values = {
-        instance_filter = "One traversal of the same ray that ignores the instance in front (under geometry " ..
-                          "termination: that geometry of it). Instance and geometry termination need one ray and " ..
-                          "meet no cap; luminance and motion go from hit to hit among the other instances. " ..
-                          "Luminance then never stops at the object's own back.",
-        origin_kept     = "Hit by hit along the same ray, whose lower bound is raised by 4 representable numbers. " ..
-                          "Loses no layer but one in the same place as another; a ray per layer, so it may meet " ..
-                          "the cap.",
-        restart         = "Hit by hit, a new ray from the hit that starts 0.00001 of the depth later, as " ..
-                          "published. Loses layers closer together than that, and far from the origin may find " ..
-                          "the same hit again.",
+        instance_filter = "One traversal of the same ray that ignores the instance in front (with termination = geometry: " ..
+                          "only its front geometry). Instance and geometry termination need one ray and never reach the " ..
+                          "cap; luminance and motion termination visit the hits on other instances in turn. Luminance " ..
+                          "termination then never stops at the back of the foreground.",
+        origin_kept     = "Hit by hit along the same ray, with its lower bound raised by 4 units in the last place. Loses " ..
+                          "only layers in the same place. Needs a ray per layer, so it may reach the cap.",
+        restart         = "Hit by hit with a new ray from the last hit, moved forward by 0.00001 of the depth, as " ..
+                          "published. Loses layers closer together than that, and far from the origin may find the same " ..
+                          "hit again.",
       } },
-    max_layers = pass.int { 8, min = 1, max = 31, doc = "most hits tried that are no other object" },
+    max_layers = pass.int { 8, min = 1, max = 31, doc = "cap on the number of hits per ray that are not another object" },
     on_cap = pass.choice { "fallback", "last_hit", default = "fallback",
-      doc = "what is revealed at the cap on layers",
+      doc = "result of a ray that reaches `max_layers`",
       values = {
-        fallback = "Nothing: the pixel is blurred as without rays. A background behind more layers than the cap " ..
+        fallback = "Nothing is revealed: the pixel is blurred as without rays. A background behind more layers than the cap " ..
                    "is missed.",
-        last_hit = "The last hit. Where the foreground has more layers than the cap that is still the foreground " ..
-                   "itself.",
+        last_hit = "The last hit is revealed. It is still the foreground if the foreground has more layers than the cap.",
       } },
     same_motion = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "motion and uncovered: a surface that goes no farther from where the foreground would carry it, or goes, " ..
-            "belongs to it" },
+      doc = "largest screen distance between the motions of a surface and the foreground that counts as moving along; with " ..
+            "termination = motion or uncovered" },
     tolerance = pass.float { 0.01, min = 0, max = 1,
-      doc = "luminance only: another object differs by more than this share of the brighter one, and 0.0001 more" },
+      doc = "smallest relative luminance difference of another object, plus 0.0001; with termination = luminance" },
     luminance_of = pass.choice { "radiance", "base_color", "material", default = "radiance",
-      doc = "luminance only: of what; the paper speaks of the luminance of an object",
+      doc = "quantity compared by termination = luminance; the paper does not define the luminance of an object",
       values = {
-        radiance   = "Of the radiance towards the camera, as the picture has it. Tells a surface from its own back by " ..
-                     "their light.",
-        base_color = "Of the surface's base colour, textures included, lights not. Tells a surface from a pattern on " ..
-                     "it, and does not see what emits light.",
-        material   = "Of the mean base colour of the material: one luminance for all of an object. Cannot tell two " ..
-                     "objects of one material; vertex colours and emission do not count.",
+        radiance   = "Radiance towards the camera, as in the picture. Treats a surface and its own back as different " ..
+                     "objects if their lighting differs.",
+        base_color = "Base colour of the surface, with textures and without lighting. Treats a surface and a pattern on it " ..
+                     "as different objects, and ignores emission.",
+        material   = "Mean base colour of the material: one luminance per material. Treats two objects of one material as " ..
+                     "the same object; ignores vertex colours and emission.",
       } },
   },
   counters = {
-    revealed  = "rays that revealed a surface or sky",
+    revealed  = "rays that reveal a surface or the sky",
     capped    = {
-      doc   = "rays that met the cap on layers",
-      limit = "what is behind more layers than `max_layers` was not found; `on_cap` says what stands in. Raise " ..
-              "`max_layers`, or take advance = instance_filter, which passes over the object in front at once",
+      doc   = "rays that reach the cap on layers",
+      limit = "the background behind more layers than `max_layers` was not found; `on_cap` chooses the result. Raise " ..
+              "`max_layers`, or use advance = instance_filter, which skips the object in front at once",
     },
     passed = {
-      doc   = "rays that passed through another instance, as bright as the foreground",
-      limit = "what lies behind that was revealed instead of it. Take termination = instance",
+      doc   = "rays that pass through another instance as bright as the foreground",
+      limit = "the surface behind that instance was revealed instead. Use termination = instance",
     },
     not_finite = shade.counters.not_finite,
-    met_again = "hits on the triangle just left, which are no layers",
+    met_again = "repeated hits on the triangle that the ray left, which do not count as layers",
     velocity_clamped = stored.counters.velocity_clamped,
     color_clamped    = stored.counters.color_clamped,
     depth_lost       = stored.counters.depth_lost,

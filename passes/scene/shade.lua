@@ -1,35 +1,36 @@
 -- SPDX-License-Identifier: MIT
--- Deferred shading of what each pixel sees, with traced shadows.
+-- Deferred shading of the visible surface of each pixel, with traced shadows.
 local pass   = require "strobe.pass"
 local stored = require "passes.lib.stored"
 
 return pass.trace {
   name   = "shade",
   shader = "scene/shade",
-  doc    = "Colour of what each pixel sees, posed at the capture; lights cast traced shadows",
+  doc    = "Colour of the visible surface of each pixel at the raster time, with traced shadows",
   size   = { of = "hit" },
   reads  = {
-    hit  = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive" },
-    sure = { uint = true, optional = true, needs = "sure", doc = "of `shadow_shafts`: what is known of shadow rays untraced" },
+    hit  = { uint = true, doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive" },
+    sure = { uint = true, optional = true, needs = "sure",
+      doc = "bits per tile from `shadow_shafts`: lights whose shadow rays need no tracing" },
   },
-  writes = { color = { format = stored.color, doc = "linear radiance; alpha 1" } },
+  writes = { color = { format = stored.color, doc = "colour, linear radiance; alpha 1" } },
   counters = {
     not_finite = {
       doc   = "radiances that were not finite numbers",
-      limit = "NaN became 0 and infinity 65504. Look at textures, lights and normals of what is there",
+      limit = "NaN became 0 and infinity 65504. Check the textures, lights and normals of the visible objects",
     },
     color_clamped = stored.counters.color_clamped,
   },
   params = {
     color_format = stored.color_format,
     shadow_tile = pass.int { 8, min = 1, max = 64, unit = "px", wired = true,
-      doc = "side of a tile, whose shadow rays towards a light may be answered all at once" },
+      doc = "side of a tile whose shadow rays towards a light share one test" },
     shading = pass.choice { "frozen", "full", default = "frozen", role = "shading",
-      doc = "pose at which points are shaded: the capture's, or the node's own time",
+      doc = "time of the poses used for shading: the raster time, or the time of the sample",
       values = {
-        frozen = "As at the capture, whenever the point is seen: what filters of one picture can know. Fails where " ..
-                 "light, shadows or highlights move within the exposure: they stand still.",
-        full   = "As at the time at which the point is seen. Nothing to fail: light, shadows and highlights move too.",
+        frozen = "Shading at the raster time, whenever the point is visible: the information of filters of one image. " ..
+                 "Fails where light, shadows or highlights move within the exposure: they stay fixed.",
+        full   = "Shading at the time of the sample. Never fails: light, shadows and highlights move too.",
       } },
   },
 }

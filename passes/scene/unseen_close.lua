@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What the end of the exposure sees and no layer of the capture holds.
+-- Moving surfaces visible at shutter close that both layers of the raster time lack.
 local pass   = require "strobe.pass"
 local unseen = require "passes.lib.unseen"
 

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- What each pixel sees: the raster pass of every pipeline. Everything else is derived from it.
+-- Visible triangle of each pixel: the raster pass of every pipeline. All other images derive from it.
 local pass = require "strobe.pass"
 
 return pass.raster {
   name   = "visibility",
   shader = "scene/visibility",
-  doc    = "Nearest triangle at each sample position",
-  writes = { hit = { format = "rgba32ui", doc = "instance + 1 (0 = sky), geometry, primitive, 0" } },
+  doc    = "Nearest triangle at each sample position, by rasterisation",
+  writes = { hit = { format = "rgba32ui", doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive, 0" } },
 }

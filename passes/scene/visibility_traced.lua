@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- What each pixel sees, found by a ray: where silhouettes cross a sample position, raster and rays may differ.
+-- Visible triangle of each pixel by a ray. Rasterisation and rays may differ where a silhouette crosses a sample position.
 local pass = require "strobe.pass"
 
 return pass.trace {
   name   = "visibility_traced",
   shader = "scene/visibility_traced",
   doc    = "Nearest triangle at each sample position, by a ray",
-  writes = { hit = { format = "rgba32ui", doc = "instance + 1 (0 = sky), geometry, primitive, 0" } },
+  writes = { hit = { format = "rgba32ui", doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive, 0" } },
 }

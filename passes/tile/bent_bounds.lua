@@ -6,17 +6,20 @@ local blur = require "passes.lib.blur"
 return pass.compute {
   name   = "bent_bounds",
   shader = "tile/bent_bounds",
-  doc    = "Least and greatest displacement and path deviation of the texels of each cell that count, component by component",
-  fails  = "Never. Two motions far apart leave much between their bounds that nothing in the cell has.",
+  doc    = "Least and greatest displacement and path deviation of the unreliable texels of each cell, component by component",
+  fails  = "Never. The bounds of two very different motions contain displacements that no texel of the cell has.",
   size   = { of = "velocity", divide = "cell_side" },
   reads  = {
-    velocity = { doc = "px over the exposure" },
-    bend     = { doc = "how far paths are from straight lines, px in the middle of the exposure" },
-    valid    = { doc = "above 1/2 where they count" },
+    velocity = { doc = "displacement of the surface, px over the exposure" },
+    bend     = { doc = "path deviation from a straight line in the middle of the exposure, px" },
+    valid    = { doc = "mask, above 1/2 at unreliable texels" },
   },
   writes = {
-    bounds = { format = "rgba32f", doc = "least x and y, greatest x and y, px over the exposure; 0 where no texel counts" },
-    bends  = { format = "rgba32f", doc = "least x and y, greatest x and y of path deviations, px; 0 where no texel counts" },
+    bounds = { format = "rgba32f",
+      doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; 0 without unreliable " ..
+            "texels" },
+    bends  = { format = "rgba32f",
+      doc = "bounds of the path deviations: least x and y, greatest x and y, px; 0 without unreliable texels" },
   },
   without = { valid = { bounds = 0, bends = 0 }, reached = { bounds = 0, bends = 0 } },
   params = {

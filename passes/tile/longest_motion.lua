@@ -1,22 +1,24 @@
 -- SPDX-License-Identifier: MIT
--- How far anything in the picture moves: what limit = auto stands for.
+-- Longest displacement of the image: the search radius of filters with limit = auto.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
-local more = { optional = true, doc = "the same of another layer, or of times after the capture" }
+local more = { optional = true,
+  doc = "longest displacement of each tile, of another layer or after the raster time, px over the exposure; absent: none" }
 
 return pass.compute {
   name   = "longest_motion",
   shader = "tile/longest_motion",
-  doc    = "The longest displacement of the picture",
-  fails  = "Never. One thread reads all tiles: of a large picture with tiles of a pixel or two that takes long.",
+  doc    = "Longest displacement of the image",
+  fails  = "Never. One thread reads all tiles, which is slow for a large image with tiles of one or two pixels.",
   size   = { 1, 1 },
   reads  = {
-    longest = { doc = "px over the exposure, longest of each tile" },
+    longest = { doc = "longest displacement of each tile, px over the exposure" },
     after = more, revealed = more, revealed_after = more,
-    curve = { optional = true, needs = "curve", doc = "of the paths of longest, px; absent: lines" },
+    curve = { optional = true, needs = "curve",
+      doc = "curve of the path of each tile's longest displacement, px; absent: paths are straight lines" },
   },
-  writes = { reach = { format = "r32f", doc = "px over the exposure, one texel" } },
+  writes = { reach = { format = "r32f", doc = "length of the longest displacement, one texel, px over the exposure" } },
   without = { motion = { reach = 0 } },
   params = { trajectory = blur.trajectory { wired = true } },
 }

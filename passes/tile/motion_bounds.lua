@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Velocity interval of each cell.
+-- Conservative interval of the displacements of each cell.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
@@ -7,22 +7,25 @@ return pass.compute {
   name   = "motion_bounds",
   shader = "tile/motion_bounds",
   doc    = "Least and greatest displacement of each cell, component by component",
-  fails  = "Never. Two motions far apart leave much between their bounds that nothing in the cell has.",
+  fails  = "Never. The bounds of two very different motions contain displacements that no texel of the cell has.",
   size   = { of = "velocity", divide = "cell_side" },
   reads  = {
-    velocity       = { doc = "px over the exposure" },
-    after_velocity = { optional = true, doc = "px over the exposure, at times after the capture" },
-    curve          = { optional = true, needs = "curve", doc = "of their paths, px; absent: lines" },
-    valid          = { optional = true, doc = "above 1/2 where they count; absent: everywhere" },
+    velocity       = { doc = "displacement of the surface, px over the exposure" },
+    after_velocity = { optional = true,
+      doc = "displacement of the surface at times after the raster time, px over the exposure; absent: equal to `velocity`" },
+    curve          = { optional = true, needs = "curve",
+      doc = "curve of the screen path, px; absent: paths are straight lines" },
+    valid          = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
   },
   writes = { bounds = { format = "rgba32f",
-    doc = "least x and y, greatest x and y, px over the exposure; least above greatest where nothing counts" } },
+    doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; least exceeds greatest in a " ..
+          "cell where no texel counts" } },
   without = { reached = { bounds = 0 } },
   params = {
     cell_side = blur.cell_side,
     limit     = blur.limit,
     trajectory = blur.trajectory { wired = true },
     all_count = pass.bool { false, wired = true, role = "within_reach",
-      doc = "`valid` is absent, so that cells at rest lie between zeros" },
+      doc = "set if `valid` is absent, so that the bounds of static cells are 0" },
   },
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Where anything comes within the exposure: cells that nothing reaches need no blur.
+-- Cells that a moving surface reaches within the exposure; all other cells need no blur.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local reach = require "passes.lib.reach"
@@ -7,30 +7,39 @@ local reach = require "passes.lib.reach"
 return pass.compute {
   name   = "motion_reach",
   shader = "tile/motion_reach",
-  doc    = "The cells that something in motion passes over within the exposure, and those where something behind shows",
-  fails  = "Never by leaving a cell out. Of a cell of many motions it takes too many around it.",
+  doc    = "Cells that a moving surface passes over within the exposure, and cells that a revealed surface passes over",
+  fails  = "Conservative; may mark extra cells around a cell with several motions.",
   size   = { of = "bounds" },
   reads  = {
-    bounds        = { doc = "of the displacements of each cell, px over the exposure" },
-    behind_bounds = { doc = "the same of what was revealed" },
-    dominant      = { doc = "px over the exposure, per tile: longest displacement that comes there" },
-    second         = { optional = true, doc = "what else comes there" },
-    after_second   = { optional = true, doc = "the same at times after the capture" },
-    after_dominant = { optional = true, doc = "the same at times after the capture" },
-    revealed_dominant = { optional = true, doc = "the same of what was revealed, where dominant is of what raster saw" },
-    revealed_after_dominant = { optional = true, doc = "the same of that at times after the capture" },
+    bounds        = { doc = "bounds of the displacements in each cell, px over the exposure" },
+    behind_bounds = { doc = "bounds of the displacements of the revealed surfaces in each cell, px over the exposure" },
+    dominant      = { doc = "longest displacement that reaches each tile, px over the exposure" },
+    second         = { optional = true,
+      doc = "displacement around each tile that differs most from the dominant one, px over the exposure" },
+    after_second   = { optional = true,
+      doc = "displacement around each tile that differs most from `after_dominant`, px over the exposure" },
+    after_dominant = { optional = true,
+      doc = "dominant displacement of each tile at times after the raster time, px over the exposure" },
+    revealed_dominant = { optional = true,
+      doc = "dominant displacement of each tile of the revealed layer, px over the exposure; absent: `dominant` covers " ..
+            "both layers" },
+    revealed_after_dominant = { optional = true,
+      doc = "dominant displacement of each tile of the revealed layer at times after the raster time, px over the exposure" },
     reach = reach,
   },
   writes = {
-    moved  = { cleared = true, format = "r8_unorm", doc = "1 where something that moves is at some time, 0 where all rests" },
-    behind = { cleared = true, format = "r8_unorm", doc = "1 where something revealed is at some time" },
-    missed = { cleared = true, format = "r8_unorm", doc = "1 where something comes that moves like none of these" },
+    moved  = { cleared = true, format = "r8_unorm",
+      doc = "1 if a moving surface is in the cell at some time, 0 if all is static" },
+    behind = { cleared = true, format = "r8_unorm", doc = "1 if a revealed surface is in the cell at some time" },
+    missed = { cleared = true, format = "r8_unorm",
+      doc = "1 if a surface with a motion outside the candidates reaches the cell" },
   },
   params = {
     cell_side = blur.cell_side,
     tile      = blur.tile,
     limit     = blur.limit,
-    slowest   = pass.float { 0.5, min = 0, max = 100, unit = "px", doc = "up to here what moves counts as at rest" },
-    samples   = blur.samples { doc = "time samples, whose distance decides how exactly places are met" },
+    slowest   = pass.float { 0.5, min = 0, max = 100, unit = "px",
+      doc = "largest displacement, before or after the raster time, that counts as static" },
+    samples   = blur.samples { doc = "number of time samples; fewer samples widen the marked cells" },
   },
 }

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The longest displacement that can reach each tile. McGuire et al. 2012, section 2.2; off-axis rule: Guertin et al.
--- 2014.
+-- Longest displacement that can reach each tile. McGuire et al. 2012, section 2.2; off-axis rule: Guertin et al. 2014.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local reach = require "passes.lib.reach"
@@ -8,35 +7,38 @@ local reach = require "passes.lib.reach"
 return pass.compute {
   name   = "neighbour_max",
   shader = "tile/neighbour_max",
-  doc    = "Longest displacement among the tiles around that can reach each tile within the exposure",
-  fails  = "A tile is judged by its longest displacement: a slower pixel of it that comes this way, while the longest "
-    .. "does not, is lost. Where the dominant displacement changes, borders of tiles show.",
+  doc    = "Longest displacement of the tiles around each tile that can reach it within the exposure",
+  fails  = "A tile is represented by its longest displacement: a slower pixel that reaches this tile is lost if the longest "
+    .. "displacement does not reach it. Tile borders show where the dominant displacement changes.",
   size   = { of = "longest" },
   reads  = {
-    longest = { doc = "px over the exposure, longest of each tile" },
-    motions = { optional = true, doc = "two displacements that stand for all in a tile, px over the exposure" },
-    curve = { optional = true, needs = "curve", doc = "of the path of that, px; absent: lines" },
-    place = { optional = true, needs = "curve", doc = "px, the texel that has it" },
+    longest = { doc = "longest displacement of each tile, px over the exposure" },
+    motions = { optional = true,
+      doc = "two displacements that represent each tile, px over the exposure; absent: `longest` alone" },
+    curve = { optional = true, needs = "curve",
+      doc = "curve of the path of each tile's longest displacement, px; absent: paths are straight lines" },
+    place = { optional = true, needs = "curve", doc = "texel that has the longest displacement of each tile, px" },
     reach = reach,
   },
   writes = {
-    dominant = { format = "rg32f", doc = "px over the exposure" },
-    dominant_curve = { format = "rgba32f", doc = "of its path, px" },
-    dominant_place = { format = "rg32f", doc = "px, the texel that has it; 0 where paths are lines" },
-    second   = { format = "rg32f", doc = "what differs most from it, px over the exposure; dominant if nothing does" },
+    dominant = { format = "rg32f", doc = "longest displacement that reaches each tile, px over the exposure" },
+    dominant_curve = { format = "rgba32f", doc = "curve of the path of the dominant displacement, px" },
+    dominant_place = { format = "rg32f", doc = "texel that has the dominant displacement, px; 0 if paths are straight lines" },
+    second   = { format = "rg32f",
+      doc = "displacement that differs most from the dominant one, px over the exposure; equal to it if none differs" },
   },
   without = { motion = { dominant = 0, dominant_curve = 0, dominant_place = 0, second = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,
     trajectory = blur.trajectory { wired = true },
-    rule  = pass.choice { "reach", "sign", "all", default = "reach", doc = "which of the tiles around count",
+    rule  = pass.choice { "reach", "sign", "all", default = "reach", doc = "test for the tiles around that can reach a tile",
       values = {
-        reach = "Those whose box moves over this one within the exposure. Fails for a slow pixel of a tile whose "
-          .. "longest displacement passes by.",
-        sign = "Those that point here, on every axis on which they lie off (Guertin et al. 2014). Fails as reach "
-          .. "does, and lets distant tiles dominate that stop short of this one.",
-        all = "Every tile in range (McGuire et al. 2012). Fails by letting motion dominate that never comes here.",
+        reach = "Tiles whose box passes over this tile within the exposure. Fails for a slow pixel of a tile whose longest "
+          .. "displacement misses this tile.",
+        sign = "Tiles whose displacement points to this tile on every axis that separates the two (Guertin et al. 2014). Fails "
+          .. "as reach does, and lets distant tiles dominate that stop short of this tile.",
+        all = "Every tile in range (McGuire et al. 2012). Fails by letting motion dominate that never reaches this tile.",
       } },
   },
 }

@@ -1,15 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- Scatter of displacements along themselves, as Unity's HDRP does it: how long the longest is that comes to a tile.
+-- Scatter of tile displacements along their motion, as in Unity's HDRP: length of the longest at each tile.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "scatter_length",
   shader = "tile/scatter_length",
-  doc    = "Length of the longest displacement whose tile comes over each tile within the exposure",
-  fails  = "A tile is judged by its longest displacement, and its way is the line of its centre: two that cross in it are one.",
+  doc    = "Length of the longest displacement whose tile passes over each tile within the exposure",
+  fails  = "A tile is represented by its longest displacement, and its path by the line of its centre: of two motions that " ..
+           "cross in a tile, one is lost.",
   size   = { of = "longest" },
-  reads  = { longest = { doc = "px over the exposure, longest of each tile" } },
-  updates = { length = { format = "r32ui", doc = "px over the exposure, the bits of a float; 0: nothing" } },
+  reads  = { longest = { doc = "longest displacement of each tile, px over the exposure" } },
+  updates = { length = { format = "r32ui",
+    doc = "length of the longest displacement as the bits of a float, px over the exposure; 0 for none" } },
   params = { tile = blur.tile },
 }

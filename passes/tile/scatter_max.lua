@@ -1,17 +1,18 @@
 -- SPDX-License-Identifier: MIT
--- The longest displacement that was scattered to a tile or beside it, as Unity's HDRP does it.
+-- Longest displacement scattered to a tile or its neighbours, as in Unity's HDRP.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "scatter_max",
   shader = "tile/scatter_max",
-  doc    = "Longest displacement that came to a tile or to one beside it",
-  fails  = "One displacement stands for all that come: what crosses it is lost, and it dominates a tile farther than it comes.",
+  doc    = "Longest displacement scattered to each tile or its eight neighbours",
+  fails  = "One displacement represents all that reach a tile: crossing motions are lost. It also dominates one tile " ..
+           "beyond its end.",
   size   = { of = "longest" },
   reads  = {
-    longest = { doc = "px over the exposure, longest of each tile" },
-    source  = { uint = true, doc = "tile that the longest comes from, of scatter_source" },
+    longest = { doc = "longest displacement of each tile, px over the exposure" },
+    source  = { uint = true, doc = "tile of origin of the longest displacement that reaches each tile, from `scatter_source`" },
   },
-  writes = { dominant = { format = "rg32f", doc = "px over the exposure" } },
+  writes = { dominant = { format = "rg32f", doc = "longest displacement that reaches each tile, px over the exposure" } },
   without = { motion = { dominant = 0 } },
 }

@@ -1,19 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- Scatter of displacements along themselves, as Unity's HDRP does it: from which tile the longest comes.
+-- Scatter of tile displacements along their motion, as in Unity's HDRP: origin of the longest at each tile.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "scatter_source",
   shader = "tile/scatter_source",
-  doc    = "Tile that the longest displacement is from whose tile comes over each tile within the exposure",
-  fails  = "Of displacements equally long that cross at a tile those from one tile stand for all.",
+  doc    = "Tile of origin of the longest displacement whose tile passes over each tile within the exposure",
+  fails  = "If equally long displacements cross at a tile, only the one from the first tile in raster order is kept.",
   size   = { of = "longest" },
   reads  = {
-    longest = { doc = "px over the exposure, longest of each tile" },
-    length  = { uint = true, doc = "of the longest that comes to each tile, of scatter_length" },
+    longest = { doc = "longest displacement of each tile, px over the exposure" },
+    length  = { uint = true,
+      doc = "length of the longest displacement that reaches each tile, bits of a float, from `scatter_length`" },
   },
   updates = { source = { format = "r32ui",
-    doc = "number of tiles less that of the tile in raster order; 0: none" } },
+    doc = "number of tiles minus the raster index of the tile of origin; 0 for none" } },
   params = { tile = blur.tile },
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The longest displacement of each tile, of one layer or of the union of two. McGuire et al. 2012, section 2.2.
+-- Longest displacement of each tile, of one layer or of both layers. McGuire et al. 2012, section 2.2.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
@@ -8,21 +8,26 @@ local nothing = { longest = 0, curve_of_it = 0, place_of_it = 0 }
 return pass.compute {
   name   = "tile_max",
   shader = "tile/tile_max",
-  doc    = "Longest displacement of each tile, shortened to what the filters handle",
-  fails  = "One displacement stands for a tile: slower ones, and others of equal length, are lost.",
+  doc    = "Longest displacement of each tile, shortened to the limit",
+  fails  = "One displacement represents a tile: slower ones, and others of equal length, are lost.",
   size   = { of = "velocity", divide = "tile" },
   group  = true,
   reads  = {
-    velocity       = { doc = "px over the exposure" },
-    valid          = { optional = true, doc = "above 1/2 where velocity counts; absent: everywhere" },
-    curve          = { optional = true, needs = "curve", doc = "of its path, px; absent: lines" },
-    extra_curve    = { optional = true, needs = "curve", doc = "the same of the second layer" },
-    extra_velocity = { optional = true, doc = "px over the exposure, of a second layer over the same pixels" },
-    extra_valid    = { optional = true, doc = "above 1/2 where extra_velocity counts; absent: everywhere" },
+    velocity       = { doc = "displacement of the surface, px over the exposure" },
+    valid          = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
+    curve          = { optional = true, needs = "curve",
+      doc = "curve of the screen path, px; absent: paths are straight lines" },
+    extra_curve    = { optional = true, needs = "curve",
+      doc = "curve of the screen path of the second layer, px; absent: paths are straight lines" },
+    extra_velocity = { optional = true,
+      doc = "displacement of a second layer at the same pixels, px over the exposure; absent: one layer" },
+    extra_valid    = { optional = true, doc = "mask, above 1/2 at texels of the second layer that count; absent: all texels" },
   },
-  writes = { longest = { format = "rg32f", doc = "px over the exposure; of equal lengths the first in raster order" },
-             curve_of_it = { format = "rgba32f", doc = "of its path, px" },
-             place_of_it = { format = "rg32f", doc = "px, the texel that has it; 0 where paths are lines" } },
+  writes = { longest = { format = "rg32f",
+               doc = "longest displacement, px over the exposure; the first in raster order among equal lengths" },
+             curve_of_it = { format = "rgba32f", doc = "curve of the path of the longest displacement, px" },
+             place_of_it = { format = "rg32f",
+               doc = "texel that has the longest displacement, px; 0 if paths are straight lines" } },
   without = { motion = nothing, reached = nothing },
   params = {
     tile  = blur.tile,
@@ -31,7 +36,7 @@ return pass.compute {
   },
   counters = { clamped = {
     doc   = "pixels (of either layer) that move farther than the limit",
-    limit = "the filter shortened their displacement to the limit: their blur is shorter than it should be, which truth " ..
-            "does not share. Raise `limit`, or shorten the exposure",
+    limit = "each displacement was shortened to the limit, so that the blur is too short; ground truth has no limit. Raise " ..
+            "`limit`, or shorten the exposure",
   } },
 }

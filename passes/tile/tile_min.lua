@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The length of the shortest displacement of each tile. Guertin et al. 2014; Jimenez 2014.
+-- Length of the shortest displacement of each tile. Guertin et al. 2014; Jimenez 2014.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
@@ -7,14 +7,15 @@ return pass.compute {
   name   = "tile_min",
   shader = "tile/tile_min",
   doc    = "Length of the shortest displacement of each tile",
-  fails  = "Directions are not compared: a turning tile looks as uniform as one that slides.",
+  fails  = "Directions are not compared: a rotating tile counts as uniform, like a sliding tile.",
   size   = { of = "velocity", divide = "tile" },
   group  = true,
   reads  = {
-    velocity = { doc = "px over the exposure" },
-    valid    = { optional = true, doc = "above 1/2 where velocity counts; absent: everywhere" },
+    velocity = { doc = "displacement of the surface, px over the exposure" },
+    valid    = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
   },
-  writes = { shortest = { format = "r32f", doc = "px over the exposure; a tile where nothing counts has the limit" } },
+  writes = { shortest = { format = "r32f",
+    doc = "length of the shortest displacement, px over the exposure; the limit in a tile where no texel counts" } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Cells in which a gather is certain: all that comes there moves alike, and a few rays agree.
+-- Cells where a gather is reliable: all surfaces that reach the cell move alike, and a few rays confirm it.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local reach = require "passes.lib.reach"
@@ -7,30 +7,31 @@ local reach = require "passes.lib.reach"
 return pass.trace {
   name   = "uniform_motion",
   shader = "tile/uniform_motion",
-  doc    = "Whether all that comes to a cell within the exposure moves alike, and a few rays find nothing else",
-  fails  = "What is smaller than a cell, and neither seen at the capture nor met by one of the rays, is missed.",
-  breaks = { mirrored = "which pixels of a cell have a ray is drawn by the cell's place" },
+  doc    = "Reliability of a gather per cell: all surfaces that reach the cell move alike, and a few rays confirm it",
+  fails  = "Misses objects smaller than a cell that are neither in the raster layer nor hit by a validation ray.",
+  breaks = { mirrored = "the choice of the pixels with rays depends on the screen position of the cell" },
   size   = { of = "bounds" },
   reads  = {
-    bounds   = { doc = "of the displacements of each cell, px over the exposure" },
-    velocity = { doc = "px over the exposure, of what the capture sees" },
-    id       = { uint = true, doc = "its instance + 1; sky = 0" },
+    bounds   = { doc = "bounds of the displacements in each cell, px over the exposure" },
+    velocity = { doc = "displacement of the raster layer, px over the exposure" },
+    id       = { uint = true, doc = "instance + 1 of the raster layer; 0 for the sky" },
     reach    = reach,
   },
   writes = {
-    certain = { format = "r8_unorm", doc = "1 where a gather along the motion is right, 1/2 where nothing moves, else 0" },
-    longest = { format = "rg32f", doc = "longest displacement of what comes there, px over the exposure" },
+    certain = { format = "r8_unorm",
+      doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, otherwise 0" },
+    longest = { format = "rg32f", doc = "longest displacement of the surfaces that reach the cell, px over the exposure" },
   },
   without = { motion = { certain = 0, longest = 0 } },
   params = {
     cell_side = blur.cell_side,
     limit     = blur.limit,
     apart_px  = pass.float { 0.5, min = 0, max = 1000, unit = "px",
-      doc = "by how much displacements that come to a cell may differ" },
-    audit_rays = pass.int { 8, min = 0, max = 64, doc = "rays of a cell, each at a place and time of its own" },
+      doc = "largest difference between displacements that count as uniform" },
+    audit_rays = pass.int { 8, min = 0, max = 64, doc = "number of validation rays per cell, each at its own pixel and time" },
   },
   counters = {
-    checked = "cells whose motion is even, in which rays looked for anything else",
-    refuted = "of those, cells in which one found something else",
+    checked = "cells with uniform motion, validated by rays",
+    refuted = "cells with uniform motion, rejected because a validation ray hit another instance",
   },
 }

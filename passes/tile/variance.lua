@@ -1,17 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- How much the directions of motion differ around each tile. Guertin et al. 2014.
+-- Variance of the motion directions around each tile. Guertin et al. 2014.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "tile_variance",
   shader = "tile/variance",
-  doc    = "1 minus the mean alignment of the longest displacements of the 3 x 3 tiles around",
-  fails  = "It knows one displacement per tile: motions that cross within a tile go unnoticed.",
+  doc    = "Variance of the motion directions of the 3 x 3 tiles around each tile: 1 minus their mean alignment",
+  fails  = "One displacement represents each tile: motions that cross within a tile are missed.",
   size   = { of = "longest" },
   reads  = {
-    longest  = { doc = "px over the exposure, longest of each tile" },
-    dominant = { doc = "px over the exposure, per tile: stands for a tile that is at rest itself" },
+    longest  = { doc = "longest displacement of each tile, px over the exposure" },
+    dominant = { doc = "dominant displacement of each tile, used for a static tile, px over the exposure" },
   },
-  writes = { variance = { format = "r32f", doc = "0 (all along one line) to 1 (all across it)" } },
+  writes = { variance = { format = "r32f", doc = "variance of directions, 0 (all parallel) to 1 (all perpendicular)" } },
   without = { motion = { variance = 0 } },
 }

@@ -1,17 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- One time sample of ground truth that raster has drawn, added to two interleaved halves; repeated over the shutter by
--- a loop.
+-- One rasterised time sample of ground truth, added to one of two interleaved half buffers; a loop repeats it over the shutter.
 local pass = require "strobe.pass"
 
 local function half(which)
-  return { format = "rgba32f", doc = "rgb: mean of the samples of " .. which .. " iterations, linear; a: their number" }
+  return { format = "rgba32f",
+    doc = "mean of the samples of " .. which .. " iterations, linear radiance; alpha: number of those samples" }
 end
 
 return pass.compute {
   name    = "truth_accumulate",
   shader  = "truth/accumulate",
-  doc     = "Adds a picture to one of two halves of the time samples",
+  doc     = "Add an image to one of two half buffers of time samples",
   size    = { of = "color" },
-  reads   = { color = { doc = "linear, of one time" } },
+  reads   = { color = { doc = "image of one time sample, linear radiance" } },
   updates = { mean_a = half "even", mean_b = half "odd" },
 }

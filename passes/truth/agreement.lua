@@ -1,32 +1,38 @@
 -- SPDX-License-Identifier: MIT
--- What the first samples of truth agree about, so that the others need no rays for it.
+-- Consensus of the first samples of ground truth, so that later samples skip the rays for it.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "truth_agreement",
   shader = "truth/agreement",
-  doc    = "What all first samples of a pixel and its neighbours see, its shadows, and colours that all have",
-  fails  = "What is smaller than a pixel and falls between all of these samples is not known to be there.",
+  doc    = "Surface, shadows and colour that all first samples of a pixel and its neighbours agree on",
+  fails  = "Misses objects smaller than a pixel that lie between all of these samples.",
   size   = { of = "ground" },
   reads  = {
-    ground = { uint = true, doc = "what samples have seen at rest, or where that is nothing in motion: 0 nothing, 1 sky, " ..
-      "2 + instance; geometry, triangle" },
-    still  = { doc = "rgb: mean colour of what is at rest" },
-    unlike = { doc = "the farthest of its colours from the mean before it, in parts of that" },
-    shadows = { uint = true, doc = "of two instances: whose, lights by bits (free at all that asked; " ..
-      "from bit 16 on blocked; both: none did)" },
+    ground = { uint = true,
+      doc = "surface found by the samples; x: 0 none, 1 sky, 2 + instance; y: geometry; z: triangle. A moving surface is " ..
+            "stored only if no sample found a static surface" },
+    still  = { doc = "mean colour of the static surface, linear radiance" },
+    unlike = { doc = "largest difference of a sample's colour from the mean of the samples before it, relative to that mean" },
+    shadows = { uint = true,
+      doc = "light visibility on two instances; x and z: 2 + instance; y and w: bit i is set if light i was visible in all " ..
+            "samples that tested it, bit 16 + i if it was blocked in all, both if none tested it" },
   },
   writes = {
     known_hit = { format = "rgba32ui",
-      doc = "the surface that all see, as `ground`; its triangle is 2^32 - 1 where they see several; 0 where there is none" },
-    known_shadows = { format = "rgba32ui", doc = "the same as all of these samples have it" },
-    even_color = { format = "rgba32f", doc = "rgb: colour of what is at rest; a = 1 where that is one colour, else 0" },
-    more = { format = "r8_unorm", doc = "0 where these samples are enough, else 1" },
+      doc = "surface that all samples agree on, encoded as `ground`; z: 2^32 - 1 if the triangles differ; x: 0 without " ..
+            "consensus" },
+    known_shadows = { format = "rgba32ui", doc = "light visibility that all samples agree on, encoded as `shadows`" },
+    even_color = { format = "rgba32f",
+      doc = "colour of the static surface, linear radiance; alpha: 1 if all samples agree on the colour, otherwise 0" },
+    more = { format = "r8_unorm", doc = "0 where the first samples suffice, otherwise 1" },
   },
   params = {
     even_within = pass.float { 0.02, min = 0, max = 1,
-      doc = "how far colours may be from their mean, in parts of it, to be one" },
-    one_shading = pass.bool { true, wired = true, doc = "samples are shaded as at the capture: one colour may be enough" },
-    audit = pass.float { 0, min = 0, max = 1, wired = true, doc = "share of the pixels that take all samples, to check them" },
+      doc = "largest difference of colours from their mean, relative to the mean, that counts as one colour" },
+    one_shading = pass.bool { true, wired = true,
+      doc = "set if all samples are shaded at the raster time, so that one colour may suffice" },
+    audit = pass.float { 0, min = 0, max = 1, wired = true,
+      doc = "fraction of the pixels that take all samples, for validation" },
   },
 }

@@ -1,17 +1,18 @@
 -- SPDX-License-Identifier: MIT
--- Mean of the time samples of truth, and the error of that mean.
+-- Mean of the time samples of ground truth, and the error of that mean.
 local pass = require "strobe.pass"
 
-local half = { doc = "rgb: mean of one half of the samples, linear; a: their number" }
+local half = { doc = "mean of one half of the samples, linear radiance; alpha: number of samples in that half" }
 
 return pass.compute {
   name   = "truth_mean",
   shader = "truth/mean",
-  doc    = "Mean of two halves of the samples and half their difference",
+  doc    = "Mean of both half buffers, and half of their difference as its error",
   size   = { of = "mean_a" },
   reads  = { mean_a = half, mean_b = half },
   writes = {
-    color = { format = "rgba32f", doc = "linear; alpha 1" },
-    error = { format = "rgba32f", doc = "rgb: half the difference of the halves' means; a: number of samples" },
+    color = { format = "rgba32f", doc = "mean of all samples, linear radiance; alpha 1" },
+    error = { format = "rgba32f",
+      doc = "half of the absolute difference of both means, linear radiance; alpha: number of samples" },
   },
 }

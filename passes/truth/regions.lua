@@ -1,18 +1,19 @@
 -- SPDX-License-Identifier: MIT
--- The regions by which errors are reported, from truth alone.
+-- Regions for error reports, from ground truth alone.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "truth_regions",
   shader = "truth/regions",
-  doc    = "Where the exposure shows what is farther, was hidden, or is nearer than what the capture sees",
+  doc    = "Pixels whose exposure contains farther, disoccluded or nearer surfaces than the surface at the raster time",
   size   = { of = "regions" },
-  reads  = { regions = { uint = true, doc = "bits, or-ed over the time samples: 1 inner, 2 hidden, 4 outer, 8 self" } },
+  reads  = { regions = { uint = true,
+    doc = "regions as bits, combined by bitwise or over the time samples: 1 inner, 2 hidden, 4 outer, 8 self" } },
   writes = {
-    inner  = { format = "r8_unorm", doc = "1 where some time sample sees a farther, different instance" },
-    hidden = { format = "r8_unorm", doc = "1 where some time sample sees a point occluded at the capture" },
-    outer  = { format = "r8_unorm", doc = "1 where some time sample sees a nearer, different instance" },
+    inner  = { format = "r8_unorm", doc = "1 where any time sample hits another, farther instance than at the raster time" },
+    hidden = { format = "r8_unorm", doc = "1 where any time sample hits a point that is occluded at the raster time" },
+    outer  = { format = "r8_unorm", doc = "1 where any time sample hits another, nearer instance than at the raster time" },
     self   = { format = "r8_unorm",
-      doc = "1 where some time sample sees a point occluded at the capture, of the instance that the capture sees there" },
+      doc = "1 where any time sample hits a point, occluded at the raster time, of the instance visible at the raster time" },
   },
 }

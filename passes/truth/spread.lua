@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- How far the two halves of truth's samples differ, per block of pixels.
+-- Difference of the two half buffers of ground truth, per block of pixels.
 local pass = require "strobe.pass"
 
-local half = { doc = "rgb: mean of one half of the samples, linear; a: their number" }
+local half = { doc = "mean of one half of the samples, linear radiance; alpha: number of samples in that half" }
 
 return pass.compute {
   name   = "truth_spread",
   shader = "truth/spread",
-  doc    = "Squared difference of two halves of the samples, summed over blocks of pixels",
+  doc    = "Squared difference of both half buffers, summed over blocks of pixels",
   size   = { of = "mean_a", divide = "block" },
   reads  = { mean_a = half, mean_b = half },
   writes = { spread = { format = "rg32f",
-    doc = "sum of squares over pixels and channels; pixels, 0 = not known yet" } },
-  params = { block = pass.int { 32, min = 1, max = 1024, unit = "px", doc = "side of a block" } },
+    doc = "x: sum of squared differences over pixels and channels, y: number of pixels; 0 until both halves have samples" } },
+  params = { block = pass.int { 32, min = 1, max = 1024, unit = "px", doc = "side of a square block of pixels" } },
 }

@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- Whether truth has as many time samples as it needs.
+-- Stop test for the time samples of ground truth.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "truth_stop",
   shader = "truth/stop",
-  doc    = "Stops the samples once the standard error of their mean is small enough",
+  doc    = "Stop the loop over time samples once the standard error of their mean is within the tolerance",
   size   = { 1, 1 },
-  reads  = { spread = { doc = "per block: sum of squared differences of two halves, number of pixels" } },
-  writes = { stop = { format = "r32f", doc = "1 = stop" } },
+  reads  = { spread = { doc = "per block, x: sum of squared differences of both half buffers, y: number of pixels" } },
+  writes = { stop = { format = "r32f", doc = "1 to stop the loop, otherwise 0" } },
   params = {
-    tolerance   = pass.float { 0.001, min = 0, max = 1e6, doc = "standard error of the mean, linear radiance" },
-    min_samples = pass.int { 64, min = 1, max = 65536, doc = "samples before the test means anything" },
+    tolerance   = pass.float { 0.001, min = 0, max = 1e6, doc = "largest standard error of the mean, linear radiance" },
+    min_samples = pass.int { 64, min = 1, max = 65536, doc = "smallest number of samples before the loop may stop" },
   },
 }

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- One time sample of ground truth per pixel, added to two interleaved halves; repeated over the shutter by a loop.
+-- One traced time sample of ground truth per pixel, added to one of two interleaved half buffers; a loop repeats it over the
+-- shutter.
 -- Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH '84.
 local pass  = require "strobe.pass"
 local shade = require "passes.scene.shade"
@@ -7,55 +8,62 @@ local shade = require "passes.scene.shade"
 return pass.trace {
   name   = "truth_trace",
   shader = "truth/trace",
-  doc    = "One ray per pixel at a time of its own, from the scene's true pose at that time",
+  doc    = "Colour and regions of one time sample per pixel, by a ray through the scene's true poses at that time",
   size   = { of = "hit" },
   reads  = {
-    hit = { uint = true, doc = "what each pixel sees at the capture: instance + 1 (0 = sky), geometry, primitive" },
-    listed = { buffer = true, optional = true, doc = "the pixels that take part; absent: all" },
-    sure = { optional = true, uint = true, doc = "shadows that no ray has to find, of shadow_shafts" },
-    known_hit     = { optional = true, uint = true, doc = "surfaces and triangles that samples see, of truth_agreement" },
-    known_shadows = { optional = true, uint = true, doc = "shadows that no ray has to find, of truth_agreement" },
-    even_color    = { optional = true, doc = "colours of what is at rest that need no more samples, of truth_agreement" },
-    first_ground  = { optional = true, uint = true, doc = "`ground` of the samples before these" },
-    first_still   = { optional = true, doc = "`still` of the samples before these" },
-    first_regions = { optional = true, uint = true, doc = "`regions` of the samples before these" },
+    hit = { uint = true, doc = "surface of the raster layer: instance + 1 (0 for the sky), geometry, primitive" },
+    listed = { buffer = true, optional = true, doc = "list of the pixels to sample; absent: all pixels" },
+    sure = { optional = true, uint = true,
+      doc = "bits per tile from `shadow_shafts`: lights whose shadow rays need no tracing" },
+    known_hit     = { optional = true, uint = true, doc = "surface that the first samples agree on, from `truth_agreement`" },
+    known_shadows = { optional = true, uint = true,
+      doc = "light visibility that the first samples agree on, from `truth_agreement`" },
+    even_color    = { optional = true,
+      doc = "colour of the static surface that the first samples agree on, from `truth_agreement`" },
+    first_ground  = { optional = true, uint = true, doc = "static or common surface of earlier samples, encoded as `ground`" },
+    first_still   = { optional = true, doc = "mean colour of the static surface in earlier samples, encoded as `still`" },
+    first_regions = { optional = true, uint = true, doc = "regions of earlier samples, encoded as `regions`" },
   },
   over = "listed",
   updates = {
-    mean_a  = { format = "rgba32f", doc = "mean radiance of one half of the samples; a = their number" },
-    mean_b  = { format = "rgba32f", doc = "mean radiance of the others; a = their number" },
-    regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer, 8 self" },
-    still   = { format = "rgba32f", doc = "rgb: mean colour of what is at rest; a: number of samples" },
-    unlike  = { format = "r32f", doc = "the farthest of its colours from the mean before it, in parts of that" },
+    mean_a  = { format = "rgba32f",
+      doc = "mean of one half of the samples, linear radiance; alpha: number of samples in that half" },
+    mean_b  = { format = "rgba32f",
+      doc = "mean of the other half of the samples, linear radiance; alpha: number of samples in that half" },
+    regions = { format = "r32ui", doc = "region of the pixel as bits: 1 inner, 2 hidden, 4 outer, 8 self" },
+    still   = { format = "rgba32f", doc = "mean colour of the static surface, linear radiance; alpha: number of samples" },
+    unlike  = { format = "r32f",
+      doc = "largest difference of a sample's colour from the mean of the samples before it, relative to that mean" },
     ground  = { format = "rgba32ui",
-      doc = "what samples have seen at rest, or through whole pixels where that is nothing in motion: 0 nothing, 1 sky, " ..
-            "2 + instance, 2^32 - 1 several; geometry, triangle, distance" },
+      doc = "surface found by the samples; x: 0 none, 1 sky, 2 + instance, 2^32 - 1 several; y: geometry; z: triangle; w: " ..
+            "distance as bits of a float. Moving surfaces are recorded only where no sample found a static surface, with " ..
+            "sample positions over the whole pixel" },
     shadows = { format = "rgba32ui",
-      doc = "of two instances: whose, first 16 lights by bits (free at all that asked; " ..
-      "from bit 16 on blocked; both: none did)" },
+      doc = "light visibility on two instances; x and z: 2 + instance; y and w: bit i is set if light i of 16 was visible " ..
+            "in all samples that tested it, bit 16 + i if it was blocked in all, both if none tested it" },
   },
   counters = {
     not_finite = shade.counters.not_finite,
-    audited    = "samples that were traced in full, to check what is known without",
-    missed     = "of those, samples that see another surface or triangle, or another shadow",
+    audited    = "samples traced in full to validate the rays skipped elsewhere",
+    missed     = "validated samples with a mismatch: another surface, triangle or shadow than the first samples agree on",
   },
   params = {
     shading = shade.params.shading {
-      doc = "pose at which points are shaded: the capture's (what a blur filter can reach), or the sample's own time" },
+      doc = "time of the poses used for shading: the raster time, as in blur filters, or the time of the sample" },
     pixel   = pass.choice { "centre", "box", default = "centre",
-      doc = "sample positions: the centre, or all over the pixel" },
+      doc = "sample positions within the pixel: its centre, or its whole area" },
     in_turn = pass.bool { false, wired = true,
-      doc = "places in the pixel go by the sample's turn, evenly spread wherever the loop stops; else by its part of the " ..
-            "exposure, evenly spread together with the times" },
+      doc = "spread sample positions evenly over successive iterations, so that the loop may stop at any time; off: spread " ..
+            "positions evenly together with the time strata" },
     shadow_tile = shade.params.shadow_tile,
-    every_ray = pass.bool { false, doc = "trace what other samples have found already" },
-    keeps_notes = pass.bool { false, wired = true, doc = "keep what samples see, for truth_agreement" },
+    every_ray = pass.bool { false, doc = "trace every ray, including rays whose result other samples have found" },
+    keeps_notes = pass.bool { false, wired = true, doc = "store per-pixel statistics of the samples, for `truth_agreement`" },
     surveys = pass.bool { false, wired = true,
-      doc = "before a moving camera, see and keep what the capture shows: a second ray, and its shadows" },
+      doc = "trace and store a probe ray at the raster time with its shadow rays, if the camera moves" },
     audit = pass.float { 0.01, min = 0, max = 1,
-      doc = "share of the blocks of 4x2 pixels that trace every ray, to check the rays that others are spared" },
+      doc = "fraction of the blocks of 4 x 2 pixels that trace every ray, to validate the rays skipped elsewhere" },
     once_where_still = pass.bool { false, role = "still_once",
-      doc = "what nothing in motion reaches is sampled once, for all samples: right for centres under frozen shading" },
-    mark_regions = pass.bool { true, doc = "find the regions in which methods differ; one more ray per sample" },
+      doc = "sample pixels that no moving surface reaches only once; exact for pixel = centre with frozen shading" },
+    mark_regions = pass.bool { true, doc = "find the regions for error reports; costs one more ray per sample" },
   },
 }

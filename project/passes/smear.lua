@@ -1,19 +1,19 @@
 -- SPDX-License-Identifier: MIT
--- The colour averaged along each pixel's own motion over the exposure: a first pass to change.
+-- Average of the colours along each pixel's own displacement: a first pass to change.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "smear",
   shader = "smear",
   doc    = "Average of the colours along the pixel's own displacement over the exposure",
-  fails  = "What moves is not blurred over what is at rest, and what is at rest not uncovered.",
+  fails  = "Moving surfaces are not blurred over static ones, and disoccluded background is missing.",
   size   = { of = "color" },
   reads  = {
-    color    = { doc = "linear" },
-    velocity = { doc = "px over the exposure" },
+    color    = { doc = "colour, linear" },
+    velocity = { doc = "displacement, px over the exposure" },
   },
-  writes = { color = { format = "rgba32f", doc = "linear" } },
+  writes = { color = { format = "rgba32f", doc = "averaged colour, linear" } },
   params = {
-    taps = pass.int { 8, min = 1, max = 64, role = "sample_count", doc = "colours averaged" },
+    taps = pass.int { 8, min = 1, max = 64, role = "sample_count", doc = "number of averaged colours" },
   },
 }

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- What raster sees, smeared along its motion.
+-- The raster image, averaged along the displacement of each pixel.
 local pipeline = require "strobe.pipeline"
 local smear    = require "passes.smear"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc = "What the capture sees, averaged along each pixel's own motion",
+  doc = "Raster image, averaged along each pixel's own displacement",
   params = { taps = smear.params.taps },
   build = function(p)
     local seen = scene.captured()

@@ -30,7 +30,7 @@ local shots = {
     crops = { { 400, 195, 120, 68 }, "inner" } },
 }
 
--- Of each shot a row of pictures, one of each crop, one of differences from truth.
+-- For each shot: a row of pictures, a row for each crop, and a row of differences from truth.
 local rows, cells = {}, {}
 local function add(row, of_truth)
   rows[#rows + 1] = row

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Longer and longer exposures of the same moment, a film: the hybrid beside truth. The vase moves at the same pace in all.
+-- A film of the same moment at longer and longer exposures: the hybrid beside truth. The vase has the same speed in all.
 --   strobe capture scripts/captures/exposure.lua -o out/exposure
 local capture = require "strobe.capture"
 

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- Figure 1 of Tan, Cui and Bhojan 2020, on the living room: a vase whose left edge covers the left edge of a cushion,
--- close up. It moves to the left by 40 px over the exposure, which ends at the capture, so that its left edge uncovers what
--- is behind. The paper's text: for McGuire et al. that is hardly visible; UE4's is mirrored from outside, with an
--- additional cushion edge (yellow); the hybrid has the accurate cushion edge (green) of truth.
+-- Figure 1 of Tan, Cui and Bhojan 2020, on the living room: a close-up of a vase whose left edge covers the left edge of a
+-- cushion. The vase moves to the left by 40 px over the exposure, which ends at the raster time, so that its left edge
+-- disoccludes the background. According to the paper, the background is hardly visible with McGuire et al.; UE4 mirrors it
+-- from outside and shows an additional cushion edge (yellow); the hybrid has the accurate cushion edge (green) of truth.
 --   strobe capture scripts/captures/figure1.lua -o out/figure1
 local capture = require "strobe.capture"
 
@@ -48,8 +48,8 @@ return capture {
         { row = 2, column = "ray-traced", empty = true },
       },
     },
-    -- The paper's text by the letter, and our reading of it: luminance separates foreground from background, and the
-    -- pattern of this vase has several luminances.
+    -- The paper to the letter, and our reading. To the letter, luminance separates foreground from background, and the pattern
+    -- of this vase has several luminances.
     {
       name = "figure1_presets", crop = crop, zoom = 2, width_mm = 85, text_size = 22, gap = 8,
       caption = "inner RMSE {rmse inner %.3f}",

@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Figure 2 of Tan, Cui and Bhojan 2020: the range of samples for each pixel. McGuire et al. 2012 put the pixel in the
--- middle of it, the exposure half before and half after the capture; the paper puts it at the end.
+-- Figure 2 of Tan, Cui and Bhojan 2020: the range of samples for each pixel. McGuire et al. 2012 put the pixel in the middle of
+-- this range, with half of the exposure before and half after the raster time. The paper puts it at the end.
 --   strobe capture scripts/captures/figure2.lua -o out/figure2
 local capture = require "strobe.capture"
 
 local function shot(anchor) return { name = anchor, scene = "living_room", camera = "main", anchor = anchor } end
 
--- Pixels inside of the vase, near its edge, and beside it.
+-- Three pixels: inside the vase, near its edge, and beside the vase.
 local ranges = {}
 for i, at in ipairs { { 500, 262 }, { 524, 276 }, { 550, 290 } } do
   ranges[i] = { at = at, along = "neighbour_max.dominant", samples = 5, displacement = i == 1 }

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- What each pass of the hybrid leaves, on the vase before the cushion.
+-- The output of each pass of the hybrid, for the vase in front of the cushion.
 --   strobe capture scripts/captures/hybrid_passes.lua -o out/hybrid_passes
 local capture = require "strobe.capture"
 
--- Three to a row, in the order in which they run: what is shown, its caption, pixels of the longest displacement.
+-- Outputs in the order of their passes, three per row: the image, its caption, the longest displacement of its scale in px.
 local passes = {
   { "visibility.hit", "visibility: instances" },
   { "depth", "gbuffer: depth" },

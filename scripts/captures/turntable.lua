@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Around the table of the living room: what the camera's own motion blurs, as a film.
+-- A film around the table of the living room: blur by the motion of the camera alone.
 --   strobe capture scripts/captures/turntable.lua -o out/turntable
 local capture = require "strobe.capture"
 

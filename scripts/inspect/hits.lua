@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What a pixel inspector shows: everything along the camera's ray through one pixel. Not a picture of the scene.
+-- Input of a pixel inspector: all hits along the camera's ray through one pixel. Not a picture of the scene.
 local pipeline = require "strobe.pipeline"
 local hits     = require "passes.inspect.hits"
 

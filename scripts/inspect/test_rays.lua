@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- What the tracing backends are held against each other with. Not a picture of the scene.
+-- Rays for comparing tracing backends with each other. Not a picture of the scene.
 local pipeline = require "strobe.pipeline"
 local rays     = require "passes.inspect.test_rays"
 
 return pipeline {
-  doc    = "A ray of its own for each pixel through the scene, and what it hits, to compare tracing backends",
+  doc    = "A separate ray through the scene for each pixel, and its hit, to compare tracing backends",
   params = { ray_kind = rays.params.ray_kind },
   build  = function(p)
     local found = rays { ray_kind = p.ray_kind }

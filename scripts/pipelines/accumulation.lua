@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The accumulation buffer: the scene drawn at many times. Haeberli and Akeley 1990.
+-- The accumulation buffer: the mean of the scene drawn at many times. Haeberli and Akeley 1990.
 local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
 local captured_color = require "passes.lib.captured_color"
@@ -9,23 +9,26 @@ local still_ground = require "passes.scene.still_ground"
 local visibility_moving = require "passes.scene.visibility_moving"
 local scene    = require "scripts.pipelines.lib.scene"
 
-local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pixel's centre falls to either side"
+local snapped = "vertices are snapped to 1/256 px, so a silhouette this close to a pixel's centre may fall to either side"
 
 return pipeline {
-  doc = "The scene drawn at each time sample, in the colours of the capture (Haeberli and Akeley 1990)",
+  doc = "Mean of the scene drawn at each time sample, shaded as at the raster time (Haeberli and Akeley 1990)",
   breaks = { mirrored = snapped, scaled = snapped },
   params = {
-    samples = blur.samples { doc = "times at which the scene is drawn" },
+    samples = blur.samples { doc = "number of times, each with its own drawing of the scene" },
     reuse   = pipeline.choice { "none", "blended", "detailed", default = "detailed",
-      doc = "whether what is seen at other times has the colour that the capture shows of it",
+      doc = "source of a surface's colour at other times: shading, or the raster image where it shows the surface",
       values = {
-        none = "It never has: all is shaded, as it is at the capture, at each time. A shadow ray per sample and light.",
-        blended = "It has, blended of the four texels around, wherever these show it. Fails by smoothing texture.",
-        detailed = "Only where these texels are alike, or it moves by more than `detail_below` from sample to sample.",
+        none = "Shading, in the pose of the raster time, of every sample. Costs a shadow ray per sample and light.",
+        blended = "Blend of the four nearest texels of the raster image if they show the surface, otherwise shading. Fails " ..
+                  "by smoothing textures.",
+        detailed = "The blend, except where the four texels differ by more than `unlike` and the surface moves by at most " ..
+                   "`detail_below` from sample to sample: there shading.",
       } },
-    unlike = captured_color.unlike { doc = "with reuse = detailed: share of their colour by which such texels may differ" },
+    unlike = captured_color.unlike {
+      doc = "with reuse = detailed: largest difference of the four texels that are blended, share of their colour" },
     detail_below = captured_color.detail_below {
-      doc = "with reuse = detailed: what moves by more from sample to sample is blended, however they differ" },
+      doc = "with reuse = detailed: motion from sample to sample above which the four texels are always blended" },
   },
   build = function(p)
     local seen = scene.captured()

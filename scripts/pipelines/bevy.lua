@@ -6,7 +6,7 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc = "Bevy engine: each pixel along its own displacement, no tiles; nothing blurs beyond its silhouette",
+  doc = "Bevy engine: blur of each pixel along its own displacement, without tiles; no surface blurs beyond its silhouette",
   params = options.of_picture { copy_below = filter.params.copy_below },
   build = function()
     local seen = scene.captured()

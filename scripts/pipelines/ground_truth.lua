@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Truth: the mean over true poses at many times of the exposure. Never clamped, no tiles, no layers.
+-- Ground truth: the mean of the scene in its true poses at many times of the exposure. Displacements, limits, tiles and layers
+-- are not used.
 local pipeline   = require "strobe.pipeline"
 local shade      = require "passes.scene.shade"
 local visibility = require "passes.scene.visibility"
@@ -12,12 +13,12 @@ local trace      = require "passes.truth.trace"
 local scene      = require "scripts.pipelines.lib.scene"
 local truth      = require "scripts.pipelines.lib.truth"
 
-local drawn = "a sample's time or place is drawn by its pixel on the screen"
-local smooth = "a pixel sees all of its square, whose silhouettes are smooth where they rest too"
+local drawn = "a sample's random time or position depends on the coordinates of its pixel"
+local smooth = "samples cover the whole pixel, so static silhouettes are smooth too"
 
-local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pixel's centre falls to either side"
+local snapped = "vertices are snapped to 1/256 px, so a silhouette this close to a pixel's centre may fall to either side"
 
--- The same by the raster pipeline, which shares no visibility with rays: to check one against the other.
+-- One time sample by raster. It shares no visibility code with rays, so that each can check the other.
 local function rastered_sample(p)
   if p.pixel() == "box" then error("mode = raster samples pixel centres only: pixel = box needs mode = rays", 0) end
   if p.slices() > 1 then error("mode = raster draws one time per iteration: slices > 1 needs mode = rays", 0) end
@@ -40,59 +41,59 @@ end
 local bool, choice, float, int = pipeline.bool, pipeline.choice, pipeline.float, pipeline.int
 
 return pipeline {
-  doc = "The scene at many times of the exposure, each as it truly stands: what every method is compared to",
+  doc = "Mean of the scene in its true poses at many times of the exposure: the reference for every method",
   kind = "truth",
   regions = {
-    inner  = "pixels of the object that see something farther within the exposure",
-    hidden = "pixels that see within the exposure what the capture could not see",
-    outer  = "pixels outside of the object that see it within the exposure",
-    self   = "pixels of an object that see within the exposure what the capture could not see of that same object",
+    inner  = "pixels that show a farther instance at some time of the exposure than at the raster time",
+    hidden = "pixels that show at some time of the exposure a point that is occluded at the raster time",
+    outer  = "pixels that show a nearer instance at some time of the exposure than at the raster time",
+    self   = "pixels that show at some time of the exposure a point of their raster-time instance that is occluded then",
   },
   params = {
     mode         = choice { "rays", "brute", "raster", default = "rays",
-      doc = "what finds the nearest surface at each time; only rays tell regions",
+      doc = "method that finds the nearest surface at each time; only rays find the regions",
       values = {
-        rays   = "Rays: whole pixels or their centres, several times at once, and regions. What is at rest is found " ..
-                 "once, and what moves is traced before it at each time; before a camera at rest, what all of the first " ..
-                 "samples of a pixel and its neighbours agree about, a surface, its shadows or one colour of what is " ..
-                 "at rest, holds for the others, before a moving one what they see at the capture, for the points that the " ..
-                 "capture shows; an audit traces it all the same in some pixels. Fails to see what lies between all of " ..
-                 "these samples.",
-        brute  = "The same samples, each traced in full with its shadows: what the audit compares with, everywhere.",
+        rays   = "Rays through whole pixels or their centres, several times at once; finds the regions. Static surfaces are " ..
+                 "found once, and moving ones are traced in front of them at each time. Rays are skipped where all first " ..
+                 "samples of a pixel and its neighbours agree: with a static camera about a surface, its shadows or one " ..
+                 "static colour; with a moving camera about the surface and shadows at the raster time, for points that " ..
+                 "are visible then. An audit traces the skipped rays in some pixels. Fails to find surfaces that lie " ..
+                 "between all of the first samples.",
+        brute  = "The same samples, each traced in full with its shadow rays: the reference of the audit, in all pixels.",
         raster = "Raster, one time after another: a check of the rays that shares none of their traversal. Fails to " ..
-                 "tell regions, and samples pixel centres only.",
+                 "find the regions, and samples pixel centres only.",
       },
       breaks = { raster = { mirrored = snapped } } },
-    samples      = int { 1024, min = 1, max = 65536, role = "sample_count", doc = "time samples, at most" },
+    samples      = int { 1024, min = 1, max = 65536, role = "sample_count", doc = "largest number of time samples" },
     times        = choice { "midpoint", "stratified", default = "midpoint", role = "sample_times",
-      doc = "where a sample is in its stratum",
+      doc = "time of a sample in its stratum",
       values = {
-        midpoint   = "In its middle: half a sample off per silhouette at most. Fails with bands where samples are few.",
-        stratified = "At a random time of it, of which each pixel draws one where there are several slices: right " ..
-                     "on average, with noise instead of bands. Fails by up to twice the error at each silhouette.",
+        midpoint   = "The middle: an error of at most half a sample per silhouette. Fails with bands where samples are few.",
+        stratified = "A random time; with several slices each pixel draws one of their times. Right on average, with noise " ..
+                     "instead of bands. Fails by up to twice the error of midpoint at each silhouette.",
       },
       breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
-    slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; a pixel draws one of them",
+    slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; each pixel draws one",
       breaks = { other = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
     shading      = shade.params.shading,
-    pixel        = choice { "centre", "box", default = "centre", doc = "where in the pixel a sample is",
+    pixel        = choice { "centre", "box", default = "centre", doc = "position of a sample in its pixel",
       values = {
-        centre = "In its centre, as the methods see it: differences are those of the blur. Fails with stairs at " ..
-                 "silhouettes that rest.",
-        box    = "Anywhere in it, evenly spread: what a pixel as a square sees. Fails as the measure of methods " ..
-                 "that sample centres, which differ from it at every silhouette.",
+        centre = "The centre, as in the methods: differences from truth are errors of the blur. Fails with stairs at static " ..
+                 "silhouettes.",
+        box    = "Positions spread evenly over the pixel, a box filter. Fails as the reference of methods that sample " ..
+                 "centres: they differ from it at every silhouette.",
       },
       breaks = { box = {
         still = smooth, brief = smooth, uniform = smooth, mirrored = drawn, shifted = drawn, reversed = drawn,
       } } },
     first_samples = int { 0, min = 0, max = 4096,
-      doc = "samples that are taken everywhere, and traced in full; 0 = an eighth of all, at least 8; of those that a " ..
-            "tolerance may stop at most 64" },
+      doc = "samples that every pixel traces in full, before rays are skipped; 0 = an eighth of all, at least 8, and with a " ..
+            "tolerance at most 64" },
     even_within  = agreement.params.even_within,
     mark_regions = bool { true, role = "regions",
-      doc = "find the regions in which methods differ; one more ray per sample" },
+      doc = "find the error regions; costs one more ray per sample" },
     audit        = trace.params.audit,
-    tolerance    = float { 0, min = 0, max = 1e6, doc = "stop at this standard error of the mean; 0 = never" },
+    tolerance    = float { 0, min = 0, max = 1e6, doc = "standard error of the mean that stops sampling; 0 = never" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"

@@ -12,17 +12,17 @@ return pipeline {
   params = options.with(options.blur(40), {
     directions   = gather.params.directions,
     second_share = pipeline.choice { "half", "variance", default = "half",
-      doc = "how many samples see the second direction",
+      doc = "share of the samples that follow the second direction",
       values = {
-        half = "Every other sample, everywhere. Fails by losing them where everything moves one way.",
-        variance = "By how much the directions of the tiles around differ. Fails where motions cross within a tile.",
+        half = "Every other sample, at every pixel. Fails by wasting samples where all surfaces move in one direction.",
+        variance = "More samples where the directions of the tiles around differ more. Fails where motions cross in a tile.",
       } },
     kappa        = gather.params.kappa,
     gamma        = gather.params.gamma,
     eta          = gather.params.eta,
     tile_jitter  = gather.params.tile_jitter,
     uniform_path = pipeline.bool { true,
-      doc = "where the shortest displacement around is at least 0.65 of the dominant one, all are taken to be that" },
+      doc = "use the dominant displacement for all surfaces where the shortest one around is at least 0.65 as long" },
   }),
   build = function(p)
     local seen = scene.captured()

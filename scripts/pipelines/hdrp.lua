@@ -14,7 +14,7 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
--- As tiles.dominant, from where things are instead of from where they come to.
+-- Dominant displacement per tile, like tiles.dominant, but scattered: each tile writes to the tiles along its displacement.
 local function dominant(seen)
   local longest = tile_max { velocity = seen.velocity }.longest
   local length = scatter_length { longest = longest }.length
@@ -26,7 +26,7 @@ local function dominant(seen)
 end
 
 return pipeline {
-  doc = "Unity HDRP: pairs of taps as Jimenez 2014, tiles scattered along their motion, weights by how motions are aligned",
+  doc = "Unity HDRP: pairs of taps as in Jimenez 2014, tiles scattered along their motion, weights by the alignment of motions",
   params = options.of_picture {
     tile         = blur.tile { 16 },
     depth_extent = blur.depth_extent,
@@ -36,7 +36,7 @@ return pipeline {
     direction    = gather.params.direction { default = "projected" },
     copy_below   = gather.params.copy_below,
     cheap_ratio  = gather.params.cheap_ratio,
-    cheap        = pipeline.bool { true, doc = "where all around moves alike, taps are averaged instead of weighed" },
+    cheap        = pipeline.bool { true, doc = "average the taps without weights where all surfaces around move alike" },
   },
   build = function(p)
     local seen = scene.captured()

@@ -13,14 +13,15 @@ local options     = require "scripts.pipelines.lib.options"
 local scene       = require "scripts.pipelines.lib.scene"
 local tiles       = require "scripts.pipelines.lib.tiles"
 
--- Ray Mask: pixels in range of an edge at which the displaced position is farther and belongs to another object.
+-- Ray Mask: pixels in range of an edge. Only pixels whose displaced position is farther and belongs to another object can be
+-- edges.
 local function ray_mask(p, raster)
   local where = candidate { depth = raster.depth, id = raster.id, velocity = raster.velocity, taps = p.mask_taps }.candidate
   local edge = edges.detected(p.edge(), raster, where)
   return range_check { edge = edge, id = raster.id, velocity = raster.velocity, own_edge = p.own_edge, as = "mask" }.mask
 end
 
--- Ray Reveal: a ray per masked pixel, advanced past the foreground to the next object.
+-- Ray Reveal: one ray per masked pixel, advanced past the foreground to the next object.
 local function ray_reveal(raster, mask)
   local found = reveal { hit = raster.hit, mask = mask }
   return scene.layer {
@@ -28,7 +29,7 @@ local function ray_reveal(raster, mask)
   }
 end
 
--- Post-Process: tile-dilate and gather of one layer. `behind`: the layer that its silhouettes uncover.
+-- Post-Process: tile-dilate and gather of one layer. `behind`: the background layer that its silhouettes disocclude.
 local function blurred(p, layer, name, behind)
   local dominant = tiles.dominant(p, layer, { prefix = name .. "_" })
   return gathers.blurred(p.weights(), gathers.images(layer, dominant, behind), "gather_" .. name, p.color_format)
@@ -41,8 +42,8 @@ local text = {
   edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit",
   weights = "mcguire2012",
 }
--- Two readings where the text is silent or contradicts its claims: rays pass the object in front at once, and each tap is
--- an equal share of the exposure.
+-- Two readings of the paper, where its text is silent or contradicts its claims: rays pass the object in front at once, and
+-- each tap is an equal share of the exposure.
 local paper = options.with(options.with({}, text), { advance = "instance_filter", weights = "uniform" })
 
 return pipeline {
@@ -50,7 +51,7 @@ return pipeline {
   params = options.with(options.blur(40), {
     mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "positions along the displacement that the ray mask tests" },
     edge         = pipeline.choice(edge_choice),
-    own_edge     = pipeline.bool { true, doc = "the edge in range must belong to the instance of the pixel" },
+    own_edge     = pipeline.bool { true, doc = "require that the edge in range belongs to the instance of the pixel" },
     termination  = reveal.params.termination,
     tolerance    = reveal.params.tolerance,
     luminance_of = reveal.params.luminance_of,
@@ -62,10 +63,10 @@ return pipeline {
     directions   = mcguire2012.params.directions,
   }),
   presets = {
-    paper = { doc = "the paper, read so that its claims hold: rays pass the object in front at once, taps count alike",
+    paper = { doc = "the paper, read so that its claims hold: rays pass the object in front at once, taps have equal weight",
               set = paper },
     text = { doc = "the paper to the letter", set = text },
-    geometry_index = { doc = "the paper with the termination that it proposes: another geometry, in place of another luminance",
+    geometry_index = { doc = "the paper with its proposed termination: another geometry, instead of another luminance",
                        set = options.with(options.with({}, paper), { termination = "geometry" }) },
   },
   default_preset = "paper",

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Extension of the hybrid: rays where relative motion uncovers a background, and a composite of both layers per time sample.
+-- Extension of the hybrid: rays where relative motion disoccludes a background, a composite of both layers per time sample.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.composite.layered"

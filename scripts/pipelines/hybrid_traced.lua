@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Extension of hybrid_layered: time samples that its layers do not resolve are traced, each at its time.
+-- Extension of hybrid_layered: rays resolve the time samples that the layers leave unresolved.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.composite.layered"
@@ -9,8 +9,8 @@ local options  = require "scripts.pipelines.lib.options"
 local ranges   = require "scripts.pipelines.lib.ranges"
 local time_samples = require "scripts.pipelines.lib.time_samples"
 
-local by_cell = "cells decide which samples are traced, and cells begin at the corner of the picture"
-local by_threshold = "thresholds decide which samples are traced, and rounding may lead to their other side"
+local by_cell = "cells decide which samples are traced, and the grid of cells starts at the corner of the picture"
+local by_threshold = "thresholds decide which samples are traced, and rounding may cross a threshold"
 local slowest = 0.02  -- px over the exposure; a slower silhouette changes the coverage of a pixel by less than 0.02
 
 return pipeline {

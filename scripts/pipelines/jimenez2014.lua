@@ -8,14 +8,14 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "Jimenez 2014: pairs of taps along the dominant displacement, straight ramps, mirrored background",
+  doc = "Jimenez 2014: pairs of taps along the dominant displacement, linear ramps, mirrored background",
   params = options.with(options.blur(20), {
     mirror      = gather.params.mirror,
     count       = gather.params.count,
     direction   = gather.params.direction,
     copy_below  = gather.params.copy_below,
     cheap_ratio = gather.params.cheap_ratio,
-    cheap       = pipeline.bool { true, doc = "where all around moves alike, taps are averaged instead of weighed" },
+    cheap       = pipeline.bool { true, doc = "average the taps without weights where all surfaces around move alike" },
   }),
   build = function(p)
     local seen = scene.captured()

@@ -18,7 +18,7 @@ local function layer_behind(front, number)
   }
 end
 
--- What a filter reads of the layers, the first of which is what is seen.
+-- Inputs of the filter. The first layer holds the visible surfaces.
 local function images(p, layers)
   local read = { id = layers[1].id, color = layers[1].color, depth = layers[1].depth, velocity = layers[1].velocity }
   for number = 2, #layers do
@@ -35,14 +35,14 @@ local function images(p, layers)
 end
 
 return pipeline {
-  doc = "Lee, Kwon and Oh 2024: full raster layers one behind the other, searched back along displacements",
+  doc = "Lee, Kwon and Oh 2024: full raster layers by depth peeling, searched backwards along displacements",
   params = options.by_tiles(40, {
-    layer_count = pipeline.int { 4, min = 1, max = 4, doc = "surfaces one behind the other, the first of which is seen" },
+    layer_count = pipeline.int { 4, min = 1, max = 4, doc = "number of depth layers, the visible one included" },
     sides  = peel.params.sides,
-    paths = pipeline.choice { "tiles", "own", default = "tiles", doc = "along which displacements a pixel looks",
+    paths = pipeline.choice { "tiles", "own", default = "tiles", doc = "displacements that the search of a pixel follows",
       values = {
-        tiles = "Its own in every layer, and the longest of the tiles around. Fails where something else comes as well.",
-        own = "Its own in every layer. Fails beside silhouettes: what passes over a pixel that it is not at is not found.",
+        tiles = "Its own in every layer, and the longest of the tiles around. Fails where a third motion passes the pixel.",
+        own = "Its own in every layer. Fails beside silhouettes: surfaces that pass over the pixel at other times are missed.",
       } },
     agreement = filter.params.agreement,
   }),

@@ -9,7 +9,7 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 local gathers  = require "scripts.pipelines.lib.gathers"
 
 return pipeline {
-  doc = "McGuire et al. 2012: a gather along the dominant displacement of the tiles around",
+  doc = "McGuire et al. 2012: a gather along the dominant displacement of the surrounding tiles",
   params = options.with(options.blur(40), {
     weights = pipeline.choice(gathers.choice("mcguire2012",
       "weights of the taps: as published, or each tap an equal share of the exposure", { "mcguire2012", "uniform" })),

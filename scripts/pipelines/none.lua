@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- No blur: what raster sees at the capture.
+-- No blur: the raster image.
 local pipeline = require "strobe.pipeline"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc = "What the capture sees, without blur",
+  doc = "Raster image without blur",
   kind = "sharp",
   breaks = { uniform = "it does not blur" },
   build = function()

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- From a post-process blur to truth by one number: gather where that is certain, rays in time where it is not.
+-- One parameter from a post-process blur to ground truth: a gather where it is certain, rays at several times elsewhere.
 local pipeline = require "strobe.pipeline"
 local motion_bounds  = require "passes.tile.motion_bounds"
 local tile_max       = require "passes.tile.tile_max"
@@ -50,15 +50,15 @@ local function true_times(p)
 end
 
 return pipeline {
-  doc = "From post-process to truth by one number: gather where that is certain, rays in time where it is not",
+  doc = "One parameter from post-process to ground truth: gather where it is certain, rays at several times elsewhere",
   params = options.with(options.blur(16), {
     effort = pipeline.float { 0.4, min = 0, max = 1,
-      doc = "0: the gather of ue4, as with limit = 0; below 0.75: rays in time where a gather is not certain; " ..
-            "from there on: truth, at 1 with 16 times `samples`" },
+      doc = "0, or any value with limit = 0: the gather of ue4; below 0.75: rays at several times where a gather is not " ..
+            "certain; from 0.75: ground truth, at 1 with 16 times `samples` time samples" },
   }),
   presets = {
-    post_process = { doc = "a post-process blur, without a ray", set = { effort = 0 } },
-    few_rays     = { doc = "rays where a gather is not certain, as few as there are", set = { effort = 0.1 } },
+    post_process = { doc = "a post-process blur without rays", set = { effort = 0 } },
+    few_rays     = { doc = "rays where a gather is not certain, as few as possible", set = { effort = 0.1 } },
   },
   compare_with = "ue4",
   equals = {

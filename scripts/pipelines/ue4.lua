@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A stand-in for the post-process blur of game engines around 2020 (filter of Jimenez 2014, mirrored background).
+-- Stand-in for the post-process blur of game engines around 2020 (filter of Jimenez 2014, mirrored background).
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.jimenez2014"
 local gathers  = require "scripts.pipelines.lib.gathers"

@@ -1,15 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- A closed thing slides past panels: what a ray through it meets before it meets what is uncovered. All unlit, so that
--- luminances are those of the colours. It moves `speed` px over the exposure.
--- cell    side of the cells behind, px
+-- A closed object slides past panels by `speed` px over the exposure. A ray through it hits its parts and far side before it
+-- hits the disoccluded background. All materials are unlit, so the colours determine the luminances.
+-- cell    side of the cells of the background, px
 -- front   plain     a box of one colour
 --         textured  the same box, checkered: its far side is as bright as its near side at half of the pixels
---         parts     an object of two parts of different luminance: a box with another box in it
---         alike     the same, both parts of one luminance
---         nodes     the parts as two objects that move as one
---         posts     a ring of posts, one object, that turns: far posts move against near ones
+--         parts     an object of two parts of different luminance: a box inside a box
+--         alike     the same object, both parts of one luminance
+--         nodes     the two parts as two objects with the same motion
+--         posts     a rotating ring of posts, one object: far posts move against near ones
 -- behind  varied    a wall of cells of different luminance
---         alike     a panel whose cells are as bright as the plain box, in other colours, before that wall
+--         alike     a panel in front of that wall; its cells are as bright as the plain box, in other colours
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 
@@ -31,9 +31,9 @@ local alike = { blue, as_bright({ 0.1, 1, 0.3 }, 0.25), as_bright({ 0.9, 0.4, 0.
 
 local function flat(name, color) return scene.material { name = name, color = color, unlit = true } end
 
--- ---- what moves
+-- ---- moving object
 
--- As wide and high as so many pixels at its near side.
+-- A box; its width and height are in pixels at its near side.
 local function box(pixels_wide, pixels_high, deep)
   local metre = stage:point(w / 2 + 1, h / 2, depth)[1]
   return scene.box { size = { pixels_wide * metre, pixels_high * metre, deep * stage.scale } }
@@ -83,14 +83,14 @@ function fronts.posts()
       material = flat("post_" .. i % 3, ({ orange, alike[1], as_bright(orange, 0.1) })[1 + i % 3]),
     }
   end
-  -- So that the near side moves by `speed` pixels.
+  -- The near side moves by `speed` pixels.
   local near = (depth + thickness / 2) * stage.scale - radius
   local degrees = math.deg(speed * near / stage.focal_px / radius)
   return { object("posts", { parts = parts,
     motion = { axis = { 0, 1, 0 }, degrees_per_second = degrees * stage.fps / stage.exposure } }) }
 end
 
--- ---- what is behind
+-- ---- background
 
 local function wall(name, colors, at, seed)
   return stage:panel { name = name, edges = { -8, -8, w + 8, h + 8 }, cell = cell, seed = seed, colors = colors, depth = at }

@@ -1,17 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- A card slides before a wall with small cards on it: what a frame has, one parameter for each, for the costs of a
--- frame. Lengths are shares of the picture's height, so that the picture looks the same at every size.
--- cover      side of the card that moves
--- shift      its displacement over the exposure
--- instances  small cards on the wall, a square number or less of one; together they cover a quarter of it
--- cells      squares along a side of the wall, of two triangles each
+-- A card slides in front of a wall with small cards on it. Each parameter varies one quantity that the cost of a frame may
+-- depend on. Lengths are shares of the picture's height, so that the picture looks the same at every size.
+-- cover      side of the moving card
+-- shift      displacement of this card over the exposure
+-- instances  number of small cards on the wall; a square number of cards covers a quarter of the picture
+-- cells      squares along a side of the wall, two triangles each
 -- lights     point lights, all with shadows; together as bright as one
 local scene = require "strobe.scene"
 
 local cover, shift = scene.param("cover", 0.4), scene.param("shift", 0.09)
 local instances, cells, lights = scene.param("instances", 16), scene.param("cells", 16), scene.param("lights", 1)
 
--- At z = 0 the picture is 1 high; the wall, farther away, is as high as the picture and half as wide again.
+-- At z = 0 the picture has height 1. The wall is farther away and larger than the picture.
 local distance, behind, per_second = 2, 0.6, 24 / 0.5
 local fov = math.deg(2 * math.atan(0.5 / distance))
 local wall = (distance + behind) / distance

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A living room in low evening sun. A vase with twigs slides past a striped cushion: by `pixels` pixels over the
--- exposure at frame 0, in a picture of `height` lines at `fps` and `exposure`. Camera "main" stands still; camera
--- "tracking" goes with the vase while the room goes by.
+-- A living room in low evening sun. A vase with twigs slides past a striped cushion, by `pixels` pixels over the
+-- exposure at frame 0 in a picture of `height` lines at `fps` and `exposure`. Camera "main" is static; camera
+-- "tracking" follows the vase.
 local scene = require "strobe.scene"
 local furniture = require "scripts.scenes.lib.furniture"
 
@@ -30,7 +30,7 @@ end
 local metres_per_pixel = 2 * math.tan(math.rad(fov / 2)) * view_depth(vase_at) / height
 local motion = { velocity = { pixels * metres_per_pixel * fps / exposure, 0, 0 } }
 
--- Seconds until the vase leaves the picture of camera "main", after 0.42 of the width.
+-- Seconds until the vase leaves the picture of camera "main": it moves by 0.42 of the width.
 local loop = 0.42 * width * exposure / fps / math.max(math.abs(pixels), 1)
 
 -- ---- materials
@@ -171,13 +171,13 @@ add {
   shape = scene.cushion { size = { 0.44, 0.42, 0.17 } },
 }
 
--- ---- coffee table and what stands on it
+-- ---- coffee table and the objects on it
 
 for _, part in ipairs(furniture.coffee_table { position = { 0.1, 0, -0.35 }, size = { 1.25, 0.42, 0.6 }, wood = walnut,
                                                metal = black_steel }) do
   nodes[#nodes + 1] = part
 end
--- Vase and twigs move as one: they are one object, so that what is behind the one is never the other.
+-- Vase and twigs are one object with one motion, so that neither counts as the background of the other.
 local vase_parts = furniture.twigs { position = { 0, 0.34, 0 }, seed = 4 }
 table.insert(vase_parts, 1, {
   material = glaze,

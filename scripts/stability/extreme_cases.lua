@@ -1,23 +1,23 @@
 -- SPDX-License-Identifier: MIT
--- Cases at the edge of what numbers, tiles, cameras and scenes can hold, each for every pipeline and each of its
--- presets. What must come out is known otherwise: from a closed form, from truth, or from a picture that must be the
--- same.
+-- Cases at the limits of numbers, tiles, cameras and scenes, each for every pipeline and each of its presets. The correct
+-- result is known from a closed form, from truth, or from a picture that must be equal.
 --   strobe stability --extremes --write docs/extreme-cases.md
 --
--- A case has a name, a clause (what it is a case of), says (what must hold) and a function to its checks. A check
--- names what must hold of the picture of `shot` (every one must be finite), and the methods that it is about (`by`):
---   draws         nothing more
---   as_captured   all but `pixels` pixels are, bit for bit, those of the sharp picture (of the shot `of` if given)
---   within        no colour leaves the range `low` to `high`; `unless` a warning contains this text
---   nearer        the picture is nearer to truth than the sharp one is
+-- A case has a name, a clause (its category), says (the requirement in words) and a function that returns its checks. A check
+-- names a requirement on the picture of `shot`, and the methods that it applies to (`by`). Every picture must be finite.
+--   draws         no further requirement
+--   as_captured   all but `pixels` pixels equal, bit for bit, the sharp picture (of the shot `of` if given)
+--   within        no colour leaves the range `low` to `high`; does not apply if a warning contains the text `unless`
+--   nearer        the picture is nearer to truth than the sharp picture
 --   same          at most `share` of the pixels differ by more than `tolerance` from the picture of the shot `other`
---   displacement  velocities are `exact`, within `share` of them and `tolerance_px`; false: anything is right there
---   truth         truth's red channel is `exact` within `tolerance`
+--   displacement  velocities are `exact`, within `share` of their length and `tolerance_px`; false: not checked there
+--   truth         truth's red channel is `exact`, within `tolerance`
 --   sharp_at      the sharp picture has the red value `value` at a pixel, within `tolerance`
---   warns, silent some warning contains `text`, or none does
--- by: "all", "blurs" (all but truth and the sharp picture), "filters" (blurs that have a `limit`), "others" (all but these),
--- "truth", "all_but_truth".
--- A shot's settings that a pipeline does not have are left out.
+--   warns         a warning contains `text`
+--   silent        no warning contains `text`
+-- by: "all", "blurs" (all but truth and the sharp picture), "filters" (blurs with a parameter `limit`), "others" (all but
+-- filters), "truth", "all_but_truth".
+-- Settings of a shot that a pipeline does not have are left out.
 local wanted = ...
 
 local truth_times = 64
@@ -48,7 +48,7 @@ local function each_pixel(shot, visit)
   end
 end
 
--- `path(x, y)`: the displacement there, or nothing.
+-- `path(x, y)` returns the exact displacement of a pixel, px, or nothing.
 local function displacement(shot, path, share, tolerance_px)
   local exact = {}
   each_pixel(shot, function(x, y)
@@ -75,7 +75,7 @@ local function merged(...)
   return result
 end
 
--- Whole numbers as such, as one types them.
+-- Settings whose whole numbers are integers, as typed on the command line.
 local function plain(settings)
   local result = {}
   for name, value in pairs(settings) do
@@ -91,7 +91,7 @@ end
 
 local anchors = { "close", "centre", "open" }
 
--- ---- a bar over a background at rest
+-- ---- a bar over a static background
 
 local bar_value, back_value = 1, 0.2
 
@@ -102,11 +102,11 @@ end
 
 local function bar(displacement_px, set, more) return bar_in(48, 4, displacement_px, 16, 32, set, more) end
 
--- Share of the window [from, to] (exposures from the capture) for which a bar [left, right) that moves by `d` px covers
--- x.
+-- Share of the window [from, to] (in exposures, relative to the raster time) while a bar [left, right) that moves by `d` px
+-- covers x.
 local function coverage(left, right, d, from, to, x)
   if d == 0 then return x >= left and x < right and 1 or 0 end
-  local a, b = (x - left) / d, (x - right) / d -- it is at x between these times
+  local a, b = (x - left) / d, (x - right) / d -- the bar covers x between these times
   return math.max(0, math.min(to, math.max(a, b)) - math.max(from, math.min(a, b))) / (to - from)
 end
 
@@ -114,7 +114,7 @@ local function bar_over_time(left, right, d, from, to)
   return function(x) return back_value + (bar_value - back_value) * coverage(left, right, d, from, to, x) end
 end
 
--- Two silhouettes of a jump of 0.8, each half a time sample off at most.
+-- Two silhouettes with a jump of 0.8, each wrong by at most half a time sample.
 local bar_tolerance = 2 * (bar_value - back_value) / (2 * truth_times) + 1e-4
 
 local function between(a_shot) return within(a_shot, back_value, bar_value) end
@@ -127,7 +127,8 @@ end
 -- ---- displacements
 
 for _, v in ipairs { { "zero", 0 }, { "1e_8", 1e-8 }, { "0_49", 0.49 }, { "half", 0.5 }, { "minus_half", -0.5 } } do
-  case("displacement_" .. v[1] .. "_px", "displacement", "half a pixel reaches no other centre: copied, bit for bit",
+  case("displacement_" .. v[1] .. "_px", "displacement",
+       "half a pixel does not reach another pixel centre: the raster image, bit for bit",
        function() return { as_captured(bar(v[2], { limit = 10 })) } end)
 end
 
@@ -153,16 +154,16 @@ end
 for _, v in ipairs { { "enters", -4, 24 }, { "has_entered", 8, 24 }, { "has_left", -24, -24 },
                      { "passes_by", 60, 160 } } do
   case("object_" .. v[1], "displacement",
-       "truth knows what was outside of the picture; filters stay between the colours",
+       "truth includes objects from outside of the picture; filters stay between the colours",
        function() return exact_bar(v[3], v[2], v[2] + 16) end)
 end
 
 for _, v in ipairs { { "one_pixel", 24, 25 }, { "a_tenth_of_a_pixel", 24.45, 24.55 } } do
-  case("bar_of_" .. v[1], "displacement", "thinner than its path: truth is its width over its displacement",
+  case("bar_of_" .. v[1], "displacement", "a bar thinner than its path: truth is its width over its displacement",
        function() return exact_bar(12, v[2], v[3]) end)
 end
 
-case("displacement_over_the_limit", "displacement", "what is shortened is counted; truth is not", function()
+case("displacement_over_the_limit", "displacement", "filters warn about shortened displacements; truth is exact", function()
   local far = bar(40, { limit = 0.1, tile = 8 })
   return {
     between(far), warns(far, "farther than the limit", "filters"), silent(far, "farther than the limit", "others"),
@@ -184,7 +185,7 @@ end
 for _, v in ipairs { { 1, 1 }, { 1, 40 }, { 40, 1 }, { 2, 2 }, { 37, 23 }, { 7, 61 } } do
   local width, height = v[1], v[2]
   case(("size_%dx%d"):format(width, height), "picture sizes",
-       "at rest as the capture sees it; moving within the colours, finite", function()
+       "static: the raster image; moving: between the colours, finite", function()
     local left, right = width // 4, width // 4 * 3 + 1
     return {
       as_captured(bar_in(width, height, 0, left, right)),
@@ -194,7 +195,7 @@ for _, v in ipairs { { 1, 1 }, { 1, 40 }, { 40, 1 }, { 2, 2 }, { 37, 23 }, { 7, 
 end
 
 case("size_1xN_shortens_and_says", "picture sizes",
-     "the limit is a share of the width: on a picture of width 1 it is met by all that moves, and said", function()
+     "the limit is a share of the width: in a picture of width 1 all motion exceeds it, with a warning", function()
   local numbers = { left = 0, right = 1, top = 12, bottom = 28, d_x = 0, d_y = 9 }
   return {
     warns(shot("oracles/quad_2d", 1, 40, numbers, { limit = 0.1 }), "farther than the limit", "filters"),
@@ -209,12 +210,12 @@ for _, tile in ipairs { 1, 7, 1024 } do
   end)
 end
 
-case("tile_1_limit_10", "tiles", "a reach of thousands of tiles ends at the picture", function()
+case("tile_1_limit_10", "tiles", "a limit of hundreds of tiles ends at the picture's border", function()
   local moving = bar_in(36, 8, 12, 17, 31, { limit = 10, tile = 1 })
   return { between(moving), nearer(moving) }
 end)
 
-case("limit_0", "tiles", "nothing blurs, all that moves is counted", function()
+case("limit_0", "tiles", "no blur, and a warning about all motion", function()
   local held = bar(12, { limit = 0 })
   return { merged(as_captured(held), { by = "filters" }), warns(held, "farther than the limit", "filters") }
 end)
@@ -228,12 +229,12 @@ end)
 local window_start = { close = -1, centre = -0.5, open = 0 }
 
 for _, anchor in ipairs(anchors) do
-  case("exposure_0_" .. anchor, "exposure", "an instant is the capture, bit for bit", function()
+  case("exposure_0_" .. anchor, "exposure", "an exposure of 0 is the raster image, bit for bit", function()
     return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, { anchor = anchor, exposure = 0 })) }
   end)
   case("exposure_3_" .. anchor, "exposure",
-       "longer than a frame: the displacement is that of the window, and truth the exact coverage", function()
-    -- Of 0.5 for which 4 px are meant: 24 px.
+       "longer than a frame: displacements are those of the window, and truth is the exact coverage", function()
+    -- 4 px over an exposure of 0.5 are 24 px over an exposure of 3.
     local long, from = bar(4, { limit = 10, tile = 8 }, { anchor = anchor, exposure = 3 }), window_start[anchor]
     return {
       truth(long, bar_over_time(16, 32, 24, from, from + 1), bar_tolerance), between(long),
@@ -242,7 +243,7 @@ for _, anchor in ipairs(anchors) do
   end)
 end
 
--- Of a shutter that opens and closes evenly: the share of the weight before t.
+-- Share of the weight before time t, for a shutter that opens and closes linearly.
 local function triangle(t)
   t = math.max(0, math.min(1, t))
   return t < 0.5 and 2 * t * t or 1 - 2 * (1 - t) * (1 - t)
@@ -250,10 +251,10 @@ end
 
 for _, anchor in ipairs(anchors) do
   case("shutter_curve_" .. anchor, "exposure",
-       "times that count unequally: truth is the exact weighted coverage; every blur is nearer to it than none", function()
+       "unequal weights of times: truth is the exact weighted coverage; every blur is nearer to it than none", function()
     local from = window_start[anchor]
     local curved = bar(12, { limit = 10, tile = 8 }, { anchor = anchor, shutter_curve = "triangle" })
-    local function covered(x) -- from when to when
+    local function covered(x) -- share of the weight while the bar covers x
       return triangle((x - 16) / 12 - from) - triangle((x - 32) / 12 - from)
     end
     local function value(x) return back_value + (bar_value - back_value) * covered(x) end
@@ -261,7 +262,7 @@ for _, anchor in ipairs(anchors) do
   end)
 end
 
-case("no_share_of_motion_blurs", "exposure", "neither the camera's motion nor that of objects: the capture, bit for bit",
+case("no_share_of_motion_blurs", "exposure", "no share of camera or object motion: the raster image, bit for bit",
      function()
   local still = { camera_blur = 0, object_blur = 0 }
   return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, still)) }
@@ -270,14 +271,14 @@ end)
 case("exposure_1", "exposure", "a whole frame: every blur is nearer to truth than none",
      function() return { nearer(bar(6, { limit = 10, tile = 8 }, { exposure = 1 })) } end)
 
-case("exposure_3_extrapolated", "exposure", "the path of one frame stretched over three is said", function()
+case("exposure_3_extrapolated", "exposure", "a warning that the path of one frame is stretched over three", function()
   local long = bar(4, { limit = 10, displacement = "extrapolated" }, { exposure = 3 })
   local text = "stretched over an exposure of more than one"
   return { warns(long, text, "filters"), silent(long, text, "others") }
 end)
 
 for _, samples in ipairs { 1, 2, 3, 15 } do
-  case("samples_" .. samples, "samples", "few and odd numbers of samples: at rest exact, else within the colours",
+  case("samples_" .. samples, "samples", "few and odd numbers of samples: exact if static, otherwise between the colours",
        function()
     local checks = { as_captured(bar(0, { samples = samples })) }
     for _, anchor in ipairs(anchors) do
@@ -287,7 +288,7 @@ for _, samples in ipairs { 1, 2, 3, 15 } do
   end)
 end
 
-case("samples_1_truth", "samples", "one midpoint sample is the capture of the bar half way back", function()
+case("samples_1_truth", "samples", "one midpoint sample is the raster image of the bar half way back", function()
   return { merged(as_captured(bar(8, { samples = 1 })), { of = bar_in(48, 4, 0, 12, 28), by = "truth" }) }
 end)
 
@@ -302,7 +303,7 @@ for _, v in ipairs { { "minus_20", 1 / 1048576 }, { "20", 1048576 } } do
        function() return { same(room(), room { scale = v[2] }, 0, 0) } end)
 end
 
--- Of other scales silhouettes flip by rounding, 0.1 % of the pixels.
+-- With other scales, rounding may change pixels at silhouettes: up to 0.1 % of the pixels.
 for _, v in ipairs { { "1e_6", 1e-6 }, { "1e_3", 1e-3 }, { "0_37", 0.37 }, { "1e3", 1e3 }, { "1e6", 1e6 } } do
   case("scale_" .. v[1], "scale", "the same picture: 0.1 % of the pixels may differ by more than 1e-5",
        function() return { same(room(), room { scale = v[2] }, 1e-5, 1e-3 + 1 / 1536) } end)
@@ -324,7 +325,7 @@ for _, v in ipairs { { "1e5", 1e5 }, { "1e6", 1e6 }, { "1e7", 1e7 } } do
 end
 
 for _, v in ipairs { { "1e6", 1000000 }, { "2_to_31", 2147483647 } } do
-  case("frame_" .. v[1], "far times", "the same motion at any time of day", function()
+  case("frame_" .. v[1], "far times", "the same motion at any time", function()
     local late = room({ rest_s = v[2] / 24, camera_speed = 6.0625 }, { frame = v[2] })
     return { same(room { camera_speed = 6.0625 }, late, 1e-4, 2e-3) }
   end)
@@ -341,8 +342,8 @@ end
 
 local function pixel_of(p) return focal * p[1] / p[3], focal * p[2] / p[3] end
 
--- Screen path from `from` to `to` (x right, y down, z ahead; metres), in double precision: where it ends behind the
--- plane at `near`, the part up to there, extrapolated to the whole length.
+-- Displacement on the screen from `from` to `to` (x right, y down, z ahead; metres), in double precision. If it ends behind the
+-- plane at `near`: the displacement up to this plane, extrapolated to the whole length.
 local function path_of(from, to, near)
   local s = 1
   if to[3] < near then
@@ -356,14 +357,15 @@ local function path_of(from, to, near)
   return (x - from_x) / s, (y - from_y) / s
 end
 
--- A point of the floor `below` the camera, or nothing above the horizon.
+-- The point of the floor, `below` metres under the camera, at a pixel; nil above the horizon.
 local function floor_at(x, y, below)
   if y <= high / 2 then return nil end
   local z = below * focal / (y - high / 2)
   return z > near_m and { (x - wide / 2) * z / focal, below, z } or nil
 end
 
--- Displacement of what moves by `step` (x right, y down, z ahead, metres over the exposure) before the camera.
+-- Displacement, px, of a point that moves by `step` relative to the camera (x right, y down, z ahead; metres over the
+-- exposure).
 local function displacement_of(point, step, anchor)
   local back, ahead = anchor == "centre" and 0.5 or 1, anchor == "centre" and 0.5 or 1
   if anchor == "open" then back = 0 end
@@ -376,18 +378,18 @@ local function displacement_of(point, step, anchor)
   return close_x - open_x, close_y - open_y
 end
 
--- Direction of a pixel after the camera turned to its left by `angle` radians.
+-- Direction of a pixel's ray after the camera has turned to its left by `angle` radians.
 local function turned_sky(x, y, angle)
   local dx, dy = (x - wide / 2) / focal, (y - high / 2) / focal
   return { dx * math.cos(angle) + math.sin(angle), dy, math.cos(angle) - dx * math.sin(angle) }
 end
 
--- Single precision of the path's ends: a few units in the last place of depths near the near plane.
+-- Errors of single precision at the ends of a path: a few units in the last place of depths near the near plane.
 local path_share, path_px = 1e-4, 2e-3
 
 local function over_a_floor(name, ahead, anchor)
   case(("camera_%s_over_a_floor_%s"):format(name, anchor), "near plane",
-       "displacements are those of the closed form in double precision, whatever passes behind the camera", function()
+       "displacements equal the closed form in double precision, even if points pass behind the camera", function()
     local flight = planes(1, { camera_z = ahead, depth = 1.5, extent = 400 }, nil, { anchor = anchor })
     local function path(x, y)
       local point = floor_at(x, y, 1.5)
@@ -400,7 +402,7 @@ end
 
 local function moving_card(name, away, anchor)
   case(("card_%s_%s"):format(name, anchor), "near plane",
-       "displacements are those of the closed form in double precision, and what was extrapolated is said", function()
+       "displacements equal the closed form in double precision, with a warning about extrapolated ones", function()
     local card = planes(2, { velocity_z = -away, velocity_x = 0.5 }, nil, { anchor = anchor })
     local function path(x, y)
       if math.abs(x - wide / 2) >= 15 or math.abs(y - high / 2) >= 15 then return nil end
@@ -427,13 +429,13 @@ end
 
 for _, turn in ipairs { 10, 45, 85, 100, 170, -170 } do
   case(("turn_%s%d"):format(turn < 0 and "minus_" or "", math.abs(turn)), "all sky",
-       "the sky moves as directions do, and keeps its colour", function()
+       "displacements of the sky are those of directions, and its colour stays", function()
     local function path(x, y)
       local dx, dy = path_of(turned_sky(x, y, 0), turned_sky(x, y, -turn * math.pi / 180), 1 / 64)
       return -dx, -dy
     end
     local checks = {}
-    for _, near in ipairs { near_m, 5 } do -- which the sky has nothing to do with
+    for _, near in ipairs { near_m, 5 } do -- the near plane must not affect the sky
       local sky = planes(0, { turn = turn, near = near })
       checks[#checks + 1] = displacement(sky, path, path_share, path_px)
       checks[#checks + 1] = same(sky, planes(0), 1e-6, 0)
@@ -442,27 +444,27 @@ for _, turn in ipairs { 10, 45, 85, 100, 170, -170 } do
   end)
 end
 
-case("only_sky_at_rest", "all sky", "as the capture sees it", function() return { as_captured(planes(0)) } end)
+case("only_sky_at_rest", "all sky", "the raster image", function() return { as_captured(planes(0)) } end)
 
 for _, v in ipairs { { "", 0.1, 0.9, 0.9 }, { "_that_the_near_plane_cuts", 3.2, 0.2, 0.9 },
                      { "_all_before_the_near_plane", 5, 0.2, 0.2 } } do
   case("inside_a_ball" .. v[1], "camera inside",
-       "raster and rays see the same; one colour stays one, or what shows through is said", function()
+       "raster and rays agree; one colour stays one, or a warning says that other surfaces show through", function()
     local inside = within(planes(4, { near = v[2], velocity_x = 1 }), v[3], v[4])
     return { as_captured(planes(4, { near = v[2] })), merged(inside, { unless = "it shows through" }) }
   end)
 end
 
-case("orthographic_far_away", "near plane", "a parallel camera sees as far as there is something", function()
+case("orthographic_far_away", "near plane", "an orthographic camera has no far limit", function()
   local parallel = planes(2, { orthographic = 1, focal = 32000, aside = 10 })
   return { as_captured(parallel), within(parallel, 0.2, 0.2) }
 end)
 
--- ---- what is large, and what is fast
+-- ---- large and fast objects
 
 for _, v in ipairs { { "2e4", 2e4 }, { "2e7", 2e7 } } do
   case(("floor_%s_m_wide"):format(v[1]), "scale",
-       "what is near on a large triangle moves as precisely as on a small one", function()
+       "near points of a large triangle move as precisely as points of a small one", function()
     local flight = planes(1, { camera_x = 0.5, camera_z = -1, depth = 1.5, extent = v[2] })
     local function path(x, y)
       local point = floor_at(x, y, 1.5)
@@ -474,7 +476,7 @@ end
 
 for _, turns in ipairs { 32, 1000 } do
   case(("spin_of_%d_turns"):format(turns), "displacement",
-       "what turns many times within the exposure is seen wherever it comes: rays as raster", function()
+       "an object that turns many times within the exposure is found at every pose: rays equal raster", function()
     local function spun(set)
       return planes(2, {}, merged({ samples = 23, mark_regions = false }, set),
                     { spins = { ("card=0,0,1,%d"):format(2 * 360 * turns) } })
@@ -486,7 +488,7 @@ end
 -- ---- surfaces
 
 for _, v in ipairs { { "1_mm", 1e-3 }, { "1_um", 1e-6 }, { "0", 1e-12 } } do
-  case(("floor_%s_below"):format(v[1]), "grazing", "raster and rays see the same at rest; within the colours",
+  case(("floor_%s_below"):format(v[1]), "grazing", "raster and rays agree if static; otherwise between the colours",
        function()
     return { as_captured(planes(1, { depth = v[2] })), within(planes(1, { depth = v[2], camera_x = 0.5 }), 0.25, 1) }
   end)
@@ -494,7 +496,7 @@ end
 
 for _, order in ipairs { 1, -1 } do
   local suffix = order > 0 and "" or "_other_way_round"
-  case("coplanar_cards" .. suffix, "equal depths", "of equal depths the first instance is seen, by raster and rays",
+  case("coplanar_cards" .. suffix, "equal depths", "at equal depths raster and rays show the first instance",
        function()
     local cards = planes(3, { order = order })
     return {
@@ -502,7 +504,7 @@ for _, order in ipairs { 1, -1 } do
       { check = "sharp_at", shot = cards, pixel = { 32, 16 }, value = order > 0 and 0.9 or 0.5, tolerance = 1e-6 },
     }
   end)
-  case("coplanar_cards_that_lean" .. suffix, "equal depths", "depths that differ by rounding: one of the two is seen",
+  case("coplanar_cards_that_lean" .. suffix, "equal depths", "depths that differ by rounding: either of the two cards is shown",
        function()
     local still = planes(3, { order = order, lean = 50 })
     return {
@@ -512,26 +514,28 @@ for _, order in ipairs { 1, -1 } do
   end)
 end
 
-case("cards_a_hair_apart", "equal depths", "1e-5 of the depth apart: raster and rays see the nearer one", function()
+case("cards_a_hair_apart", "equal depths", "1e-5 of the depth apart: raster and rays show the nearer card", function()
   return {
     as_captured(planes(3, { gap = 4e-5, lean = 50 })),
     within(planes(3, { gap = 4e-5, lean = 50, velocity_x = 1 }), 0.2, 0.9),
   }
 end)
 
-case("one_triangle_over_the_picture", "triangles", "and behind the camera: as the capture sees it; one colour",
+case("one_triangle_over_the_picture", "triangles",
+     "a triangle that extends behind the camera: the raster image if static; one colour",
      function()
   return { as_captured(planes(5)), same(planes(5, { velocity_x = 3 }), planes(5), 1e-6, 0.25) }
 end)
 
-case("triangles_of_no_area", "triangles", "and nodes of no triangles: as if they were not there", function()
+case("triangles_of_no_area", "triangles",
+     "triangles without area and nodes without triangles do not change the picture", function()
   local motion = { velocity_x = 0.7031, velocity_y = 0.2969 }
   return { same(planes(6, motion), planes(2, motion), 1e-6, 0) }
 end)
 
-for _, v in ipairs { { "thousands_of_instances", 8, 0.7, 8, "raster and rays see the same; within the colours" },
+for _, v in ipairs { { "thousands_of_instances", 8, 0.7, 8, "raster and rays agree; between the colours" },
                      { "a_million_triangles", 9, 0.9, 2,
-                       "smaller than pixels: raster and rays see the same; within the colours" } } do
+                       "triangles smaller than pixels: raster and rays agree; between the colours" } } do
   case(v[1], "triangles", v[5], function()
     local motion = { velocity_x = 0.7, velocity_y = 0.3 }
     return { within(planes(v[2], motion), 0.2, v[3]), as_captured(planes(v[2], motion, nil, { exposure = 0 }), v[4]) }
@@ -539,8 +543,8 @@ for _, v in ipairs { { "thousands_of_instances", 8, 0.7, 8, "raster and rays see
 end
 
 for _, v in ipairs { { "black", 0 }, { "equal_luminance", 0.9 } } do
-  case(v[1], "equal colours", "motion that cannot be seen is not seen", function()
-    -- Luminance cannot tell one surface from the other, and says so.
+  case(v[1], "equal colours", "motion between equal colours does not change the picture", function()
+    -- Termination by luminance cannot separate the two surfaces, and warns about it.
     return { merged(within(planes(7, { value = v[2], velocity_x = 0.7 }), v[2], v[2]),
                     { unless = "as bright as the foreground" }) }
   end)
@@ -549,7 +553,7 @@ end
 case("light_of_1e29", "equal colours", "radiance near the end of single precision stays finite",
      function() return { draws(room { brightness = 3e26 }) } end)
 
--- ---- what is asked for: the cases of these names with their checks, or all
+-- ---- the requested cases with their checks, or all
 
 local asked = {}
 for _, name in ipairs(wanted.cases or {}) do asked[name] = true end
@@ -558,6 +562,6 @@ for _, one in ipairs(list) do one.checks = (not wanted.cases or asked[one.name])
 return {
   sharp = { pipeline = "none" },
   truth = { pipeline = "ground_truth", set = { samples = truth_times, mark_regions = false } },
-  truth_method = { samples = 16 }, -- of truth where it is the method
+  truth_method = { samples = 16 }, -- settings of ground truth as a method
   cases = list,
 }

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Captures: pictures that can be taken again bit for bit, and the figures and films made of them. `capture { ... }` is
--- checked as a whole, all mistakes at once; docs/captures.md explains each field.
+-- Captures: pictures that can be rendered again bit for bit, and figures and films of these pictures. `capture { ... }` is
+-- checked as a whole and reports all mistakes at once. docs/captures.md describes each field.
 local check      = require "strobe.check"
 local experiment = require "strobe.experiment"
 local fields     = require "strobe.fields"
@@ -13,11 +13,11 @@ local capture = {}
 local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local copied = fields.copied
 
--- Fields by table: their type, and whether they may be left out. A shot has the options of the command line as well.
+-- Fields of each table, with their types; optional fields may be left out. A shot also has the options of the command line.
 capture.fields = {
-  -- layers: what the files of a picture hold besides its colour: "all" (every pass's output) or a list of outputs and
-  -- "node.port". most_flip: mean FLIP up to which a picture of another device counts as the same. truth: the arm that
-  -- measured numbers are against. figures, films: strobe.figure.
+  -- layers: images in a picture's file besides its colour: "all" (every output of every pass) or a list of outputs and
+  -- "node.port". most_flip: a picture of another device counts as equal if its mean FLIP is not larger. truth: name of the arm
+  -- that is the reference of errors. figures, films: see strobe.figure.
   capture = {
     title = { text }, note = { text, optional = true }, size = { list, optional = true },
     seed = { number, optional = true }, shots = { list }, arms = { list }, truth = { text, optional = true },
@@ -26,22 +26,22 @@ capture.fields = {
   },
   -- truth, crops, note, attribution: as in an experiment. frames: { from, to, step } of a sequence.
   -- vary: { NAME = { values } }, a sequence over the values of an option of the shot, a parameter of its scene
-  -- ("scene.NAME") or of the arms' pipelines. stops, curve: how pictures are shown.
+  -- ("scene.NAME") or of the arms' pipelines. stops, curve: exposure and tone curve of displayed pictures.
   shot = {
     name = { text }, title = { text, optional = true }, frames = { list, optional = true },
     vary = { map, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
     truth = { map, optional = true }, crops = { list, optional = true }, note = { text, optional = true },
     attribution = { text, optional = true },
   },
-  -- shots: those that it draws; all unless given. files: a folder beside the script with other versions of scripts and
-  -- shaders, in strobe/ those of what ships, in project/ those of the project. role, shown: as in an experiment.
+  -- shots: names of the shots that the arm renders; default: all. files: a folder beside the script with replacements of
+  -- scripts and shaders, in strobe/ for shipped files, in project/ for files of the project. role, shown: as in an experiment.
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, shots = { list, optional = true },
     layers = { fields.any, optional = true }, files = { text, optional = true }, role = { text, optional = true },
     shown = { bool, optional = true },
   },
 }
--- Fields of an experiment, which a capture with `measures` is too.
+-- Fields of an experiment; a capture with `measures` is also an experiment.
 local measuring = { "question", "regions", "measures", "rounds", "most_rounds", "within", "base", "background", "expect",
                     "layout" }
 for _, name in ipairs(measuring) do capture.fields.capture[name] = experiment.fields.experiment[name] end
@@ -56,12 +56,12 @@ local function three(value, default)
   return value
 end
 
--- The camera goes around `target`, `radius` metres away and `height` above it, from `from` to `to` degrees (0: on the
--- z axis, 90: on the x axis) between frames `first` and `last`.
+-- Camera path on a horizontal circle of `radius` metres, `height` metres above `target`. The angle goes from `from` to `to`
+-- degrees (0: on the +z axis, 90: on the +x axis) between frames `first` and `last`.
 function capture.orbit(t)
   local target, keys = three(t.target), {}
   local from, to = math.rad(t.from or 0), math.rad(t.to or 360)
-  -- A key every 10 degrees at most, and one more at each end: the cubic through them is a circle to 3 in 100000.
+  -- Keys at most 10 degrees apart, and one more at each end: the cubic through them is a circle to within 3e-5 of the radius.
   local count = math.max(1, math.ceil(math.abs(to - from) / math.rad(10)))
   for i = -1, count + 1 do
     local angle = from + (to - from) * i / count
@@ -72,7 +72,7 @@ function capture.orbit(t)
   return keys
 end
 
--- The camera goes straight from { eye, target } to another between frames `first` and `last`.
+-- Straight camera path between frames `first` and `last`: the eye from `from` to `to`, its target from `target` to `to_target`.
 function capture.dolly(t)
   local function key(frame, eye, target)
     return { frame, eye[1], eye[2], eye[3], target[1], target[2], target[3] }
@@ -86,7 +86,7 @@ end
 local Checker = fields.checker(capture.fields)
 shots.extend(Checker, capture.fields.shot)
 
--- "all", or the names of layers.
+-- Checks `layers`: "all", or a list of names.
 function Checker:layers(value, path, what)
   if value == nil or value == "all" then return value end
   if type(value) ~= "table" then
@@ -94,12 +94,12 @@ function Checker:layers(value, path, what)
     return {}
   end
   for i, name in ipairs(value) do
-    if type(name) ~= "string" then self:add(check.joined(path, i), "a layer of %s is no text", what) end
+    if type(name) ~= "string" then self:add(check.joined(path, i), "a layer of %s is not a text", what) end
   end
   return value
 end
 
--- What each step of a sequence sets.
+-- The settings of each step of the sequence `vary`; nil without a sequence.
 function Checker:steps(t, path)
   local names = type(t) == "table" and check.names(t) or {}
   if t == nil then return nil end
@@ -138,11 +138,11 @@ function Checker:captured_arm(entry, path, shot_names)
   return result
 end
 
--- What an experiment asks of a capture.
+-- Checks the parts of a capture that make it an experiment.
 function Checker:measured(t, shot_names)
   for _, name in ipairs(measuring) do
     if t.measures == nil and t[name] ~= nil then
-      self:add({ name }, "a capture with '%s' is measured: it has `measures`", name)
+      self:add({ name }, "a capture with '%s' needs `measures`", name)
     end
   end
   for i, name in ipairs(shot_names) do
@@ -151,7 +151,7 @@ function Checker:measured(t, shot_names)
       self:add({ "shots", i, "truth" }, "shot '%s' has settings of truth, and the capture has no 'truth' arm", name)
     end
     if t.measures and shot.vary ~= nil then
-      self:add({ "shots", i, "vary" }, "a shot with vary cannot be measured; an experiment has axes")
+      self:add({ "shots", i, "vary" }, "a shot with vary cannot be measured; use the axes of an experiment")
     end
   end
   if t.measures == nil then return end
@@ -185,7 +185,7 @@ function Checker:whole(t)
   return result
 end
 
--- The experiment that a capture is too, as strobe.experiment takes it.
+-- The capture as a table for strobe.experiment.
 local function as_experiment(t)
   local result = { title = t.title, note = t.note, size = t.size, seed = t.seed, shots = t.shots, arms = {} }
   for _, name in ipairs(measuring) do result[name] = t[name] end
@@ -205,8 +205,8 @@ end
 
 local Made = { kind = "capture" }
 
--- What a file returned, as plain data, checked against what is `given`: the `options` of shots that there are. Where
--- experiments are asked for, by the names of `measures`, a capture that is measured is one.
+-- The capture that a file returned, as plain data, checked against `given.options`, the known options of shots. If `given` has
+-- `measures`, a capture with `measures` is returned as an experiment.
 function Made.finished(result, given)
   local self = Checker.at(result.place)
   self.options = shots.by_name(given.options)

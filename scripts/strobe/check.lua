@@ -22,7 +22,7 @@ function Problems:raise()
   if #self.list > 0 then error({ problems = self.list }, 0) end
 end
 
--- One mistake alone.
+-- Raises one mistake.
 function check.fail(place, text, ...)
   local problems = check.problems()
   problems:add(place, text, ...)
@@ -33,18 +33,18 @@ function check.is_name(value)
   return type(value) == "string" and #value <= 64 and value:find("^[a-z][a-z0-9_]*$") ~= nil
 end
 
--- Does an image of this format hold unsigned integers?
+-- True if the format holds unsigned integers.
 function check.is_uint(format)
   return format:find("ui$") ~= nil
 end
 
--- Is it a buffer of such instead of an image?
+-- True if the format is a buffer of unsigned integers instead of an image.
 function check.is_buffer(format)
   return format == "buffer32ui"
 end
 
 function check.contains(list, value)
-  for i = 1, #list do  -- without a call for each: thousands of names are looked up
+  for i = 1, #list do  -- no call per entry: there are thousands of lookups
     if list[i] == value then return true end
   end
   return false
@@ -82,7 +82,7 @@ function check.joined(path, key)
   return longer
 end
 
--- Reports `t[key]` unless it is of the type named; true where it is.
+-- True if `t[key]` is of the type `kind`; reports a mistake otherwise.
 function check.field(problems, t, key, kind, place, what, path)
   if type(t[key]) == kind then return true end
   local where = native.key_place(place, table.unpack(check.joined(path or {}, key)))
@@ -95,7 +95,7 @@ function check.field(problems, t, key, kind, place, what, path)
   return false
 end
 
--- Text that tells a person what something is: not empty.
+-- The text `doc` of a table, which must not be empty.
 function check.doc(problems, t, place, what, path)
   if type(t.doc) == "string" and t.doc:find("%S") then return t.doc end
   local where = native.key_place(place, table.unpack(path or {}))
@@ -103,8 +103,8 @@ function check.doc(problems, t, place, what, path)
   return ""
 end
 
--- Invariants that do not hold, `breaks = { invariant = "reason" }`, found at `path` from the call at `place`; nil where
--- there are none.
+-- Checks `breaks = { invariant = "reason" }`, the invariants that do not hold, and returns it; nil if it is empty. `path` leads
+-- from the call at `place` to the table.
 function check.breaks(problems, given, place, what, path)
   if given == nil then return nil end
   local at = native.key_place(place, table.unpack(path))
@@ -118,7 +118,7 @@ function check.breaks(problems, given, place, what, path)
     if not check.contains(known, name) then
       local near = type(name) == "string" and native.nearest(name, known) or ""
       if near == "" then near = "; there are " .. table.concat(known, ", ") end
-      problems:add(where, "%s breaks %s, which is no invariant%s", what, check.quoted(name), near)
+      problems:add(where, "%s breaks %s, which is not an invariant%s", what, check.quoted(name), near)
     elseif type(reason) ~= "string" or not reason:find("%S") then
       problems:add(where, "%s breaks '%s' without a text that says why", what, name)
     else

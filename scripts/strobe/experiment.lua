@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Experiments: shots, drawn by arms, along axes, measured against truth, and what is expected of the numbers.
--- `experiment { ... }` is checked as a whole, all mistakes at once; docs/writing-experiments.md explains each field.
+-- Experiments: arms render shots along axes, the pictures are measured against truth, and expectations check the numbers.
+-- `experiment { ... }` is checked as a whole and reports all mistakes at once. docs/writing-experiments.md lists its fields.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local judge  = require "strobe.judge"
@@ -13,7 +13,7 @@ local experiment = {}
 local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local func, shown, copied = fields.func, fields.shown, fields.copied
 
--- Fields by table: their type, and whether they may be left out. A shot has the options of the command line as well.
+-- Fields of each table, with their types; optional fields may be left out. A shot also has the options of the command line.
 experiment.fields = {
   experiment = {
     title = { text }, question = { text, optional = true }, note = { text, optional = true },
@@ -25,35 +25,35 @@ experiment.fields = {
     background = { map, optional = true }, expect = { list, optional = true },
     layout = { map, optional = true },
   },
-  -- title: shown instead of the name. truth: settings of truth in this shot. crops: { x, y, width, height } at the
-  -- experiment's size, or "inner". picture_aa: sub-pixel samples of the pictures that are shown; stops, curve: how.
-  -- frames: { from, to, step } of a sequence.
+  -- title: shown instead of the name. truth: settings of truth for this shot. crops: { x, y, width, height } in pixels of the
+  -- experiment's size, or "inner". picture_aa: sub-pixel samples of the displayed pictures. stops, curve: their exposure and
+  -- tone curve. frames: { from, to, step } of a sequence.
   shot = {
     name = { text }, title = { text, optional = true }, note = { text, optional = true },
     attribution = { text, optional = true }, truth = { map, optional = true }, crops = { list, optional = true },
     picture_aa = { number, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
     frames = { list, optional = true },
   },
-  -- role: "method", or "floor" (truth at a method's own samples). lacks: axes whose settings the arm does not get, or single
-  -- parameters of axes.
-  -- box: settings of the picture that is shown, where it has several samples per pixel. shown: whether its pictures
-  -- are on sheet and page. timed: whether times are measured; of a truth they are not without it. published: frames per
-  -- second that somebody else measured in a shot.
+  -- role: "method", or "floor" (truth with as many samples as a method). lacks: axes, or single parameters of axes, that do
+  -- not set this arm. box: extra settings of displayed pictures that have several samples per pixel. shown: show its pictures
+  -- on sheet and page. timed: measure times; default: true for methods, false for truth. published: frames per second from a
+  -- publication, for one shot.
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, role = { text, optional = true },
     lacks = { list, optional = true }, box = { map, optional = true },
     shown = { bool, optional = true }, timed = { bool, optional = true }, published = { map, optional = true },
   },
   published = { fps = { number }, shot = { text }, by = { text } },
-  -- full: settings of a second truth, to be measured against as well (measure rmse_full).
+  -- full: settings of a second truth, for the measure rmse_full.
   truth = {
     name = { text, optional = true }, pipeline = { text }, set = { map, optional = true },
     full = { map, optional = true },
   },
-  -- at: what a value sets, where that is not the parameter or option of the axis' name. shots: those that vary.
-  -- benign: the value at which nothing is extreme. region: where curves are measured. same_picture: what is seen does
-  -- not depend on the value. fixed, note, reading: texts; {ARM @ VALUE} in a reading is replaced by that error.
-  -- against, costs: of `strobe bench slopes`, what is counted in the place of the values, and how times are to grow.
+  -- at: function from a value to its settings; default: the value sets the parameter or option of the axis' name. shots: names
+  -- of the shots that vary; default: all. benign: the value without extremes, the reference for the others. region: region of
+  -- the curves. same_picture: the picture does not depend on the value. fixed, note, reading: texts; {ARM @ VALUE} in a reading
+  -- is replaced by the error of ARM at VALUE. against, costs: for `strobe bench slopes`, the measure used instead of the values
+  -- and the expected growth of times.
   axis = {
     name = { text }, values = { list }, at = { func, optional = true }, shots = { list, optional = true },
     title = { text, optional = true }, unit = { text, optional = true }, scale = { text, optional = true },
@@ -62,40 +62,40 @@ experiment.fields = {
     fixed = { text, optional = true }, note = { text, optional = true }, reading = { text, optional = true },
     against = { text, optional = true }, costs = { list, optional = true },
   },
-  -- part: "frame", "passes" (each that no other entry names) or a node. arm: of that arm alone.
+  -- part: "frame", "passes" (each pass that no other entry names) or a node. arm: the entry applies only to this arm.
   cost = { part = { text }, grows = { text }, arm = { text, optional = true }, why = { text, optional = true } },
-  -- What an arm knows of what is behind: its outputs, and the arm that shows what is in front.
+  -- arm: the arm whose outputs `color` and `valid` hold the background. front: the arm that shows the foreground.
   background = { arm = { text }, color = { text }, valid = { text }, front = { text } },
   layout = {
     pictures = { map, optional = true }, curves = { map, optional = true }, front = { map, optional = true },
     table = { map, optional = true },
   },
-  -- Sizes in pixels at the experiment's size. difference_gain: what differences from truth are multiplied by.
+  -- crop_size: { width, height } in pixels of the experiment's size. difference_gain: factor on differences from truth.
   pictures = { crop_size = { list, optional = true }, difference_gain = { number, optional = true } },
-  -- factor: an arm is as good as its samples allow where its error is at most so many times the floor's.
+  -- factor: an arm counts as good as its samples allow if its error is at most `factor` times the floor's error.
   curves = { factor = { number, optional = true } },
-  -- x, y: measures; y in `region`, and x too where it is measured by region.
+  -- x, y: measures. y is taken in `region`; x too, if it is measured by region.
   front = {
     x = { text, optional = true }, y = { text, optional = true }, region = { text, optional = true },
     title = { text, optional = true }, note = { text, optional = true },
   },
-  -- axes: those to lay out, each as a table; cells: measures of each shot, once: measures of the first shot alone.
-  -- share: errors as a share of the contrast of truth. title: of the section.
+  -- axes: names of axes, one table for each. cells: measures of each shot. once: measures of the first shot only.
+  -- share: show errors as a share of the contrast of truth. title: title of the section.
   table = {
     axes = { list, optional = true }, cells = { list, optional = true }, once = { list, optional = true },
     share = { bool, optional = true }, title = { text, optional = true }, note = { text, optional = true },
   },
 }
 
--- Where a value is drawn: by its logarithm (0 has a place of its own), by itself, or each as far from the next.
+-- Scales of an axis: logarithmic (0 has a separate place), linear, or values at even distances.
 experiment.scales = { "log", "linear", "even" }
 experiment.roles = { "method", "floor" }
--- What times may be drawn against in the place of an axis' values: measures of a picture alone.
+-- Measures against which times may be drawn instead of an axis' values. They depend on the picture only.
 experiment.counted = { "masked", "displacement" }
--- How times may be expected to grow.
+-- Expected growth of times along an axis.
 experiment.growths = { "constant", "linear", "logarithmic" }
 
--- What varies: list, grid, zip, each, ablation, random, sobol; values: linear, log.
+-- Constructors of axes: list, grid, zip, each, ablation, random, sobol. Constructors of values: linear, log.
 for _, kind in ipairs { "list", "grid", "zip", "each", "ablation", "random", "sobol", "linear", "log" } do
   experiment[kind] = vary[kind]
 end
@@ -112,7 +112,7 @@ function Checker:arm(t, path)
   for _, name in ipairs { "set", "box" } do result[name] = self:settings(result[name], check.joined(path, name)) end
   if result.published ~= nil then
     local at = check.joined(path, "published")
-    local published = self:fields(result.published, "published", at, "what is published of arm " .. path[2])
+    local published = self:fields(result.published, "published", at, "'published' of arm " .. path[2])
     self:one_of(published.shot, self.shot_names, check.joined(at, "shot"), "the shot")
   end
   return result
@@ -127,7 +127,7 @@ function Checker:truth(t)
   return result
 end
 
--- What `value` of an axis sets; `at`: its number.
+-- Settings that `value`, the value number `at` of an axis, makes.
 local function value_of(axis, t, value, at)
   local result = { value = value, label = shown(value), truth = {} }
   local sets = { [t.name or ""] = value }
@@ -147,7 +147,7 @@ local function value_of(axis, t, value, at)
   for _, entry in ipairs(sorted.others) do
     local kind = type(entry.value)
     if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
-      axis:add({ t.at and "at" or "values", at }, "'%s' is a %s, no value of a parameter", entry.name, kind)
+      axis:add({ t.at and "at" or "values", at }, "'%s' is a %s, which is not a value of a parameter", entry.name, kind)
     end
   end
   return result
@@ -155,22 +155,24 @@ end
 
 local function is_finite(value) return type(value) == "number" and value == value and math.abs(value) ~= math.huge end
 
--- How times are expected to grow along an axis, of numbers unless something is counted in their place.
+-- Checks the expected growth of times along an axis. Without `against`, the values must be numbers.
 function Checker:costs(t)
   if t.costs == nil and t.against == nil then return end
-  self:one_of(t.against, experiment.counted, { "against" }, "what times are drawn against")
+  self:one_of(t.against, experiment.counted, { "against" }, "'against' of an axis")
   for i, entry in ipairs(type(t.costs) == "table" and t.costs or {}) do
     local path = { "costs", i }
     local cost = self:fields(entry, "cost", path, ("entry %d of costs"):format(i))
-    self:one_of(cost.grows, experiment.growths, check.joined(path, "grows"), "how a time grows")
+    self:one_of(cost.grows, experiment.growths, check.joined(path, "grows"), "'grows' of a cost")
     self:one_of(cost.arm, self.arm_names, check.joined(path, "arm"), "the arm")
   end
   for i, value in ipairs(t.against == nil and type(t.values) == "table" and t.values or {}) do
-    if not is_finite(value) then self:add({ "values", i }, "no time grows with %s, which is no number", check.quoted(value)) end
+    if not is_finite(value) then
+      self:add({ "values", i }, "times cannot grow with %s, which is not a number", check.quoted(value))
+    end
   end
 end
 
--- An axis is checked at the place where it was made.
+-- Checks an axis; mistakes have the place where the axis was made.
 function Checker:axis(made)
   local axis = setmetatable(copied(self), Checker)
   axis.place = made.place
@@ -188,7 +190,7 @@ function Checker:axis(made)
   local before
   for i, value in ipairs(t.values) do
     if type(value) == "number" and not is_finite(value) then
-      axis:add({ "values", i }, "value %d is no finite number", i)
+      axis:add({ "values", i }, "value %d is not a finite number", i)
     elseif t.scale and t.scale ~= "even" and not is_finite(value) then
       axis:add({ "values", i }, "%s has no place on a %s scale", check.quoted(value), t.scale)
     elseif t.scale and is_finite(value) then
@@ -203,19 +205,19 @@ function Checker:axis(made)
   if t.benign ~= nil then
     for i, value in ipairs(t.values) do if value == t.benign then result.benign_index = i end end
     if not result.benign_index then
-      axis:add({ "benign" }, "benign is %s, which is none of the values", shown(t.benign))
+      axis:add({ "benign" }, "benign is %s, which is not one of the values", shown(t.benign))
     end
   end
   result.benign = nil
   return result
 end
 
--- All axes, and the combinations of their values as lists of { axis number, value number }.
+-- Returns all axes, and the combinations of their values as lists of { axis number, value number }.
 function Checker:varied(given)
   local axes, names, values, lists = {}, {}, {}, {}
   for i, part in ipairs(given) do
     if not vary.is_varied(part) then
-      self:add({ "vary", i }, "entry %d of vary is none of list, grid, zip, each, ablation, random, sobol", i)
+      self:add({ "vary", i }, "entry %d of vary is not one of list, grid, zip, each, ablation, random, sobol", i)
       return {}, { {} }
     end
     for _, made in ipairs(part.axes) do
@@ -242,7 +244,7 @@ local function allowed(axes, combination, shot)
   return true
 end
 
--- A function that yields a point as `skip` sees it. A point lacks the axes that do not vary there.
+-- A function that makes the argument of `skip`: a point with its shot, its arm, and the value of each axis that varies there.
 local function points_of(axes)
   local names = {}
   for i, axis in ipairs(axes) do names[i] = axis.name end
@@ -254,8 +256,8 @@ local function points_of(axes)
   end
 end
 
--- Points that have one truth: a shot, a value of each axis, and the arms that are drawn there. Shots in their order,
--- then combinations, then arms; nothing depends on the order of `pairs`.
+-- Groups of points that share one truth: a shot, a combination of values, and the arms that render it. Ordered by shot,
+-- combination and arm, independent of the order of `pairs`.
 function Checker:groups(result, skip, combinations)
   local groups, point_of = {}, points_of(result.axes)
   for s, shot in ipairs(result.shots) do
@@ -278,9 +280,9 @@ function Checker:groups(result, skip, combinations)
   return groups
 end
 
--- ---- the rest
+-- ---- other fields
 
--- Names that `lacks` of an arm may have: axes, and the parameters that they set.
+-- Names that `lacks` of an arm may contain: axes, and the parameters that they set.
 local function lackable(axes)
   local names = {}
   for _, axis in ipairs(axes) do
@@ -308,7 +310,7 @@ function Checker:lacks(arms, axes)
   end
 end
 
--- Results of the experiment as expectations see them, with 1 for each measure at each point.
+-- Placeholder results for expectations: each measure is 1 at each point.
 local function placeholders(result, given)
   local values = {}
   for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- more than `measures`: layouts add some
@@ -352,7 +354,7 @@ function Checker:expectations(t, shot_names, axes)
   return functions
 end
 
--- A layout of curves has an axis to draw.
+-- Checks that a layout with `curves` has an axis with `region`, `scale` and `benign`.
 function Checker:curves(t, axes)
   if t.curves == nil then return end
   local lacking = {}
@@ -365,7 +367,7 @@ function Checker:curves(t, axes)
     if #without == 0 then return end
     lacking[i] = ("; axis '%s' has no %s"):format(tostring(axis.name), table.concat(without, ", "))
   end
-  self:add({ "layout", "curves" }, "there are no curves to draw: they are of axes with `region`, `scale` and `benign`%s",
+  self:add({ "layout", "curves" }, "there are no curves to draw: curves need an axis with `region`, `scale` and `benign`%s",
            table.concat(lacking))
 end
 
@@ -439,10 +441,10 @@ function Checker:whole(t)
   return result, expectations
 end
 
--- ---- what the program asks for
+-- ---- entry points
 
--- The experiment `t` made at `place`, as plain data, checked against what is `given`: the names of `options`, `regions`
--- and `measures` there are; with `results` what becomes of its expectations.
+-- Checks the experiment `t`, made at `place`, and returns it as plain data. `given` has the known options, regions and
+-- measures. If `given` has `results`, returns the outcomes of the expectations on them instead.
 function experiment.finished(t, place, given)
   local self = Checker.at(place)
   self.known, self.options = given, shots.by_name(given.options)
@@ -456,7 +458,7 @@ end
 
 local Made = { kind = "experiment" }
 
--- What a file returned. Where no experiment is asked for, only that it is one.
+-- The experiment that a file returned, as plain data; only its kind if `given` has no measures.
 function Made.finished(result, given)
   if not given.measures then return { kind = "experiment" } end
   return experiment.finished(result.fields, result.place, given)

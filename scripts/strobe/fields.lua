@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Data that people write for a command (demos, experiments): tables whose fields have types, checked as a whole.
+-- Checks of tables with typed fields, as experiments and captures have. All mistakes of a table are collected.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -7,8 +7,8 @@ local native = require "strobe.native"
 local fields = { text = "string", number = "number", bool = "boolean", list = "list", map = "map", func = "function",
                  any = "any" }
 
--- What checks tables of the kinds `declared`: kind = { field = { type, optional = true or nil } }. Called with the place
--- of a table it notes the mistakes in it, each at the path of its keys.
+-- A class of checkers for tables of the kinds `declared`: kind = { field = { type, optional = true or nil } }. A checker of the
+-- table at `place` notes each mistake at the path of its keys.
 function fields.checker(declared)
   local Checker = {}
   Checker.__index = Checker
@@ -17,7 +17,7 @@ function fields.checker(declared)
 
   function Checker:add(path, ...) self.problems:add(native.key_place(self.place, table.unpack(path)), ...) end
 
-  -- `t`, or an empty table if it is none. `what` names it in messages.
+  -- Checks the fields of `t` and returns it; returns an empty table if `t` is not a table. `what` names it in messages.
   function Checker:fields(t, kind, path, what)
     what = what or "the " .. kind
     if type(t) ~= "table" then
@@ -40,7 +40,7 @@ function fields.checker(declared)
     self:add(path, "%s is %s, none of %s%s", what, check.quoted(value), table.concat(allowed, ", "), near)
   end
 
-  -- Every entry of the list t[name], as one(entry, i, path) checks it.
+  -- The entries of the list t[name], each checked by one(entry, i, path).
   function Checker:each(t, name, one)
     local result = {}
     if type(t[name]) ~= "table" then return result end
@@ -52,7 +52,7 @@ function fields.checker(declared)
   return Checker
 end
 
--- A value as the command line would have it.
+-- A value as text of the command line.
 function fields.shown(value) return math.type(value) == "float" and ("%.14g"):format(value) or tostring(value) end
 
 function fields.copied(t)

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Figures and films of a capture: how their tables are checked, and what they are as plain data. docs/figures.md explains
--- each field. A field of a cell may stand in the figure, in a row, in a column or in the cell: the later counts; marks
--- and insets add up.
+-- Figures and films of a capture: checks of their tables, and their form as plain data. docs/figures.md describes each field.
+-- A field of a cell may also be set in its figure, row or column. The cell overrides its column, the column its row, the row
+-- its figure; marks and insets add up.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local native = require "strobe.native"
@@ -12,17 +12,17 @@ local figure = {}
 local text, number, bool, list, any = fields.text, fields.number, fields.bool, fields.list, fields.any
 local copied, joined = fields.copied, check.joined
 
--- { field = type } with each left to choice, on top of those of `more`.
+-- The fields { field = type }, all optional, added to the fields of `more`.
 local function optional(types, more)
   local result = copied(more or {})
   for name, kind in pairs(types) do result[name] = { kind, optional = true } end
   return result
 end
 
--- What is drawn over a picture. Positions and lengths in pixels of the capture, x right, y down.
+-- Marks drawn over a picture. Positions and lengths in pixels of the captured picture, x right, y down.
 local marks = optional { arrows = list, circles = list, boxes = list, ranges = list, texts = list }
 
--- What a cell shows and says.
+-- Fields of a cell: its picture, display options, and texts.
 local looks = optional({
   shot = text, arm = text, step = number, view = text, kind = text, low = number, high = number, stops = number,
   against = text, difference = text, gain = number, crop = list, zoom = number, shrink = number, key = bool,
@@ -58,7 +58,7 @@ figure.colors = {
   white = "#ffffff", black = "#000000", yellow = "#ffd21e", green = "#35d04f", red = "#ff4b3e", blue = "#3f7bff",
   cyan = "#26c6f2", magenta = "#f24fc0", orange = "#ff8c1a", grey = "#9a9aa2",
 }
--- What a caption may measure against the capture's truth; standard_error and displacement are those of truth.
+-- Measures in a caption: errors against the capture's truth; standard_error and displacement of truth itself.
 figure.measures = { "rmse", "mse", "relmse", "smape", "psnr", "ssim", "flip", "standard_error", "displacement" }
 figure.kinds = { "auto", "colour", "depth", "normal", "velocity", "arrows", "id", "mask", "scalar" }
 figure.differences = { "mean", "channels", "flip" }
@@ -77,7 +77,7 @@ shots.extend(Checker, {})
 
 function Checker:place_of(path) return native.key_place(self.place, table.unpack(path)) end
 
--- A number, at least `least` and at most `most`; a whole one unless `fraction`.
+-- Checks that a number is from `least` to `most`, and a whole number unless `fraction` is true.
 function Checker:amount(value, least, most, path, what, fraction)
   if type(value) ~= "number" then return end
   local good = value >= least and value <= most and (fraction or math.tointeger(value))
@@ -86,28 +86,29 @@ function Checker:amount(value, least, most, path, what, fraction)
   self:add(path, "%s is %s; it is %s from %s to %s", what, fields.shown(value), kind, fields.shown(least), fields.shown(most))
 end
 
--- "#rrggbb" or a name, as three numbers from 0 to 1.
+-- The colour "#rrggbb" or with this name, as three numbers from 0 to 1; nil after a mistake.
 function Checker:color(value, path)
   if type(value) ~= "string" then return nil end
   local r, g, b = (rawget(figure.colors, value) or value):match("^#(%x%x)(%x%x)(%x%x)$")
   if not r then
     local names = check.names(figure.colors)
     table.sort(names)
-    self:add(path, "'%s' is no colour: \"#rrggbb\" or one of %s%s", value, table.concat(names, ", "),
+    self:add(path, "'%s' is not a colour: \"#rrggbb\" or one of %s%s", value, table.concat(names, ", "),
              native.nearest(value, names))
     return nil
   end
   return { tonumber(r, 16) / 255, tonumber(g, 16) / 255, tonumber(b, 16) / 255 }
 end
 
--- { x, y, width, height } in whole pixels, or { REGION, width, height }: where most of a region of truth lies.
+-- Checks an area: { x, y, width, height } in whole pixels, or { REGION, width, height }, placed where a region of truth has the
+-- most pixels.
 function Checker:area(value, path, what)
   local before = #self.problems.list
   if type(value) == "table" and type(value[1]) == "string" then
     if #value ~= 3 or not math.tointeger(value[2]) or not math.tointeger(value[3]) or value[2] < 1 or value[3] < 1 then
       self:add(path, "%s is { x, y, width, height } or { REGION, width, height } in whole pixels of the capture", what)
     elseif self.truth == false then
-      self:add(path, "%s lies where truth has most of '%s', and the capture has no 'truth' arm", what, value[1])
+      self:add(path, "%s is placed by the region '%s' of truth, and the capture has no 'truth' arm", what, value[1])
     end
     return
   end
@@ -121,7 +122,7 @@ function Checker:area(value, path, what)
   end
 end
 
--- Every entry of the list t[name], as one(entry, path) leaves it, with its place.
+-- The entries of the list t[name], each checked by one(entry, path), with their places.
 function Checker:entries(t, name, path, one)
   local result, given = {}, t[name]
   if type(given) ~= "table" then return result end
@@ -135,11 +136,11 @@ function Checker:entries(t, name, path, one)
   return result
 end
 
--- A pixel, { x, y } in t[key], or the name of a node in t.on: one of the two.
+-- Checks a position: either a pixel { x, y } in t[key], or the name of a node in t.on.
 function Checker:spot(t, key, path, what)
   self:numbers(t[key], 2, joined(path, key), ("'%s' of %s"):format(key, what))
   if (t[key] == nil) == (t.on == nil) then
-    self:add(path, "%s is placed by one of '%s' = { x, y } and 'on' = \"NODE\"", what, key)
+    self:add(path, "%s is placed by either '%s' = { x, y } or 'on' = \"NODE\"", what, key)
   end
 end
 
@@ -149,7 +150,7 @@ function marked.arrow(self, t, path)
   self:spot(t, "to", path, "an arrow")
   self:numbers(t.from, 2, joined(path, "from"), "'from' of an arrow")
   self:numbers(t.by, 2, joined(path, "by"), "'by' of an arrow")
-  if t.from ~= nil and t.by ~= nil then self:add(path, "an arrow starts at 'from' or is long 'by', not both") end
+  if t.from ~= nil and t.by ~= nil then self:add(path, "an arrow has 'from' or 'by', not both") end
 end
 
 function marked.circle(self, t, path)
@@ -176,7 +177,7 @@ function Checker:mark(entry, kind, path)
   return result
 end
 
--- The marks of a table, each list checked.
+-- Checks each list of marks of a table.
 function Checker:marks(t, result, path)
   for _, name in ipairs(mark_names) do
     result[name] = self:entries(t, name, path, function(entry, at) return self:mark(entry, mark_kinds[name], at) end)
@@ -193,16 +194,16 @@ function Checker:inset(entry, path)
   return result
 end
 
--- What stands between braces in a caption: "rmse inner %.3f", "exposure", "set.samples".
+-- Parses the text between braces in a caption: "rmse inner %.3f", "exposure", "set.samples".
 function Checker:inserted(inside, path)
   local rest, digits, style = inside:match("^(.-)%s+%%%.(%d)([fg])%s*$")
   local name, region = (rest or inside):match("^%s*([%w_.]+)%s*([%w_]*)%s*$")
   local part = { digits = tonumber(digits), style = style }
   if not name then
-    self:add(path, "'{%s}' of a caption is none of {MEASURE}, {MEASURE REGION}, {OPTION}, {set.PARAM}, each with or "
+    self:add(path, "'{%s}' of a caption is not {MEASURE}, {MEASURE REGION}, {OPTION} or {set.PARAM}, each with or "
              .. "without %%.3f", inside)
   elseif name == "displacement" and region ~= "" then
-    self:add(path, "the displacement of a caption has no region: it is that of what moves")
+    self:add(path, "the displacement of a caption has no region: it is measured over all moving surfaces")
   elseif check.contains(figure.measures, name) then
     part.measure, part.region = name, region ~= "" and region or "whole"
     if self.truth == false then
@@ -225,7 +226,7 @@ function Checker:inserted(inside, path)
   return part
 end
 
--- A caption as a list of texts and of what is inserted between them.
+-- A caption as a list of texts and insertions.
 function Checker:caption(value, path)
   if type(value) ~= "string" then return nil end
   local parts, at = {}, 1
@@ -241,7 +242,7 @@ function Checker:caption(value, path)
   return parts
 end
 
--- Fields of a cell that `t` (a figure, a row, a column, a cell) holds, checked.
+-- Checks the fields of a cell that `t` (a figure, a row, a column or a cell) has, and returns them.
 function Checker:look(t, path)
   local result = {}
   for name in pairs(looks) do result[name] = t[name] end
@@ -262,7 +263,7 @@ function Checker:look(t, path)
   return result
 end
 
--- Rows or columns: their labels, and what they say of their cells. One without a label where there are none.
+-- Returns the labels of rows or columns, and their fields of cells. Without any, a single row or column without a label.
 function Checker:lines(t, name, path)
   local looked = {}
   local labels = self:entries(t, name, path, function(entry, at)
@@ -276,7 +277,7 @@ function Checker:lines(t, name, path)
   return labels, looked
 end
 
--- The number of a row or column named by its number or its label.
+-- The number of a row or column that is given by its number or its label.
 function Checker:line_number(value, labels, path, what)
   local names = {}
   for i, line in ipairs(labels) do
@@ -288,7 +289,7 @@ function Checker:line_number(value, labels, path, what)
   self:add(path, "%s of a cell is %s: a number from 1 to %d, or a label%s", what, check.quoted(value), #labels, near)
 end
 
--- Of what is said of a cell, from the general to the particular.
+-- Merges fields of a cell from `parts`, general to particular: later ones override, marks and insets add up.
 local function united(parts)
   local result = {}
   for _, part in ipairs(parts) do
@@ -304,7 +305,7 @@ local function united(parts)
   return result
 end
 
--- What only a whole cell can be checked for.
+-- Checks the merged fields of a cell.
 function Checker:finish_cell(cell, path)
   local where = ("the cell in row %d, column %d"):format(cell.row, cell.column)
   cell.shot = cell.shot or (#self.shot_names == 1 and self.shot_names[1]) or nil
@@ -325,11 +326,11 @@ function Checker:finish_cell(cell, path)
     self:add(path, "%s has a zoom and a shrink", where)
   end
   if self.cell_width and (cell.zoom or cell.shrink) then
-    self:add(path, "%s has a %s; the figure's cell_width says how large it is", where, cell.zoom and "zoom" or "shrink")
+    self:add(path, "%s has a %s, but its size is set by the figure's cell_width", where, cell.zoom and "zoom" or "shrink")
   end
 end
 
--- All cells, row by row, with everything said of them.
+-- All cells, row by row, with their merged fields.
 function Checker:cells(t, result, path, rows, columns)
   local of_figure, given = self:look(t, path), {}
   self:entries(t, "cells", path, function(entry, at)
@@ -366,7 +367,7 @@ end
 function Checker:whole(t, kind, path)
   t = self:fields(t, kind, path, kind .. " " .. tostring(path[#path]))
   if type(t.name) == "string" and not t.name:find("^[%w_][%w_.-]*$") then
-    self:add(joined(path, "name"), "'%s' is no name of a file: letters, digits, _, - and .", t.name)
+    self:add(joined(path, "name"), "'%s' is not a file name: letters, digits, _, - and .", t.name)
   end
   local result = { place = self:place_of(path) }
   for name in pairs(self.kept) do result[name] = t[name] end
@@ -398,8 +399,8 @@ local function checked(self, entry, kind, path, names)
   return own_checker:whole(entry, kind, path)
 end
 
--- A figure, or a film, at `path` of what `self` checks, as plain data. names: the `shots` and `arms` there are; `truth`
--- = false: none of them is truth.
+-- A figure or a film at `path` of the capture that `self` checks, as plain data. `names` has the known `shots` and `arms`, and
+-- `truth` = false if the capture has no truth arm.
 function figure.checked(self, entry, path, names) return checked(self, entry, "figure", path, names) end
 function figure.checked_film(self, entry, path, names) return checked(self, entry, "film", path, names) end
 

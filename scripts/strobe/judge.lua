@@ -1,16 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- Expectations of an experiment, held against its results.
+-- Checks of the expectations of an experiment on its results.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local shown  = require "strobe.fields".shown
 
 local judge = {}
 
--- What matches `wanted` { arm =, shot =, region =, AXIS = value } in finished results, as means by measure.
+-- Finished results. `at` returns the means, by measure, over the points that match `wanted` { arm =, shot =, region =,
+-- AXIS = value }.
 local Results = {}
 Results.__index = Results
 
--- Stops an expectation at the line with an unknown name.
+-- Stops an expectation with a message at `place`, the line with an unknown name.
 local function mistaken(place, text, ...) error({ mistake = text:format(...), place = place }, 0) end
 
 local function require_known(place, name, allowed_names, what)
@@ -57,7 +58,7 @@ local function group_matches(group, wanted)
   return true
 end
 
--- Without an arm all methods match, but neither floors nor truth.
+-- True if the point is of the arm. Without an arm all methods match, but neither floors nor truth.
 local function point_matches(point, arm)
   if arm == nil then return point.role == "method" end
   return point.arm == arm
@@ -80,7 +81,7 @@ function Results:at(place, wanted)
   for _, count in pairs(counts) do means.count = math.max(means.count, count) end
   return setmetatable(means, { __index = native.at_caller(function(line, _, name)
     require_known(line, name, known, "measure")
-    error({ unmeasured = ("nothing was measured of '%s' where %s"):format(name, self.shown(wanted)), place = line }, 0)
+    error({ unmeasured = ("no value of '%s' was measured where %s"):format(name, self.shown(wanted)), place = line }, 0)
   end) })
 end
 
@@ -115,14 +116,14 @@ end
 
 local record = check.record "r"
 
--- The `r` of an expectation.
+-- The argument `r` of an expectation.
 local function results_of(data, known)
   local results = setmetatable({ data = data, known_measures = known.measures }, Results)
   return record { at = native.at_caller(function(place, wanted) return results:at(place, wanted) end) }
 end
 
--- What becomes of expectations { text, function, shot =, axis =, known = }, given finished results as plain data and the
--- names that are `known`.
+-- Outcomes of expectations { text, function, shot =, axis =, known = } on `data`, finished results as plain data. `known` has
+-- the known names.
 function judge.outcomes(expectations, data, known)
   local r, outcomes = results_of(data, known), {}
   for i, entry in ipairs(expectations) do outcomes[i] = judged(entry, r, data) end

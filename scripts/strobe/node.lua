@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Nodes: what calling a pass inside a pipeline's `build` makes, and the values that wire one to the next.
+-- Nodes: a call of a pass inside a pipeline's `build` makes a node. Its outputs are values that wire it to other nodes.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local param  = require "strobe.param"
@@ -30,7 +30,7 @@ function node.source(value)
   return rawget(value, "node") .. "." .. rawget(value, "port")
 end
 
--- The format of an image that is `wanted` (a pattern) whatever is chosen, or nil and one that is not.
+-- The format of an image if it matches the pattern `wanted` for every choice; otherwise nil and a format that does not match.
 function node.has_format(value, wanted)
   for _, format in pairs(rawget(value, "formats") or { rawget(value, "format") }) do
     if not format:find(wanted) then return nil, format end
@@ -38,11 +38,11 @@ function node.has_format(value, wanted)
   return rawget(value, "format")
 end
 
--- What is wrong with a thing that was passed where an image is wanted.
+-- Predicate of a message: the reason why `value` is not an image.
 local function not_a_value(value)
   if getmetatable(value) == Ports then
     local ports = check.names(rawget(value, "values"))
-    return ("is all that %s yields; say which image: %s"):format(rawget(value, "node"), table.concat(ports, ", "))
+    return ("is the whole result of %s; name one of its images: %s"):format(rawget(value, "node"), table.concat(ports, ", "))
   end
   if node.is_reference(value) then return ("is the parameter '%s' instead of an image"):format(value.name) end
   return ("is a %s instead of an image"):format(type(value))
@@ -63,12 +63,12 @@ Ports.__newindex = native.at_caller(function(place, ports, key)
   check.fail(place, "%s cannot be given a field %s", rawget(ports, "node"), check.quoted(key))
 end)
 
--- A result with the fields `values`; `record.used` is set at the first use of one.
+-- The result of a call, with the fields `values`. Reading a field sets `record.used`.
 function node.ports(name, values, record)
   return setmetatable({ node = name, values = values, record = record }, Ports)
 end
 
--- The field `name` of outputs, of a record or of any other table, or nil.
+-- The field `name` of a result, a record or any other table; nil if it is absent.
 function node.optional(t, name)
   local is_ports = getmetatable(t) == Ports
   local value = rawget(is_ports and rawget(t, "values") or t, name)
@@ -78,10 +78,10 @@ end
 
 -- ---- parameters
 
--- p.x: a parameter of the pipeline: { name = , declaration = }. Its value is had by a call alone, which is noted: it may
--- decide the graph.
+-- A reference to a parameter of the pipeline, as in p.x: { name = , declaration = }. Only a call, p.x(), returns its value. The
+-- call is noted, because the value may then decide the graph.
 local Reference = {}
-local taken = setmetatable({}, { __mode = "k" })  -- what a reference's call does
+local taken = setmetatable({}, { __mode = "k" })  -- by reference: the function of its call
 Reference.__call = function(reference) return taken[reference]() end
 Reference.__index = native.at_caller(function(place, reference, key)
   check.fail(place, "parameter '%s' has no field %s; its value is p.%s()", rawget(reference, "name"), check.quoted(key),
@@ -102,7 +102,7 @@ function node.is_reference(value)
   return getmetatable(value) == Reference
 end
 
--- Why `wanted` cannot follow the pipeline's parameter `source`, or nil.
+-- The reason why the parameter `wanted` of a pass cannot follow the parameter `source` of the pipeline; nil if it can.
 local function cannot_follow(wanted, source)
   local same = wanted.type == source.type or (wanted.type == "float" and source.type == "int")
   if not same then return ("is %s, but '%s' of the pipeline is %s"):format(wanted.type, source.name, source.type) end
@@ -112,7 +112,7 @@ local function cannot_follow(wanted, source)
   for _, choice in ipairs(source.choices or {}) do
     if not check.contains(wanted.choices, choice) then
       local near = native.nearest(choice, wanted.choices)
-      return ("has no choice '%s' as '%s' of the pipeline has%s"):format(choice, source.name, near)
+      return ("has no choice '%s', unlike '%s' of the pipeline%s"):format(choice, source.name, near)
     end
   end
   local outside = wanted.min and (source.min < wanted.min or source.max > wanted.max)
@@ -121,13 +121,14 @@ local function cannot_follow(wanted, source)
                                                                               source.min, source.max)
 end
 
--- What a parameter of a pass follows where its call says nothing: the pipeline's of that name, if it is the same one.
+-- The parameter of the pipeline that a pass's parameter follows if its call does not set it: one with the same name that is the
+-- same parameter; otherwise nil.
 local function shared(wanted)
   local declared = param.find(node.graph.params, wanted.name)
   return declared and param.same(declared, wanted) and node.graph.p[wanted.name] or nil
 end
 
--- The binding of the parameter `wanted` to what was given: a literal, p.x, or nil for its default.
+-- The binding of the parameter `wanted` to `given`: a literal, a reference p.x, or nil for the default.
 function node.bind(problems, wanted, given, place, owner)
   if given == nil then return { value = wanted.default, place = wanted.place } end
   if node.is_reference(given) then
@@ -235,12 +236,12 @@ local function choose_time(problems, pass, arguments, place)
   elseif time == "sample" and not node.graph.loop then
     problems:add(at, "time = \"sample\" exists inside the body of a pipeline.loop only")
   elseif not pass.scene then
-    problems:add(at, "pass '%s' does not see the scene, so a time has no effect on it", pass.name)
+    problems:add(at, "pass '%s' does not read the scene, so a time has no effect on it", pass.name)
   end
   return time
 end
 
--- Two different passes of one name cannot share a pipeline.
+-- Notes a pass; two different passes of one name are a mistake.
 local function note_pass(problems, pass, place)
   local known = node.graph.passes[pass.name]
   node.graph.passes[pass.name] = known or pass
@@ -250,7 +251,7 @@ local function note_pass(problems, pass, place)
   end
 end
 
--- Makes the node of a call at `place`; raises all that is wrong with it.
+-- Makes the node of a call at `place` and returns its outputs; raises all mistakes together.
 function node.create(place, pass, arguments)
   if not node.graph then check.fail(place, "pass '%s' is called outside of a pipeline's build", pass.name) end
   if not check.is_plain(arguments) then

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Parameter declarations of passes and pipelines alike: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
--- The constructors only note what was written and where; `declare` checks it once the name is known.
+-- The constructors store the table and its place. `declare` checks them once the name is known.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -13,7 +13,7 @@ param.keys = {
   choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
 }
 
--- Words a GLSL parameter block or #define cannot have as a name.
+-- Reserved words of GLSL, which cannot name a parameter.
 local reserved = {}
 for _, word in ipairs {
   "active", "asm", "bool", "break", "buffer", "case", "cast", "class", "common", "const", "continue", "default",
@@ -40,7 +40,7 @@ function param.new(kind, place, given, origin)
   return made
 end
 
--- What may be said otherwise of a parameter that is declared elsewhere: `blur.tile { 16 }`. It stays the same one.
+-- Keys that a use of a shared parameter may change, as in `blur.tile { 16 }`. The result still counts as the same parameter.
 param.changed_keys = {
   bool = { 1, "default", "doc", "wired", "breaks" },
   int = { 1, "default", "min", "max", "doc", "wired" },
@@ -83,7 +83,7 @@ local function check_choices(problems, given, place, what)
   return choices
 end
 
--- What each choice does and where it fails: `values = { name = "text" }`.
+-- Checks `values = { name = "text" }`: the effect of each choice, and its failures.
 local function check_values(problems, given, choices, place, what)
   local values = {}
   if given.values == nil or not check.field(problems, given, "values", "table", place, what) then return values end
@@ -91,7 +91,7 @@ local function check_values(problems, given, choices, place, what)
     local at = native.key_place(place, "values", name)
     if not check.contains(choices, name) then
       local near = type(name) == "string" and native.nearest(name, choices) or ""
-      problems:add(at, "values of %s describes %s, which is no choice%s", what, check.quoted(name), near)
+      problems:add(at, "values of %s describes %s, which is not a choice%s", what, check.quoted(name), near)
     elseif type(text) ~= "string" or not text:find("%S") then
       problems:add(at, "choice '%s' of %s is described by %s instead of a text", name, what, check.quoted(text))
     else
@@ -101,11 +101,11 @@ local function check_values(problems, given, choices, place, what)
   return values
 end
 
--- What a shader can hold: 32-bit integers, single-precision numbers.
+-- Largest values in a shader: 32-bit integers, single-precision numbers.
 local LARGEST = { int = 2147483647, float = 3.4028234e38 }
 
--- Invariants that a value breaks: `breaks = { value = { invariant = "reason" } }`. Of a bool, `value` is "true" or
--- "false"; of a number "other", which is any but its default.
+-- Checks `breaks = { value = { invariant = "reason" } }`: invariants that a value breaks. For a bool, `value` is "true" or
+-- "false"; for a number it is "other": any value but the default.
 local function check_breaks(problems, given, choices, place, what)
   if given.breaks == nil or not check.field(problems, given, "breaks", "table", place, what) then return nil end
   local breaks = {}
@@ -113,7 +113,7 @@ local function check_breaks(problems, given, choices, place, what)
     if not check.contains(choices, value) then
       local near = type(value) == "string" and native.nearest(value, choices) or ""
       local at = native.key_place(place, "breaks", value)
-      problems:add(at, "'breaks' of %s is about %s, which is no value of it%s", what, check.quoted(value), near)
+      problems:add(at, "'breaks' of %s names %s, which is not one of its values%s", what, check.quoted(value), near)
     else
       breaks[value] = check.breaks(problems, list, place, ("'%s' of %s"):format(value, what), { "breaks", value })
     end
@@ -146,7 +146,7 @@ end
 
 local roles = native.roles()
 
--- What a parameter is, for commands that ask without knowing its name: one of native.roles(), or nil.
+-- The role: commands find a parameter by its role, without its name. One of native.roles(), or nil.
 local function check_role(problems, given, place, what)
   if given.role == nil then return nil end
   if check.contains(roles, given.role) then return given.role end
@@ -156,15 +156,15 @@ local function check_role(problems, given, place, what)
   return nil
 end
 
--- Where a checked declaration comes from, and which of these passes have.
+-- The origin of each checked declaration, and the origins of the parameters of passes.
 local origins, of_passes = setmetatable({}, { __mode = "k" }), {}
 
--- Whether two checked declarations are of one parameter.
+-- True if two checked declarations are of one parameter.
 function param.same(a, b)
   return origins[a] ~= nil and origins[a] == origins[b]
 end
 
--- Notes that a pass has these parameters: one of a pipeline that is the same can be followed.
+-- Notes the parameters of a pass: a parameter of a pipeline with the same origin counts as used.
 function param.note_pass(list)
   for _, one in ipairs(list) do of_passes[origins[one]] = true end
 end
@@ -173,7 +173,7 @@ function param.is_of_a_pass(declared)
   return of_passes[origins[declared]] == true
 end
 
--- Of parameters without mistakes their checked declarations: many passes have the same.
+-- Cache of checked declarations without mistakes: many passes share a parameter.
 local checked = setmetatable({}, { __mode = "k" })
 
 local function copy_of(declaration)
@@ -183,7 +183,7 @@ local function copy_of(declaration)
   return copy
 end
 
--- The checked declaration of the parameter `name`, or nil after mistakes. `at` is where the name was written.
+-- The checked declaration of the parameter `name`; nil after a mistake. `at` is the place of the name.
 function param.declare(problems, name, declared, at, owner)
   local same = checked[declared]
   if same and same.name == name then return copy_of(same) end
@@ -246,7 +246,7 @@ function param.declare(problems, name, declared, at, owner)
   return result
 end
 
--- The value in canonical form, or nil and what is wrong. Unlike a setting as typed, a text is no number here.
+-- The value in canonical form, or nil and a message. Unlike in a typed setting, a text is not converted to a number.
 function param.check(declared, value)
   if type(value) == "string" and declared.type ~= "choice" and not (declared.auto and value == "auto") then
     return nil, ("'%s' = '%s' is a text instead of a value of type %s"):format(declared.name, value, declared.type)
@@ -254,7 +254,7 @@ function param.check(declared, value)
   return native.check_value(declared, value)
 end
 
--- All parameters of a table, by name in order.
+-- Checked declarations of all parameters of a table, in the order of their names.
 function param.declare_all(problems, declared, place, owner)
   local list = {}
   for name, one in pairs(declared) do
@@ -265,7 +265,7 @@ function param.declare_all(problems, declared, place, owner)
   return list
 end
 
--- Who asks for a role must find one parameter.
+-- Reports two parameters with the same role: a role must identify one parameter.
 function param.refuse_twins(problems, list, owner)
   local by_role = {}
   for _, one in ipairs(list) do
@@ -278,7 +278,7 @@ function param.refuse_twins(problems, list, owner)
   end
 end
 
--- The first named `name` of a list of declarations, or nil. By name once for each list: there are thousands of questions.
+-- The first declaration named `name` in a list, or nil. A list is indexed once: there are thousands of lookups.
 local indices = setmetatable({}, { __mode = "k" })
 function param.find(list, name)
   local index = indices[list]

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Passes: `pass.compute { ... }`, `pass.raster { ... }`, `pass.trace { ... }` check a description and return something
--- that a pipeline calls with values to make a node.
+-- Constructors of passes: `pass.compute { ... }`, `pass.raster { ... }`, `pass.trace { ... }`. Each checks a description and
+-- returns a pass. A pipeline makes a node by calling the pass with images and values.
 local check   = require "strobe.check"
 local native  = require "strobe.native"
 local param   = require "strobe.param"
@@ -15,10 +15,10 @@ pass.keys = {
 pass.read_keys  = { "doc", "uint", "optional", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
 pass.update_keys = { "doc", "format", "history", "each" }
-pass.format_keys = { "by" }  -- and the choices of that parameter
+pass.format_keys = { "by" }  -- and one key for each choice of the parameter that `by` names
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
-pass.call_keys  = { "as", "time" }  -- of a call in a pipeline, so no port or parameter may be called this
+pass.call_keys  = { "as", "time" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
 
 local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
@@ -44,16 +44,18 @@ local function is_port_table(problems, name, port, place, what)
   return true
 end
 
--- The reads of which an optional read needs one, as a list.
+-- The list `needs` of an optional read: at least one of these reads must be wired.
 local function check_needs(problems, reads, port, at, what)
   local needs = type(port.needs) == "string" and { port.needs } or port.needs or {}
   if type(needs) ~= "table" then
-    problems:add(at, "%s needs %s, which is no name of a read and no list of such", what, check.quoted(port.needs))
+    problems:add(at, "%s needs %s, which is neither the name of a read nor a list of names", what, check.quoted(port.needs))
     return {}
   end
-  if #needs > 0 and not port.optional then problems:add(at, "%s needs others and is not optional", what) end
+  if #needs > 0 and not port.optional then problems:add(at, "%s has 'needs' but is not optional", what) end
   for _, needed in ipairs(needs) do
-    if reads[needed] == nil then problems:add(at, "%s needs %s, which is no read of it", what, check.quoted(needed)) end
+    if reads[needed] == nil then
+      problems:add(at, "%s needs %s, which is not a read of the pass", what, check.quoted(needed))
+    end
   end
   return needs
 end
@@ -91,21 +93,21 @@ local function is_format(problems, format, at, what)
   return false
 end
 
--- The choice parameter that `format.by` names, or nil and a problem.
+-- The choice parameter that `format.by` names; nil after a mistake.
 local function deciding_parameter(problems, format, params, declared, at, what)
   local by = type(format.by) == "string" and param.find(params, format.by)
   if by and by.type == "choice" then return by end
-  if not by and declared and format.by ~= nil and declared[format.by] ~= nil then return nil end  -- a mistake of its own
+  if not by and declared and format.by ~= nil and declared[format.by] ~= nil then return nil end  -- reported already
   local names = {}
   for i, one in ipairs(params) do names[i] = one.name end
   local near = type(format.by) == "string" and not by and native.nearest(format.by, names) or ""
-  local reason = by and "which is no choice" or "which is no parameter of it"
+  local reason = by and "which is not a choice parameter" or "which is not a parameter of the pass"
   problems:add(at, "the format of %s is chosen by %s, %s%s", what, check.quoted(format.by), reason, near)
   return nil
 end
 
--- `format = { by = "parameter", choice = "format", ... }`: a format for each choice. Yields the one of the default, the
--- parameter's name and all of them; nil where it has mistakes.
+-- Checks `format = { by = "parameter", choice = "format", ... }`, a format for each choice. Returns the format of the default
+-- choice, the parameter's name, and the formats by choice; nil after a mistake.
 local function chosen_format(problems, format, params, declared, path, place, what)
   local function at(key) return native.key_place(place, table.unpack(check.joined(path, key))) end
   local by = deciding_parameter(problems, format, params, declared, at("by"), what)
@@ -114,15 +116,15 @@ local function chosen_format(problems, format, params, declared, path, place, wh
   for choice in pairs(format) do
     if choice ~= "by" and not check.contains(by.choices, choice) then
       local near = type(choice) == "string" and native.nearest(choice, by.choices) or ""
-      problems:add(at(choice), "%s has a format for %s, which is no choice of '%s'%s", what, check.quoted(choice), by.name,
-                   near)
+      problems:add(at(choice), "%s has a format for %s, which is not a choice of '%s'%s", what, check.quoted(choice),
+                   by.name, near)
       sound = false
     end
   end
   for _, choice in ipairs(by.choices) do
     local one = format[choice]
     if choice == "by" then
-      problems:add(by.place, "'by' of '%s' cannot choose a format of %s: it has a meaning there", by.name, what)
+      problems:add(by.place, "choice 'by' of '%s' cannot have a format in %s: there 'by' names the parameter", by.name, what)
       sound = false
     elseif one == nil then
       problems:add(at("by"), "%s has no format for '%s' = '%s'", what, by.name, choice)
@@ -130,7 +132,7 @@ local function chosen_format(problems, format, params, declared, path, place, wh
     elseif not is_format(problems, one, at(choice), what) then
       sound = false
     elseif check.is_buffer(one) then
-      problems:add(at(choice), "%s is an image or a buffer whatever is chosen, but '%s' gives %s", what, choice, one)
+      problems:add(at(choice), "%s has a format per choice, so it must be an image, but '%s' gives %s", what, choice, one)
       sound = false
     elseif first and check.is_uint(one) ~= check.is_uint(first) then
       problems:add(at(choice), "the formats of %s mix unsigned integers and numbers: %s and %s", what, first, one)
@@ -151,14 +153,14 @@ local function format_of(problems, port, params, declared, path, place, what)
   return port.format
 end
 
--- Buffers are of one frame, and nothing is drawn into them.
+-- A buffer lives for one frame, and raster passes do not write it.
 local function check_buffer(problems, port, kind, at, what)
   local each = port.each or 1
   if math.type(each) ~= "integer" or each < 1 or each > MAX_EACH then
-    problems:add(at, "'each' of %s is no integer from 1 to %d", what, MAX_EACH)
+    problems:add(at, "'each' of %s is not an integer from 1 to %d", what, MAX_EACH)
   end
   if not check.is_buffer(port.format) then
-    if port.each then problems:add(at, "%s is an image, which has one texel for each pixel", what) end
+    if port.each then problems:add(at, "%s has 'each' but is an image, which has one texel per pixel", what) end
     return
   end
   if kind == "raster" then problems:add(at, "%s is a buffer; a raster pass writes images", what) end
@@ -190,7 +192,8 @@ local function has_text(value)
   return type(value) == "string" and value:find("%S") ~= nil
 end
 
--- A counter is the text that says what it counts, or a table of that and of the limit that the picture met there.
+-- A counter is a text, its counted event, or { doc = text, limit = text }. `limit` describes how the picture was changed at
+-- these events, and the remedy.
 local function declare_counters(problems, t, place, owner)
   local list = {}
   for name, given in pairs(t.counters or {}) do
@@ -208,7 +211,7 @@ local function declare_counters(problems, t, place, owner)
   return list
 end
 
--- `over`: the read, a buffer, whose entries are the pixels that the pass runs for.
+-- `over`: name of a buffer read. The pass runs once for each entry, which is a pixel.
 local function declare_over(problems, t, kind, result, place, owner)
   if t.over == nil then return "" end
   local at = native.key_place(place, "over")
@@ -218,24 +221,26 @@ local function declare_over(problems, t, kind, result, place, owner)
   end
   if not read or not read.buffer then
     local near = type(t.over) == "string" and not read and native.nearest(t.over, port_names(result.reads)) or ""
-    problems:add(at, "%s runs over %s, which is no read of it that is a buffer%s", owner, check.quoted(t.over), near)
+    problems:add(at, "%s runs over %s, which is not a buffer read of the pass%s", owner, check.quoted(t.over), near)
   end
   if kind == "raster" then problems:add(at, "%s is a raster pass, which runs over triangles", owner) end
   for _, write in ipairs(result.writes) do
     if not write.cleared and not check.is_buffer(write.format or "") then
-      problems:add(write.place, "'%s' of %s, which runs over '%s', wants cleared = true: zero where it does not run",
+      problems:add(write.place, "'%s' of %s, which runs over '%s', wants cleared = true: the other pixels are zero",
                    write.name, owner, t.over)
     end
   end
   return t.over
 end
 
--- `group`: a work group runs for each pixel instead of an invocation.
+-- `group`: one work group per pixel, instead of one invocation.
 local function declare_group(problems, t, kind, result, place, owner)
   if t.group == nil or not check.field(problems, t, "group", "boolean", place, owner) or not t.group then return false end
   local at = native.key_place(place, "group")
-  if kind ~= "compute" then problems:add(at, "%s is a %s pass; compute passes alone have groups", owner, kind) end
-  if result.over ~= "" then problems:add(at, "%s runs over '%s', an invocation for each", owner, result.over) end
+  if kind ~= "compute" then problems:add(at, "%s is a %s pass; only compute passes have groups", owner, kind) end
+  if result.over ~= "" then
+    problems:add(at, "%s runs over '%s', which takes one invocation per entry, not a group", owner, result.over)
+  end
   for _, one in ipairs(result.params) do
     if one.role == "still_once" then
       problems:add(one.place, "'%s' of %s, which has a group for each pixel, cannot be still_once", one.name, owner)
@@ -248,10 +253,11 @@ local function check_divide(problems, size, params, declared, at, owner)
   local names = {}
   for i, one in ipairs(params) do names[i] = one.name end
   local divide = type(size.divide) == "string" and param.find(params, size.divide)
-  if not divide and declared and declared[size.divide] ~= nil then return end  -- a mistake of that parameter
+  if not divide and declared and declared[size.divide] ~= nil then return end  -- reported already
   if not divide then
     local near = type(size.divide) == "string" and native.nearest(size.divide, names) or ""
-    problems:add(at, "size of %s divides by %s, which is no parameter of it%s", owner, check.quoted(size.divide), near)
+    problems:add(at, "size of %s divides by %s, which is not a parameter of the pass%s", owner, check.quoted(size.divide),
+                 near)
   elseif divide.type ~= "int" or divide.min < 1 then
     problems:add(at, "size of %s divides by '%s', which is not an int of at least 1", owner, size.divide)
   end
@@ -264,9 +270,9 @@ local function size_of_port(problems, size, result, declared, at, owner)
   end
   if not read then
     local near = type(size.of) == "string" and native.nearest(size.of, port_names(result.reads)) or ""
-    problems:add(at, "size of %s is that of %s, which is no read of it%s", owner, check.quoted(size.of), near)
+    problems:add(at, "size of %s is the size of %s, which is not a read of the pass%s", owner, check.quoted(size.of), near)
   elseif read.optional then
-    problems:add(at, "size of %s is that of '%s', which is optional and may not be there", owner, size.of)
+    problems:add(at, "size of %s is the size of '%s', which is optional and may be absent", owner, size.of)
   end
   if size.divide ~= nil then check_divide(problems, size, result.params, declared, at, owner) end
   return { kind = "port", port = size.of, divide = size.divide, place = at }
@@ -293,7 +299,7 @@ local function declare_size(problems, t, place, result, owner)
   return { kind = "fixed", width = width, height = height, place = at }
 end
 
--- Reads and parameters share the braces of a call, writes and updates the fields of its result.
+-- Reads and parameters share the arguments of a call. Writes and updates share the fields of its result.
 local function check_twins(problems, result, owner)
   local seen = {}
   for _, list in ipairs { result.reads, result.params } do
@@ -324,10 +330,10 @@ local function check_shader(problems, t, place, owner)
   end
 end
 
--- Descriptions of the passes that files declare; not of those that a build makes, which may be others each time.
+-- Descriptions of the passes that files declare. Passes that a `build` declares are left out: they may differ each time.
 pass.declared = {}
 
--- A table of declarations of a pass, read by name.
+-- Declarations of a pass by name; reading an unknown name is an error.
 local function named(what, owner, declared)
   local copy = {}
   for name, one in pairs(declared) do copy[name] = one end
@@ -350,7 +356,7 @@ local function declare(kind, place, t)
   end
   if t.scene ~= nil then check.field(problems, t, "scene", "boolean", place, owner) end
   if kind ~= "compute" and t.scene == false then
-    problems:add(native.key_place(place, "scene"), "%s is a %s pass, which always sees the scene", owner, kind)
+    problems:add(native.key_place(place, "scene"), "%s is a %s pass, which always has the scene", owner, kind)
   end
   local doc = check.doc(problems, t, place, owner)
   if t.fails ~= nil then check.field(problems, t, "fails", "string", place, owner) end
@@ -388,17 +394,17 @@ function pass.is_pass(value)
   return getmetatable(value) == Pass
 end
 
--- Alternatives for one job are files of one folder of passes/. Their names, sorted; a new file is a new alternative.
+-- Sorted names of the files in passes/`folder`. They are alternatives for one job; a new file adds an alternative.
 function pass.family(folder)
   return native.files("passes/" .. folder)
 end
 
--- The pass in the file `name` of passes/`folder`.
+-- The pass in the file `name` of the folder passes/`folder`.
 function pass.member(folder, name)
   return require(("passes.%s.%s"):format(folder, name))
 end
 
--- The arguments among `images` (by name) that a pass reads: `sobel(pass.wired(sobel, seen, { as = "edge" }))`.
+-- `arguments`, and each image of `images` whose name is a read of the pass: `sobel(pass.wired(sobel, seen, { as = "edge" }))`.
 function pass.wired(called, images, arguments)
   local result = {}
   for key, value in pairs(arguments or {}) do result[key] = value end
@@ -408,7 +414,7 @@ function pass.wired(called, images, arguments)
   return result
 end
 
--- Has a pass the read `name`?
+-- True if the pass has a read `name`.
 function pass.reads(called, name)
   for _, read in ipairs(called.description.reads) do
     if read.name == name then return true end

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Pipelines: `pipeline { doc, params, presets, default_preset, build = function(p) ... end }`. The build calls passes
--- and returns named images; `describe` runs it once and returns the graph as plain data.
+-- Pipelines: `pipeline { doc, params, presets, default_preset, build = function(p) ... end }`. The function `build` calls
+-- passes and returns named images. `describe` runs it once and returns the graph as plain data.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local node   = require "strobe.node"
@@ -9,7 +9,7 @@ local preset = require "strobe.preset"
 
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
--- Tables whose unknown fields are mistakes, and how to read a field that may be absent.
+-- `record` makes reading an unknown field of a table an error. `optional` reads a field that may be absent.
 pipeline.record, pipeline.optional = check.record, node.optional
 
 pipeline.keys = {
@@ -33,7 +33,7 @@ local function check_kind(problems, t, place)
   return t.kind
 end
 
--- Outputs that are masks of regions in which errors are measured, `{ name of the output = "what is in it" }`.
+-- Outputs that are masks of error regions: `{ OUTPUT = "description of the region" }`.
 local function declare_regions(problems, t, place)
   local list = {}
   for name, text in pairs(t.regions or {}) do
@@ -58,12 +58,13 @@ local function check_condition(problems, params, when, i, place)
     if wrong then problems:add(at, "equal %d: %s", i, wrong) end
     if not declared then
       local near = type(name) == "string" and native.nearest(name, names) or ""
-      problems:add(at, "equal %d asks for %s, which is no parameter%s", i, check.quoted(name), near)
+      problems:add(at, "equal %d depends on %s, which is not a parameter%s", i, check.quoted(name), near)
     end
   end
 end
 
--- Values under which another pipeline gives the same picture: `{ when = { mask = "none" }, pipeline = "x", set = {} }`.
+-- Checks `equals`, equalities with other pipelines: `{ when = { mask = "none" }, pipeline = "x", set = {} }`. If the parameters
+-- have the values `when`, the pipeline `x` with the values `set` gives the same picture.
 local function check_equals(problems, t, params, place)
   local result = {}
   for i, equal in ipairs(t.equals or {}) do
@@ -105,7 +106,7 @@ local function declare(place, t)
   end
   for _, one in ipairs(params) do
     if one.wired then
-      problems:add(one.place, "'wired' is of a pass's parameter: '%s' of the pipeline is set by who uses it", one.name)
+      problems:add(one.place, "'wired' is for parameters of passes; '%s' is a parameter of the pipeline", one.name)
     end
   end
   problems:raise()
@@ -149,27 +150,27 @@ local function check_results(problems, results, place)
   end
 end
 
--- The port whose one texel stops the loop early.
+-- Source of `until_`, a 1x1 image that ends the loop when its texel is not zero; "" after a mistake.
 local function check_until(problems, t, loop, results, place)
   local value = t.until_
   if type(value) == "function" then value = value(results) end
   if not node.is_value(value) then
     problems:add(place, "until_ of loop '%s' %s", loop.name, node.not_a_value(value))
   elseif not node.has_format(value, "^r32f$") or rawget(value, "loop") ~= loop.name then
-    problems:add(place, "until_ of loop '%s' is no r32f image written inside it", loop.name)
+    problems:add(place, "until_ of loop '%s' is not an r32f image written inside the loop", loop.name)
   else
     return node.source(value)
   end
   return ""
 end
 
--- `first` and `parts`: the loop takes `count` of so many parts of the exposure, from number `first` (from 0) on.
+-- Checks `first` and `parts`: the exposure has `parts` parts, and the loop takes `count` parts from number `first` (0-based).
 local function check_parts(problems, t, place)
   for _, key in ipairs { "first", "parts" } do
     local at_least = key == "first" and 0 or 1
     local value = t[key]
     if value ~= nil and (math.type(value) ~= "integer" or value < at_least or value > 1 << 20) then
-      problems:add(native.key_place(place, key), "'%s' of the loop is no integer from %d to %d", key, at_least, 1 << 20)
+      problems:add(native.key_place(place, key), "'%s' of the loop is not an integer from %d to %d", key, at_least, 1 << 20)
     end
   end
   if (t.first == nil) ~= (t.parts == nil) then problems:add(place, "'first' and 'parts' of a loop go together") end
@@ -219,7 +220,7 @@ pipeline.loop = native.at_caller(function(place, t)
   return ports
 end)
 
--- What `body` returns; the names of the nodes made in it start with `prefix`. For a part of a graph that is made twice.
+-- Runs `body` and returns its result. The names of its nodes start with `prefix`, so that a part of a graph can be made twice.
 pipeline.prefixed = native.at_caller(function(place, prefix, body)
   if not node.graph then check.fail(place, "pipeline.prefixed is called outside of a pipeline's build") end
   if not check.is_name(prefix) then check.fail(place, "%s cannot start the name of a node", check.quoted(prefix)) end
@@ -233,14 +234,14 @@ end)
 
 -- ---- evaluation
 
--- A setting that cannot be used: a mistake, or where settings may be dropped one more of those.
+-- Notes a setting that does not fit: in `dropped` if that is given, otherwise as a mistake.
 local function refuse(problems, dropped, set, text, ...)
   if not dropped then return problems:add(set.place, text, ...) end
   dropped[#dropped + 1] = { name = set.name, value = tostring(set.value), reason = text:format(...) }
 end
 
--- Values of all parameters: default < preset < set; the presets there are and the one taken. Names that no parameter has
--- are left in `unknown`.
+-- Returns the values of all parameters, the settings without a parameter, the presets, and the name of the chosen preset.
+-- A preset overrides defaults; a setting overrides the preset.
 local function resolve(problems, self, sets, dropped)
   local values, unknown, explicit = {}, {}, {}
   local presets, chosen = self.presets, preset.default_of(self.presets)
@@ -266,7 +267,7 @@ local function resolve(problems, self, sets, dropped)
   return values, unknown, presets, chosen
 end
 
--- The `p` of a build.
+-- The argument `p` of a `build`: `p.NAME` is a reference to the parameter NAME.
 local function parameters(self, values, used, noted)
   local names = {}
   for i, one in ipairs(self.params) do names[i] = one.name end
@@ -316,7 +317,7 @@ local function check_outputs(problems, outputs, build)
   return sources
 end
 
--- The regions among the outputs: another shape of the graph may have others.
+-- The declared regions among the outputs of this graph. A graph with other values may have other outputs.
 local function regions_of(self, sources)
   local list = {}
   for _, region in ipairs(self.regions) do
@@ -325,8 +326,8 @@ local function regions_of(self, sources)
   return list
 end
 
--- A parameter that this graph does not use may be another shape's: it counts as used where any file loaded says
--- `p.name`, in a branch that was taken or not, and where a pass that was loaded has it.
+-- Reports unused parameters and results. A graph with other values may use a parameter that this one does not, so a parameter
+-- also counts as used if a loaded file contains `p.name`, in any branch, or if a loaded pass has the parameter.
 local function check_unused(problems, self, graph, used)
   for _, one in ipairs(self.params) do
     if not (used[one.name] or param.is_of_a_pass(one) or native.reads_field(one.name)) then
@@ -349,7 +350,7 @@ local function settable_names(self, graph)
   return names
 end
 
--- `--set tile=...` where only nodes have a `tile`.
+-- Hint for `--set tile=...` if only nodes have a parameter `tile`; nil otherwise.
 local function nodes_with(graph, name)
   local found = {}
   for _, made in ipairs(graph.nodes) do
@@ -359,7 +360,7 @@ local function nodes_with(graph, name)
   return #found > 0 and "; nodes have it: " .. table.concat(found, ", ") or nil
 end
 
--- `--set node.param=value` replaces whatever the build bound.
+-- Applies `--set node.param=value`, which replaces the value from the build. Reports settings that match no parameter.
 local function apply_node_sets(problems, self, graph, sets, unknown, dropped)
   for _, set in ipairs(unknown) do
     local hint = nodes_with(graph, set.name) or native.nearest(set.name, settable_names(self, graph))
@@ -392,8 +393,8 @@ local function in_order(by_name)
   return list
 end
 
--- The graph of a pipeline for some settings { { name = , value = }, ... }. `lenient` leaves out those that do not fit
--- and lists them in `dropped`.
+-- The graph of a pipeline for the settings { { name = , value = }, ... }, as plain data. With `lenient`, settings that do not
+-- fit are left out and listed in `dropped`; otherwise they are mistakes.
 function pipeline.describe(self, name, file, sets, lenient)
   for _, set in ipairs(sets) do set.place = { file = ("--set %s=%s"):format(set.name, set.value), line = 0 } end
   local problems = check.problems()

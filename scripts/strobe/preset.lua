@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Presets: named sets of values of a pipeline's parameters. A pipeline declares its own; `--set preset=FILE.lua` takes
--- one of a file, `return preset { doc = "...", set = { tile = 16 } }`. Which parameters there are, the pipeline decides.
+-- Presets: named sets of values of a pipeline's parameters. A pipeline declares its own. `--set preset=FILE.lua` takes one
+-- from a file, `return preset { doc = "...", set = { tile = 16 } }`, and checks it against the pipeline's parameters.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local param  = require "strobe.param"
@@ -9,7 +9,7 @@ local preset = {}
 
 preset.keys = { "doc", "set" }
 
-local Preset = {}  -- of a file: { given = , place = }
+local Preset = {}  -- a preset in a file: { given = , place = }
 
 setmetatable(preset, { __call = native.at_caller(function(place, _, t)
   if type(t) ~= "table" then check.fail(place, "preset wants a table: preset { doc = \"...\", set = { ... } }") end
@@ -17,7 +17,7 @@ setmetatable(preset, { __call = native.at_caller(function(place, _, t)
 end) })
 check.closed(preset, "preset")
 
--- What a preset sets: values by the names of parameters, found at `path`.
+-- The values of a preset by the names of parameters. `path` leads from the call at `place` to the table `set`.
 local function values_of(problems, what, set, params, place, path)
   local names, values = {}, {}
   for i, one in ipairs(params) do names[i] = one.name end
@@ -29,7 +29,7 @@ local function values_of(problems, what, set, params, place, path)
     if wrong then problems:add(where, "%s: %s", what, wrong) end
     if not declared then
       local near = type(name) == "string" and native.nearest(name, names) or ""
-      problems:add(where, "%s sets %s, which is no parameter%s", what, check.quoted(name), near)
+      problems:add(where, "%s sets %s, which is not a parameter%s", what, check.quoted(name), near)
     end
   end
   return values
@@ -57,12 +57,12 @@ local function declare(problems, name, given, params, place)
   return declared_by(problems, tostring(name), given, params, place, { "presets", name })
 end
 
--- The preset in which every parameter has its default.
+-- The preset "none": every parameter has its default.
 local function none()
   return { name = "none", doc = "every parameter has its default", default = true, values = {} }
 end
 
--- Presets of a pipeline's table by name, one of them the default: the one named, or "none", which sets nothing.
+-- The presets of a pipeline, by name. The default is `default_preset`, or an added preset "none" that sets nothing.
 function preset.declare_all(problems, t, params, place)
   local list, names = {}, {}
   if t.presets == nil then return list end
@@ -81,7 +81,7 @@ function preset.declare_all(problems, t, params, place)
   return list
 end
 
--- ---- one that a setting takes
+-- ---- the preset of a setting
 
 local function is_file(value) return type(value) == "string" and value:find("%.lua$") ~= nil end
 
@@ -95,8 +95,8 @@ function preset.default_of(presets)
   return nil
 end
 
--- `presets` and, behind them, the one of the file that the request names; nil and what is wrong where there is no such
--- file.
+-- Returns `presets` with the preset of the requested file appended, and its name; nil, nil and a message if the file does not
+-- exist.
 local function with_file(problems, presets, params, name)
   local there, given, shown = native.preset()
   if not there then return nil, nil, ("there is no preset file '%s'"):format(name) end
@@ -111,8 +111,8 @@ local function with_file(problems, presets, params, name)
   return list, name
 end
 
--- What `--set preset=VALUE` takes: the presets there are then and the name of the one taken, or nil, nil and what is
--- wrong.
+-- Resolves `--set preset=VALUE`: returns the available presets and the name of the chosen one. After a mistake the name is nil;
+-- a message follows unless `problems` has it already.
 function preset.taken(problems, presets, params, value)
   if is_file(value) then return with_file(problems, presets, params, value) end
   local choice = { name = "preset", type = "choice", choices = {}, unit = "" }

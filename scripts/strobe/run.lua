@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What a script child evaluates: each function gets the request as a table and returns plain data.
+-- Requests that a script child process evaluates. Each function takes the request as a table and returns plain data.
 local check    = require "strobe.check"
 local native   = require "strobe.native"
 local pass     = require "strobe.pass"
@@ -7,8 +7,8 @@ local pipeline = require "strobe.pipeline"
 
 local run = {}
 
--- A pipeline's file, ahead of the settings to describe it for; yields what all answers have in common: the passes that
--- are declared then, which answers name by their numbers, and the pipeline's parameters, which they leave out.
+-- Loads a pipeline's file before its settings are known. Returns the parts that all later answers share: the declared passes,
+-- which answers name by their numbers, and the pipeline's parameters, which answers leave out.
 local loaded
 local numbers = {}
 function run.load()
@@ -29,7 +29,7 @@ function run.pipeline(request)
   return described
 end
 
--- The kind of each pipeline, by the name of its file; nothing of those that do not load.
+-- The kind of each pipeline, by the name of its file. Files that do not load are left out.
 function run.kinds(request)
   local kinds = {}
   for _, name in ipairs(request.names) do
@@ -39,7 +39,7 @@ function run.kinds(request)
   return kinds
 end
 
--- A text serves as the value it reads as: true, false, a number, else text.
+-- The value that a text stands for: true, false, a number, or the text itself.
 local function typed(text)
   if type(text) ~= "string" then return text end
   if text == "true" then return true end
@@ -78,16 +78,16 @@ end
 function run.data(request)
   local result = native.main(request.arguments)
   if result == nil then check.fail({ file = request.file, line = 0 }, "returns nothing; it should end in 'return'") end
-  local finished = (getmetatable(result) or {}).finished  -- of an experiment, a capture
+  local finished = (getmetatable(result) or {}).finished  -- experiments and captures have it
   return finished and finished(result, request.arguments) or result
 end
 
--- "experiment" or "capture" of a file that returns one, else "".
+-- "experiment" or "capture" if the file returns one; otherwise "".
 function run.kind()
   return { kind = (getmetatable(native.main()) or {}).kind or "" }
 end
 
--- All mistakes of all files.
+-- The descriptions of the passes in all files; raises all mistakes of all files together.
 function run.passes(request)
   local problems, passes, by_name = check.problems(), {}, {}
   for _, module in ipairs(request.modules) do
@@ -106,7 +106,7 @@ function run.passes(request)
       local other = by_name[description.name]
       if other then
         local second, first = description.place, other.place
-        if second.file:find("^strobe:") then second, first = first, second end  -- the mistake is the project's
+        if second.file:find("^strobe:") then second, first = first, second end  -- report the project's pass
         problems:add(second, "another pass is called '%s': %s:%d", description.name, first.file, first.line)
       end
       by_name[description.name] = description

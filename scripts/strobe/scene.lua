@@ -1,14 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Constructors of scenes. Each returns its table as plain data, with what it is and where it was written; keys are
--- checked when the scene is built, all mistakes at once. Vertices and texels are made by the program, not here.
+-- Constructors of scenes. Each returns its table as plain data, with its kind and its place in the script. Keys are checked
+-- when the scene is built, and all mistakes are reported at once. The program makes vertices and texels, not this script.
 -- Lengths in metres, angles in degrees, times in seconds, y up; colours are linear { r, g, b } or { r, g, b, a }.
 local scene = {}
 local type_of = type
 
--- Globals of the sandbox; absent where the file is read by a plain interpreter.
+-- A global of the sandbox; absent if a plain interpreter reads the file.
 local caller_place = rawget(_ENV, "caller_place")
 
--- The file and line of whoever called the constructor.
+-- The file and line of the call of the constructor.
 local function place()
   return caller_place and caller_place(1) or nil
 end
@@ -25,7 +25,7 @@ local function constructor(kind, type)
   end
 end
 
--- Shapes, centred on their origin unless said:
+-- Shapes, centred on their origin unless stated otherwise:
 -- quad { size = {w, h}, segments, tile }              faces +z; `tile` metres per repeat of the texture (0: one repeat)
 -- box { size = {x, y, z}, radius, segments, tile }    edges rounded by `radius`
 -- sphere { radius, segments }
@@ -68,8 +68,8 @@ scene.directional_light = constructor("light", "directional")
 scene.camera = constructor("camera", "perspective")
 scene.orthographic_camera = constructor("camera", "orthographic")
 
--- gltf { file, animation = "all" | "none" | "NAME", variant }: a .glb or .gltf file, relative to the scene's file. At a
--- node "fan" its node "blade" is "fan/blade", and so are its clips, cameras and lights.
+-- gltf { file, animation = "all" | "none" | "NAME", variant }: a .glb or .gltf file, relative to the scene's file. Loaded at a
+-- node "fan", its node "blade" is named "fan/blade"; its clips, cameras and lights have the same prefix.
 scene.gltf = constructor "gltf"
 
 -- node { name, position, rotation = {x, y, z} | look_at = {x, y, z}, scale, shape, material | parts, gltf, light, camera,
@@ -95,7 +95,7 @@ function scene.srgb(text, factor)
   return { linear(r), linear(g), linear(b) }
 end
 
--- A number, text or boolean of the scene that `--set scene.NAME=VALUE` may replace; `default` also says its type.
+-- A number, text or boolean of the scene that `--set scene.NAME=VALUE` may replace. Its type is the type of `default`.
 function scene.param(name, default)
   local given = rawget(_ENV, "scene_params") and scene_params[name]
   if given == nil then return default end
@@ -109,7 +109,7 @@ function scene.param(name, default)
 end
 
 -- scene { name, nodes, environment = { sky, ground, background }, animations, cuts = { seconds }, loop = seconds,
---         shot = { width, height, fps, frame, exposure } }   of its pictures, where the command line is silent
+--         shot = { width, height, fps, frame, exposure } }   defaults for the options of the command line
 return setmetatable(scene, { __call = function(_, fields)
   if type(fields) ~= "table" then error("scene takes a table, got a " .. type(fields), 2) end
   local result = {}

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- Points of the unit cube that fill it: the same numbers on every machine.
+-- Sobol points and random numbers in the unit cube, equal on every machine.
 local sequences = {}
 
--- Primitive polynomials (with all their coefficients, as a number) and the first direction numbers of the dimensions
--- behind the first: S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM
+-- Each dimension from the second: its primitive polynomial (the coefficients are the bits of a number), then its initial
+-- direction numbers. S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM
 -- J. Sci. Comput. 30 (2008), the set new-joe-kuo-6.21201.
 local dimensions = {
   { 3, 1 },
@@ -35,7 +35,7 @@ sequences.most_dimensions = #dimensions + 1
 
 local bits = 30
 
--- The direction numbers of a dimension, the first in the highest bit.
+-- Direction numbers of a dimension as fractions of `bits` bits.
 local function directions(dimension)
   local v = {}
   if dimension == 1 then
@@ -54,8 +54,8 @@ local function directions(dimension)
   return v
 end
 
--- The first `count` points of the Sobol sequence in so many dimensions, in the order of the Gray code (Antonov and
--- Saleev 1979); the first is 0. Lists of numbers from 0 to below 1.
+-- The first `count` points of the Sobol sequence in `width` dimensions, in the order of the Gray code (Antonov and Saleev
+-- 1979). The first point is 0. Each point is a list of numbers in [0, 1).
 function sequences.sobol(count, width)
   local points, state, v = {}, {}, {}
   for d = 1, width do v[d], state[d] = directions(d), 0 end
@@ -70,7 +70,7 @@ function sequences.sobol(count, width)
   return points
 end
 
--- A function that gives the next number from 0 to below 1 (SplitMix64: Steele, Lea and Flood 2014).
+-- A function that returns the next random number in [0, 1) (SplitMix64: Steele, Lea and Flood 2014).
 function sequences.random(seed)
   local state = seed
   return function()

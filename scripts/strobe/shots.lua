@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Shots and settings as experiments and captures write them: how they are checked, and what they are as plain data.
+-- Shots and settings of experiments and captures: their checks, and their form as plain data.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local native = require "strobe.native"
@@ -8,21 +8,21 @@ local shots = {}
 
 local shown, copied = fields.shown, fields.copied
 
--- How a linear picture is made visible.
+-- Tone curves of displayed pictures.
 shots.tones = { "clamp", "filmic" }
 
 local Methods = {}
 
 function Methods:place_of(path) return native.key_place(self.place, table.unpack(path)) end
 
--- Settings in the order of their names, with typed values and places.
+-- A table of settings as a list in the order of their names, with typed values and places.
 function Methods:settings(t, path)
   local result, names = {}, type(t) == "table" and check.names(t) or {}
   table.sort(names)
   for i, name in ipairs(names) do
     local kind = type(t[name])
     if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
-      self:add(check.joined(path, name), "'%s' is a %s, no value of a parameter", name, kind)
+      self:add(check.joined(path, name), "'%s' is a %s, which is not a value of a parameter", name, kind)
     end
     result[i] = { name = name, value = t[name], place = self:place_of(check.joined(path, name)) }
   end
@@ -36,7 +36,7 @@ function Methods:numbers(value, count, path, what)
   if not good then self:add(path, "%s takes %d numbers", what, count) end
 end
 
--- NODE = { x, y, z } as the command line would have it, by the nodes' names.
+-- `NODE = { x, y, z }` as arguments of the command line, in the order of the nodes' names.
 function Methods:motions(t, count, path, what)
   local result, names = {}, type(t) == "table" and check.names(t) or {}
   table.sort(names)
@@ -55,13 +55,13 @@ local motions = { move = 3, spin = 4 }
 local lua_types = { number = "number", integer = "number", choice = "string", text = "string", size = "table",
                     view = "table", texts = "table", bool = "boolean" }
 
--- The shortest digits that read back as the number.
+-- A number as text: 15 digits if they read back as the same number, otherwise 17.
 local function digits(value)
   local short = ("%.15g"):format(value)
   return tonumber(short) == value and short or ("%.17g"):format(value)
 end
 
--- A camera path, { { frame, eye x, y, z, target x, y, z }, ... }, as the command line would have it.
+-- A camera path, { { frame, eye x, y, z, target x, y, z }, ... }, as arguments of the command line.
 function Methods:camera_path(keys, path)
   local result = {}
   for i, key in ipairs(type(keys) == "table" and keys or {}) do
@@ -77,7 +77,7 @@ function Methods:camera_path(keys, path)
   return result
 end
 
--- The value of an option of a shot, `declared` by the table of options.
+-- Checks the value of an option of a shot and returns it in plain form. `declared` is the option's declaration.
 function Methods:option(declared, value, path, what)
   local name = declared.name
   local at = check.joined(path, name)
@@ -91,12 +91,12 @@ function Methods:option(declared, value, path, what)
     local range = ("%s to %s"):format(shown(declared.min), shown(declared.max))
     self:add(at, "'%s' of %s is %s, not in %s", name, what, shown(value), range)
   elseif declared.type == "integer" and not math.tointeger(value) then
-    self:add(at, "'%s' of %s is %s, no whole number", name, what, shown(value))
+    self:add(at, "'%s' of %s is %s, which is not a whole number", name, what, shown(value))
   end
   return value
 end
 
--- Which entries of `t` are options of a shot, parameters of its scene, and others.
+-- Sorts the entries of `t` into options of a shot, parameters of its scene, and others.
 function Methods:sorted(t, path, what)
   local result = { options = {}, scene = {}, others = {} }
   local names = check.names(t)
@@ -123,7 +123,7 @@ function Methods:distinct(entries, key, group)
   return seen
 end
 
--- { from, to, step } of a sequence, at most 1000 frames.
+-- Checks { from, to, step } of a sequence: 2 to 1000 frames.
 function Methods:sequence(frames, shot, path)
   if frames == nil then return end
   local good = type(frames) == "table" and #frames == 3
@@ -162,8 +162,8 @@ function Methods:shot(t, path)
   return result
 end
 
--- Gives these methods to a checker of fields (strobe.fields). `shot_fields`: what a shot has besides the options of the
--- command line, which are those of the checker's `options`, by name.
+-- Adds these methods to a checker of fields (strobe.fields). `shot_fields`: fields of a shot besides the options of the command
+-- line. The checker's `options` holds these options by name.
 function shots.extend(Checker, shot_fields)
   for name, method in pairs(Methods) do Checker[name] = method end
   Checker.shot_fields = shot_fields

@@ -1,20 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- What varies in an experiment: axes, each a name with values, and which combinations of their values are points.
--- docs/writing-experiments.md explains each kind. Nothing depends on the order of `pairs`.
+-- Axes of an experiment, each a name with values, and the combinations of their values that are points.
+-- docs/writing-experiments.md describes each kind. Nothing depends on the order of `pairs`.
 local check     = require "strobe.check"
 local native    = require "strobe.native"
 local sequences = require "strobe.sequences"
 
 local vary = {}
 
--- { axes = , combine = }: combine(entries) lists the combinations. entries[axis][i] is its value number i as a list of
--- one { axis, value }; a combination is such a list with an entry per axis.
+-- { axes = , combine = }. combine(entries) returns the combinations. entries[axis][i] is value i of an axis, as a list of one
+-- { axis, value }. A combination is such a list with one entry per axis.
 local Varied = {}
 local function varied(axes, combine) return setmetatable({ axes = axes, combine = combine }, Varied) end
 
 function vary.is_varied(value) return getmetatable(value) == Varied end
 
--- Every choice of one entry of each list, the last list fastest.
+-- Cartesian product of the lists; the last list varies fastest.
 function vary.multiplied(lists)
   local product = { {} }
   for _, entries in ipairs(lists) do
@@ -29,7 +29,7 @@ function vary.multiplied(lists)
   return product
 end
 
--- An axis for each name of a table, sorted; `values_of` gives its values.
+-- One axis for each name of a table, sorted by name; `values_of` returns its values.
 local function axes_of(t, place, usage, values_of)
   local axes = {}
   local names = type(t) == "table" and check.names(t) or {}
@@ -48,7 +48,7 @@ end
 
 local function as_they_are(values) return values end
 
--- The combinations in which axis k has its value number row[k], for each row; equal ones once.
+-- One combination per row: axis k has its value number row[k]. Equal rows count once.
 local function combined(axes, rows)
   return function(entries)
     local all, known = {}, {}
@@ -61,7 +61,7 @@ local function combined(axes, rows)
   end
 end
 
--- The number of `value` in `values`, where it is added unless it is there.
+-- The index of `value` in `values`; appends it if it is absent.
 local function number_in(values, value)
   for i, known in ipairs(values) do
     if known == value and math.type(known) == math.type(value) then return i end
@@ -78,7 +78,7 @@ local function check_count(place, what, count, least)
   end
 end
 
--- `linear(0, 1, 5)`: so many values from one to the other.
+-- `linear(0, 1, 5)`: 5 values from 0 to 1, with equal steps.
 vary.linear = native.at_caller(function(place, from, to, count)
   check_count(place, "linear", count, 2)
   local values = {}
@@ -86,7 +86,7 @@ vary.linear = native.at_caller(function(place, from, to, count)
   return values
 end)
 
--- `log(0.01, 1, 5)`: the same, each by the same factor above the one before.
+-- `log(0.01, 1, 5)`: 5 values from 0.01 to 1, with equal ratios.
 vary.log = native.at_caller(function(place, from, to, count)
   check_count(place, "log", count, 2)
   if not (from > 0 and to > 0) then check.fail(place, "log takes values above 0") end
@@ -98,14 +98,14 @@ end)
 
 -- ---- combinations
 
--- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis with what is said of it.
+-- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis with its fields.
 vary.list = native.at_caller(function(place, t)
   if type(t) ~= "table" then check.fail(place, "list takes a table: list { name = ..., values = { ... } }") end
   local axis = { fields = t, place = place }
   return varied({ axis }, function(entries) return entries[axis] end)
 end)
 
--- `grid { samples = { 4, 8 }, exposure = { 0.25, 0.5 } }`: all combinations; by name, the last varies fastest.
+-- `grid { samples = { 4, 8 }, exposure = { 0.25, 0.5 } }`: all combinations. Axes are sorted by name; the last varies fastest.
 vary.grid = native.at_caller(function(place, t)
   local axes = axes_of(t, place, "grid { NAME = { values }, ... }", as_they_are)
   return varied(axes, function(entries)
@@ -115,7 +115,7 @@ vary.grid = native.at_caller(function(place, t)
   end)
 end)
 
--- `zip { samples = { 4, 8 }, tile = { 20, 40 } }`: the first of each, the second of each, and so on.
+-- `zip { samples = { 4, 8 }, tile = { 20, 40 } }`: the first value of each axis, then the second of each, and so on.
 vary.zip = native.at_caller(function(place, t)
   local axes, rows = axes_of(t, place, "zip { NAME = { values }, ... }", as_they_are), {}
   local count = #axes[1].fields.values
@@ -132,14 +132,15 @@ vary.zip = native.at_caller(function(place, t)
   return varied(axes, combined(axes, rows))
 end)
 
--- `each { list { ... }, grid { ... } }`: one after the other, not multiplied; a point has the axes of one of them.
+-- `each { list { ... }, grid { ... } }`: the combinations of one entry after another, not multiplied. A point has only the axes
+-- of its entry.
 vary.each = native.at_caller(function(place, t)
   local axes = {}
   for i, part in ipairs(type(t) == "table" and t or {}) do
-    if not vary.is_varied(part) then check.fail(place, "entry %d of each is nothing that varies", i) end
+    if not vary.is_varied(part) then check.fail(place, "entry %d of each is not a list, a grid or another axis", i) end
     table.move(part.axes, 1, #part.axes, #axes + 1, axes)
   end
-  if #axes == 0 then check.fail(place, "each takes a list of what varies: each { list { ... }, ... }") end
+  if #axes == 0 then check.fail(place, "each takes a list of axes: each { list { ... }, ... }") end
   return varied(axes, function(entries)
     local all = {}
     for _, part in ipairs(t) do
@@ -150,7 +151,7 @@ vary.each = native.at_caller(function(place, t)
   end)
 end)
 
--- `ablation({ samples = 16, tile = 40 }, { samples = { 4, 8 }, tile = { 20 } })`: the base, then each change alone.
+-- `ablation({ samples = 16, tile = 40 }, { samples = { 4, 8 }, tile = { 20 } })`: the base, then the base with one change each.
 vary.ablation = native.at_caller(function(place, base, changes)
   local usage = "ablation({ NAME = value, ... }, { NAME = { values }, ... })"
   if type(base) ~= "table" then check.fail(place, "ablation takes a base and its changes: %s", usage) end
@@ -178,8 +179,9 @@ end)
 
 -- ---- samples of a space
 
--- The value of a range at `u` from 0 to below 1: whole numbers between two whole numbers, both included; numbers between
--- others; by their logarithm with log = true; one of a list of texts or of more than two numbers.
+-- The value of a range at `u` in [0, 1). Two whole numbers: a whole number between them, both included. Two other numbers: a
+-- number between them. With log = true, values are spread by their logarithm. A list of texts, or of more than two numbers: one
+-- of its entries.
 local function value_at(range, u)
   local from, to = range[1], range[2]
   if type(from) ~= "number" or #range ~= 2 then return range[1 + math.floor(u * #range)] end
@@ -200,7 +202,7 @@ local function check_range(range, place, name)
   return {}
 end
 
--- What varies by points of the unit cube.
+-- Axes with the names of `ranges`, and one combination for each point of the unit cube.
 local function spread(place, ranges, usage, points_of)
   local axes, rows = axes_of(ranges, place, usage, check_range), {}
   for i, point in ipairs(points_of(#axes)) do
@@ -212,7 +214,7 @@ local function spread(place, ranges, usage, points_of)
   return varied(axes, combined(axes, rows))
 end
 
--- `random(20, 1, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })`: so many points by a seed, each alike likely.
+-- `random(20, 1, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })`: 20 random points, uniformly distributed, from the seed 1.
 vary.random = native.at_caller(function(place, count, seed, ranges)
   check_count(place, "random", count, 1)
   if math.type(seed) ~= "integer" then check.fail(place, "the seed of random is a whole number") end
@@ -226,7 +228,7 @@ vary.random = native.at_caller(function(place, count, seed, ranges)
   end)
 end)
 
--- `sobol(20, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })`: so many points that fill the space evenly.
+-- `sobol(20, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })`: 20 points that fill the space evenly.
 vary.sobol = native.at_caller(function(place, count, ranges)
   check_count(place, "sobol", count, 1)
   return spread(place, ranges, "sobol(COUNT, { NAME = { from, to }, ... })", function(width)

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- The field `without` of a pass: what stands in for its writes where a fact of the frame does not hold, or where a read
--- is nothing but zeros. `without = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`. Of `reached`: what
--- stands in at each pixel in which nothing that moves is seen at any time.
+-- The field `without` of a pass: stand-ins for its writes if a fact of the frame does not hold, or if a read is all zeros.
+-- `without = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`. The key `reached` has the stand-ins for
+-- pixels that no moving surface covers at any time.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -23,30 +23,30 @@ local function near(name, names)
   return type(name) == "string" and native.nearest(name, names) or ""
 end
 
--- The name of a fact, of a read, or `reached`.
+-- Checks a key of `without`: the name of a fact or a read, or `reached`.
 local function check_name(problems, name, reads, at, owner)
   local facts = native.facts()
   facts[#facts + 1] = "reached"
   local is_fact, is_read = check.contains(facts, name), type(name) == "string" and port_named(reads, name) ~= nil
   if is_fact and is_read then
-    problems:add(at, "without '%s' of %s: that is a fact and a read; the read wants another name", name, owner)
+    problems:add(at, "without '%s' of %s names both a fact and a read; rename the read", name, owner)
   elseif not is_fact and not is_read then
     local names = names_of(reads, facts)
     problems:add(at, "%s has no read %s, and there is no such fact%s", owner, check.quoted(name), near(name, names))
   end
 end
 
--- `given` is 0, or a read that can stand in for the write.
+-- Checks the stand-in of a write: 0, or a read of the same kind that is always wired.
 local function check_stand_in(problems, write, given, reads, at, what)
   if given == 0 then return end
   local read = type(given) == "string" and port_named(reads, given)
   if given == nil then
-    problems:add(at, "%s does not say what '%s' is: 0, or the read that it equals", what, write.name)
+    problems:add(at, "%s has no stand-in for '%s': 0, or the read that it equals", what, write.name)
   elseif not read then
-    problems:add(at, "%s: '%s' is neither 0 nor a read of it, but %s%s", what, write.name, check.quoted(given),
+    problems:add(at, "%s: '%s' is neither 0 nor a read of the pass, but %s%s", what, write.name, check.quoted(given),
                  near(given, names_of(reads, {})))
   elseif read.optional then
-    problems:add(at, "%s: '%s' is '%s', which is optional and may not be there", what, write.name, given)
+    problems:add(at, "%s: '%s' is '%s', which is optional and may be absent", what, write.name, given)
   elseif write.format and check.is_buffer(write.format) ~= read.buffer then
     problems:add(at, "%s: '%s' and '%s' are not both buffers", what, write.name, given)
   elseif write.format and check.is_uint(write.format) ~= read.uint then
@@ -70,7 +70,7 @@ local function declare_one(problems, name, given, result, place, owner)
   return { name = name, place = at, writes = given }
 end
 
--- A list for the description `result`, whose ports are known; nil where there is none.
+-- The checked `without` of the pass `result` as a list; nil if `given` is nil. The ports of `result` are declared already.
 function without.declare(problems, given, result, place, owner)
   if given == nil then return nil end
   if next(result.updates) ~= nil then

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The first `count` points of the Sobol sequence in `width` dimensions, but for the one in the corner: what `strobe tune`
--- starts from. Dimensions beyond those that the sequence has are not varied: they stay at 0.5, the middle.
+-- Starting points of `strobe tune`: the first `count` points of the Sobol sequence in `width` dimensions, without the point in
+-- the corner. Dimensions beyond the dimensions of the sequence are not varied: they stay at 0.5, the middle.
 local sequences = require "strobe.sequences"
 
 local asked = ...

@@ -44,13 +44,13 @@ TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {
       {"cells = { { row = 2, zoom = 2 } }", "13", "'row' of a cell is 2: a number from 1 to 1, or a label"},
       {"rows = { { arm = 'plai' } }", "13", "the arm is 'plai', none of plain, truth; did you mean 'plain'?"},
       {"shot = 'stil'", "13", "the shot is 'stil', none of still, other; did you mean 'still'?"},
-      {"arrows = { { to = { 1, 2 }, on = 'ball' } }", "13", "an arrow is placed by one of 'to' = { x, y } and 'on'"},
+      {"arrows = { { to = { 1, 2 }, on = 'ball' } }", "13", "an arrow is placed by either 'to' = { x, y } or 'on'"},
       {"arrows = {\n { to = { 1, 2 } },\n { to = { 1 } } }", "15", "'to' of an arrow takes 2 numbers"},
       {"arrows = { to = { 1, 2 } }", "13", "arrows is a list: { { ... }, ... }"},
       {"circles = { { at = { 1, 2 } } }", "13", "has no 'radius'"},
       {"insets = { { crop = { 1, 2, 3, 4 }, boxes = { { area = { 0.5, 0, 1, 1 } } } } }", "13",
        "whole pixels of the capture"},
-      {"texts = { { at = { 1, 2 }, text = 'a', color = 'yelow' } }", "13", "'yelow' is no colour"},
+      {"texts = { { at = { 1, 2 }, text = 'a', color = 'yelow' } }", "13", "'yelow' is not a colour"},
       {"zoom = 1.5", "13", "'zoom' is 1.5; it is a whole number from 1 to 64"},
       {"zoom = 2, shrink = 2", "11", "has a zoom and a shrink"},
       {"gain = 4", "11", "has a gain and no 'against'"},
@@ -63,9 +63,9 @@ TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {
       {"fps = 24", "13", "has no field 'fps'"},
       {"columns = { { title = 'a' } }", "13", "column 1 has no field 'title'"},
       {"rows = { { note = '{flop}' } }", "13", "did you mean 'flip'?"},
-      {"caption = '{displacement inner}'", "13", "has no region: it is that of what moves"},
+      {"caption = '{displacement inner}'", "13", "has no region: it is measured over all moving"},
       {"crop = { 'inner', 4 }", "13", "{ x, y, width, height } or { REGION, width, height }"},
-      {"zoom = 2, cell_width = 64", "11", "has a zoom; the figure's cell_width says how large it is"},
+      {"zoom = 2, cell_width = 64", "11", "has a zoom, but its size is set by the figure's cell_width"},
   };
   for (const Mistake& mistake : mistakes) {
     std::string cell = std::string(mistake.lua).find("shot") == 0 ? "" : "shot = 'still', ";
@@ -83,7 +83,7 @@ TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {
     dataOf("name = '../x', arm = 'plain', zoom = 0, crop = { 1, 2 }");
     ADD_FAILURE();
   } catch (const Error& error) {
-    for (const char* part : {"'../x' is no name of a file", "has no shot", "'zoom' is 0", "the crop takes 4 numbers"})
+    for (const char* part : {"'../x' is not a file name", "has no shot", "'zoom' is 0", "the crop takes 4 numbers"})
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
 }

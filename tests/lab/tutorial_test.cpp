@@ -124,7 +124,7 @@ TEST_F(Following, TheDetectorAppearsRunsAndIsTuned) {
 
   std::optional<Control> threshold = controlOf(session, "edge.threshold");
   ASSERT_TRUE(threshold);
-  EXPECT_EQ(threshold->declaration.doc, "how much farther, as a share of the depth");
+  EXPECT_EQ(threshold->declaration.doc, "depth step of an edge, as a share of the depth");
   std::string narrow = hashOf(session, "edge.edge");
   session.set("edge.radius", "2", "test");
   EXPECT_NE(hashOf(session, "edge.edge"), narrow);

@@ -75,7 +75,7 @@ TEST_F(Project, Runs) {
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   EXPECT_EQ(inside("check smear").exit_code, 0);
   EXPECT_NE(inside("help").out.find("smear"), std::string::npos);
-  EXPECT_NE(inside("help smear.taps").out.find("colours averaged"), std::string::npos);
+  EXPECT_NE(inside("help smear.taps").out.find("averaged colours"), std::string::npos);
   std::string record = contentOf(path("pipelines/out/a.record.json"));
   for (const char* file : {"project:pipelines/smear.lua", "project:passes/smear.lua", "project:shaders/smear.glsl",
                            "strobe:passes/scene/gbuffer.lua", "strobe:shaders/lib/hit.glsl"})

@@ -209,7 +209,7 @@ TEST(Demo, RefusesWhatIsNotMeasured) {
     EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(folder / "out"));
   };
-  refused("measures =", "-- measures =", "demo.lua:5: a capture with 'background' is measured: it has `measures`");
+  refused("measures =", "-- measures =", "demo.lua:5: a capture with 'background' needs `measures`");
   refused("\"flip\", \"ms\"", "\"flop\"", "did you mean 'flip'?");
   refused("truth = \"truth\", ", "", "measures are against truth, and the capture has no 'truth' arm");
   refused("role = \"floor\"", "role = \"flor\"", "demo.lua:9: the role of an arm is 'flor'");

@@ -545,7 +545,7 @@ TEST_F(PresetFile, IsRefusedAtTheLineOfTheMistake) {
   auto refused = [&](const std::string& table) { return failure({{"preset", write(table)}}); };
   std::string named = "preset '" + (home_.folder() / "tried/found.lua").string() + "'";
   EXPECT_EQ(refused("  doc = \"x\",\n  set = {\n    tiel = 8,\n  },\n"),
-            "tried/found.lua:6: " + named + " sets 'tiel', which is no parameter; did you mean 'tile'?");
+            "tried/found.lua:6: " + named + " sets 'tiel', which is not a parameter; did you mean 'tile'?");
   EXPECT_EQ(refused("  doc = \"x\",\n  set = { tile = 1 },\n"),
             "tried/found.lua:5: " + named + ": 'tile' = 1 is below min 2 (range 2 to 64 px)");
   EXPECT_EQ(refused("  doc = \"x\",\n  sets = {},\n  set = {},\n"),

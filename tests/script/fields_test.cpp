@@ -40,8 +40,8 @@ end })");
 TEST(Fields, MisspeltOnesAreErrors) {
   for (const auto& [value, error] : {
            std::pair<std::string, std::string>{"seen.detph", "a layer has no 'detph'; did you mean 'depth'?"},
-           {"images.colr", "what a gather reads has no 'colr'; did you mean 'color'?"},
-           {"around.dominnat", "what tiles.dominant yields has no 'dominnat'; did you mean 'dominant'?"},
+           {"images.colr", "the inputs of a gather has no 'colr'; did you mean 'color'?"},
+           {"around.dominnat", "the result of tiles.dominant has no 'dominnat'; did you mean 'dominant'?"},
            {"shade.params.shding", "'params' of pass 'shade' has no 'shding'; did you mean 'shading'?"},
            {"shade.counters.clampd", "'counters' of pass 'shade' has no 'clampd'"},
            {"shade.parms", "a pass has no 'parms'; did you mean 'params'?"},

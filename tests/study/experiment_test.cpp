@@ -137,7 +137,7 @@ TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
   expectRefusal(with("role = \"truth\""), "the role of an arm is 'truth', none of method, floor");
   expectRefusal(with("", "", "scale = \"lgo\""), "none of log, linear, even; did you mean 'log'?");
   expectRefusal(with("", "", "region = \"iner\""), "did you mean 'inner'?");
-  expectRefusal(with("", "", "benign = 5"), "benign is 5, which is none of the values");
+  expectRefusal(with("", "", "benign = 5"), "benign is 5, which is not one of the values");
   expectRefusal(with("", "", "scale = \"log\", values = { 4.7, 2 }"), "values grow; 2 follows 4.7");
   expectRefusal(with("", "", "scale = \"log\", values = { -1, 4.7 }"), "-1 has no logarithm");
   expectRefusal(with("", "", "shots = { \"bra\" }"), "did you mean 'bar'?");
@@ -231,7 +231,7 @@ TEST(Mistakes, OfAPointThatIsSkippedAreFound) {
 TEST(Mistakes, CurvesWithoutAnAxisToDrawAreNamed) {
   expectRefusal(
       with("", "", "region = \"inner\"", "layout = { curves = {} }"),
-      "x.lua:13: there are no curves to draw: they are of axes with `region`, `scale` and `benign`; axis 'speed' "
+      "x.lua:13: there are no curves to draw: curves need an axis with `region`, `scale` and `benign`; axis 'speed' "
       "has no scale, benign");
   EXPECT_EQ(readText(with("", "", "region = \"inner\", scale = \"log\", benign = 30", "layout = { curves = {} }"))
                 .axes.size(),

@@ -232,7 +232,7 @@ TEST_F(Measuring, BytesDifferencesAndLimits) {
   for (const Expectation& one : results.expectations) outcomes.push_back(one.outcome);
   EXPECT_EQ(outcomes, (std::vector<std::string>{"holds", "fails", "fails", "does not apply"}));
   EXPECT_EQ(results.expectations[1].detail, "as was said");
-  EXPECT_NE(results.expectations[2].detail.find("nothing was measured of 'flip'"), std::string::npos);
+  EXPECT_NE(results.expectations[2].detail.find("no value of 'flip' was measured"), std::string::npos);
 }
 
 TEST_F(Measuring, NamesThatAnExpectationDoesNotHaveAreRefusedBefore) {

@@ -1,22 +1,22 @@
 -- SPDX-License-Identifier: MIT
--- Edge detectors: each file of passes/edge, a pass that writes `edge`. It reads what it names of what raster saw
--- (depth, normal, id, ...) and `where` (to look); anything else it reads is made by a function of `prepared`.
+-- Edge detectors: each file of passes/edge is a pass that writes `edge`. Its reads are images of the raster layer (depth,
+-- normal, id, ...), `where` (the pixels to test), and images made by a function of `prepared`.
 local pass     = require "strobe.pass"
 local gradient = require "passes.canny.gradient"
 local thin     = require "passes.canny.thin"
 
 local edges = { names = pass.family "edge" }
 
--- Images that steps before a detector make, by detector.
+-- Functions that make further inputs of a detector, by detector.
 local prepared = {}
 
--- Thresholds of strong edges are parameters of the node edge_gradient; those of weak ones are a ratio in edge_thin.
+-- The thresholds of strong edges are parameters of the node edge_gradient. Thresholds of weak edges are a ratio in edge_thin.
 function prepared.canny(seen)
   local steepest = gradient { depth = seen.depth, normal = seen.normal, as = "edge_gradient" }.gradient
   return { ridge = thin { gradient = steepest, as = "edge_thin" }.ridge }
 end
 
--- `where` may be nil: everywhere.
+-- Detects edges in the pixels of `where`; nil: in all pixels.
 function edges.detected(name, seen, where)
   local detector = pass.member("edge", name)
   local images = prepared[name] and prepared[name](seen) or {}
@@ -25,7 +25,7 @@ function edges.detected(name, seen, where)
   return detector(pass.wired(detector, images, { as = "edge" })).edge
 end
 
--- What each does and where it fails, for the menu of a pipeline. A file that is not sound (yet) is its own problem,
+-- The effect and the failures of each detector, for the menu of a pipeline. A file with mistakes is left out; it reports them
 -- once it is chosen.
 function edges.texts()
   local texts = {}

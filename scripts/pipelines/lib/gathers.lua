@@ -6,12 +6,12 @@ local ranges   = require "scripts.pipelines.lib.ranges"
 
 local gathers = {}
 
-local images_of_gather = pipeline.record("what a gather reads", {
+local images_of_gather = pipeline.record("the inputs of a gather", {
   "valid", "after_velocity", "second", "after_dominant", "behind_depth", "behind_valid",
   "slowest", "variance",
 })
 
--- The choice among the files of passes/gather, or those named.
+-- A choice among the files of passes/gather, or among `names`.
 function gathers.choice(default, doc, names)
   local declared = names or pass.family("gather")
   declared.default, declared.doc, declared.values = default, doc, {}
@@ -22,16 +22,16 @@ function gathers.choice(default, doc, names)
   return declared
 end
 
--- `weights` names a file of passes/gather. `images` are by the names of its reads, as gathers.images lists them.
--- `color_format` is for layers: a picture that comes out is always fp32.
+-- Blurs a layer with `weights`, the name of a file of passes/gather. `images`: its inputs by name, from gathers.images.
+-- `color_format`: format of a blurred layer; nil: fp32, for a final picture.
 function gathers.blurred(weights, images, name, color_format)
   local gather = pass.member("gather", weights)
   ranges.require_parts(images, gather, "weights = " .. weights)
   return gather(pass.wired(gather, images, { as = name, color_format = color_format or "fp32" })).blurred
 end
 
--- A layer (color, depth, velocity, perhaps valid), what tiles.dominant yields for it and, if something was revealed
--- behind it, that layer.
+-- Inputs of a gather, from a layer (color, depth, velocity, optionally valid), the result of tiles.dominant for it, and the
+-- layer revealed behind it, if any.
 function gathers.images(layer, around, behind)
   return images_of_gather {
     color = layer.color, depth = layer.depth, velocity = layer.velocity, valid = layer.valid,

@@ -24,7 +24,7 @@ local function bounds_of(layer, name)
   }.bounds
 end
 
--- Pixels that a silhouette uncovers, by its motion relative to its background.
+-- Mask of the pixels that a silhouette disoccludes by its motion relative to its background.
 function layers.disocclusion_mask(raster)
   local motions, farthest = tiles.motions(raster)
   local reach = longest_motion { longest = motions, as = "mask_longest_motion" }.reach
@@ -43,19 +43,19 @@ function layers.disocclusion_mask(raster)
   }.mask
 end
 
--- The ports of `reveal`. `mask_reached`: the mask is 0 wherever no motion comes.
+-- Traces behind the mask; returns the ports of `reveal`. `mask_reached`: true if the mask is 0 in pixels without any motion.
 function layers.revealed(raster, mask, mask_reached)
   return reveal { hit = raster.hit, mask = mask, mask_reached = mask_reached }
 end
 
--- The layer that the ports of `reveal` describe.
+-- The revealed layer, from the ports of `reveal`.
 function layers.of(found)
   return scene.layer {
     color = found.color, depth = found.depth, id = found.id, velocity = found.velocity, valid = found.valid, hit = found.found,
   }
 end
 
--- Cells through which anything moves; the composite copies the others.
+-- Cells with motion; the composite copies the pixels of the other cells.
 local function moving_cells(raster, revealed, images, slowest)
   -- The mask's bounds hold for straight paths with one segment.
   local is_simple = raster.bounds and not (raster.curve or raster.after_velocity)
@@ -79,7 +79,7 @@ local function put(images, prefix, layer)
   for name, image in pairs(layer) do images[prefix .. name] = image end
 end
 
--- Curves of both layers, where paths are not straight lines.
+-- Adds curves to both layers if paths are not straight lines.
 function layers.bend(p, raster, revealed)
   local behind = { "revealed", revealed }
   curves.add(p, curves.are_foretold(p) and { behind } or { { "raster", raster }, behind })
@@ -108,9 +108,8 @@ function layers.outputs(p, both, color)
   })
 end
 
--- Images for a composite: `x` of the raster layer, `revealed_x` of the revealed layer, displacements per tile.
--- `slowest`: displacement, px, up to which a pixel counts as static; nil: 0.5. `apart`: each layer has its own displacements
--- per tile.
+-- Inputs of a composite: `x` of the raster layer, `revealed_x` of the revealed layer, displacements per tile.
+-- `slowest`: largest displacement of a static pixel, px; nil: 0.5. `apart`: each layer has its own displacements per tile.
 function layers.images(p, raster, revealed, composite, slowest, apart)
   ranges.require_parts(raster, composite, "the composite")
   local images = {}

@@ -13,7 +13,7 @@ function options.with(base, more)
   return base
 end
 
--- Of what takes samples of pictures; equal everywhere, so that methods are compared alike.
+-- Parameters of pipelines that sample pictures. They have the same defaults everywhere, so that comparisons are fair.
 function options.of_picture(more)
   return options.with({
     samples      = blur.samples,
@@ -27,7 +27,7 @@ function options.of_picture(more)
   }, more)
 end
 
--- Of what looks around by tiles. `tile` is a default.
+-- Parameters of pipelines that search by tiles. `tile` is the default size of a tile, px.
 function options.by_tiles(tile, more)
   return options.with(options.of_picture {
     tile      = blur.tile { tile },

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What every pipeline starts from: what the pixels see at the capture, and its colour.
+-- The start of every pipeline: the visible surfaces at the raster time, and their colour.
 local visibility = require "passes.scene.visibility"
 local pipeline   = require "strobe.pipeline"
 local gbuffer    = require "passes.scene.gbuffer"
@@ -14,16 +14,16 @@ scene.layer = pipeline.record("a layer", {
   "after_velocity", "whole_velocity", "after",
 })
 
--- The colour of what the pixels see, shaded at the capture, where both ways of shading are the same; which shadow rays that
--- took none. `prefix` stands before the names of its nodes, nothing by default.
+-- The colour of the visible surfaces, shaded at the raster time (both values of `shading` agree there), and `sure`: lights with
+-- known visibility per tile, which need no shadow rays. `prefix`: start of the names of its nodes; nil: none.
 function scene.shaded(hit, prefix)
   prefix = prefix or ""
   local sure = shadow_shafts { hit = hit, as = prefix .. "shadow_shafts" }.sure
   return shade { hit = hit, sure = sure, shading = "frozen", as = prefix .. "shade" }.color, sure
 end
 
--- depth, normal, id, velocity, color, sure and hit of what raster sees, or what another pass finds visible. Without the
--- parameters of a blur (options.blur) the displacement is that of the window, and all is kept as it was computed.
+-- The raster layer: depth, normal, id, velocity, color, sure and hit of the visible surfaces. `visible` replaces the raster
+-- pass. Without the parameters of a blur (options.blur), displacement = window and images are not quantised.
 function scene.captured(visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }
@@ -33,8 +33,7 @@ function scene.captured(visible)
   }
 end
 
--- The outputs every pipeline has, and those given. Depth and velocity are what filters read, after whatever formats did
--- to them.
+-- The outputs that every pipeline has, and `more`. Depth and velocity are the quantised images that filters read.
 function scene.outputs(seen, more)
   local outputs = { depth = seen.depth, normal = seen.normal, velocity = seen.velocity, id = seen.id }
   for name, value in pairs(more) do outputs[name] = value end

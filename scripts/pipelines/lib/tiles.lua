@@ -12,7 +12,7 @@ local ranges        = require "scripts.pipelines.lib.ranges"
 
 local tiles = {}
 
-local around_tiles = pipeline.record("what tiles.dominant yields",
+local around_tiles = pipeline.record("the result of tiles.dominant",
                                      { "second", "dominant_curve", "dominant_place", "after_dominant", "after_second" })
 
 local function in_one_part(p, layer, given)
@@ -36,10 +36,10 @@ local function in_one_part(p, layer, given)
   }
 end
 
--- `layer` has velocity and may have valid. Options: `extra`, a second layer united with it; `second` = true, to look
--- for a second displacement too; `prefix`, to tell the nodes of several uses apart.
--- Yields dominant, second, longest, dominant_curve and dominant_place where paths are curved, and for a layer that moves
--- otherwise after the capture (ranges.divided) after_dominant and after_second.
+-- Displacements that dominate each tile of `layer` (velocity, optionally valid). Options: `extra`, a second layer to include;
+-- `second` = true, to find a second displacement too; `prefix`, start of the names of its nodes.
+-- Returns dominant, second, longest and reach; for curved paths dominant_curve and dominant_place; for a layer with two
+-- segments (ranges.divided) after_dominant and after_second.
 function tiles.dominant(p, layer, given)
   given = given or {}
   local result = in_one_part(p, layer, given)
@@ -53,18 +53,18 @@ function tiles.dominant(p, layer, given)
   return result
 end
 
--- Per tile, the length of the shortest displacement around; `around` is from tiles.dominant.
+-- Length of the shortest displacement around each tile, px; `around` is a result of tiles.dominant.
 function tiles.slowest(layer, around)
   local shortest = tile_min { velocity = layer.velocity, valid = layer.valid }.shortest
   return neighbour_min { shortest = shortest, reach = around.reach }.slowest
 end
 
--- Per tile, how much the directions around differ; `around` is from tiles.dominant.
+-- Variance of the directions around each tile; `around` is a result of tiles.dominant.
 function tiles.variance(around)
   return variance { longest = around.longest, dominant = around.dominant }.variance
 end
 
--- Two displacements that stand for all in each tile of a layer, and the depth of the farthest that moves; made once.
+-- Two candidate displacements of each tile of a layer, and the depth of its farthest moving surface; made once per layer.
 function tiles.motions(seen)
   seen.motions = seen.motions or tile_motions { velocity = seen.velocity, depth = seen.depth }
   return seen.motions.motions, seen.motions.farthest

@@ -12,7 +12,7 @@ local doubtful          = require "passes.tile.doubtful"
 
 local time_samples = {}
 
--- Over the whole exposure, also where the layer's motion has two segments.
+-- Velocity over the whole exposure, also for a layer whose motion has two segments.
 local function whole_velocity(layer) return layer.whole_velocity or layer.velocity end
 
 local function bend_of(layer, name)
@@ -22,7 +22,7 @@ local function bend_of(layer, name)
   }
 end
 
--- Surfaces that are visible at an end of the exposure and in no layer.
+-- Surfaces that are visible at shutter open or shutter close (`which`), but in no layer.
 local function unseen_of(which, unseen, hit, raster, revealed)
   return unseen {
     time = which, hit = hit, depth = raster.depth, id = raster.id,
@@ -30,7 +30,8 @@ local function unseen_of(which, unseen, hit, raster, revealed)
   }
 end
 
--- One step of a loop at the middle of the exposure: path deviations of both layers, and surfaces that only the ends show.
+-- One step of a loop at the middle of the exposure: path deviations of both layers, and surfaces visible only at shutter open
+-- or shutter close.
 local function at_the_middle(raster, revealed)
   local open = visibility_moving { time = "open", as = "open_visibility" }.hit
   local close = visibility_moving { time = "close", as = "close_visibility" }.hit
@@ -47,7 +48,7 @@ local function at_the_middle(raster, revealed)
   end }
 end
 
--- Cells and time strata in which layers are unreliable: paths deviate, or a surface is visible only at an end of the exposure.
+-- Unreliable cells and time strata of the layers: paths deviate, or a surface is visible only at shutter open or close.
 function time_samples.unreliable(p, raster, revealed)
   local found = at_the_middle(raster, revealed)
   local function bounds_of_layer(name, layer)
@@ -71,15 +72,15 @@ function time_samples.unreliable(p, raster, revealed)
   }.doubtful
 end
 
--- Pixels beside a silhouette in motion: displacements differ by more than `slowest` px, so a sample may fall to either side.
+-- Pixels beside a moving silhouette: displacements differ by more than `slowest` px, so a sample may fall to either side.
 function time_samples.silhouettes(raster, slowest)
   return moving_silhouettes {
     velocity = raster.velocity, after_velocity = raster.after_velocity, slowest = slowest,
   }.near
 end
 
--- The picture: rays for the samples that the composite `made` left unresolved. `audit`: share of the blocks that are checked;
--- nil: a hundredth.
+-- The picture, with rays for the samples that the composite `made` left unresolved. `audit`: share of the blocks of pixels that
+-- trace validation rays; nil: 0.01.
 function time_samples.traced(p, raster, revealed, made, audit)
   return pipeline.loop {
     name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),

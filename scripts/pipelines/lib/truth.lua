@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Truth by rays at many times. `p` are parameters of a pipeline, or plain values under their names: mode, samples, times,
--- slices, pixel, shading, mark_regions, tolerance, first_samples, even_within, audit.
+-- Ground truth by rays at many times. `p` has parameters of a pipeline, or plain values, under these names: mode, samples,
+-- times, slices, pixel, shading, mark_regions, tolerance, first_samples, even_within, audit.
 local pipeline      = require "strobe.pipeline"
 local agreement     = require "passes.truth.agreement"
 local joined_halves = require "passes.truth.joined_halves"
@@ -11,15 +11,15 @@ local lists         = require "scripts.pipelines.lib.lists"
 
 local truth = {}
 
--- The value of a parameter, or the plain value that stands for one.
+-- The value of a setting, which is a parameter of the pipeline or a plain value.
 local function valued(setting)
   local kind = type(setting)
   if kind == "number" or kind == "string" or kind == "boolean" then return setting end
   return setting()
 end
 
--- A time sample by rays. `t.before`: what samples before this one have come to. Where they agree, nothing is traced
--- again, unless `t.every_ray`.
+-- One time sample by rays. `t.before`: results of the samples before this one. Rays about which these agree (`t.agreed`) are
+-- skipped, unless `t.every_ray`.
 function truth.traced_sample(p, seen, t)
   local before, agreed = t.before or {}, t.agreed or {}
   local frozen = valued(p.shading) == "frozen"
@@ -47,7 +47,7 @@ function truth.joined(first, more, name)
   }
 end
 
--- `t.count` samples of `t.parts`; joined with those before them where these are given.
+-- `t.count` of `t.parts` time samples. The stop test includes the samples `t.before`, if there are any.
 function truth.shutter(p, seen, t)
   local stops = valued(p.tolerance) > 0 and not t.notes
   return pipeline.loop {
@@ -71,7 +71,7 @@ function truth.agreement_of(p, t)
   }
 end
 
--- A few samples all over the exposure; then the others, for which rays are traced where these do not agree.
+-- A few samples all over the exposure; then the others, which trace rays only where the first do not agree.
 function truth.everywhere(p, seen)
   local every_ray, count = valued(p.mode) == "brute", valued(p.samples)
   local stops = valued(p.tolerance) > 0
@@ -86,7 +86,7 @@ function truth.everywhere(p, seen)
     surveys = not every_ray and valued(p.shading) == "frozen" and count >= 4 * few, as = "truth_first",
   })
   local agreed = not every_ray and truth.agreement_of(p, before) or nil
-  local has_list = agreed and valued(p.pixel) == "box"  -- through centres what nothing reaches is left out already
+  local has_list = agreed and valued(p.pixel) == "box"  -- through centres, pixels without motion are left out already
   local more = truth.shutter(p, seen, {
     name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
     agreed = agreed, listed = has_list and lists.of(agreed.more, "truth") or nil,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Furniture of several nodes, each built from a table of place, sizes and materials.
+-- Pieces of furniture, each built from a table of place, sizes and materials as a list of nodes.
 local scene  = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
@@ -138,7 +138,7 @@ end
 local spines = { "#7c2d2a", "#27405e", "#2f5d50", "#c9a25a", "#5a4636", "#8a8f94", "#b5573a", "#e0d5bd", "#41304f",
   "#6f7f4a" }
 
--- Open shelves against a wall at -z, filled with books of drawn sizes and a few objects.
+-- Open shelves against a wall at -z, filled with books of random sizes and a few objects.
 function furniture.bookshelf(given)
   local at, width, height, depth, boards = given.position, 1.0, 1.9, 0.3, 5
   local parts = {}
@@ -202,7 +202,7 @@ function furniture.bookshelf(given)
   return nodes
 end
 
--- A pot with bending leaves; `size` is the height of the tallest.
+-- A pot with curved leaves; `size` is the height of the tallest leaf.
 function furniture.plant(given)
   local size, random = given.size, studio.generator(given.seed)
   local pot = size * 0.16

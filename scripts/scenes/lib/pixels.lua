@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- What the oracle scenes share: an orthographic camera under which one unit is one pixel of a `width` x `height`
--- picture, and rectangles placed in pixels (x right, y down, from the top left corner). Everything is unlit.
+-- Shared parts of the oracle scenes: an orthographic camera with one unit per pixel of a `width` x `height`
+-- picture, and rectangles placed in pixels (x right, y down, from the top left corner). All materials are unlit.
 local scene = require "strobe.scene"
 
 local pixels = {}
 
--- The parameters every oracle has: picture size, frames per second and exposure for which displacements are meant.
+-- Parameters of every oracle: size of the picture; frames per second and exposure. Displacements refer to that exposure.
 function pixels.picture(width, height)
   return {
     width = scene.param("width", width), height = scene.param("height", height),
@@ -13,7 +13,7 @@ function pixels.picture(width, height)
   }
 end
 
--- The motion that displaces by `dx`, `dy` pixels over the exposure; at rest, as placed, at the time of frame 0.
+-- The motion with a displacement of `dx`, `dy` pixels over the exposure. At frame 0 the node is at its own position.
 function pixels.motion(picture, dx, dy)
   local per_second = picture.fps / picture.exposure
   return { velocity = { dx * per_second, -(dy or 0) * per_second, 0 } }

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- What the scenes of extremes share: a camera at `origin` that looks along -z, and unlit panels of coloured cells whose
--- corners lie on the rays of given pixels. So a panel looks the same however deep, tilted or large the scene is, and
--- what a picture should show can be told from its pixels alone.
+-- Shared parts of the scenes of extremes: a camera at `offset` that looks along -z, and unlit panels of coloured cells with
+-- corners on the rays of given pixels. So a panel looks the same at any depth, tilt or scale, and the correct picture follows
+-- from the given pixels alone.
 local scene = require "strobe.scene"
 
 local stage = {}
 
--- The parameters of every such scene: size of the picture, frames per second and exposure for which displacements are
--- meant, `scale` of all lengths, `offset` of everything along each axis of the world, metres.
+-- Parameters of every such scene: size of the picture; frames per second and exposure (displacements refer to that exposure);
+-- `scale` of all lengths; `offset` of the whole scene along each axis of the world, metres.
 function stage.open()
   local self = {
     width = scene.param("width", 320), height = scene.param("height", 180),
@@ -18,24 +18,24 @@ function stage.open()
   return setmetatable(self, { __index = stage })
 end
 
--- What the ray through pixel position (x, y) meets at `depth` (metres before scaling), from the camera.
+-- The point of the ray through pixel position (x, y) at `depth` (metres before scaling), in the camera's space.
 function stage:point(x, y, depth)
   local along = depth * self.scale
   return { (x - self.width / 2) / self.focal_px * along, (self.height / 2 - y) / self.focal_px * along, -along }
 end
 
--- `point` of the camera's space in the world.
+-- The world position of `point` in the camera's space.
 function stage:placed(point)
   return { point[1] + self.offset, point[2] + self.offset, point[3] + self.offset }
 end
 
--- The velocity that displaces what is at `depth` by (dx, dy) pixels over the exposure.
+-- The velocity of an object at `depth` with a displacement of (dx, dy) pixels over the exposure.
 function stage:velocity(dx, dy, depth)
   local metres = depth * self.scale / self.focal_px * self.fps / self.exposure
   return { dx * metres, -dy * metres, 0 }
 end
 
--- Numbers 1 to `most` by cell, in no order that a filter could repeat.
+-- A pseudorandom number from 1 to `most` for each cell, so that the pattern does not repeat.
 local function drawn(column, row, seed, most)
   local state = (column * 374761393 + row * 668265263 + seed * 362437) % 4294967296
   state = (state ~ (state >> 13)) * 1274126177 % 4294967296
@@ -51,7 +51,7 @@ end
 -- panel { name, edges = { left, top, right, bottom } in pixels, cell = pixels, colors = { ... }, seed,
 --         slant = pixels to the right per pixel down, depth = number or function(x) -> number,
 --         at = node's place in the camera's space, motion }
--- A slanted edge passes pixel centres at all fractions of a pixel.
+-- Builds a panel. A slanted edge passes pixel centres at all fractions of a pixel.
 function stage:panel(given)
   local left, top, right, bottom = table.unpack(given.edges)
   local at, meshes = given.at or { 0, 0, 0 }, {}
@@ -84,7 +84,7 @@ end
 stage.warm = { { 0.9, 0.35, 0.1 }, { 0.95, 0.75, 0.2 }, { 0.6, 0.08, 0.12 } }
 stage.cold = { { 0.05, 0.12, 0.35 }, { 0.25, 0.55, 0.7 }, { 0.02, 0.05, 0.08 }, { 0.45, 0.7, 0.55 } }
 
--- The scene of these nodes; `near` as a depth before scaling.
+-- The scene of these nodes; `near` is a depth before scaling.
 function stage:scene(name, nodes, near)
   nodes[#nodes + 1] = scene.node {
     name = "camera", position = self:placed { 0, 0, 0 },

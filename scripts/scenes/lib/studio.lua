@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- What the scenes of objects share: a perspective camera that tells how many metres a pixel is where an object moves, a
--- wall of blocks of many colours that stand out from it, a checkered floor, and a sun with a sky.
+-- Shared parts of the scenes of objects: a perspective camera that converts pixels to metres at a point, a wall with protruding
+-- blocks of many colours, a checkered floor, and a sun with a sky.
 local scene = require "strobe.scene"
 
 local node, material, srgb = scene.node, scene.material, scene.srgb
 local studio = {}
 
--- A camera at `eye` that looks at `aim`, degrees of its vertical angle; with the parameters that each of these scenes
--- has: size of the picture, frames per second and exposure for which displacements are meant.
+-- A camera at `eye` that looks at `aim`, with the vertical angle `fov` in degrees. Parameters of each of these scenes: size of
+-- the picture; frames per second and exposure (displacements refer to that exposure).
 function studio.open(eye, aim, fov)
   local self = {
     width = scene.param("width", 480), height = scene.param("height", 270),
@@ -18,7 +18,7 @@ function studio.open(eye, aim, fov)
   return setmetatable(self, { __index = studio })
 end
 
--- Metres from the eye to `point` along the view.
+-- Distance from the eye to `point` along the view direction, metres.
 function studio:depth(point)
   local length, along = 0, 0
   for i = 1, 3 do
@@ -28,18 +28,18 @@ function studio:depth(point)
   return along / math.sqrt(length)
 end
 
--- Metres that span one pixel at `point`, across the view.
+-- Width of one pixel at `point`, across the view direction, metres.
 function studio:metres_per_pixel(point) return self:depth(point) / self.focal_px end
 
--- The rate, per second, of what changes by `amount` over the exposure.
+-- The rate per second of a change by `amount` over the exposure.
 function studio:rate(amount) return amount * self.fps / self.exposure end
 
--- The velocity that takes `offset` (metres) over the exposure.
+-- The velocity of a motion by `offset` (metres) over the exposure.
 function studio:velocity(offset)
   return { self:rate(offset[1]), self:rate(offset[2] or 0), self:rate(offset[3] or 0) }
 end
 
--- Numbers in 0..1 that depend on the seed alone.
+-- A generator of random numbers in [0, 1) that depend only on the seed.
 function studio.generator(seed)
   local state = seed * 7919 + 17
   return function()
@@ -55,8 +55,8 @@ function studio.plain(name, color, roughness)
   return material { name = name, color = srgb(color), roughness = roughness or 0.7 }
 end
 
--- wall { name, position (centre of its face), size = { width, height }, cell (metres), depth (metres by which blocks
--- stand out at most), seed, every (1 in so many cells has a block) }: a quilted wall that faces +z, and its blocks.
+-- wall { name, position (centre of its face), size = { width, height }, cell (metres), depth (largest height of a block over
+-- the wall, metres), seed, every (one in `every` cells has a block) }: a quilted wall that faces +z, and its blocks.
 function studio.wall(given)
   local random, cell = studio.generator(given.seed or 1), given.cell
   local columns, rows = given.size[1] // cell, given.size[2] // cell
@@ -96,8 +96,8 @@ function studio.floor(given)
   }
 end
 
--- The scene of these nodes and lists of nodes, with the camera "main" (moved by `camera_motion`), a sun, and
--- perhaps animations.
+-- The scene of these nodes and lists of nodes, with the camera "main" (moved by `camera_motion`), a sun, and optional
+-- animations.
 function studio:scene(name, given, camera_motion, animations)
   local nodes = {}
   for _, entry in ipairs(given) do

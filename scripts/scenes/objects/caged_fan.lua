@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Blades on a hub, one object, turn by `degrees` over the exposure inside of a thin cage at rest, before a wall: what moves
--- is seen between wires that do not, before and behind it. `pixels`: how far the tip of a blade goes, along its arc.
+-- Blades on a hub, one object, turn by `degrees` over the exposure inside a thin static cage, in front of a wall. The wires of
+-- the cage are in front of and behind the blades. `pixels`: arc length of the path of a blade's tip, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

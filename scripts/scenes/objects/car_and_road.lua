@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A car drives to the right on a road with posts, by `pixels` over the exposure where it is, its wheels rolling. The
--- camera goes with it for the share `follow` of its way: at 0 the car passes before a road at rest, at 1 the road passes
--- behind a car at rest.
+-- A car with rolling wheels drives to the right on a road with posts, by `pixels` px over the exposure for a static camera. The
+-- camera moves by the share `follow` of the car's path: at 0 the road is static in the picture, at 1 the car is.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A racing car seen from behind by a camera that goes with it, `metres` over the exposure: the car stands in the picture,
--- the road with its marks comes towards the camera under it.
+-- A racing car, seen from behind by a camera that moves with it, by `metres` over the exposure. The car is static in the
+-- picture; the road with its marks moves towards the camera.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The camera drives `metres` ahead over the exposure through an avenue of posts and over the marks of a road: what is near
--- passes the camera, and is behind it after that.
+-- The camera moves ahead by `metres` over the exposure, through an avenue of posts and over the marks of a road. Near objects
+-- pass the camera and end up behind it.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

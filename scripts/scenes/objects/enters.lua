@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A crate moves out of the picture at the right within the exposure that ends at the capture: at the capture none of it
--- is seen. A ball comes in from the left: none of it was seen at the beginning. `pixels`: how far the crate goes; the
--- ball goes a tenth farther.
+-- A crate leaves the picture at the right within the exposure that ends at the raster time: it is invisible at the raster time.
+-- A ball enters from the left: it is invisible at shutter open. `pixels`: displacement of the crate, px; the ball moves a tenth
+-- farther.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
@@ -13,7 +13,7 @@ local side, radius = 0.5, 0.36
 local crate_z, ball_z = 0.2, -0.25
 local function edge(z, pixel) return (pixel - view.width / 2) * view:metres_per_pixel { 0, 0.6, z } end
 
--- All of the crate, its far face too, is 12 px or more past the border at the capture.
+-- At the raster time the whole crate, with its far face, is at least 12 px past the border.
 local crate_x = edge(crate_z - side / 2, view.width + 12) + side / 2
 local crate_path = pixels * view:metres_per_pixel { 0, 0.6, crate_z }
 local ball_path = 1.1 * pixels * view:metres_per_pixel { 0, 0.6, ball_z }

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A pane of tinted glass in a frame slides to the right before a wall, by `pixels` over the exposure: a share `alpha` of
--- what is seen through it is its own colour.
+-- A pane of tinted glass in a frame slides to the right in front of a wall, by `pixels` px over the exposure. `alpha`: opacity
+-- of the glass.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A glazed vase with two handles turns about its axis by `degrees` over the exposure under a lamp: its body looks the same
--- all the while, and the lamp's reflection stands on it. `pixels`: how far a handle goes, along its arc.
+-- A glazed vase with two handles turns about its axis by `degrees` over the exposure, under a lamp. Its body looks the same at
+-- all times, and the reflection of the lamp on it is static. `pixels`: arc length of the path of a handle, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

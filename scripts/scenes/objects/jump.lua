@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A ball drifts, and half a second in it stands elsewhere, where it drifts on by `pixels` over the exposure. `cut`: whether
--- the scene says that it jumped. The first frame of it there is number 12 at 24 per second.
+-- A ball drifts by `pixels` px over the exposure, and jumps to another place after half a second. `cut`: declare the jump as a
+-- cut of the scene. At 24 frames per second, frame 12 is the first one after the jump.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

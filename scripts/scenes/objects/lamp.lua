@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A lamp goes by things at rest, `metres` to the right over the exposure: their shadows and highlights move, and nothing
--- that is seen does.
+-- A lamp moves past static objects, `metres` to the right over the exposure. Shadows and highlights move; no visible surface
+-- does.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Leaves before leaves before leaves, each an object that drifts and turns in its own way: those in front to the right,
--- those in the middle to the left, those behind down. `pixels`: how far a leaf goes, give or take a third.
+-- Three layers of leaves. Each leaf is an object that drifts and turns in its own way: front leaves to the right, middle leaves
+-- to the left, rear leaves downwards. `pixels`: displacement of a leaf, px, plus or minus up to a third.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

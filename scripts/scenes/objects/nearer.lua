@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A box comes nearer by half of its distance over the exposure, before a wall and over a floor: faster and faster in the
--- picture, and twice as large. Its depth at another time is not that of the capture.
+-- A box approaches the camera, in front of a wall and over a floor. Over the exposure its distance halves: it moves faster and
+-- faster in the picture and becomes twice as large. Its depth differs from the depth at the raster time.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A ball flies to the right over a pale floor in low sun, by `pixels` over the exposure; its shadow goes with it. A mast
--- at rest throws one that stands.
+-- A ball flies to the right over a pale floor in low sun, by `pixels` px over the exposure; its shadow moves with it. A static
+-- mast casts a static shadow.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

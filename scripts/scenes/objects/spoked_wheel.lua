@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A wheel with tyre, rim, hub and spokes, one object, rolls to the right on the ground before a wall: by `degrees` over
--- the exposure, without slipping, while its axle goes by `pixels` and its top by nearly twice that.
+-- A wheel with tyre, rim, hub and spokes, one object, rolls to the right on the ground in front of a wall. It turns by
+-- `degrees` over the exposure, without slipping. Its axle moves by `pixels` px, its top by nearly twice as much.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A telescope of three parts (dew cap, barrel, eyepiece: nodes of one parent) on a tripod. At the capture it points at
--- the camera but for `off` degrees; over the exposure it has turned by `degrees` to get there. So its barrel, which the
--- dew cap hides at the capture, was seen from the side before. `pixels`: how far the front of the cap goes.
+-- A telescope of three parts (dew cap, barrel, eyepiece: nodes of one parent) on a tripod. It turns by `degrees` over the
+-- exposure; at the raster time it points at the camera to within `off` degrees. The dew cap hides the barrel then, but not at
+-- earlier times. `pixels`: displacement of the front of the cap, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

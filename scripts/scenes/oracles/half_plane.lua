@@ -10,7 +10,7 @@ local d_f = scene.param("d_f", 20)
 local foreground = scene.param("foreground", 1)
 local background = scene.param("background", 0)
 
-local beyond = 2 * math.abs(d_f) + picture.width -- so that only one edge is ever seen
+local beyond = 2 * math.abs(d_f) + picture.width -- keeps the other edges outside of the picture
 return pixels.scene(picture, "half_plane", {
   pixels.rectangle(picture, "background", { -beyond, -8, picture.width + beyond, picture.height + 8 }, -10,
     pixels.flat("background", background)),

@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A grey surface [left, right) that moves `d_f` pixels over the exposure, over a background at rest that is white up to
--- the column `border` and black beyond: behind the surface all is white (docs/derivations.md, "A background that is
--- invented").
+-- A grey surface [left, right) moves `d_f` pixels over the exposure, over a static background that is white up to the column
+-- `border` and black beyond. The background behind the surface is white (docs/derivations.md, "A background that is invented").
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -11,7 +10,7 @@ local d_f = scene.param("d_f", 40)
 local foreground = scene.param("foreground", 0.5)
 local border = scene.param("border", 296)
 
--- One instance, so that its border is no silhouette.
+-- One instance, so that the border between white and black is not a silhouette.
 local margin = 2 * math.abs(d_f)
 local columns = picture.width + 2 * margin
 local texels = {}

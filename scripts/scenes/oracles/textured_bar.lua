@@ -15,7 +15,7 @@ local period_b = scene.param("period_b", 8)
 local f_light, f_dark = scene.param("f_light", 0.9), scene.param("f_dark", 0.6)
 local b_light, b_dark = scene.param("b_light", 0.4), scene.param("b_dark", 0.1)
 
--- Wide enough for the largest displacement, and whole pairs of stripes so that column 0 begins one.
+-- Wide enough for the largest displacement, and whole pairs of stripes, so that a pair begins at column 0.
 local pair = 2 * period_b
 local margin = math.ceil((2 * math.abs(d_b) + 16) / pair) * pair
 local columns = picture.width + 2 * margin

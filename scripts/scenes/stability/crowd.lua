@@ -1,34 +1,34 @@
 -- SPDX-License-Identifier: MIT
--- Cards and solids drawn by `seed` before a wall, for properties that hold of any picture (strobe stability). Every
--- other parameter changes one thing and nothing else: what it does to the picture is known.
+-- Random cards and solids in front of a wall, for properties that hold for any picture (strobe stability). `seed` chooses them.
+-- Every other parameter changes one thing with a known effect on the picture.
 -- Positions are in pixels from the middle of the picture (x right, y down), displacements in pixels over an exposure of
--- half a frame at 24 frames per second. One pixel is 1/8 m under the orthographic camera and depth / 64 under the other.
--- Silhouettes lie an odd number of 1/8 px off pixel edges, so that none meets a pixel's centre, however mirrored.
--- Displacements are p / 16 px with p a prime of 37 or more, so that no tap of up to 33 falls between two pixels and no
--- two cards are equally fast; `ties` = 1 draws whole pixels instead, of which many fall exactly between two.
+-- half a frame at 24 frames per second. One pixel is 1/8 m for the orthographic camera and depth / 64 for the other.
+-- Silhouettes lie an odd multiple of 1/8 px from pixel edges, so that none passes through a pixel's centre, even if mirrored.
+-- Displacements are p / 16 px with a prime p of at least 37, so that no tap of up to 33 falls between two pixels and no two
+-- cards are equally fast. `ties` = 1 uses whole pixels instead, so that many taps fall exactly between two pixels.
 local scene = require "strobe.scene"
 
 local param = scene.param
 local width, height = param("width", 64), param("height", 40)
 local seed, cards, boxes, balls = param("seed", 1), param("cards", 5), param("boxes", 0), param("balls", 0)
 local reach, ties, spin = param("reach", 10), param("ties", 0), param("spin", 0)
-local inside = param("inside", -1)             -- >= 0: cards stay so many px away from the picture's border
+local inside = param("inside", -1)             -- >= 0: distance that cards keep from the picture's border, px
 local textured, lit, wall = param("textured", 1), param("lit", 1), param("wall", 1)
 local perspective = param("perspective", 1)
 local speed, scale, brightness = param("speed", 1), param("scale", 1), param("brightness", 1)
 local mirror, flip, turn = param("mirror", 1), param("flip", 1), param("turn", 0)  -- -1; turn: a quarter to the left
 local shift_x, shift_y = param("shift_x", 0), param("shift_y", 0)                  -- px, of everything
 local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                          -- px over the exposure, of all
-local order, peel = param("order", 0), param("peel", 0)  -- of nodes and triangles; how many of the nearest are away
+local order, peel = param("order", 0), param("peel", 0)  -- order of nodes and triangles; number of nearest objects left out
 local value = param("value", 0)                          -- not 0: the colour of everything
-local first, second = param("first", 1), param("second", 1)  -- weights of the two parts that colours are sums of
--- Radiance of the nearest card and a factor of it; below 0 infinity times 0 where the product is infinite.
+local first, second = param("first", 1), param("second", 1)  -- weights of the two terms of each colour
+-- Radiance of the nearest card, and its factor. A negative factor: infinity times 0 where the product is infinite.
 local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 
 local exposures_per_second = 24 / 0.5
 local wall_depth = 32
 
--- In 0..1, a function of the seed, a number and a name.
+-- A random number in [0, 1), a function of the seed, a number and a name.
 local function random(i, name)
   local state = math.tointeger(seed) * 0x9E3779B97F4A7C15 + i * 0xD1B54A32D192ED03
   for k = 1, #name do state = (state ~ name:byte(k)) * 0x100000001B3 end
@@ -37,10 +37,10 @@ local function random(i, name)
   return ((state ~ (state >> 32)) >> 11 & 0xFFFFFFFFFFFFF) / 2 ^ 52
 end
 
--- A whole number from `low` to `high`.
+-- A random whole number from `low` to `high`.
 local function whole(i, name, low, high) return low + math.floor(random(i, name) * (high - low + 1)) end
 
--- A permutation of 1..count: the identity where order is 0.
+-- A permutation of 1..count; the identity if `order` is 0.
 local function permutation(count, name)
   local list = {}
   for i = 1, count do list[i] = i end
@@ -63,14 +63,14 @@ local function depth_of(i) return wall_depth * 0.8125 ^ i end
 
 local function pixel_at(depth) return (perspective ~= 0 and depth / 64 or 1 / 8) * scale end
 
--- Mirrored, turned: what becomes of a direction.
+-- A direction after mirroring and turning.
 local function placed(x, y)
   x, y = mirror * x, flip * y
   if turn ~= 0 then x, y = y, -x end
   return x, y
 end
 
--- Metres of a point `x`, `y` px from the middle.
+-- World position, metres, of the point `x`, `y` px from the middle.
 local function position(x, y, depth)
   local pixel = pixel_at(depth)
   x, y = placed(x + shift_x, y + shift_y)
@@ -85,7 +85,7 @@ end
 
 -- ---- looks
 
--- Colours are whole numbers of 1/64: sums of both parts are exact.
+-- Colours are multiples of 1/64, so that sums of their two terms are exact.
 local function color_of(i, name)
   local color = {}
   for c = 1, 3 do
@@ -104,7 +104,7 @@ local function material(i, name)
   return scene.material { name = name, color = color_of(i, name), roughness = 0.5 }
 end
 
--- A radiance that no colour reaches: a texel times a colour. Metal that is lit has none of its colour, times 0.
+-- A radiance beyond the range of colours: a texel times a colour. Lit metal (`hot_scale` below 0) multiplies its colour by 0.
 local function hot_material()
   local texel = scene.texture.texels { width = 1, height = 1, texels = { { hot, hot, hot } } }
   local factor = math.abs(hot_scale)
@@ -115,7 +115,7 @@ end
 
 -- ---- shapes
 
--- `w` x `h` px of triangles, which `order` permutes.
+-- A rectangle of `w` x `h` px; `order` permutes its triangles.
 local function rectangle(w, h, depth, name)
   local pixel = pixel_at(depth)
   local x, y = w * pixel / 2, h * pixel / 2
@@ -128,7 +128,7 @@ local function rectangle(w, h, depth, name)
   return scene.triangles { positions = positions, indices = indices }
 end
 
--- Stripes of a card side by side, as parts of one object; the last one takes what is left.
+-- Stripes of a card side by side, as parts of one object; the last stripe takes the rest.
 local function stripes(i, w, h, depth, name)
   local across = random(i, "across") < 0.5
   local long, parts, from = across and w or h, {}, 0
@@ -151,7 +151,7 @@ end
 local primes = { 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97, 101, 103, 107, 109, 113, 127, 131, 137, 139,
   149, 151, 157, 163, 167, 173, 179, 181, 191, 193, 197, 199, 211, 223, 227, 229, 233, 239, 241, 251, 257 }
 
--- The i-th of `cards` displacements, px, at most `reach` long: every fifth is at rest, every third along an axis.
+-- The displacement number i, px, at most `reach` long. Every fifth one is 0, every third one is along an axis.
 local used = {}
 local function displacement(i)
   if i % 5 == 4 then return 0, 0 end
@@ -174,7 +174,8 @@ local function displacement(i)
   return 0, 0
 end
 
--- A coordinate with silhouettes an odd number of 1/8 px off pixel edges, `half` px away from the border at `side`.
+-- A coordinate with silhouettes an odd multiple of 1/8 px from pixel edges. With `inside`, an object of half-size `half` stays
+-- within a picture of this `side`, px.
 local function coordinate(i, name, side, half)
   local range = inside >= 0 and math.max(side / 2 - inside - half, 0) or side / 2
   return math.floor((2 * random(i, name) - 1) * range) + (2 * whole(i, name .. "8", 0, 3) + 1) / 8
@@ -212,7 +213,7 @@ local function solid(i, is_ball)
   local dx, dy = displacement(i + 64)
   local size = whole(i, name .. "size", 5, 9) * pixel
   local angle = 20 + 50 * random(i, name .. "angle")
-  local turned = turn ~= 0 and { -angle * mirror, 0, 0 } or { 0, angle * mirror, 0 }  -- what was up points left
+  local turned = turn ~= 0 and { -angle * mirror, 0, 0 } or { 0, angle * mirror, 0 }  -- up becomes left
   return scene.node {
     name = name, position = position(x, y, depth), motion = { velocity = motion(dx, dy, depth) }, rotation = turned,
     shape = is_ball and scene.sphere { radius = size / 2 } or scene.box { size = { size, size, size } },
@@ -231,7 +232,7 @@ local function wall_node()
   }
 end
 
--- ---- all
+-- ---- scene
 
 local objects = {}
 if wall ~= 0 then objects[1] = wall_node() end

@@ -1,14 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- A lit, textured room for a pinhole camera, made to be moved, scaled and sped up: what that does to the picture is
--- known. At 64 px of focal length 1 px at depth z is z / 64. A card moves to the right and down, a ball turns before a
--- wall, a floor recedes.
--- scale     multiplies all lengths (lights too, so that the picture stays)
--- offset    metres along (1, 0.3, -0.7) at which everything stands, the camera too
--- nesting   0: each node stands there by itself; 1: within one node that does; 2: nowhere near, but within nodes that
---           lead as far away and back again; 3: as 0, and the card is one mesh with its vertices there
--- speed, camera_speed, turn   of the card and ball; of the camera, to the left, px over the exposure at a depth of 16;
---           of the camera, degrees over the exposure to its left
--- rest_s    seconds at which everything stands as described
+-- A lit, textured room for a pinhole camera. It can be moved, scaled and sped up with known effects on the picture. The focal
+-- length is 64 px: 1 px at depth z is z / 64. A card moves to the right and down, a ball turns in front of a wall, and a floor
+-- recedes.
+-- scale     factor on all lengths, and on lights, so that the picture stays the same
+-- offset    translation of the whole scene, with the camera, along (1, 0.3, -0.7), metres
+-- nesting   0: each node has the offset; 1: one parent node has the offset; 2: a parent node has the offset and each node
+--           reverses it, so that the scene is at the origin; 3: as 0, but the vertices of the card's mesh have the offset
+-- speed     factor on the speed of card and ball
+-- camera_speed, turn   motion of the camera to the left: px over the exposure at a depth of 16; degrees over the exposure
+-- rest_s    time of the described poses, seconds
 local scene = require "strobe.scene"
 
 local param = scene.param
@@ -21,7 +21,7 @@ local exposures_per_second = 24 / 0.5
 local function world(p) return { p[1] + offset, p[2] + 0.3 * offset, p[3] - 0.7 * offset } end
 local function scaled(p) return { p[1] * scale, p[2] * scale, p[3] * scale } end
 
--- A node of the room at `p` (before scaling), by the nesting chosen.
+-- A node of the room at `p` (before scaling), according to `nesting`.
 local function placed(p, fields)
   p = scaled(p)
   if nesting == 0 or nesting == 3 then

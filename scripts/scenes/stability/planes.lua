@@ -1,19 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- Flat things whose paths and coverage have a closed form, for a pinhole camera at the origin that looks along -z with a
--- focal length of `focal` px. All lengths in metres; motion in metres over an exposure of half a frame at 24 frames/s.
--- kind 0  nothing but sky
---      1  a floor `depth` below the camera, as wide as `extent`
---      2  a card, 4 x 4 at `depth` before the camera, before a wall at 4 times that
---      3  the same card and another one at the very same place, moved to the right by half its width; `gap` between them.
---         Both lean by `lean` degrees about the vertical through the card's middle; order = -1 lists the other first
---      4  a ball of radius `depth` around the camera, in a room of 8 times that
---      5  one triangle that covers the picture and reaches behind the camera
---      6  the card of kind 2, but every triangle of it, and many more, of no area; and a node with no triangles
---      7  the card of kind 2 before a wall of the same colour
---      8  `count` x `count` leaves, each an instance of its own
+-- Simple shapes with paths and coverage in closed form, for a pinhole camera at the origin that looks along -z with a focal
+-- length of `focal` px. All lengths in metres; motion in metres over an exposure of half a frame at 24 frames/s.
+-- kind 0  only sky
+--      1  a floor `depth` below the camera, `extent` wide
+--      2  a card, 4 x 4, at `depth` in front of the camera, and a wall at 4 times this depth
+--      3  this card and a second one at the same depth plus `gap`, shifted to the right by half its width. Both lean by
+--         `lean` degrees about the vertical through the first card's middle; order = -1 lists the second card first
+--      4  a ball of radius `depth` around the camera, in a room 8 times as large
+--      5  one triangle that covers the picture and extends behind the camera
+--      6  the card of kind 2 with 150 more triangles without area, another mesh of such triangles, and a node without triangles
+--      7  the card of kind 2 in front of a wall of the same colour
+--      8  `count` x `count` leaves, each a separate instance
 --      9  a ball of `count` x `count` triangles
--- aside  metres to the right at which the card of kind 2 stands
--- velocity_x, _y, _z of the card (or ball); camera_x, _y, _z of the camera; turn, in degrees, of the camera to its left
+-- aside  shift of the card of kind 2 to the right
+-- velocity_x, _y, _z: motion of the object. camera_x, _y, _z: motion of the camera. turn: rotation of the camera to its left,
+-- degrees over the exposure
 local scene = require "strobe.scene"
 
 local param = scene.param
