@@ -22,7 +22,7 @@ return pipeline {
         none = "Shading, in the pose of the raster time, of every sample. Costs a shadow ray per sample and light.",
         blended = "Blend of the four nearest texels of the raster image if they show the surface, otherwise shading. Fails " ..
                   "by smoothing textures.",
-        detailed = "The blend, except where the four texels differ by more than `unlike` and the surface moves by at most " ..
+        detailed = "The blend, except where the four texels differ by more than `contrast` and the surface moves by at most " ..
                    "`detail_below` from sample to sample: there shading.",
       } },
     contrast = raster_color.contrast {
