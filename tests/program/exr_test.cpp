@@ -186,7 +186,7 @@ TEST_F(Exr, OptionsOfExrFilesNeedOne) {
   writeText(folder_ / "bare.lua", R"lua(
 local pipeline = require "strobe.pipeline"
 local scene = require "scripts.pipelines.lib.scene"
-return pipeline { doc = "no ids", build = function() return { color = scene.captured().color } end }
+return pipeline { doc = "no ids", build = function() return { color = scene.raster().color } end }
 )lua");
   Outcome outcome = run("render " + (folder_ / "bare.lua") + kShot + " --cryptomatte -o " + (folder_ / "bare.exr"));
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;

@@ -21,7 +21,7 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 return pipeline { doc = "x", params = options.blur(40), build = function(p)
-  local seen = scene.captured()
+  local seen = scene.raster()
   local around = tiles.dominant(p, seen)
   local images = gathers.images(seen, around)
   local wrong = )" + value + R"(

@@ -9,7 +9,7 @@ return pipeline {
   doc = "The depth revealed by each way of advancing, for each cap",
   params = {},
   build = function()
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = constant { everywhere = true }.mask
     local outputs = { color = seen.color }
     local function revealed(name, advance, most, on_cap)

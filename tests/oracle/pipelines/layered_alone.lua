@@ -17,7 +17,7 @@ return pipeline {
   doc = "Layered composite with candidates from the dominant displacement and the taps only",
   params = params,
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local revealed = reveal { hit = seen.hit, mask = layers.disocclusion_mask(seen) }
     local blurred = layered {
       color = seen.color, depth = seen.depth, velocity = seen.velocity,

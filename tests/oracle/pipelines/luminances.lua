@@ -8,7 +8,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 return pipeline {
   doc = "The depth revealed by the luminance of radiance, base colour and material",
   build = function()
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = constant { everywhere = true }.mask
     local outputs = { color = seen.color }
     for _, of in ipairs { "radiance", "base_color", "material" } do

@@ -12,7 +12,7 @@ return pipeline {
     b = pipeline.float { 0, min = 0, max = 1, doc = "tolerance" },
   },
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = constant { everywhere = true }.mask
     local function revealed(name, tolerance)
       return reveal {

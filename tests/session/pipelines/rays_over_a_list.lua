@@ -12,7 +12,7 @@ return pipeline {
   doc = "Distances by rays, of the pixels that move",
   params = options.blur(8),
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
     local distance = traced { listed = compact.pixels(mask, "moving") }.distance
     return scene.outputs(seen, { color = seen.color, distance = distance })

@@ -17,7 +17,7 @@ return pipeline {
   doc = "How often a pass runs at each pixel, and what rays meet there",
   params = params,
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
     local listed = p.over() == "list" and compact.pixels(mask, "moving") or nil
     local made = marked { color = seen.color, listed = listed }
