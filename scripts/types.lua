@@ -50,6 +50,7 @@
 ---@field doc string meaning, unit, range
 ---@field uint? boolean the texels are unsigned integers
 ---@field optional? boolean may be left unwired; then HAS_<name> is 0 in the shader
+---@field absent? number|number[]|string optional; each texel if it is unwired: a number, four numbers, or a read that stands in
 ---@field linear? boolean sampled with a linear filter instead of fetched
 ---@field pointwise? boolean fetched only at the pixel of the invocation
 ---@field buffer? boolean a buffer of unsigned integers instead of an image
@@ -202,12 +203,8 @@ local pipeline = {}
 function pipeline.loop(t) end
 ---@param what string names the records in messages
 ---@param optional? string[] fields that a record may lack
----@return fun(t: table): table makes a table a record: reading a field that it lacks is an error
+---@return fun(t: table): table makes a table a record: reading a field that it lacks is an error, except by t:get(name)
 function pipeline.record(what, optional) end
----@param t strobe.Ports|table
----@param name string
----@return any the field of that name; nil if it is absent
-function pipeline.optional(t, name) end
 ---Runs `body` and returns its result. The names of its nodes start with `prefix`, so that a part of a graph can be made twice.
 ---@generic T
 ---@param prefix string

@@ -53,7 +53,8 @@ local composites = { alpha_over = alpha_over, in_gather = in_gather, layered = l
 
 return pipeline {
   doc = "The steps of hybrid and hybrid_layered in any combination",
-  params = options.with(options.blur(40), {
+  params = {
+    options.blur(40),
     mask = pipeline.choice { "disocclusion", "paper", "moving", "all", "none", default = "disocclusion",
       doc = "pixels whose background is revealed",
       values = {
@@ -83,7 +84,7 @@ return pipeline {
     directions   = mcguire2012.params.directions,
     range        = paths.range,
     trajectory   = layered.params.trajectory,
-  }),
+  },
   compare_with = "mcguire2012",
   build = function(p)
     local raster = scene.raster()

@@ -47,6 +47,14 @@ bool hasStages(const shader::Interface& in) {
 
 using Settings = std::vector<std::pair<std::string, plan::Value>>;
 
+// GLSL of a texel of a read that is not wired; "" if the read declares none.
+static std::string absentText(const plan::PortDesc& read) {
+  if (!read.absent_read.empty()) return read.absent_read + "_at(at)";
+  if (read.absent.empty()) return "";
+  const auto& v = read.absent;
+  return fmt::format("{}vec4({}, {}, {}, {})", read.uint ? "u" : "", v[0], v[1], v[2], v[3]);
+}
+
 // `wired`: which reads are; `values`: of its parameters; both in the order of the declaration.
 static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, const std::vector<bool>& wired,
                                      const Settings& values, const std::vector<std::string>& absent = {}) {
@@ -62,7 +70,7 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
   in.backend = pass.kind == PassDesc::Kind::Trace ? backend : Backend::None;
   for (size_t i = 0; i < pass.reads.size(); ++i) {
     const plan::PortDesc& read = pass.reads[i];
-    in.reads.push_back({read.name, read.uint, wired[i], read.buffer, read.name == pass.over});
+    in.reads.push_back({read.name, read.uint, wired[i], read.buffer, read.name == pass.over, absentText(read)});
   }
   auto add_write = [&](const plan::PortDesc& port, bool update) {
     const std::string& name = formatOf(port, values);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/reference.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -172,6 +174,8 @@ std::string readsText(const PassDesc& pass) {
     if (read.linear) notes.push_back("filtered");
     if (read.pointwise) notes.push_back("at its own pixel alone");
     if (read.optional) notes.push_back(fmt::format("optional: `HAS_{}`", read.name));
+    if (!read.absent_read.empty()) notes.push_back(fmt::format("absent: `{}`", read.absent_read));
+    if (!read.absent.empty()) notes.push_back(fmt::format("absent: {}", fmt::join(read.absent, ", ")));
     if (!read.needs.empty()) notes.push_back(fmt::format("of use with `{}`", fmt::join(read.needs, "` or `")));
     std::string texel = read.linear ? "textureLod({}_tex, uv, 0)" : "texelFetch({}_tex, p, 0)";
     table.add({code(read.name), read.doc, fmt::format("{}", fmt::join(notes, "; ")),

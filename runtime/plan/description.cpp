@@ -213,6 +213,8 @@ Value checkValue(const ParamDesc& param, const Value& value, const Place& where)
 
 // ---- formats
 
+bool hasAbsent(const PortDesc& read) { return !read.absent.empty() || !read.absent_read.empty(); }
+
 bool isCleared(const PortDesc& port) { return port.cleared || isBuffer(port.format); }
 
 const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params) {
@@ -274,6 +276,8 @@ static Json readJson(const PortDesc& port) {
   if (port.buffer) json["buffer"] = true;
   if (port.pointwise) json["pointwise"] = true;
   if (!port.needs.empty()) json["needs"] = port.needs;
+  if (!port.absent.empty()) json["absent"] = port.absent;
+  if (!port.absent_read.empty()) json["absent"] = port.absent_read;
   return json;
 }
 

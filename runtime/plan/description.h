@@ -105,11 +105,18 @@ struct PortDesc {
   // Reads that are optional: reads, it itself perhaps among them, of which one at least must be wired, and to more than
   // nothing but zeros, for it to be of use; otherwise it is not wired either. Empty: it is of use alone.
   std::vector<std::string> needs;
+  // Optional reads of images: value of every texel if the read is not wired. Four numbers, or the name of another read
+  // whose texels stand in; both empty: shaders test HAS_<name> instead.
+  std::vector<double> absent;
+  std::string absent_read;
   int each = 1;          // writes and updates, of a buffer: entries for each pixel of the pass's size
   bool cleared = false;  // writes: zero when the pass begins, which writes only where it has something
   bool history = false;  // updates: kept from frame to frame instead of zero at the start of each
   Place place;
 };
+
+// True if shaders can read the texels of an optional read that is not wired.
+bool hasAbsent(const PortDesc& read);
 
 // Is a write zero when the pass begins? Of buffers each is.
 bool isCleared(const PortDesc& port);
@@ -180,8 +187,9 @@ struct NodeDesc {
   std::string pass;
   std::vector<std::pair<std::string, std::string>> inputs;  // read port -> "node.port"
   std::vector<std::pair<std::string, Binding>> params;
-  std::string time = "raster";  // pose of the scene it sees: "raster", "shutter_open", "shutter_close" or "sample" (its loop's)
-  std::string loop;              // name of the loop it is repeated in, or ""
+  std::string time =
+      "raster";      // pose of the scene it sees: "raster", "shutter_open", "shutter_close" or "sample" (its loop's)
+  std::string loop;  // name of the loop it is repeated in, or ""
   Place place;
 };
 

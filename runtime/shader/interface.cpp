@@ -65,6 +65,19 @@ static std::string bufferText(const char* access, uint32_t binding, const std::s
       binding, access, block, name);
 }
 
+// `vec4 <name>_at(ivec2 at)` for each image: its texel, or the declared value if the read is not wired.
+static std::string accessorText(const Interface& in) {
+  std::string declared, defined;
+  for (const auto& read : in.reads) {
+    if (read.buffer || (!read.wired && read.absent.empty())) continue;
+    std::string head = fmt::format("{}vec4 {}_at(ivec2 at)", read.uint ? "u" : "", read.name);
+    std::string texel = read.wired ? fmt::format("texelFetch({}_tex, at, 0)", read.name) : read.absent;
+    declared += head + ";\n";
+    defined += fmt::format("{} {{ return {}; }}\n", head, texel);
+  }
+  return declared + defined;
+}
+
 static std::string resourceText(const Interface& in, Stage stage) {
   std::string text;
   if (in.hasParams()) {
@@ -86,6 +99,7 @@ static std::string resourceText(const Interface& in, Stage stage) {
       text += fmt::format("layout(set = 1, binding = {}) uniform {}sampler2D {}_tex;\n", in.readBinding(i),
                           read.uint ? "u" : "", read.name);
   }
+  text += accessorText(in);
   for (size_t i = 0; i < in.writes.size(); ++i) {
     const auto& write = in.writes[i];
     if (in.raster && stage == Stage::Fragment)
@@ -271,7 +285,7 @@ std::vector<std::string> nameProblems(const Home& home, const Interface& in, con
                                    name, home.shown(shader_files.front()), spelled));
   };
   for (const auto& read : in.reads)
-    if (!read.over) expect(spelled(read), "read", read.name);
+    if (!read.over && !used.count(read.name + "_at")) expect(spelled(read), "read", read.name);
   for (const auto& write : in.writes) expect(spelled(in, write), write.update ? "update" : "write", write.name);
   for (const auto& param : in.params) expect("params." + param.name, "parameter", param.name);
   for (const auto& variant : in.variants)
@@ -284,6 +298,8 @@ std::vector<std::string> nameProblems(const Home& home, const Interface& in, con
 static std::vector<std::string> declaredNames(const Interface& in) {
   std::vector<std::string> names;
   for (const auto& read : in.reads) names.push_back(spelled(read));
+  for (const auto& read : in.reads)
+    if (!read.buffer) names.push_back(read.name + "_at");
   for (const auto& write : in.writes) names.push_back(spelled(in, write));
   for (const std::string& counter : in.counters) names.push_back("count_" + counter);
   for (const auto& variant : in.variants) names.push_back("PARAM_" + variant.name);
@@ -307,7 +323,7 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
       if (place == last_unknown_place && match[2] != "undeclared identifier") continue;
       last_unknown_place = place;
       bool generated = name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_buf") ||
-                       name.ends_with("_out") || name.starts_with("count_");
+                       name.ends_with("_at") || name.ends_with("_out") || name.starts_with("count_");
       if (generated)
         line += fmt::format(": pass '{}' ({}) declares no such name{}", in.pass, in.place,
                             didYouMean(name, declaredNames(in)));

@@ -20,7 +20,8 @@ struct Interface {
     bool uint = false;
     bool wired = true;  // false: an optional read left open; HAS_<name> is 0 and nothing may be fetched
     bool buffer = false;
-    bool over = false;  // where it is wired, the pass runs for the pixels that are its entries
+    bool over = false;        // where it is wired, the pass runs for the pixels that are its entries
+    std::string absent = {};  // GLSL of a texel if it is not wired; "": there is no function <name>_at then
   };
   struct Write {
     std::string name;

@@ -7,7 +7,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc = "Bevy engine: blur of each pixel along its own displacement, without tiles; no surface blurs beyond its silhouette",
-  params = options.of_picture { copy_below = filter.params.copy_below },
+  params = { options.picture, copy_below = filter.params.copy_below },
   build = function()
     local raster = scene.raster()
     return scene.outputs(raster, {

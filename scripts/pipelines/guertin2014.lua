@@ -9,7 +9,8 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
   doc = "Guertin et al. 2014: a gather along the dominant displacement and a second direction",
-  params = options.with(options.blur(40), {
+  params = {
+    options.blur(40),
     directions   = gather.params.directions,
     second_share = pipeline.choice { "half", "variance", default = "half",
       doc = "share of the samples that follow the second direction",
@@ -23,7 +24,7 @@ return pipeline {
     tile_jitter  = gather.params.tile_jitter,
     uniform_path = pipeline.bool { true,
       doc = "use the dominant displacement for all surfaces where the shortest one around is at least 0.65 as long" },
-  }),
+  },
   build = function(p)
     local raster = scene.raster()
     local two = p.directions() == "two"

@@ -27,7 +27,8 @@ end
 
 return pipeline {
   doc = "Unity HDRP: pairs of taps as in Jimenez 2014, tiles scattered along their motion, weights by the alignment of motions",
-  params = options.of_picture {
+  params = {
+    options.picture,
     tile         = blur.tile { 16 },
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,

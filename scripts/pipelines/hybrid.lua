@@ -44,11 +44,12 @@ local text = {
 }
 -- Two readings of the paper, where its text is silent or contradicts its claims: rays pass the object in front at once, and
 -- each tap is an equal share of the exposure.
-local paper = options.with(options.with({}, text), { advance = "instance_filter", weights = "uniform" })
+local paper = { text, advance = "instance_filter", weights = "uniform" }
 
 return pipeline {
   doc = "The published method: raster and ray-revealed background, blurred and composited (Tan, Cui and Bhojan 2020)",
-  params = options.with(options.blur(40), {
+  params = {
+    options.blur(40),
     mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "positions along the displacement that the ray mask tests" },
     edge         = pipeline.choice(edge_choice),
     own_edge     = pipeline.bool { true, doc = "require that the edge in range belongs to the instance of the pixel" },
@@ -61,13 +62,13 @@ return pipeline {
     on_cap       = reveal.params.on_cap,
     weights      = pipeline.choice(gathers.choice("uniform", "weights of the taps")),
     directions   = mcguire2012.params.directions,
-  }),
+  },
   presets = {
     paper = { doc = "the paper, read so that its claims hold: rays pass the object in front at once, taps have equal weight",
               set = paper },
     text = { doc = "the paper to the letter", set = text },
     geometry_index = { doc = "the paper with its proposed termination: another geometry, instead of another luminance",
-                       set = options.with(options.with({}, paper), { termination = "geometry" }) },
+                       set = { paper, termination = "geometry" } },
   },
   default_preset = "paper",
   compare_with = "mcguire2012",

@@ -10,7 +10,8 @@ local paths    = require "scripts.pipelines.lib.paths"
 
 return pipeline {
   doc = "Hybrid with a disocclusion mask by relative motion and a composite of its layers per time sample",
-  params = options.by_tiles(40, {
+  params = {
+    options.tiles(40),
     termination  = reveal.params.termination,
     tolerance    = reveal.params.tolerance,
     luminance_of = reveal.params.luminance_of,
@@ -20,7 +21,7 @@ return pipeline {
     on_cap       = reveal.params.on_cap,
     range        = paths.range,
     trajectory   = layered.params.trajectory,
-  }),
+  },
   compare_with = "mcguire2012",
   build = function(p)
     paths.require_curves(p, layered, "hybrid_layered")

@@ -14,7 +14,7 @@ local slowest = 0.02  -- px over the exposure; a slower silhouette changes the c
 
 return pipeline {
   doc = "hybrid_layered with a ray for each time sample that the layers do not resolve",
-  params = options.by_tiles(40, { range = paths.range, trajectory = layered.params.trajectory }),
+  params = { options.tiles(40), range = paths.range, trajectory = layered.params.trajectory },
   breaks = { mirrored = by_cell, shifted = by_cell, scaled = by_threshold },
   compare_with = "mcguire2012",
   build = function(p)

@@ -36,7 +36,8 @@ end
 
 return pipeline {
   doc = "Lee, Kwon and Oh 2024: full raster layers by depth peeling, searched backwards along displacements",
-  params = options.by_tiles(40, {
+  params = {
+    options.tiles(40),
     layer_count = pipeline.int { 4, min = 1, max = 4, doc = "number of depth layers, the visible one included" },
     sides  = peel.params.sides,
     paths = pipeline.choice { "tiles", "own", default = "tiles", doc = "displacements that the search of a pixel follows",
@@ -45,7 +46,7 @@ return pipeline {
         own = "Its own in every layer. Fails beside silhouettes: surfaces that pass over the pixel at other times are missed.",
       } },
     agreement = filter.params.agreement,
-  }),
+  },
   build = function(p)
     local raster = scene.raster()
     local layers = { raster }

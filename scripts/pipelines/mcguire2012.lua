@@ -10,12 +10,13 @@ local gathers  = require "scripts.pipelines.lib.gathers"
 
 return pipeline {
   doc = "McGuire et al. 2012: a gather along the dominant displacement of the surrounding tiles",
-  params = options.with(options.blur(40), {
+  params = {
+    options.blur(40),
     weights = pipeline.choice(gathers.choice("mcguire2012",
       "weights of the taps: as published, or each tap an equal share of the exposure", { "mcguire2012", "uniform" })),
     directions = gather.params.directions,
     range = paths.range,
-  }),
+  },
   build = function(p)
     local raster = scene.raster()
     local moving = paths.split(p, raster, "segments")

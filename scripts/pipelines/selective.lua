@@ -52,11 +52,12 @@ end
 
 return pipeline {
   doc = "One parameter from post-process to ground truth: gather where it is certain, rays at several times elsewhere",
-  params = options.with(options.blur(16), {
+  params = {
+    options.blur(16),
     effort = pipeline.float { 0.4, min = 0, max = 1,
       doc = "0, or any value with limit = 0: the gather of ue4; below 0.75: rays at several times where a gather is not " ..
             "certain; from 0.75: ground truth, at 1 with 16 times `samples` time samples" },
-  }),
+  },
   presets = {
     post_process = { doc = "a post-process blur without rays", set = { effort = 0 } },
     few_rays     = { doc = "rays where a gather is not certain, as few as possible", set = { effort = 0.1 } },

@@ -9,9 +9,10 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
   doc = "Stand-in for engines' post-process blur: Jimenez 2014 with mirrored background, 16 px tiles, 5 % of the width",
-  params = options.with(options.blur(16), {
+  params = {
+    options.blur(16),
     mirror = gather.params.mirror,
-  }),
+  },
   build = function(p)
     local raster = scene.raster()
     local images = gathers.images(raster, tiles.dominant(p, raster))

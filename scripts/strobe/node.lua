@@ -51,6 +51,7 @@ node.not_a_value = not_a_value
 
 Ports.__index = native.at_caller(function(place, ports, key)
   local values, name = rawget(ports, "values"), rawget(ports, "node")
+  if key == "get" then return node.optional end
   rawget(ports, "record").used = true
   if values[key] then return values[key] end
   local names = check.names(values)

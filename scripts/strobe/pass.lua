@@ -12,13 +12,13 @@ pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
   "if_no", "dispatch_over", "group",
 }
-pass.read_keys  = { "doc", "uint", "optional", "linear", "needs", "buffer", "pointwise" }
+pass.read_keys  = { "doc", "uint", "optional", "absent", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
 pass.update_keys = { "doc", "format", "history", "each" }
 pass.format_keys = { "by" }  -- and one key for each choice of the parameter that `by` names
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
-pass.call_keys  = { "as", "time" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
+pass.call_keys  = { "as", "time", "get" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
 
 local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
@@ -51,13 +51,52 @@ local function check_needs(problems, reads, port, at, what)
     problems:add(at, "%s needs %s, which is neither the name of a read nor a list of names", what, check.quoted(port.needs))
     return {}
   end
-  if #needs > 0 and not port.optional then problems:add(at, "%s has 'needs' but is not optional", what) end
+  if #needs > 0 and not (port.optional or port.absent ~= nil) then
+    problems:add(at, "%s has 'needs' but is not optional", what)
+  end
   for _, needed in ipairs(needs) do
     if reads[needed] == nil then
       problems:add(at, "%s needs %s, which is not a read of the pass", what, check.quoted(needed))
     end
   end
   return needs
+end
+
+local function is_texel(value, uint)
+  if type(value) ~= "table" or #value ~= 4 then return false end
+  for i = 1, 4 do
+    local n = value[i]
+    local fits = type(n) == "number" and n == n and math.abs(n) < 1e38
+    if not fits or (uint and (math.type(n) ~= "integer" or n < 0 or n > 4294967295)) then return false end
+  end
+  return true
+end
+
+-- The value `absent` of a read that may be left unwired: four numbers, or the name of the read that stands in. A number stands
+-- for four.
+local function check_absent(problems, reads, name, at, what)
+  local port = reads[name]
+  local given = port.absent
+  if given == nil then return nil end
+  if port.buffer then problems:add(at, "%s is a buffer; only images have a value for their absence", what) end
+  if type(given) ~= "string" then
+    local texel = type(given) == "number" and { given, given, given, given } or given
+    if is_texel(texel, port.uint) then return texel end
+    problems:add(at, "absent of %s is %s; it is a number, four numbers, or the name of a read", what, check.quoted(given))
+    return nil
+  end
+  local other = reads[given]
+  if type(other) ~= "table" or given == name then
+    problems:add(at, "absent of %s is %s, which is not another read of the pass%s", what, check.quoted(given),
+                 native.nearest(given, check.names(reads)))
+  elseif other.buffer or (other.uint or false) ~= (port.uint or false) then
+    problems:add(at, "absent of %s is '%s', which has other texels", what, given)
+  elseif other.optional and other.absent == nil then
+    problems:add(at, "absent of %s is '%s', which may be absent too", what, given)
+  else
+    return given
+  end
+  return nil
 end
 
 local function declare_reads(problems, t, place, owner)
@@ -77,6 +116,8 @@ local function declare_reads(problems, t, place, owner)
         problems:add(at, "%s cannot be both pointwise and %s", what, port.buffer and "buffer" or "linear")
       end
       if port.buffer then result.uint = true end
+      result.absent = check_absent(problems, t.reads, name, at, what)
+      result.optional = result.optional or port.absent ~= nil
       result.needs = check_needs(problems, t.reads, port, at, what)
       if port.uint and port.linear then problems:add(at, "%s cannot be both uint and linear", what) end
       list[#list + 1] = result
@@ -364,8 +405,10 @@ end
 
 local Pass = check.index_of_records({}, "a pass")
 
+
 local function declare(kind, place, t)
   if type(t) ~= "table" then check.fail(place, "pass.%s wants a table: pass.%s { ... }", kind, kind) end
+  t = check.with_merged(t, "params")
   local problems = check.problems()
   local owner = ("pass '%s'"):format(tostring(t.name or path_of(place)))
   check.keys(problems, t, pass.keys, place, owner)

@@ -29,9 +29,10 @@ end
 
 return pipeline {
   doc = "hybrid_traced with rays for at most a share of the pixels",
-  params = options.by_tiles(40, {
+  params = {
+    options.tiles(40),
     ray_budget = pipeline.float { 0.15, min = 0, max = 1, doc = "share of the pixels that may have rays" },
-  }),
+  },
   build = function(p)
     local raster = scene.raster()
     local dominant = tiles.dominant(p, raster, { prefix = "budget_" }).dominant

@@ -17,7 +17,7 @@ local around_tiles = pipeline.record("the result of tiles.dominant",
 
 local function in_one_part(p, layer, given)
   local prefix, extra = given.prefix or "", given.extra or {}
-  local extra_curve = pipeline.optional(extra, "curve")
+  local extra_curve = extra.curve
   local tile = tile_max {
     velocity = layer.velocity, valid = layer.valid, extra_velocity = extra.velocity, extra_valid = extra.valid,
     curve = layer.curve, extra_curve = extra_curve, as = prefix .. "tile_max",

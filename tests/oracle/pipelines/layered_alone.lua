@@ -8,9 +8,10 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
-local params = options.with(options.blur(20, 0.1), {
+local params = {
+    options.blur(20, 0.1),
   harvest = pipeline.bool { true, doc = "look for displacements at the taps" },
-})
+}
 params.depth_extent = nil -- depths are compared as they are
 
 return pipeline {
