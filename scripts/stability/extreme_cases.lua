@@ -133,7 +133,7 @@ for _, v in ipairs { { "zero", 0 }, { "1e_8", 1e-8 }, { "0_49", 0.49 }, { "half"
 end
 
 for _, anchor in ipairs(anchors) do
-  case("displacement_0_51_px_" .. anchor, "displacement", "colours stay between those of bar and background",
+  case("displacement_0_51_px_" .. anchor, "displacement", "colours stay between the colours of bar and background",
        function() return { between(bar(0.51, { limit = 10 }, { anchor = anchor })) } end)
 end
 
@@ -233,7 +233,7 @@ for _, anchor in ipairs(anchors) do
     return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, { anchor = anchor, exposure = 0 })) }
   end)
   case("exposure_3_" .. anchor, "exposure",
-       "longer than a frame: displacements are those of the window, and truth is the exact coverage", function()
+       "longer than a frame: displacements span the window, and truth is the exact coverage", function()
     -- 4 px over an exposure of 0.5 are 24 px over an exposure of 3.
     local long, from = bar(4, { limit = 10, tile = 8 }, { anchor = anchor, exposure = 3 }), window_start[anchor]
     return {
@@ -429,7 +429,7 @@ end
 
 for _, turn in ipairs { 10, 45, 85, 100, 170, -170 } do
   case(("turn_%s%d"):format(turn < 0 and "minus_" or "", math.abs(turn)), "all sky",
-       "displacements of the sky are those of directions, and its colour stays", function()
+       "displacements of the sky follow its directions, and its colour stays", function()
     local function path(x, y)
       local dx, dy = path_of(turned_sky(x, y, 0), turned_sky(x, y, -turn * math.pi / 180), 1 / 64)
       return -dx, -dy
