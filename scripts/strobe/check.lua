@@ -60,7 +60,7 @@ function check.merged(t)
   return result
 end
 
--- `t`, or a copy of it whose field `key` is one table instead of a list of tables.
+-- `t`, or a copy that has one table instead of a list of tables as its field `key`.
 function check.with_merged(t, key)
   if type(t[key]) ~= "table" or t[key][1] == nil then return t end
   local copy = {}

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Stream compaction: masked pixels as a list, over which passes can be dispatched.
+-- Stream compaction: masked pixels as a list that passes can be dispatched over.
 local ballot  = require "passes.compact.ballot"
 local scan    = require "passes.compact.scan"
 local scatter = require "passes.compact.scatter"

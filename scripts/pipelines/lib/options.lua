@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Parameters that blur pipelines share: a name means the same in all of them.
+-- Parameters that blur pipelines share, so that a name has one meaning everywhere.
 local blur          = require "passes.lib.blur"
 local jitter        = require "passes.lib.jitter"
 local quantised     = require "passes.lib.quantised"
@@ -8,7 +8,7 @@ local neighbour_max = require "passes.tile.neighbour_max"
 
 local options = {}
 
--- Parameters of pipelines that sample images. Equal in all of them, so that methods are compared under equal conditions.
+-- Parameters of every pipeline that samples images, so that methods are compared under equal conditions.
 options.picture = {
   samples      = blur.samples,
   limit        = blur.limit,
