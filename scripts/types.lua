@@ -17,7 +17,7 @@
 ---Role of a parameter: commands find it by its role, without its name. At most one of each in a pipeline.
 ---@alias strobe.Role
 ---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
----| "static_once" | "moving_only" | "in_moving_rect"
+---| "static_once"
 
 ---@class strobe.Param A declared parameter.
 
@@ -83,6 +83,8 @@
 ---@field doc string counted event
 ---@field limit? string warning if the count is not 0: the change of the picture, and the remedy
 
+---@alias strobe.Runs "everywhere" | "moving_rect" | "moving_instances"
+
 ---@alias strobe.Fact
 ---| "motion" | "curves" | "may_be_occluded" | "may_appear" | "alpha" | "blend" | "one_sided" | "shadows" | "deforms" | "before"
 ---| "after" | "weighted"
@@ -95,6 +97,7 @@
 ---@field breaks? table<strobe.Invariant, string> invariants that do not hold in a pipeline that uses it, with reasons
 ---@field size? "frame"|strobe.Size size of its outputs; default "frame"
 ---@field scene? boolean (compute) the shader reads the scene; raster and trace passes always do
+---@field runs? strobe.Runs pixels or instances that it is restricted to; default: moving_rect where if_no has stand-ins for the rest
 ---@field dispatch_over? string a buffer read whose entries are the pixels for which the pass runs
 ---@field group? boolean (compute) one work group per output pixel, instead of one invocation
 ---@field reads? table<string, strobe.Read> images it samples
@@ -115,6 +118,7 @@
 ---@class strobe.CallTable
 ---@field as? string name of the node
 ---@field time? strobe.Time time at which it poses the scene
+---@field runs? strobe.Runs in place of the restriction that the pass declares
 ---@field [string] strobe.Image|strobe.Parameter|boolean|number|string
 
 ---@class strobe.Pass

@@ -90,7 +90,7 @@ return pipeline {
     local raster = scene.raster()
     local moved = paths.split(p, raster, "segments")
     local mask = paths.mask(p, moved, masks[p.mask()])
-    local found = layers.revealed(raster, mask, p.mask() == "disocclusion")
+    local found = layers.revealed(raster, mask, p.mask() == "disocclusion" and "moving_rect" or nil)
     local revealed = paths.split(p, layers.of(found), "revealed_segments")
     local composite = composites[p.composite()]
     paths.require_curves(p, composite, "composite = " .. p.composite())

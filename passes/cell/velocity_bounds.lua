@@ -19,11 +19,10 @@ return pass.compute {
     doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; least exceeds greatest in a " ..
           "cell where no texel counts" } },
   if_no = { moving_rect = { bounds = 0 } },
+  runs   = "everywhere",  -- static cells have the bounds 0 only if `valid` is absent
   params = {
     cell_side = blur.cell_side,
     limit     = blur.limit,
     trajectory = blur.trajectory { wired = true },
-    all_count = pass.bool { false, wired = true, role = "in_moving_rect",
-      doc = "set if `valid` is absent, so that the bounds of static cells are 0" },
   },
 }

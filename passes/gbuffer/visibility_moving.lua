@@ -7,8 +7,6 @@ return pass.raster {
   doc    = "Nearest triangle at each sample position; with a static camera, of moving instances alone",
   writes = { hit = { format = "rgba32ui",
     doc = "visible surface: instance + 1 (0 for the sky or a static surface), geometry, primitive, 0" } },
-  params = {
-    only_moving = pass.bool { true, role = "moving_only", doc = "skip static instances if the camera is static" },
-  },
+  runs   = "moving_instances",
   fails  = "Includes moving surfaces behind static ones: readers must compare with the depth at the raster time.",
 }

@@ -28,11 +28,10 @@ return pass.trace {
     valid    = { cleared = true, format = "r8_unorm", doc = "mask, 1 where a surface or the sky is revealed" },
   },
   if_no = { mask = nothing, moving_rect = nothing },
+  runs   = "everywhere",  -- a mask may be 1 outside of the moving rectangle
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces whose depths differ by at most 4 units in " ..
            "the last place (more under restart), the second is lost. Glass is revealed as if it were opaque.",
   params = {
-    mask_in_moving_rect = pass.bool { false, wired = true, role = "in_moving_rect",
-      doc = "set if the mask is 0 wherever no moving surface reaches" },
     displacement = gbuffer.params.displacement,
     velocity_format = quantised.velocity_format,
     color_format    = quantised.color_format,

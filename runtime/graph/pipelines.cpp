@@ -81,7 +81,6 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
   for (const auto& port : pass.updates) add_write(port, true);
   for (size_t i = 0; i < pass.params.size(); ++i) {
     const ParamDesc& param = pass.params[i];
-    if (plan::isOfRuntime(param)) continue;
     if (!isCompiledIn(param)) {
       in.params.push_back({param.name, param.type == ParamDesc::Type::Int});
       continue;

@@ -76,7 +76,6 @@ std::string rangeOf(const ParamDesc& param) {
 }
 
 std::string paramInGlsl(const ParamDesc& param) {
-  if (plan::isOfRuntime(param)) return "";
   if (!plan::isCompiledIn(param)) return code("params." + param.name);
   if (param.type != ParamDesc::Type::Choice) return code("PARAM_" + param.name);
   return code(fmt::format("PARAM_{0} == {0}_{1}", param.name, param.choices.front()));

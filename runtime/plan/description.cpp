@@ -29,9 +29,8 @@ const std::vector<std::string>& invariantNames() {
 }
 
 const std::vector<std::string>& roleNames() {
-  static const std::vector<std::string> names = {"tile",        "sample_count", "reach",         "depth_tolerance",
-                                                 "jitter",      "shading",      "sample_times",  "regions",
-                                                 "static_once", "moving_only",  "in_moving_rect"};
+  static const std::vector<std::string> names = {"tile",    "sample_count", "reach",   "depth_tolerance", "jitter",
+                                                 "shading", "sample_times", "regions", "static_once"};
   return names;
 }
 
@@ -341,6 +340,7 @@ static Json nodeJson(const NodeDesc& node) {
   for (const auto& [name, binding] : node.params) json["params"][name] = bindingJson(binding);
   json["time"] = node.time;
   json["loop"] = node.loop;
+  if (node.runs != Runs::MovingRect) json["runs"] = kNodeRuns[static_cast<size_t>(node.runs)];
   json["place"] = placeJson(node.place);
   return json;
 }

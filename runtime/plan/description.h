@@ -42,8 +42,6 @@ enum class Role {
   SampleTimes,     // where in the exposure samples are: "midpoint" or "stratified"
   Regions,         // bool: find the regions in which errors are measured
   StillOnce,       // bool of a pass: iterations of a loop after the first do only what something in motion reaches
-  MovingAlone,     // bool of a raster pass: before a camera at rest it draws what moves alone
-  WithinReach,     // bool of a pass: what stands in for it where nothing in motion reaches (kReached) may
 };
 
 // Their names, but for None, in that order.
@@ -73,11 +71,6 @@ struct ParamDesc {
   bool variant = false;   // compiled into the shader instead of passed to it (always so for Choice and Bool)
   Place place;
 };
-
-// Does it say how the runtime runs a pass, and nothing to the shader?
-inline bool isOfRuntime(const ParamDesc& param) {
-  return param.role == Role::MovingAlone || param.role == Role::WithinReach;
-}
 
 // Whether a value of it makes another shader.
 inline bool isCompiledIn(const ParamDesc& param) {
@@ -181,6 +174,13 @@ struct Binding {
   Place place;
 };
 
+// Pixels or instances that a node may be restricted to.
+enum class Runs {
+  Everywhere,       // all pixels, all instances
+  MovingRect,       // pixels of the moving rectangle; elsewhere the stand-in kReached of its pass holds
+  MovingInstances,  // raster: instances that move, if the camera is static
+};
+
 // One use of a pass.
 struct NodeDesc {
   std::string name;  // unique: the pass's name, or what `as` gave it
@@ -190,6 +190,7 @@ struct NodeDesc {
   std::string time =
       "raster";      // pose of the scene it sees: "raster", "shutter_open", "shutter_close" or "sample" (its loop's)
   std::string loop;  // name of the loop it is repeated in, or ""
+  Runs runs = Runs::MovingRect;
   Place place;
 };
 

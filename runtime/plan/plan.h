@@ -70,7 +70,7 @@ struct PlanNode {
   // In a loop, after its first iteration, it works on the pixels that something in motion reaches, and the others keep
   // what they have (Role::StillOnce).
   bool static_once = false;
-  bool moving_only = false;  // before a camera at rest it draws what moves alone (Role::MovingAlone)
+  bool moving_only = false;  // before a camera at rest it draws what moves alone (Runs::MovingInstances)
   // It works on the pixels that something in motion reaches; the others have what stands in for it there: zeros, or a
   // copy of VirtualImage::outside, or nothing where nobody looks.
   bool in_moving_rect = false;

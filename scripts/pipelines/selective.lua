@@ -25,7 +25,7 @@ end
 local function refined(p)
   local set = selective.settings(p.effort(), p.samples())
   local raster = scene.raster()
-  local bounds = velocity_bounds { velocity = raster.velocity, all_count = true }.bounds
+  local bounds = velocity_bounds { velocity = raster.velocity, runs = "moving_rect" }.bounds
   local max_displacement = tile_max { velocity = raster.velocity }.max_displacement
   local color = pipeline.loop { name = "times", count = 1, times = "midpoint", slices = set.parts + 1, body = function()
     local cells = coherent_cells {

@@ -154,7 +154,7 @@ local argument_names = setmetatable({}, { __mode = "k" })  -- by pass
 local function argument_names_of(pass)
   local known = argument_names[pass]
   if known then return known end
-  known = { "as", "time" }
+  known = { "as", "time", "runs" }
   for _, list in ipairs { pass.reads, pass.params } do
     for _, one in ipairs(list) do known[#known + 1] = one.name end
   end
@@ -227,6 +227,14 @@ local function choose_name(problems, pass, arguments, place)
   return name
 end
 
+local function choose_runs(problems, pass, arguments, place)
+  local runs = rawget(arguments, "runs")
+  if runs == nil then return pass.runs end
+  local owner = ("pass '%s'"):format(pass.name)
+  require("strobe.pass").check_runs(problems, runs, pass, native.key_place(place, "runs"), owner)
+  return runs
+end
+
 local function choose_time(problems, pass, arguments, place)
   local time = rawget(arguments, "time")
   if time == nil then return "raster" end
@@ -264,6 +272,7 @@ function node.create(place, pass, arguments)
   local made = { pass = pass.name, place = place, params = {}, loop = node.graph.loop or "" }
   made.name = choose_name(problems, pass, arguments, place)
   made.time = choose_time(problems, pass, arguments, place)
+  made.runs = choose_runs(problems, pass, arguments, place)
   made.inputs = wire_reads(problems, pass, arguments, place)
   local owner = ("pass '%s'"):format(pass.name)
   for _, wanted in ipairs(pass.params) do

@@ -10,7 +10,7 @@ local pass = { int = param.int, float = param.float, bool = param.bool, choice =
 
 pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
-  "if_no", "dispatch_over", "group",
+  "if_no", "dispatch_over", "group", "runs",
 }
 pass.read_keys  = { "doc", "uint", "optional", "absent", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
@@ -18,7 +18,8 @@ pass.update_keys = { "doc", "format", "history", "each" }
 pass.format_keys = { "by" }  -- and one key for each choice of the parameter that `by` names
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
-pass.call_keys  = { "as", "time", "get" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
+pass.runs       = { "everywhere", "moving_rect", "moving_instances" }  -- pixels or instances that a pass is restricted to
+pass.call_keys  = { "as", "time", "runs", "get" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
 
 local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
@@ -291,6 +292,26 @@ local function declare_group(problems, t, kind, result, place, owner)
   return true
 end
 
+-- True if `runs` is one of pass.runs and suits the pass `result`.
+function pass.check_runs(problems, runs, result, at, owner)
+  if not check.contains(pass.runs, runs) then
+    local near = type(runs) == "string" and native.nearest(runs, pass.runs) or ""
+    problems:add(at, "runs = %s of %s is not one of %s%s", check.quoted(runs), owner, table.concat(pass.runs, ", "), near)
+  elseif runs == "moving_instances" and result.kind ~= "raster" then
+    problems:add(at, "%s is a %s pass; only raster passes run for moving instances", owner, result.kind)
+  else
+    return true
+  end
+  return false
+end
+
+-- `runs`: restriction of the pass; a call may give another. By default the moving rectangle, if `if_no` has stand-ins for the
+-- other pixels.
+local function declare_runs(problems, t, result, place, owner)
+  if t.runs == nil then return "moving_rect" end
+  return pass.check_runs(problems, t.runs, result, native.key_place(place, "runs"), owner) and t.runs or "moving_rect"
+end
+
 local function check_divide(problems, size, params, declared, at, owner)
   local names = {}
   for i, one in ipairs(params) do names[i] = one.name end
@@ -436,6 +457,7 @@ local function declare(kind, place, t)
   result.size     = declare_size(problems, t, place, result, owner)
   result.over     = declare_over(problems, t, kind, result, place, owner)
   result.group    = declare_group(problems, t, kind, result, place, owner)
+  result.runs     = declare_runs(problems, t, result, place, owner)
   result.without  = stand_in.declare(problems, t.if_no, result, place, owner)
   check_twins(problems, result, owner)
   problems:raise()

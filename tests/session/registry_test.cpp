@@ -156,7 +156,6 @@ const std::map<std::string, std::string> kNoPicture = {
     {"half_difference.block", "in which groups differences are added up"},
     {"trace_time_samples.audit", "which pixels are checked"},
     {"trace_time_samples.mismatch_tolerance", "what a check counts"},
-    {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
     {"coherent_cells.validation_rays", "which cells are checked; where no ray finds anything they stay what they are"},
     {"selective: sample_consensus.even_within", "centres are sampled alone, whose rays are one"},
     {"selective: sample.audit", "which pixels are checked"},

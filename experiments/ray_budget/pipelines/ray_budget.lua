@@ -41,7 +41,7 @@ return pipeline {
       velocity = raster.velocity, dominant = dominant,
     }.priority
     local mask = select_top(p, priority, "masked", revealing)
-    local revealed = layers.of(layers.revealed(raster, mask, true))
+    local revealed = layers.of(layers.revealed(raster, mask, "moving_rect"))
     local images = layers.images(p, raster, revealed, layered, slowest)
     images.unreliable = time_samples.unreliable(p, raster, revealed)
     images.silhouettes = time_samples.silhouettes(raster, slowest)

@@ -18,7 +18,7 @@ local layers = {}
 local function bounds_of(layer, name)
   return velocity_bounds {
     velocity = layer.velocity, velocity_post = layer.velocity_post, curve = layer.curve, valid = layer.valid,
-    all_count = not layer.valid or nil, as = name,
+    runs = not layer.valid and "moving_rect" or nil, as = name,
   }.bounds
 end
 
@@ -29,7 +29,7 @@ function layers.disocclusion_mask(raster)
   local near = gather_candidates {
     velocities = tile.velocities, farthest = tile.farthest, max_displacement = max_displacement,
   }
-  local bounds = velocity_bounds { velocity = raster.velocity, all_count = true, as = "mask_bounds" }.bounds
+  local bounds = velocity_bounds { velocity = raster.velocity, runs = "moving_rect", as = "mask_bounds" }.bounds
   if not (raster.curve or raster.velocity_post) then raster.bounds = bounds end
   local ids = id_bounds { id = raster.id, as = "mask_ids" }.ids
   local culled = cull_candidates {
@@ -45,10 +45,10 @@ function layers.disocclusion_mask(raster)
   }.mask
 end
 
--- Traces behind the mask; returns the ports of `reveal`. `mask_in_moving_rect`: true if the mask is 0 in pixels without any
--- motion.
-function layers.revealed(raster, mask, mask_in_moving_rect)
-  return reveal { hit = raster.hit, mask = mask, mask_in_moving_rect = mask_in_moving_rect }
+-- Traces behind the mask; returns the ports of `reveal`. `runs` = "moving_rect" if the mask is 0 outside of the moving
+-- rectangle.
+function layers.revealed(raster, mask, runs)
+  return reveal { hit = raster.hit, mask = mask, runs = runs }
 end
 
 -- The revealed layer, from the ports of `reveal`.
@@ -92,7 +92,7 @@ function layers.both(p)
   if paths.are_extrapolated(p) then paths.add_curves(p, { { "raster", whole } }) end
   local raster = paths.split(p, whole, "segments")
   local mask = paths.mask(p, raster, function(_, layer) return layers.disocclusion_mask(layer) end)
-  local found = layers.revealed(whole, mask, true)
+  local found = layers.revealed(whole, mask, "moving_rect")
   local revealed = paths.split(p, layers.of(found), "revealed_segments")
   layers.add_curves(p, raster, revealed)
   return { whole = whole, mask = mask, found = found, raster = raster, revealed = revealed }
