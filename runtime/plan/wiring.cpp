@@ -196,8 +196,9 @@ class Wirer {
       }
       bool traces = wired.pass >= 0 && pipeline_.passes[wired.pass].kind == PassDesc::Kind::Trace;
       if (traces && (node.time == "shutter_open" || node.time == "shutter_close")) {
-        problem(node.place, "trace node '{}' has time '{}'; rays see the capture or, in a loop, the sample", node.name,
-                node.time);
+        problem(node.place,
+                "trace node '{}' has time '{}'; rays trace the scene at the raster time or, in a loop, at the sample",
+                node.name, node.time);
       }
       wiring_.nodes.push_back(std::move(wired));
     }

@@ -75,7 +75,7 @@ TEST_F(RenderAccumulation, KeepsTheCapturesColours) {
     lab::Picture blended = render(with(shot, "accumulation", {"reuse=blended"}, "centre"));
     EXPECT_LT(rmsDifference(colorOf(anew), colorOf(kept)), .002);
     EXPECT_LT(rmsDifference(colorOf(anew), colorOf(blended)), .01);
-    const char* const kShaded = "accumulated.shaded";
+    const char* const kShaded = "accumulate_moving.shaded";
     EXPECT_LT(counterOf(kept, kShaded), counterOf(anew, kShaded) * 3 / 4);
     EXPECT_LE(counterOf(blended, kShaded), counterOf(kept, kShaded));
     EXPECT_EQ(counterOf(kept, "over_background.samples"), counterOf(anew, "over_background.samples"));

@@ -114,8 +114,8 @@ TEST_F(RenderCells, HaveTheMotionsThatCross) {
     lab::Shot shot = with(shotOf("wedge", kPicture, kPicture, {{"from", 20}, {"to", 65}, {"degrees", 60}}),
                           "hybrid_layered", {fmt::format("tile={}", kTile), "limit=0.25"}, anchor.name);
     shot.taps = {"mask_bounds.bounds", "mask_ids.ids"};
-    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("gather_candidates.motions_{}", k));
-    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("cull_candidates.crossing_{}", k));
+    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("gather_candidates.candidates_{}", k));
+    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("cull_candidates.culled_{}", k));
     const lab::Picture picture = render(shot);
     const MaskCells cells{picture.frame.taps.at(shot.taps[0]).floats, picture.frame.taps.at(shot.taps[1]).uints, kSide,
                           kPicture};
@@ -177,7 +177,7 @@ int countDifferent(const image::Image& a, const image::Image& b, float by) {
 TEST_F(RenderCells, DoNotShowInThePicture) {
   for (const char* camera : {"main", "tracking"}) {
     SCOPED_TRACE(camera);
-    lab::Shot shot = room(camera, "close");
+    lab::Shot shot = room(camera, "end");
     image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=64", "mark_regions=false"})));
     // Under a mask without cells: only the composite's change.
     const std::vector<std::string> nodes = {"raster_bounds", "revealed_bounds", "classify_cells", "composite"};
@@ -194,7 +194,7 @@ TEST_F(RenderCells, DoNotShowInThePicture) {
 
 // By truth, which knows no cells: what is copied is at rest there, bit for bit.
 TEST_F(RenderCells, LeaveOutWhatNothingReaches) {
-  lab::Shot shot = room("main", "close");
+  lab::Shot shot = room("main", "end");
   shot.taps = {"classify_cells.moved"};
   lab::Picture picture = render(with(shot, "hybrid_traced", {"tile=20"}));
   shot.taps.clear();

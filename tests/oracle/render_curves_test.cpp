@@ -161,10 +161,10 @@ struct Doubts {
 TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(wedge(), "hybrid_layered", {"trajectory=quadratic"}, anchor.name);
-    shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+    shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
     lab::Picture picture = render(shot);
     const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
-                       &bent = picture.frame.taps.at("raster_curve.bent").floats;
+                       &bent = picture.frame.taps.at("raster_curve.nonlinear").floats;
     int seen = 0;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -188,10 +188,10 @@ TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
 TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(wedge(), "hybrid_traced", {"raster_deviation.max_deviation=2"}, anchor.name);
-    shot.taps = {"raster_deviation.bend", "raster_deviation.bent"};
+    shot.taps = {"raster_deviation.path_deviation", "raster_deviation.nonlinear"};
     lab::Picture picture = render(shot);
-    const image::Image &bend = picture.frame.taps.at("raster_deviation.bend").floats,
-                       &bent = picture.frame.taps.at("raster_deviation.bent").floats;
+    const image::Image &bend = picture.frame.taps.at("raster_deviation.path_deviation").floats,
+                       &bent = picture.frame.taps.at("raster_deviation.nonlinear").floats;
     int near = 0, far = 0;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -251,7 +251,7 @@ TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
 TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
   lab::Shot shot = with(shotOf("swerve", kSide, 64), "hybrid_traced",
                         {fmt::format("samples={}", Doubts::kParts), "jitter=hash"}, "centre");
-  shot.taps = {"unreliable.unreliable"};
+  shot.taps = {"classify_time_samples.unreliable"};
   const std::pair<const char*, double> layers[] = {{"raster_bent_bounds", 0},
                                                    {"revealed_1_bent_bounds", 0},
                                                    {"open_unseen_bounds", Doubts::kOpen},
@@ -318,10 +318,10 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
         const std::string what = fmt::format("{}, {} degrees, {} px", anchor.name, degrees, slide);
         lab::Shot shot =
             with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "hybrid_layered", {"trajectory=arc"}, anchor.name);
-        shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+        shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
         const lab::Picture picture = render(shot);
         const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
-                           &bent = picture.frame.taps.at("raster_curve.bent").floats;
+                           &bent = picture.frame.taps.at("raster_curve.nonlinear").floats;
         int seen = 0;
         for (int y = 0; y < kSide; ++y)
           for (int x = 0; x < kSide; ++x) {
@@ -422,7 +422,7 @@ std::vector<std::string> foretold(const std::string& trajectory) {
 // Over two frames up to the raster time: the curve goes through the poses of both.
 TEST_F(RenderCurves, MeetThePosesOfEarlierFrames) {
   constexpr int kFrames = 2;
-  lab::Shot shot = with(slowWedge(), "hybrid_layered", foretold("quadratic"), "close");
+  lab::Shot shot = with(slowWedge(), "hybrid_layered", foretold("quadratic"), "end");
   shot.exposure = kFrames;
   shot.taps = {"raster_curve.curve"};
   const lab::Picture picture = render(shot);
@@ -450,7 +450,7 @@ TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
   const lab::Shot bent = shotOf("bent", 96, 32, {{"before", 12}, {"after", 12}, {"bend", 5}});
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(bent, "hybrid_layered", foretold("quadratic"), anchor.name);
-    shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+    shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
     const lab::Picture picture = render(shot);
     const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
     for (int x = 32; x < 60; ++x) {
@@ -459,7 +459,7 @@ TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
           << anchor.name;
       EXPECT_NEAR(curve.at(x, 16, 0), -5. / 8, 1e-3) << anchor.name;
       for (int k = 1; k < 4; ++k) EXPECT_NEAR(curve.at(x, 16, k), 0, 1e-3) << anchor.name;
-      EXPECT_EQ(picture.frame.taps.at("raster_curve.bent").floats.at(x, 16, 0), 0) << anchor.name;
+      EXPECT_EQ(picture.frame.taps.at("raster_curve.nonlinear").floats.at(x, 16, 0), 0) << anchor.name;
     }
   }
 }

@@ -210,7 +210,7 @@ TEST_F(RenderFacts, AreWhatTheScenesSay) {
 // Of the parts of an exposure: what looks at an end of it that is the capture is not required.
 TEST_F(RenderFacts, OfEachAnchor) {
   const std::map<std::string, std::vector<std::string>> lacked = {
-      {"close", {"after"}}, {"centre", {}}, {"open", {"before"}}};
+      {"end", {"after"}}, {"centre", {}}, {"start", {"before"}}};
   for (const auto& [anchor, absent] : lacked) {
     Shot shot = with(cases()[1].shot, "hybrid_traced", {}, anchor);
     std::vector<std::string> found = absentFacts(shot, bench().scene(shot)->loaded.scene);
@@ -246,7 +246,7 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
                                                        {"trajectory=quadratic"},
                                                        {"trajectory=arc"}};
   for (double after : {-6., 60.})
-    for (const char* anchor : {"end", "centre", "open"})
+    for (const char* anchor : {"end", "centre", "start"})
       for (std::vector<std::string> settings : paths) {
         Shot shot = shotOf("bent", 256, 32, {{"before", 20}, {"after", after}, {"top", 8}, {"bottom", 20}});
         const Shot foretold = with(shot, "hybrid_layered", settings, anchor);
@@ -261,13 +261,13 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
 // Outside of where anything moves, passes that know what stands in for them do not run; what they leave is the same.
 TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
   const Shot square = shotOf("quad_2d", kWidth, kHeight, {{"left", 18}, {"right", 24}, {"top", 10}, {"bottom", 15}});
-  Shot shot = with(square, "hybrid_traced", {}, "close");
-  shot.taps = {"composite.open",   "mask.mask",        "reveal.found",
-               "raster_deviation.bend", "tile_max.longest", "composite.blurred"};
+  Shot shot = with(square, "hybrid_traced", {}, "end");
+  shot.taps = {"composite.unresolved",   "mask.mask",        "ray_reveal.found",
+               "raster_deviation.path_deviation", "tile_max.longest", "composite.blurred"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
-  const Picture none = render(with(square, "none", {}, "close"));
+  const Picture none = render(with(square, "none", {}, "end"));
   EXPECT_FALSE(oracle::identical(oracle::colorOf(required), oracle::colorOf(none)));
 }
 
@@ -300,9 +300,9 @@ TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
   };
   for (const char* node :
        {"trace_time_samples", "shutter_open_visibility", "disoccluded_at_open", "raster_deviation", "unreliable", "moving_silhouettes"})
-    EXPECT_FALSE(runs("close", "hybrid_layered", node)) << node;
+    EXPECT_FALSE(runs("end", "hybrid_layered", node)) << node;
   const std::map<std::string, std::pair<bool, bool>> ends = {
-      {"close", {true, false}}, {"centre", {true, true}}, {"open", {false, true}}};
+      {"end", {true, false}}, {"centre", {true, true}}, {"start", {false, true}}};
   for (const auto& [anchor, seen] : ends) {
     EXPECT_EQ(runs(anchor, "hybrid_traced", "shutter_open_visibility"), seen.first) << anchor;
     EXPECT_EQ(runs(anchor, "hybrid_traced", "shutter_close_visibility"), seen.second) << anchor;
@@ -312,7 +312,7 @@ TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
 // Before a camera at rest an end of the exposure is drawn without what is at rest; before one that moves with it.
 TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
   auto seenAtOpen = [](Shot shot) {
-    shot = with(shot, "hybrid_traced", {}, "close");
+    shot = with(shot, "hybrid_traced", {}, "end");
     shot.taps = {"shutter_open_visibility.hit"};
     Picture picture = render(shot);
     std::set<uint32_t> seen;
@@ -321,13 +321,13 @@ TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
       for (int x = 0; x < kWidth; ++x) seen.insert(hit.at(x, y, 0));
     return seen;
   };
-  Shot before_rest = with(cases()[1].shot, "hybrid_traced", {}, "close");
+  Shot before_rest = with(cases()[1].shot, "hybrid_traced", {}, "end");
   const std::vector<bool> moves = lab::factsOf(before_rest, bench().scene(before_rest)->loaded.scene, 0).moves;
   ASSERT_GT(std::count(moves.begin(), moves.end(), false), 0);
   for (uint32_t id : seenAtOpen(before_rest)) {
     if (id > 0) EXPECT_TRUE(moves[id - 1]) << id;
   }
-  const Shot before_motion = with(cases()[2].shot, "hybrid_traced", {}, "close");
+  const Shot before_motion = with(cases()[2].shot, "hybrid_traced", {}, "end");
   EXPECT_GT(seenAtOpen(before_motion).size(), 2u);
 }
 

@@ -106,7 +106,7 @@ TEST_F(RenderLenses, NearPlanesMoveFromWhatTheCaptureSees) {
   lab::Shot nearing = shot("/cameras/0/perspective/znear", 8.84f, .84f, true, kFov);
   nearing.moves = {"eye=0,0,-1"};
   nearing = with(nearing, "hybrid_traced", {}, "centre");
-  nearing.taps = {"disoccluded_at_open.unseen", "disoccluded_at_close.unseen"};
+  nearing.taps = {"disoccluded_at_open.disoccluded", "disoccluded_at_close.disoccluded"};
   const lab::Picture picture = render(nearing);
   const image::Image &open = picture.frame.taps.at(nearing.taps[0]).floats,
                      &close = picture.frame.taps.at(nearing.taps[1]).floats;
@@ -130,7 +130,7 @@ TEST_F(RenderLenses, NearPlanesMoveFromWhatTheCaptureSees) {
 TEST_F(RenderLenses, LightsFadeWithinTheExposure) {
   lab::Shot fading = shot("/extensions/KHR_lights_punctual/lights/0/intensity", 4, 0, false);
   auto middle = [&](const std::string& shading) {
-    lab::Picture picture = render(with(fading, "ground_truth", {"samples=64", "shading=" + shading}, "close"));
+    lab::Picture picture = render(with(fading, "ground_truth", {"samples=64", "shading=" + shading}, "end"));
     return colorOf(picture).at(kWidth / 2, kHeight / 2, 0);
   };
   double frozen = middle("frozen"), full = middle("full");

@@ -249,7 +249,7 @@ TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
 TEST_F(RenderMasks, DamagedDisplacementsMoveByWhatIsLeftOfThem) {
   const Path project = sourceFolder() / "tests/oracle/project";
   lab::Workbench damaged(Home({project, home().shipped()}, home().data(), home().program()), bench());
-  const lab::Picture picture = damaged.render(with(shotOf("bar", 128, 16), "damaged_masks", {}, "close"));
+  const lab::Picture picture = damaged.render(with(shotOf("bar", 128, 16), "damaged_masks", {}, "end"));
   for (int x = 0; x < 8; ++x) {
     const bool moves = x / 2 == 1 || x / 2 == 2 || x % 2 == 1;  // infinite, or by 5 px down
     EXPECT_EQ(imageOf(picture, "mask").at(x, 8, 0) > .5f, moves) << x;

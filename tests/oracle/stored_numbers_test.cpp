@@ -107,15 +107,15 @@ class StoredNumbers : public RenderTest {
   }
 
   static Result colors(const char* format, const Floats& values) {
-    return run(fmt::format("#define PARAM_color_format color_format_{}\n", format), "v = storedColor(v);", values);
+    return run(fmt::format("#define PARAM_color_format color_format_{}\n", format), "v = quantisedColor(v);", values);
   }
   static Result velocities(const char* format, const Floats& values) {
     return run(fmt::format("#define PARAM_velocity_format velocity_format_{}\n", format),
-               "v = vec4(storedVelocity(v.xy), storedVelocity(v.zw));", values);
+               "v = vec4(quantisedVelocity(v.xy), quantisedVelocity(v.zw));", values);
   }
   static Result depths(const char* encoding, float near, const Floats& values) {
     return run(fmt::format("#define PARAM_depth_encoding depth_encoding_{}\n", encoding),
-               "for (int c = 0; c < 4; ++c) v[c] = storedDepth(v[c]);", values, near);
+               "for (int c = 0; c < 4; ++c) v[c] = quantisedDepth(v[c]);", values, near);
   }
 
  private:

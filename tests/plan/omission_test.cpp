@@ -59,7 +59,7 @@ Builder filtered() {
   Builder b;
   b.compute("base", {}, {"x"});
   b.compute("tiles", {{"x", "base.x"}}, {"y"});
-  b.compute("filter", {{"x", "base.x"}, {"y", "tiles.y"}}, {"z"}).if_no = {without("motion", {{"z", "x"}})};
+  b.compute("filter", {{"x", "base.x"}, {"y", "tiles.y"}}, {"z"}).without = {without("motion", {{"z", "x"}})};
   b.output("color", "filter.z");
   return b;
 }
@@ -85,7 +85,7 @@ TEST(Omission, AnotherFactThatDoesNotHoldChangesNothing) {
 
 TEST(Omission, StandInsOfStandIns) {
   Builder b = filtered();
-  b.compute("second", {{"x", "filter.z"}}, {"z"}).if_no = {without("motion", {{"z", "x"}})};
+  b.compute("second", {{"x", "filter.z"}}, {"z"}).without = {without("motion", {{"z", "x"}})};
   b.output("other", "second.z");
   Plan plan = planned(b, {"motion"});
   EXPECT_EQ(order(plan), Names{"base"});
@@ -105,9 +105,9 @@ TEST(Omission, WhatReadsTheNodeReadsTheStandIn) {
 Builder masked() {
   Builder b;
   b.compute("base", {}, {"x"});
-  b.compute("mask", {{"x", "base.x"}}, {"m r8_unorm"}).if_no = {without("motion", {{"m", ""}})};
+  b.compute("mask", {{"x", "base.x"}}, {"m r8_unorm"}).without = {without("motion", {{"m", ""}})};
   PassDesc& rays = b.compute("rays", {{"x", "base.x"}, {"m", "mask.m"}}, {"a rgba16f", "b rg32ui"});
-  rays.if_no = {without("m", {{"a", ""}, {"b", ""}})};
+  rays.without = {without("m", {{"a", ""}, {"b", ""}})};
   rays.size.kind = SizeDesc::Kind::Port;
   rays.size.port = "x";
   b.compute("end", {{"a", "rays.a"}}, {"z"});
@@ -122,9 +122,9 @@ Builder masked() {
 Builder reached(const std::string& filtered_format) {
   Builder b;
   b.compute("base", {}, {"x rgba16f"});
-  b.compute("mask", {{"x", "base.x"}}, {"m r8_unorm"}).if_no = {without("reached", {{"m", ""}})};
-  b.compute("filter", {{"x", "base.x"}, {"m", "mask.m"}}, {"z " + filtered_format}).if_no = {
-      without("reached", {{"z", "x"}})};
+  b.compute("mask", {{"x", "base.x"}}, {"m r8_unorm"}).without = {without("moving_rect", {{"m", ""}})};
+  b.compute("filter", {{"x", "base.x"}, {"m", "mask.m"}}, {"z " + filtered_format}).without = {
+      without("moving_rect", {{"z", "x"}})};
   b.output("color", "filter.z");
   return b;
 }
@@ -161,7 +161,7 @@ TEST(Omission, WhatStandsInOutsideHasTheFormatOfTheWrite) {
 TEST(Omission, WhatStandsInOutsideIsNotOfAPassThatRunsThere) {
   for (const std::string format : {"rgba16f", "rgba32f"}) {
     Builder b = reached(format);
-    b.compute("last", {{"x", "filter.z"}}, {"z " + format}).if_no = {without("reached", {{"z", "x"}})};
+    b.compute("last", {{"x", "filter.z"}}, {"z " + format}).without = {without("moving_rect", {{"z", "x"}})};
     b.output("other", "last.z");
     Plan plan = planned(b, {});
     EXPECT_EQ(plan.nodes[3].in_moving_rect, plan.nodes[2].in_moving_rect) << format;
@@ -174,9 +174,9 @@ TEST(Omission, NobodyCopiesWhatNobodyLooksAtOutside) {
     for (bool is_output : {false, true}) {
       Builder b;
       b.compute("base", {}, {"x rgba16f"});
-      b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).if_no = {without("reached", {{"z", "x"}})};
+      b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("moving_rect", {{"z", "x"}})};
       PassDesc& last = b.compute("last", {{"x", "filter.z"}}, {"z rgba16f"});
-      last.if_no = {without("reached", {{"z", "x"}})};
+      last.without = {without("moving_rect", {{"z", "x"}})};
       last.reads[0].pointwise = pointwise;
       b.output("color", "last.z");
       if (is_output) b.output("filtered", "filter.z");
@@ -190,9 +190,9 @@ TEST(Omission, NobodyCopiesWhatNobodyLooksAtOutside) {
 TEST(Omission, PixelsOfAnotherSizeAreLookedAt) {
   Builder b;
   b.compute("base", {}, {"x rgba16f"});
-  b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).if_no = {without("reached", {{"z", "x"}})};
+  b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("moving_rect", {{"z", "x"}})};
   PassDesc& last = b.compute("last", {{"x", "filter.z"}}, {"m r8_unorm"});
-  last.if_no = {without("reached", {{"m", ""}})};
+  last.without = {without("moving_rect", {{"m", ""}})};
   last.reads[0].pointwise = true;
   last.size = {SizeDesc::Kind::Fixed, "", "", 2, 2};
   b.output("color", "last.m");
@@ -207,7 +207,7 @@ TEST(Omission, WhatALoopStopsByRunsOutsideToo) {
     b.beginLoop("times", 4, stops ? "stop.y" : "");
     PassDesc& stop = b.compute("stop", {{"x", "base.x"}}, {"y"});
     stop.size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
-    stop.if_no = {without("reached", {{"y", "x"}})};
+    stop.without = {without("moving_rect", {{"y", "x"}})};
     b.compute("sum", {{"y", "stop.y"}}, {}, {"s"});
     b.endLoop();
     b.output("color", "sum.s");
@@ -219,9 +219,9 @@ TEST(Omission, WhatALoopStopsByRunsOutsideToo) {
 TEST(Omission, ZerosOutsideShareMemoryAmongThemselves) {
   Builder b;
   b.compute("a", {}, {"x"});
-  b.compute("b", {{"x", "a.x"}}, {"y"}).if_no = {without("reached", {{"y", ""}})};
+  b.compute("b", {{"x", "a.x"}}, {"y"}).without = {without("moving_rect", {{"y", ""}})};
   b.compute("c", {{"y", "b.y"}}, {"z"});
-  b.compute("d", {{"z", "c.z"}}, {"y"}).if_no = {without("reached", {{"y", ""}})};
+  b.compute("d", {{"z", "c.z"}}, {"y"}).without = {without("moving_rect", {{"y", ""}})};
   b.compute("e", {{"y", "d.y"}}, {"z"});
   b.output("color", "e.z");
   Plan plan = planned(b, {});
@@ -256,7 +256,7 @@ TEST(Omission, AMaskThatRunsKeepsWhatReadsIt) { EXPECT_EQ(order(planned(masked()
 Builder layered() {
   Builder b;
   b.compute("base", {}, {"x"});
-  b.compute("mask", {{"x", "base.x"}}, {"m"}).if_no = {without("motion", {{"m", ""}})};
+  b.compute("mask", {{"x", "base.x"}}, {"m"}).without = {without("motion", {{"m", ""}})};
   b.compute("layer", {{"m", "mask.m"}}, {"l"});
   PassDesc& filter = b.compute("filter", {{"x", "base.x"}, {"layer", "layer.l"}, {"mask", "mask.m"}}, {"z"});
   for (PortDesc& read : filter.reads)
@@ -322,7 +322,7 @@ TEST(Omission, InLoopsToo) {
   Builder b;
   b.compute("base", {}, {"x"});
   b.beginLoop("times", 4);
-  b.compute("inside", {{"x", "base.x"}}, {"y"}).if_no = {without("motion", {{"y", "x"}})};
+  b.compute("inside", {{"x", "base.x"}}, {"y"}).without = {without("motion", {{"y", "x"}})};
   b.compute("sum", {{"y", "inside.y"}}, {}, {"s"});
   b.endLoop();
   b.output("color", "sum.s");
@@ -335,7 +335,7 @@ TEST(Omission, ALoopOfWhichNothingIsLeftIsNoStep) {
   Builder b;
   b.compute("base", {}, {"x"});
   b.beginLoop("times", 4);
-  b.compute("inside", {{"x", "base.x"}}, {"y"}).if_no = {without("motion", {{"y", "x"}})};
+  b.compute("inside", {{"x", "base.x"}}, {"y"}).without = {without("motion", {{"y", "x"}})};
   b.endLoop();
   b.output("color", "inside.y");
   EXPECT_TRUE(planned(b, {"motion"}).loops.empty());
@@ -347,7 +347,7 @@ TEST(Omission, WhatALoopStopsByRuns) {
   b.beginLoop("times", 4, "stop.y");
   PassDesc& stop = b.compute("stop", {{"x", "base.x"}}, {"y"});
   stop.size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
-  stop.if_no = {without("motion", {{"y", ""}})};
+  stop.without = {without("motion", {{"y", ""}})};
   b.compute("sum", {{"x", "base.x"}}, {}, {"s"});
   b.endLoop();
   b.output("color", "sum.s");
@@ -358,7 +358,7 @@ TEST(Omission, HistoriesAreReadAsTheyAre) {
   Builder b;
   b.compute("base", {}, {"x"});
   b.compute("sum", {{"x", "base.x"}}, {}, {"s"}).updates[0].history = true;
-  b.compute("filter", {{"s", "sum.s"}}, {"z"}).if_no = {without("motion", {{"z", "s"}})};
+  b.compute("filter", {{"s", "sum.s"}}, {"z"}).without = {without("motion", {{"z", "s"}})};
   b.output("color", "filter.z");
   Plan plan = planned(b, {"motion"});
   EXPECT_EQ(order(plan), (Names{"base", "sum"}));
@@ -390,7 +390,7 @@ TEST(Without, ReadsBackAsItIsWritten) {
 
 std::string refusal(const WithoutDesc& one) {
   PassDesc pass = masked().pipeline.passes[2];
-  pass.if_no = {one};
+  pass.without = {one};
   try {
     passFromJson(toJson(pass));
   } catch (const Error& error) {

@@ -310,7 +310,7 @@ TEST(Buffers, ARunOverAListReadsItsGroups) {
   Builder b;
   b.compute("list", {}, {"x buffer32ui"});
   PassDesc& over = b.compute("over", {{"x", "list.x"}}, {"y"});
-  over.dispatch_over = "x", over.writes[0].cleared = true;
+  over.over = "x", over.writes[0].cleared = true;
   b.output("color", "over.y");
   Plan plan = compiled(b.pipeline);
   EXPECT_EQ(plan.nodes.at(1).over, plan.nodes.at(0).writes.at(0));
@@ -674,7 +674,8 @@ TEST(Refusals, RaysAtTimesNobodyBuildsAStructureFor) {
   b.output("color", "rays.hit");
   b.node("rays").time = "shutter_open";
   EXPECT_EQ(refusal(b.pipeline),
-            "test.lua:1: trace node 'rays' has time 'open'; rays see the capture or, in a loop, the sample");
+            "test.lua:1: trace node 'rays' has time 'shutter_open'; rays trace the scene at the raster time or, in a "
+            "loop, at the sample");
 }
 
 TEST(Refusals, AllAtOnce) {

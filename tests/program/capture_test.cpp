@@ -161,7 +161,7 @@ TEST_F(Capture, OneUnitInTheLastPlaceOfOnePixelIsFound) {
   const std::string home = copiedHome();
   ASSERT_EQ(capture("out", "--only card.none", home).exit_code, 0);
   replaceIn("home/shaders/scene/shade.glsl", "imageStore(color_img, pixel, ",
-            "if (pixel == ivec2(5, 7)) { vec4 one = storedColor(vec4(color, 1)); one.y = "
+            "if (pixel == ivec2(5, 7)) { vec4 one = quantisedColor(vec4(color, 1)); one.y = "
             "uintBitsToFloat(floatBitsToUint(one.y) + 1u); imageStore(color_img, pixel, one); return; }\n  "
             "imageStore(color_img, pixel, ");
   Outcome verified = run("verify " + path("out") + " --json -o " + path("maps"), home);

@@ -102,7 +102,7 @@ TEST_F(Exr, OnePartAsOpenImageIoReadsIt) {
 
 // Every pass: what the record says of each image is what the file holds.
 TEST_F(Exr, PartsAsOpenImageIoReadsThem) {
-  std::string taps = "--tap neighbour_max.dominant --tap tile_max.longest --tap mask_bounds.bounds --tap reveal.id";
+  std::string taps = "--tap neighbour_max.dominant --tap tile_max.longest --tap mask_bounds.bounds --tap ray_reveal.id";
   std::string file = drawn("hybrid_layered", "--multipart --cryptomatte " + taps);
   image::ExrFile read = image::readExr(file);
   std::set<std::string> sizes;

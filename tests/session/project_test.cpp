@@ -68,7 +68,7 @@ TEST_F(ProjectSession, TakesInEditsOfBothRoots) {
   std::string two_taps = colorHash(session);
   EXPECT_NE(two_taps, first);
 
-  home_.edit("shaders/gbuffer/shade.glsl", "storedColor(vec4(color, 1))", "storedColor(vec4(0.5 * color, 1))");
+  home_.edit("shaders/gbuffer/shade.glsl", "quantisedColor(vec4(color, 1))", "quantisedColor(vec4(0.5 * color, 1))");
   told = session.reload(true);
   ASSERT_TRUE(told);
   EXPECT_EQ(told->changed, Names{"strobe:shaders/gbuffer/shade.glsl"});
@@ -110,7 +110,7 @@ TEST_F(ProjectSession, FollowsTheExposure) {
   constexpr double kLeft = 32, kRight = 96, kDisplacement = 20;
   constexpr int kTaps = 64;
   lab::Workbench own(home(), bench());
-  for (const auto& [anchor, from] : {std::pair<std::string, double>{"close", -1}, {"centre", -0.5}, {"open", 0}}) {
+  for (const auto& [anchor, from] : {std::pair<std::string, double>{"end", -1}, {"centre", -0.5}, {"start", 0}}) {
     lab::Shot shot = smallShot("smear", 128, 8);
     shot.scene = "oracles/bar";
     shot.anchor = anchor;
