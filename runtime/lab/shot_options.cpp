@@ -104,7 +104,7 @@ static std::vector<ShotOption> allOptions() {
        Concern::Plan,
        {whole("width", &S::width, 960, 1, kSide, "px"), whole("height", &S::height, 540, 1, kSide, "px")},
        O::kSuggested | O::kControl},
-      one(real("fps", &S::fps, 24, 1e-3, 1e6, "1/s"), "frames per second", Concern::Motion,
+      one(real("fps", &S::fps, 24, 1e-3, 1e6, "frames/s"), "frames per second of the clip", Concern::Motion,
           O::kSuggested | O::kControl),
       one(whole("frame", &S::frame, 1, 0, kLastFrame), "the capture is at frame / fps seconds", Concern::Motion,
           O::kSuggested | O::kControl),
