@@ -228,10 +228,11 @@ local function choose_name(problems, pass, arguments, place)
 end
 
 local function choose_runs(problems, pass, arguments, place)
+  local passes = require "strobe.pass"
   local runs = rawget(arguments, "runs")
-  if runs == nil then return pass.runs end
+  if runs == nil then return passes.restriction_of(pass) end
   local owner = ("pass '%s'"):format(pass.name)
-  require("strobe.pass").check_runs(problems, runs, pass, native.key_place(place, "runs"), owner)
+  passes.check_runs(problems, runs, pass, native.key_place(place, "runs"), owner)
   return runs
 end
 

@@ -305,6 +305,11 @@ function pass.check_runs(problems, runs, result, at, owner)
   return false
 end
 
+local restrictions = setmetatable({}, { __mode = "k" })  -- by description
+
+-- The restriction of a pass, by its description.
+function pass.restriction_of(description) return restrictions[description] end
+
 -- `runs`: restriction of the pass; a call may give another. By default the moving rectangle, if `if_no` has stand-ins for the
 -- other pixels.
 local function declare_runs(problems, t, result, place, owner)
@@ -457,7 +462,7 @@ local function declare(kind, place, t)
   result.size     = declare_size(problems, t, place, result, owner)
   result.over     = declare_over(problems, t, kind, result, place, owner)
   result.group    = declare_group(problems, t, kind, result, place, owner)
-  result.runs     = declare_runs(problems, t, result, place, owner)
+  restrictions[result] = declare_runs(problems, t, result, place, owner)
   result.without  = stand_in.declare(problems, t.if_no, result, place, owner)
   check_twins(problems, result, owner)
   problems:raise()
