@@ -65,8 +65,8 @@ Never.
 
 | name | what it is | | in GLSL |
 | --- | --- | --- | --- |
-| `velocity` | px | | `texelFetch(velocity_tex, p, 0)` |
-| `id` | instance | unsigned integers; optional: `HAS_id` | `texelFetch(id_tex, p, 0)` |
+| `velocity` | px | | `velocity_at(p)` |
+| `id` | instance | unsigned integers; optional: `HAS_id` | `id_at(p)` |
 
 ## Updates
 
