@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- McGuire et al. 2012 with an adjustable strength. It uses the parameters and functions of the shipped pipeline mcguire2012, and
--- adds one pass at the end.
+-- McGuire et al. 2012 with an adjustable strength. It uses the parameters and functions of the shipped pipeline mcguire2012,
+-- and adds one pass at the end.
 local pipeline     = require "strobe.pipeline"
 local moving       = require "passes.mask.moving"
 local partial_blur = require "passes.partial_blur"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edges where the depth of a neighbour exceeds the depth of the pixel by a share of it.
+// Edges where the depth of a neighbour exceeds the depth of the pixel by the threshold.
 // In:  `depth`: linear view depth, metres; +inf for the sky.
 //      `where`: above 1/2 where edges are detected; absent: everywhere.
 // Out: `edge`: 1 on an edge, one pixel wide, on the nearer side.
