@@ -390,7 +390,7 @@ end
 
 -- Path below passes/ of the file at `place`, without its ending; nil for a file outside of passes/ and for libraries.
 local function path_of(place)
-  local path = ("/" .. place.file):match(".*/passes/(.+)%.lua$")
+  local path = ("/" .. place.file):match(".*[/:]passes/(.+)%.lua$")  -- a colon after the name of a root
   return path and not path:find("^lib/") and path or nil
 end
 
