@@ -13,6 +13,7 @@
 #include "lab/limits.h"
 #include "lab/shot.h"
 #include "page/table.h"
+#include "plan/formats.h"
 #include "script/evaluate.h"
 
 namespace strobe::lab {
