@@ -5,19 +5,21 @@ local blur = require "passes.lib.blur"
 
 return pass.compute {
   doc    = "Least and greatest displacement of each cell, component by component",
-  fails  = "Never. The bounds of two very different motions contain displacements that no texel of the cell has.",
+  fails  = "Does not fail, but can be loose: the bounds of a cell with two very different motions also contain " ..
+           "displacements that no texel has.",
   size   = { of = "velocity", divide = "cell_side" },
   reads  = {
     velocity      = { doc = "displacement of the surface, px over the exposure" },
     velocity_post = { optional = true,
       doc = "displacement of the surface at times after the raster time, px over the exposure; absent: equal to `velocity`" },
     curve          = { optional = true, needs = "curve",
-      doc = "curve of the screen path, px; absent: paths are straight lines" },
-    valid          = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
+      doc = "coefficients of the parabola or arc that the screen path follows; absent: the path is a straight line" },
+    valid          = { optional = true,
+      doc = "mask, above 1/2 at texels that the bounds include; absent: all texels are included" },
   },
   writes = { bounds = { format = "rgba32f",
-    doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; least exceeds greatest in a " ..
-          "cell where no texel counts" } },
+    doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; if no texel of a cell is " ..
+          "included, least exceeds greatest" } },
   if_no = { moving_rect = { bounds = 0 } },
   runs   = "everywhere",  -- static cells have the bounds 0 only if `valid` is absent
   params = {

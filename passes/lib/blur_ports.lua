@@ -12,9 +12,10 @@ local docs = {
   velocity = { doc = "displacement of the surface, px over the exposure" },
   dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
   second   = { optional = true,
-    doc = "displacement around each tile that differs most from the dominant one, px over the exposure" },
+    doc = "displacement around each tile that differs most from the dominant displacement, px over the exposure" },
   slowest  = { optional = true,
-    doc = "length of the shortest displacement around each tile, px over the exposure; absent: uniform motion is not tested" },
+    doc = "length of the shortest displacement around each tile, px over the exposure; absent: the filter does not check " ..
+      "whether all motion around a tile is similar" },
 
   velocity_post = { optional = true,
     doc = "displacement at times after the raster time, px over the exposure; absent: equal to `velocity`" },
@@ -23,14 +24,18 @@ local docs = {
   second_post   = { optional = true,
     doc = "displacement around each tile that differs most from `dominant_post`, px over the exposure" },
 
-  curve          = { optional = true, needs = "curve", doc = "curve of the screen path, px; absent: paths are straight lines" },
+  curve          = { optional = true, needs = "curve",
+    doc = "coefficients of the parabola or arc that the screen path follows; absent: the path is a straight line" },
   revealed_curve = { optional = true, needs = "curve",
-    doc = "curve of the screen path of the revealed surface, px; absent: paths are straight lines" },
+    doc = "coefficients of the parabola or arc that the screen path of the revealed surface follows; absent: the path is a " ..
+      "straight line" },
   dominant_curve = { optional = true, needs = "curve",
-    doc = "curve of the path of the dominant displacement, px; absent: the path is a straight line" },
-  dominant_place = { optional = true, needs = "curve", doc = "texel that has the dominant displacement, px" },
+    doc = "coefficients of the parabola or arc that belongs to the dominant displacement; absent: the path is a straight " ..
+      "line" },
+  dominant_place = { optional = true, needs = "curve",
+    doc = "position of the texel that has the dominant displacement, px" },
 
-  -- Ports of one layer in front of a revealed layer.
+  -- Ports of a filter of one layer, if a revealed layer lies behind that layer.
   valid            = { optional = true, doc = "mask, above 1/2 where the layer has a surface; absent: everywhere" },
   background_depth = { optional = true, doc = "linear view depth of the revealed surface behind each pixel, metres" },
   background_valid = { optional = true,
@@ -56,16 +61,18 @@ local function reads(names, more)
   return list
 end
 
--- Reads of a filter of one image: the named ports and the ports in `more`.
+-- Returns the reads of a filter of one image: the ports that `names` lists, and the ports in `more`.
 function blur_ports.of(names, more) return reads(names, more) end
 
--- Reads of a filter of one layer that may have a revealed layer behind it: its own ports, the named ports and those in `more`.
+-- Returns the reads of a filter of one layer, which may have a revealed layer behind it: the ports of that layer, the ports
+-- that `names` lists, and the ports in `more`.
 function blur_ports.of_layer(names, more)
   local all = { "color", "depth", "velocity", "dominant", "valid", "background_depth", "background_valid" }
   return reads(table.move(names, 1, #names, #all + 1, all), more)
 end
 
--- Reads of a filter of both layers at once: their ports, the named ports and those in `more`.
+-- Returns the reads of a filter of both layers at once: the ports of both layers, the ports that `names` lists, and the ports
+-- in `more`.
 function blur_ports.of_both(names, more)
   local all = { "color", "depth", "velocity", "dominant", "velocity_post", "dominant_post", "revealed_color",
                 "revealed_depth", "revealed_velocity", "revealed_valid", "revealed_velocity_post" }
