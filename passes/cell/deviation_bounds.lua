@@ -10,7 +10,7 @@ return pass.compute {
   size   = { of = "velocity", divide = "cell_side" },
   reads  = {
     velocity       = { doc = "displacement of the surface, px over the exposure" },
-    path_deviation = { doc = "at mid-exposure, distance of the surface's path from the straight line between its ends, px" },
+    path_deviation = { doc = "at mid-exposure, offset of the surface from the straight line between the ends of its path, px" },
     valid          = { doc = "mask, above 1/2 at unreliable texels" },
   },
   writes = {

@@ -27,7 +27,7 @@ return function(end_of, fact)
       velocity    = { format = quantised.velocity, cleared = true,
         doc = "displacement of the visible surface, px over the exposure" },
       path_deviation     = { format = quantised.velocity, cleared = true,
-        doc = "at mid-exposure, distance of the visible surface's path from the straight line between its ends, px" },
+        doc = "at mid-exposure, offset of the visible surface from the straight line between the ends of its path, px" },
     },
     if_no = { motion = nothing, may_appear = nothing, moving_rect = nothing, [fact] = nothing },
     params = {

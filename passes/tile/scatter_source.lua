@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Scatter of tile displacements along their motion, as in Unity's HDRP: origin of the longest at each tile.
+-- Scatter of tile displacements along their motion, as in Unity's HDRP: origin of the longest displacement that
+-- arrives at each tile.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 

@@ -6,26 +6,28 @@ local blur = require "passes.lib.blur"
 local nothing = { longest = 0, curve_of_it = 0, place_of_it = 0, max_displacement = 0 }
 
 return pass.compute {
-  doc    = "Longest displacement of each tile, shortened to the limit",
-  fails  = "One displacement represents a tile: slower ones, and others of equal length, are lost.",
+  doc    = "Longest displacement of each tile, shortened to the displacement limit",
+  fails  = "One displacement represents a tile: shorter displacements, and others of equal length, are lost.",
   size   = { of = "velocity", divide = "tile" },
   group  = true,
   reads  = {
     velocity       = { doc = "displacement of the surface, px over the exposure" },
-    valid          = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
+    valid          = { optional = true, doc = "mask, above 1/2 at texels that the maximum includes; absent: all texels" },
     curve          = { optional = true, needs = "curve",
-      doc = "curve of the screen path, px; absent: paths are straight lines" },
+      doc = "coefficients of the parabola or arc that the screen path follows; absent: the path is a straight line" },
     extra_curve    = { optional = true, needs = "curve",
-      doc = "curve of the screen path of the second layer, px; absent: paths are straight lines" },
+      doc = "coefficients of the parabola or arc that the path of the second layer follows; absent: a straight line" },
     extra_velocity = { optional = true,
       doc = "displacement of a second layer at the same pixels, px over the exposure; absent: one layer" },
-    extra_valid    = { optional = true, doc = "mask, above 1/2 at texels of the second layer that count; absent: all texels" },
+    extra_valid    = { optional = true,
+      doc = "mask, above 1/2 at texels of the second layer that the maximum includes; absent: all texels" },
   },
   writes = { longest = { format = "rg32f",
-               doc = "longest displacement, px over the exposure; the first in raster order among equal lengths" },
-             curve_of_it = { format = "rgba32f", doc = "curve of the path of the longest displacement, px" },
+               doc = "longest displacement, px over the exposure; of equally long displacements, the first in raster order" },
+             curve_of_it = { format = "rgba32f",
+               doc = "coefficients of the parabola or arc that belongs to the longest displacement; 0 for a straight path" },
              place_of_it = { format = "rg32f",
-               doc = "texel that has the longest displacement, px; 0 if paths are straight lines" },
+               doc = "position of the texel that has the longest displacement, px; 0 if paths are straight lines" },
              max_displacement = { format = "buffer32ui",
                doc = "entry 0: length of the longest displacement of the image, px over the exposure, as the bits of a " ..
                      "float" } },
@@ -36,8 +38,8 @@ return pass.compute {
     trajectory = blur.trajectory { wired = true },
   },
   counters = { clamped = {
-    doc   = "pixels (of either layer) that move farther than the limit",
-    limit = "each displacement was shortened to the limit, so that the blur is too short; ground truth has no limit. Raise " ..
+    doc   = "pixels (of either layer) that move farther than the limit of displacements",
+    limit = "each such displacement was shortened, so that the blur is too short; ground truth has no limit. Raise " ..
             "`limit`, or shorten the exposure",
   } },
 }
