@@ -22,7 +22,7 @@ for number = 2, 4 do
 end
 
 return pass.compute {
-  doc    = "For each time sample, the nearest texel of any layer that moves by the displacement with which it was found",
+  doc    = "For each time sample, the nearest texel, of all layers, that moves by the searched displacement",
   fails  = "Surfaces in no layer are missing: surfaces that enter or have left the image, that face away, or that lie behind "
     .. "the last layer. The background shows through where the missing surface is the nearest. Only the pixel's own "
     .. "displacements and the longest displacements of its tile are searched: surfaces with other displacements are missed. "
@@ -39,7 +39,7 @@ return pass.compute {
     tile         = blur.tile,
     limit        = blur.limit,
     agreement    = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "largest difference between the displacement of a texel and the displacement with which the texel was found" },
+      doc = "largest difference between the displacement of a texel and the searched displacement that leads to the texel" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },

@@ -27,7 +27,7 @@ return pass.compute {
     samples      = blur.samples { doc = "number of taps, both directions together" },
     directions   = blur.directions { default = "two",
       values = {
-        one = "All taps along the dominant displacement. Fails where surfaces cross it: they stay sharp.",
+        one = "All taps along the dominant displacement. Fails where surfaces move across it: they stay sharp.",
         two = "Every other tap along a second direction: the pixel's own displacement, or the perpendicular of the dominant "
           .. "one at static pixels. Fails by halving the samples of each direction.",
       },
@@ -39,8 +39,8 @@ return pass.compute {
       doc = "constant in the weight of the centre pixel, samples / (kappa * blur radius); larger values hide static pixels " ..
             "under blur" },
     gamma        = pass.float { 1.5, min = 1e-3, max = 1024, unit = "px",
-      doc = "blur radius minus 1/2 px at which the pixel's own displacement alone is the second direction; at smaller radii " ..
-            "the perpendicular of the dominant displacement is mixed in" },
+      doc = "range of blur radii above 1/2 px over which the second direction turns from the perpendicular of the dominant " ..
+            "displacement to the pixel's own displacement" },
     eta          = pass.float { 0.95, min = 0, max = 1, doc = "factor on the jitter of the sample times" },
     tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "jitter of the tile lookup",
       values = {

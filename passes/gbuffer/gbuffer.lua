@@ -43,8 +43,8 @@ return pass.compute {
     },
     stretched = {
       doc   = "pixels whose displacement is the path of one frame, stretched over an exposure of more than one frame",
-      limit = "motion outside that frame interval is assumed to be the same. Use displacement = window, or an exposure of " ..
-              "at most one frame",
+      limit = "motion outside this frame is assumed to be the same as within it. Use displacement = window, or an exposure " ..
+              "of at most one frame",
     },
     velocity_clamped = quantised.counters.velocity_clamped,
     depth_lost       = quantised.counters.depth_lost,

@@ -37,7 +37,7 @@ return pass.trace {
     color_format    = quantised.color_format,
     depth_encoding  = quantised.depth_encoding,
     termination = pass.choice { "luminance", "geometry", "instance", "motion", "disoccluded", default = "instance",
-      doc = "criterion by which a hit counts as another object than the foreground",
+      doc = "condition for a hit to count as another object than the foreground",
       values = {
         luminance = "First hit whose luminance differs from the luminance of the foreground, as published. Passes through a " ..
                     "background of equal luminance, stops inside an object with a differently lit or painted back, and " ..
@@ -48,7 +48,7 @@ return pass.trace {
                     "misses self-occlusion.",
         motion    = "First hit that does not move as if fixed to the foreground. Misses a background that happens to move " ..
                     "with the foreground; such a background would be disoccluded only after the exposure.",
-        disoccluded = "First hit, on any object, whose displacement differs from that of the foreground at this pixel. " ..
+        disoccluded = "First hit, on any object, whose displacement differs from the foreground's at this pixel. " ..
                       "Parts that move with the foreground are skipped; other parts of a rotating object are revealed. " ..
                       "Visits every hit, also hits on the foreground. Fails for a rotating closed object with two-sided " ..
                       "triangles: the first such hit is inside the object.",
@@ -57,8 +57,8 @@ return pass.trace {
     advance = pass.choice { "instance_filter", "origin_kept", "restart", default = "instance_filter",
       doc = "continuation of a ray past a hit",
       values = {
-        instance_filter = "One traversal of the same ray that ignores the instance in front (with termination = geometry: " ..
-                          "only its front geometry). Instance and geometry termination need one ray and never reach " ..
+        instance_filter = "One traversal of the same ray that ignores the instance in front (with termination = geometry, " ..
+                          "only the geometry in front). Instance and geometry termination need one ray and never reach " ..
                           "`max_layers`; luminance and motion termination visit the hits on other instances in turn. " ..
                           "Luminance termination then never stops at the back of the foreground.",
         origin_kept     = "Hit by hit along the same ray: the ray's lower bound is set to 4 units in the last place beyond " ..

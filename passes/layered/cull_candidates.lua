@@ -11,7 +11,7 @@ local velocities = { doc = "two candidate displacements per tile, px over the ex
 
 return pass.compute {
   doc    = "Candidate background displacements per cell that may disocclude a surface there",
-  fails  = "A cell that overlaps several tiles keeps the candidates of each of them, up to eight in all. Extra pixels may " ..
+  fails  = "A cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. Extra pixels may " ..
            "then be marked, and further candidates are lost.",
   size   = { of = "bounds" },
   reads  = {

@@ -32,7 +32,7 @@ return pass.compute {
     match     = path.match,
     margin    = path.margin,
     occluder  = pass.float { 0.02, min = 0, max = 1,
-      doc = "relative depth difference from which a nearer surface counts as an occluder. A path that ends behind an " ..
+      doc = "smallest relative depth difference of a nearer surface that counts as an occluder. A path that ends behind an " ..
             "occluder continues to the end of that occluder" },
   },
   counters = { off_screen = "paths that leave the image, counted as disoccluding nothing" },

@@ -7,9 +7,9 @@ local max_displacement = require "passes.lib.max_displacement"
 local function pair(doc) return { format = "rgba32f", doc = doc } end
 
 return pass.compute {
-  doc    = "Up to eight distinct displacements around each tile, those of the nearest tiles first",
+  doc    = "Up to eight distinct displacements around each tile, in the order of the tiles' distances",
   fails  = "If there are more than eight motions near a tile, the motions of the farthest tiles are lost; of equally far " ..
-           "tiles, those of the last in raster order.",
+           "tiles, the last in raster order lose their motions.",
   size  = { of = "velocities" },
   reads = {
     velocities       = { doc = "two displacements of each tile, px over the exposure" },

@@ -5,7 +5,7 @@ local blur = require "passes.lib.blur"
 
 return pass.compute {
   doc    = "Longest displacement of each tile, and the displacement that differs most from it",
-  fails  = "If a tile contains three motions, one of them is lost.",
+  fails  = "A third motion in a tile is lost.",
   size   = { of = "velocity", divide = "tile" },
   group  = true,
   reads  = {

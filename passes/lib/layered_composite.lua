@@ -27,7 +27,7 @@ local params = {
   contrast       = param.float { 0.02, min = 0, max = 1,
     doc = "largest relative difference of the colours of the texels around a resolved sample; used only with marks_contrast" },
   detail_below = param.float { 0.75, min = 0, max = 1e6, unit = "px",
-    doc = "largest displacement of a surface between successive samples at which contrast leaves its samples unresolved; " ..
+    doc = "displacement of a surface between successive samples above which contrast leaves no samples unresolved; " ..
       "used only with marks_contrast. Samples of faster surfaces are too sparse to show such detail" },
   slowest      = param.float { 0.5, min = 0, max = 100, unit = "px",
     doc = "smallest difference of the displacements of adjacent texels that counts as a silhouette; used only with " ..
@@ -49,8 +49,8 @@ return function(has_estimate)
              "about a pixel. If more than 4 different motions meet at a pixel, some are ignored.",
     breaks = {
       mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
-      reversed = "if a pixel has more than 4 motions around it, those of the nearest taps are used; of two equally near " ..
-        "taps, the one before the raster time comes first",
+      reversed = "if a pixel has more than 4 motions around it, the motions of the nearest taps are used; of two equally " ..
+        "near taps, the one before the raster time comes first",
     },
     size   = { of = "color" },
     reads  = ports.of_both({

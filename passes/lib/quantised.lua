@@ -25,8 +25,8 @@ quantised.color_format = param.choice {
   },
   breaks = {
     fp16 = {
-      constant = "a colour between two half floats is rounded to the nearest",
-      still    = "a colour between two half floats is rounded to the nearest",
+      constant = "a colour between two half floats is rounded to the nearer one",
+      still    = "a colour between two half floats is rounded to the nearer one",
       convex   = "a mean is rounded to a half float, which may lie outside the range of the averaged colours",
       linear   = "the rounding error of a sum differs from the sum of the rounding errors",
       mirrored = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",

@@ -5,7 +5,7 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Length of the longest displacement whose tile passes over each tile within the exposure",
+  doc    = "Length of the longest displacement that passes over each tile within the exposure",
   fails  = "A tile is represented by its longest displacement, and its path by the line of its centre: of two motions that " ..
            "cross in a tile, one is lost.",
   size   = { of = "longest" },

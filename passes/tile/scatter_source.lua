@@ -5,7 +5,7 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Tile of origin of the longest displacement whose tile passes over each tile within the exposure",
+  doc    = "Tile of origin of the longest displacement that passes over each tile within the exposure",
   fails  = "If equally long displacements cross at a tile, only the one from the first tile in raster order is kept.",
   size   = { of = "longest" },
   reads  = {

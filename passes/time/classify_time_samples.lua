@@ -11,7 +11,7 @@ local background = { optional = true,
         "named by the port, px; absent: no such texels" }
 
 return pass.compute {
-  doc    = "Time strata of each cell in which a surface may be at a position that the layers do not describe",
+  doc    = "Time strata of each cell that may contain a surface at a position that the layers do not describe",
   fails  = "The marks are conservative: extra cells around a cell with several motions may be marked. A surface whose path " ..
            "is not a parabola may leave the marked cells.",
   size   = { of = "bounds" },
