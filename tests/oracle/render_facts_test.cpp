@@ -46,29 +46,29 @@ std::vector<Case> cases() {
   std::vector<Case> all = {
       {"crowd at rest",
        shotOf("crowd", kWidth, kHeight, {{"speed", 0}}),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
-      {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "bends"}},
-      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms"}},
+      {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "deforms"}},
+      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "deforms"}},
       {"crowd whose motion is not kept",
        held,
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms"}},
       {"crowd in no time",
        instant,
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends", "before", "after"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms", "before", "after"}},
       {"cut out",
        shotOf("cut_out", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "blend", "one_sided", "shadows", "bends"}},
-      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"curves", "covered", "one_sided", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "blend", "one_sided", "shadows", "deforms"}},
+      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"curves", "may_be_occluded", "one_sided", "shadows", "deforms"}},
       {"sides",
        shotOf("sides", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "shadows", "deforms"}},
       {"a square that slides",
        shotOf("quad_2d", kWidth, kHeight,
               {{"left", 18}, {"right", 28}, {"top", 10}, {"bottom", 18}, {"d_x", 8}, {"d_y", -4}}),
-       {"curves", "covered", "arrives", "alpha", "blend", "one_sided", "shadows", "bends"}},
+       {"curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "shadows", "deforms"}},
       {"lit",
        shotOf("lit", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "shadows", "deforms"}},
   };
   Shot bent;
   bent.width = kWidth, bent.height = kHeight;
@@ -234,7 +234,7 @@ TEST_F(RenderFacts, AreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid_traced")),
           moving = render(with(cases()[1].shot, "hybrid_traced"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
-  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "covered", "arrives", "shadows", "before"}));
+  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "may_be_occluded", "may_appear", "shadows", "before"}));
   EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid_traced")).record["facts"].size(), 12u);
 }
 
