@@ -35,11 +35,7 @@ vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float
 
 // Second direction at a pixel of a tile.
 vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gamma_px) {
-  vec2 other = vec2(0);
-#if HAS_second
-  other = vec2(texelFetch(second_tex, tile, 0));
-#endif
-  return secondDirection(dominant, texelAt(pixel).d, other, radius_px, gamma_px);
+  return secondDirection(dominant, texelAt(pixel).d, vec2(second_at(tile)), radius_px, gamma_px);
 }
 
 // True if sample i of N is taken along the second direction; `count` of the N samples are. If all taps lie on one side, they

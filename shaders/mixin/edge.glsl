@@ -7,13 +7,7 @@
 #define STROBE_EDGE_GLSL
 
 // True if the detector runs at the pixel.
-bool isWanted(ivec2 pixel) {
-#if HAS_where
-  return texelFetch(where_tex, pixel, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
+bool isWanted(ivec2 pixel) { return where_at(pixel).x > 0.5; }
 
 void markEdge(ivec2 pixel, bool edge) { imageStore(edge_img, pixel, vec4(edge ? 1 : 0)); }
 

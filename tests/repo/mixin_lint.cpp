@@ -27,13 +27,14 @@ std::string withoutComment(const std::string& line) { return line.substr(0, line
 std::string nameOf(const std::smatch& match) {
   std::string name = match.str();
   if (name.starts_with("HAS_")) return name.substr(4) + "_tex";
+  if (name.ends_with("_at")) return name.substr(0, name.size() - 3) + "_tex";
   if (name == "scene_top_levels" || name == "scene_bvh") return "rays";
   return name.starts_with("scene_") ? "scene" : name;
 }
 
 // Names of a text without what it includes. What stands behind `#if HAS_x` or `#if defined(PARAM_x)` is optional.
 Needs ownNeeds(const std::string& text) {
-  static const std::regex pattern(R"(params\.\w+|\b(PARAM|HAS|scene|count)_\w+|\b\w+_(tex|img|out)\b)");
+  static const std::regex pattern(R"(params\.\w+|\b(PARAM|HAS|scene|count)_\w+|\b\w+_(tex|at|img|out)\b)");
   static const std::regex opens(R"(^\s*#\s*if)"), closes(R"(^\s*#\s*endif)"), asks(R"(HAS_|defined\(PARAM_)");
   Needs needs;
   std::vector<bool> conditions;
