@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_search_taps, PARAM_marks_unresolved, color_tex, dominant_tex, params.limit, params.samples, revealed_color_tex,
-//   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex; may have: PARAM_trajectory,
-//   dominant_post_tex, second_post_tex, velocity_post_tex, curve_tex, dominant_curve_tex, dominant_place_tex,
-//   max_displacement_buf, revealed_dominant_post_tex, revealed_velocity_post_tex, revealed_curve_tex, revealed_dominant_tex,
-//   second_tex.
+//   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex, dominant_post_tex, second_post_tex,
+//   velocity_post_tex, dominant_curve_tex, dominant_place_tex, revealed_dominant_post_tex, revealed_velocity_post_tex,
+//   revealed_dominant_tex, second_tex; may have: PARAM_trajectory, curve_tex, max_displacement_buf, revealed_curve_tex,
+//   max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // Candidate displacements for a composite of layers, which uses them to search for the surface at a pixel at a time. They are
 // the displacements of the tile, of the pixel and of taps along the motion, as far as they differ.
 // layered/layered_composite.glsl has the rules and the reasons.

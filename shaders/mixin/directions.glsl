@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex; may have:
-//   background_depth_tex, background_valid_tex, max_displacement_buf, second_tex, valid_tex.
+// Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex, background_depth_tex,
+//   background_valid_tex, second_tex, valid_tex; may have: max_displacement_buf, max_displacement_post_buf,
+//   revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // The second direction of a gather's taps. Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion
 // Blur Filter", section 3.
 // In:  `second`: per tile, another displacement in the neighbourhood, px over the exposure.

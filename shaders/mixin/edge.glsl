@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs: edge_img; may have: where_tex.
+// Needs: edge_img, where_tex.
 // Input mask and output of every edge detector.
 // In:  `where` (optional): the detector runs where it is above 1/2; everywhere if absent.
 // Out: `edge`: 1 on edges, 0 elsewhere.

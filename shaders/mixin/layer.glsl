@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: background_depth_tex,
-//   background_valid_tex, max_displacement_buf, valid_tex.
+// Needs: color_tex, depth_tex, velocity_tex, params.limit, background_depth_tex, background_valid_tex, valid_tex; may have:
+//   max_displacement_buf, max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // Texels of one layer as gathers read them, and the depth of the revealed layer behind it.
 #ifndef STROBE_LAYER_GLSL
 #define STROBE_LAYER_GLSL

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, params.limit, revealed_color_tex, revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex,
-//   velocity_tex; may have: PARAM_trajectory, velocity_post_tex, curve_tex, dominant_curve_tex, max_displacement_buf,
-//   revealed_velocity_post_tex, revealed_curve_tex.
+//   velocity_tex, velocity_post_tex, revealed_velocity_post_tex; may have: PARAM_trajectory, curve_tex, max_displacement_buf,
+//   revealed_curve_tex, max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // The two layers of a composite: the raster layer, which has a surface at every pixel, and the revealed layer, which has a
 // surface where a ray found one.
 #ifndef STROBE_LAYERS_GLSL

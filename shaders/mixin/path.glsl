@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: params.limit; may have: PARAM_trajectory, curve_tex, dominant_curve_tex, max_displacement_buf.
+// Needs: params.limit; may have: PARAM_trajectory, curve_tex, max_displacement_buf, max_displacement_post_buf,
+//   revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // Screen path of a surface: a displacement and, if the pass reads curves, the deviation from the straight line
 // (mixin/curve.glsl). Without curves, paths are straight lines and cost no extra arithmetic.
 #ifndef STROBE_MIXIN_PATH_GLSL
