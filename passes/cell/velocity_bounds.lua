@@ -9,11 +9,10 @@ return pass.compute {
   size   = { of = "velocity", divide = "cell_side" },
   reads  = {
     velocity      = { doc = "displacement of the surface, px over the exposure" },
-    velocity_post = { optional = true,
-      doc = "displacement of the surface at times after the raster time, px over the exposure; absent: equal to `velocity`" },
-    curve          = { optional = true, needs = "curve",
-      doc = "curve of the screen path, px; absent: paths are straight lines" },
-    valid          = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
+    velocity_post = { absent = "velocity",
+      doc = "displacement of the surface at times after the raster time, px over the exposure" },
+    curve         = { absent = 0, needs = "curve", doc = "curve of the screen path, px; 0 for a straight line" },
+    valid         = { absent = 1, doc = "mask, above 1/2 at texels that count" },
   },
   writes = { bounds = { format = "rgba32f",
     doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; least exceeds greatest in a " ..

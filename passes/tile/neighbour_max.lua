@@ -11,11 +11,10 @@ return pass.compute {
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "longest displacement of each tile, px over the exposure" },
-    velocities = { optional = true,
-      doc = "two displacements that represent each tile, px over the exposure; absent: `longest` alone" },
-    curve = { optional = true, needs = "curve",
-      doc = "curve of the path of each tile's longest displacement, px; absent: paths are straight lines" },
-    place = { optional = true, needs = "curve", doc = "texel that has the longest displacement of each tile, px" },
+    velocities = { absent = 0, doc = "two displacements that represent each tile besides `longest`, px over the exposure" },
+    curve = { absent = 0, needs = "curve",
+      doc = "curve of the path of each tile's longest displacement, px; 0 for a straight line" },
+    place = { absent = 0, needs = "curve", doc = "texel that has the longest displacement of each tile, px" },
     max_displacement = max_displacement,
   },
   writes = {

@@ -3,11 +3,17 @@
 local pass  = require "strobe.pass"
 local blur  = require "passes.lib.blur"
 
-local at_end = { optional = true,
-  doc = "bounds of displacements or path deviations, per cell, of surfaces visible only at shutter open or close, px; " ..
-        "absent: none" }
-local background = { optional = true,
-  doc = "bounds of displacements or path deviations, per cell, of unreliable texels of the revealed layer, px; absent: none" }
+local none = { 1e30, 1e30, -1e30, -1e30 }  -- bounds of no displacement: kNoBounds of lib/bounds.glsl
+
+local function at_end(absent)
+  return { absent = absent,
+    doc = "bounds of displacements or path deviations, per cell, of surfaces visible only at shutter open or close, px" }
+end
+
+local function background(absent)
+  return { absent = absent,
+    doc = "bounds of displacements or path deviations, per cell, of unreliable texels of the revealed layer, px" }
+end
 
 return pass.compute {
   doc    = "Time strata, per cell, with an unreliable surface: its position then does not follow from the layers",
@@ -18,9 +24,9 @@ return pass.compute {
     bounds           = { doc = "bounds of the displacements of the unreliable texels in each cell, px over the exposure" },
     deviation_bounds = {
       doc = "bounds of the path deviations of the unreliable texels in each cell, px in the middle of the exposure" },
-    background_bounds   = background, background_deviation_bounds = background,
-    shutter_open_bounds = at_end, shutter_open_deviation_bounds = at_end, shutter_close_bounds = at_end,
-    shutter_close_deviation_bounds = at_end,
+    background_bounds    = background(none), background_deviation_bounds    = background(0),
+    shutter_open_bounds  = at_end(none),     shutter_open_deviation_bounds  = at_end(0),
+    shutter_close_bounds = at_end(none),     shutter_close_deviation_bounds = at_end(0),
   },
   updates = { unreliable = { format = "r32ui",
     doc = "bit i is set if an unreliable surface is in the cell in time stratum i of at most 32" } },
