@@ -291,7 +291,8 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   auto told = session.reload(true);
   ASSERT_TRUE(told);
   EXPECT_EQ(joined(told->rebuilt), "composite");
-  EXPECT_NE(joined(told->problems).find("shaders/layered/disocclusion_mask.glsl:1"), std::string::npos) << joined(told->problems);
+  EXPECT_NE(joined(told->problems).find("shaders/layered/disocclusion_mask.glsl:1"), std::string::npos)
+      << joined(told->problems);
   EXPECT_NE(colorHash(session), before);
   home_.write("shaders/layered/disocclusion_mask.glsl", good);
   told = session.reload(true);
@@ -306,7 +307,8 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   home_.edit("shaders/layered/layered_composite.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
   told = session.reload(true);
   ASSERT_TRUE(told);
-  EXPECT_NE(joined(told->problems).find("passes/layered/disocclusion_mask.lua:1"), std::string::npos) << joined(told->problems);
+  EXPECT_NE(joined(told->problems).find("passes/layered/disocclusion_mask.lua:1"), std::string::npos)
+      << joined(told->problems);
   EXPECT_TRUE(told->swapped);
   session.set("composite.dimmed", "0.25", "window");
   home_.write("passes/layered/disocclusion_mask.lua", good);
@@ -466,8 +468,9 @@ void reachedFrom(const EditableHome& home, const std::string& file, std::set<std
 TEST_F(ReloadTest, CompilesWhatDependsOnTheEditAndNothingElse) {
   Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
-  for (const char* file : {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/mixin/camera.glsl",
-                           "shaders/layered/disocclusion_mask.glsl", "shaders/shared/bindings.glsl", "shaders/mixin/jitter.glsl"}) {
+  for (const char* file :
+       {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/mixin/camera.glsl",
+        "shaders/layered/disocclusion_mask.glsl", "shaders/shared/bindings.glsl", "shaders/mixin/jitter.glsl"}) {
     std::set<std::string> closure;
     const plan::Plan& plan = session.plan();
     for (const auto& node : plan.nodes) {
