@@ -302,8 +302,8 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   // Lua: one pass broken, another with a new parameter.
   good = home_.read("passes/layered/disocclusion_mask.lua");
   home_.write("passes/layered/disocclusion_mask.lua", "return nothing at all");
-  home_.edit("passes/lib/layered_composite.lua", "harvest  ",
-             "dimmed = param.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest  ");
+  home_.edit("passes/lib/layered_composite.lua", "search_taps  ",
+             "dimmed = param.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    search_taps  ");
   home_.edit("shaders/layered/layered_composite.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
   told = session.reload(true);
   ASSERT_TRUE(told);
