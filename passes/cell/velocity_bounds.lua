@@ -10,12 +10,11 @@ return pass.compute {
   size   = { of = "velocity", divide = "cell_side" },
   reads  = {
     velocity      = { doc = "displacement of the surface, px over the exposure" },
-    velocity_post = { optional = true,
-      doc = "displacement of the surface at times after the raster time, px over the exposure; absent: equal to `velocity`" },
-    curve          = { optional = true, needs = "curve",
-      doc = "coefficients of the parabola or arc that the screen path follows; absent: the path is a straight line" },
-    valid          = { optional = true,
-      doc = "mask, above 1/2 at texels that the bounds include; absent: all texels are included" },
+    velocity_post = { absent = "velocity",
+      doc = "displacement of the surface at times after the raster time, px over the exposure" },
+    curve         = { absent = 0, needs = "curve",
+      doc = "coefficients of the parabola or arc that the screen path follows; 0 for a straight line" },
+    valid         = { absent = 1, doc = "mask, above 1/2 at texels that the bounds include" },
   },
   writes = { bounds = { format = "rgba32f",
     doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; if no texel of a cell is " ..

@@ -11,7 +11,7 @@ return pass.compute {
   size   = { of = "ridge" },
   reads  = {
     ridge = { doc = "class of the ridge: 1 strong, 1/2 weak, 0 none" },
-    where = { optional = true, doc = "mask, above 1/2 where edges are marked; absent: everywhere" },
+    where = { absent = 1, doc = "mask, above 1/2 where edges are marked" },
   },
   writes = { edge = edge_ports.edge },
   if_no = edge_ports.nowhere,

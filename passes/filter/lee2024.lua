@@ -16,9 +16,10 @@ local more = {
 }
 for number = 2, 4 do
   local layer = ("layer_%d_"):format(number)
-  more[layer .. "color"]    = { optional = true, doc = "colour of a layer behind, linear radiance; absent: no such layer" }
-  more[layer .. "depth"]    = { optional = true, doc = "linear view depth of a layer behind, metres; +inf for the sky" }
-  more[layer .. "velocity"] = { optional = true, doc = "displacement of a layer behind, px over the exposure" }
+  more[layer .. "color"]    = { absent = 0, doc = "colour of a layer behind, linear radiance" }
+  more[layer .. "depth"]    = { absent = 0,
+    doc = "linear view depth of a layer behind, metres; +inf for the sky. A layer without this image is not searched" }
+  more[layer .. "velocity"] = { absent = 0, doc = "displacement of a layer behind, px over the exposure" }
 end
 
 return pass.compute {

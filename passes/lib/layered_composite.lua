@@ -57,20 +57,19 @@ return function(has_estimate)
       "second", "second_post", "revealed_dominant", "revealed_dominant_post", "curve", "revealed_curve", "dominant_curve",
       "dominant_place",
     }, {
-      moved  = { optional = true,
-        doc = "per cell, above 1/2 if a moving surface is in the cell at some time of the exposure. Other cells are copied. " ..
-          "Absent: no cell is copied" },
-      unreliable = { optional = true, uint = true,
+      moved  = { absent = 1,
+        doc = "per cell, above 1/2 if a moving surface is in the cell at some time of the exposure. Other cells are copied" },
+      unreliable = { absent = 0, uint = true,
         doc = "per cell, bit i is set if the layers are unreliable in time stratum i of at most 32; read only with " ..
           "marks_unresolved" },
-      silhouettes = { optional = true,
+      silhouettes = { absent = 0,
         doc = "mask, above 1/2 beside a texel with different motion. Samples within a pixel of such a silhouette are " ..
-          "unresolved. Absent: silhouettes are not tested" },
-      unlisted = { optional = true,
+          "unresolved" },
+      unlisted = { absent = 0,
         doc = "per cell, above 1/2 if a surface reaches the cell by a displacement that differs from all candidate " ..
-          "displacements; absent: in no cell" },
-      background = { optional = true,
-        doc = "per cell, above 1/2 if a revealed surface is in the cell at some time of the exposure; absent: in every cell" },
+          "displacements" },
+      background = { absent = 1,
+        doc = "per cell, above 1/2 if a revealed surface is in the cell at some time of the exposure" },
     }),
     writes = {
       blurred = { format = "rgba32f",

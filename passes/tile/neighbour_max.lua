@@ -11,12 +11,10 @@ return pass.compute {
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "longest displacement of each tile, px over the exposure" },
-    velocities = { optional = true,
-      doc = "two displacements that represent each tile, px over the exposure; absent: `longest` alone" },
-    curve = { optional = true, needs = "curve",
-      doc = "coefficients of the parabola or arc that belongs to each tile's longest displacement; absent: paths are " ..
-          "straight lines" },
-    place = { optional = true, needs = "curve",
+    velocities = { absent = 0, doc = "two displacements that represent each tile besides `longest`, px over the exposure" },
+    curve = { absent = 0, needs = "curve",
+      doc = "coefficients of the parabola or arc that belongs to each tile's longest displacement; 0 for a straight line" },
+    place = { absent = 0, needs = "curve",
       doc = "position of the texel that has the longest displacement of each tile, px" },
     max_displacement = max_displacement,
   },

@@ -10,7 +10,7 @@ return pass.compute {
   group  = true,
   reads  = {
     velocity = { doc = "displacement of the surface, px over the exposure" },
-    valid    = { optional = true, doc = "mask, above 1/2 at texels that the minimum includes; absent: all texels" },
+    valid    = { absent = 1, doc = "mask, above 1/2 at texels that the minimum includes" },
   },
   writes = { shortest = { format = "r32f",
     doc = "length of the shortest displacement, px over the exposure; the displacement limit if no texel is included" } },

@@ -8,8 +8,8 @@ return pass.compute {
   size   = { of = "velocity" },
   reads  = {
     velocity      = { doc = "displacement of the surface, px over the exposure" },
-    velocity_post = { optional = true,
-      doc = "displacement of the surface at times after the raster time, px over the exposure; absent: equal to `velocity`" },
+    velocity_post = { absent = "velocity",
+      doc = "displacement of the surface at times after the raster time, px over the exposure" },
   },
   writes = { near = { format = "r8_unorm", cleared = true, doc = "mask, 1 beside a texel with different motion" } },
   params = {

@@ -30,9 +30,9 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   shared::FrameData frame{};
   frame.size = uvec2(plan.width, plan.height);
   frame.subpixel = setup.subpixel;
-  frame.shutter = setup.anchor == ANCHOR_END  ? vec2(-1, 0)
+  frame.shutter = setup.anchor == ANCHOR_END     ? vec2(-1, 0)
                   : setup.anchor == ANCHOR_START ? vec2(0, 1)
-                                                : vec2(-0.5f, 0.5f);
+                                                 : vec2(-0.5f, 0.5f);
   frame.anchor = setup.anchor;
   frame.frame = setup.frame;
   frame.seed = setup.seed;

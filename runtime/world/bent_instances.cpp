@@ -21,8 +21,8 @@ BentInstances::BentInstances(const gpu::Device& device, const scene::Scene& scen
   VkBufferUsageFlags usage = gpu::kReadByAddress;
   if (device.info().has("accelerationStructure"))
     usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
-  buffer_ = gpu::Buffer(device, "scene.bent_vertices", size_t(slices) * vertex_count_ * sizeof(SceneDeformedVertex), usage,
-                        gpu::Buffer::Memory::Device);
+  buffer_ = gpu::Buffer(device, "scene.bent_vertices", size_t(slices) * vertex_count_ * sizeof(SceneDeformedVertex),
+                        usage, gpu::Buffer::Memory::Device);
 }
 
 size_t BentInstances::firstVertex(uint32_t slice, size_t item) const {

@@ -50,9 +50,9 @@ class BentInstances {
   std::vector<scene::Instance> instances_;
   std::vector<SceneMeshes::Bending> items_;
   uint32_t first_vertex_ = 0, vertex_count_ = 0;
-  std::vector<Posed> posed_;                                // by slice, then item
+  std::vector<Posed> posed_;                                    // by slice, then item
   std::vector<std::vector<shared::SceneDeformedVertex>> bent_;  // by item, those that were asked for last
-  std::vector<uint32_t> bent_at_;                           // and at which slice
+  std::vector<uint32_t> bent_at_;                               // and at which slice
   gpu::Buffer buffer_;
 };
 

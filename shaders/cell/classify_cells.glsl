@@ -29,23 +29,9 @@ bool leadsTo(vec4 bounds, vec2 d) {
 // True if no candidate of the cell's tile leads to the surfaces that arrive.
 bool isUnlisted(ivec2 cell, vec4 bounds) {
   ivec2 tile = cell * params.cell_side / params.tile;
-  bool found = leadsTo(bounds, vec2(texelFetch(dominant_tex, tile, 0)));
-#if HAS_second
-  found = found || leadsTo(bounds, vec2(texelFetch(second_tex, tile, 0)));
-#endif
-#if HAS_dominant_post
-  found = found || leadsTo(bounds, vec2(texelFetch(dominant_post_tex, tile, 0)));
-#endif
-#if HAS_second_post
-  found = found || leadsTo(bounds, vec2(texelFetch(second_post_tex, tile, 0)));
-#endif
-#if HAS_revealed_dominant
-  found = found || leadsTo(bounds, vec2(texelFetch(revealed_dominant_tex, tile, 0)));
-#endif
-#if HAS_revealed_dominant_post
-  found = found || leadsTo(bounds, vec2(texelFetch(revealed_dominant_post_tex, tile, 0)));
-#endif
-  return !found;
+  return !leadsTo(bounds, vec2(dominant_at(tile))) && !leadsTo(bounds, vec2(second_at(tile))) &&
+         !leadsTo(bounds, vec2(dominant_post_at(tile))) && !leadsTo(bounds, vec2(second_post_at(tile))) &&
+         !leadsTo(bounds, vec2(revealed_dominant_at(tile))) && !leadsTo(bounds, vec2(revealed_dominant_post_at(tile)));
 }
 
 // First and last cell that a cell's surfaces reach.
@@ -74,6 +60,6 @@ void mark(ivec2 cell, vec4 bounds, bool is_background) {
 }
 
 void run(ivec2 cell) {
-  mark(cell, texelFetch(bounds_tex, cell, 0), false);
-  mark(cell, texelFetch(background_bounds_tex, cell, 0), true);
+  mark(cell, bounds_at(cell), false);
+  mark(cell, background_bounds_at(cell), true);
 }

@@ -20,20 +20,12 @@ vec4 with(vec4 bounds, vec4 texel) {
 
 vec4 withCurve(vec4 bounds, ivec2 pixel) {
 #if HAS_curve
-  Path path = limitedPath(texelFetch(velocity_tex, pixel, 0), texelFetch(curve_tex, pixel, 0));
+  Path path = limitedPath(velocity_at(pixel), curve_at(pixel));
   vec2 around[4];
   straightened(path.d, path.curve, frame.shutter, around);
   for (int k = 0; k < 4; ++k) bounds = vec4(min(lowOf(bounds), around[k]), max(highOf(bounds), around[k]));
 #endif
   return bounds;
-}
-
-bool counts(ivec2 pixel) {
-#if HAS_valid
-  return texelFetch(valid_tex, pixel, 0).x > 0.5;
-#else
-  return true;
-#endif
 }
 
 void run(ivec2 cell) {
@@ -43,11 +35,9 @@ void run(ivec2 cell) {
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
       ivec2 pixel = ivec2(x, y);
-      if (!counts(pixel)) continue;
-      bounds = withCurve(with(bounds, texelFetch(velocity_tex, pixel, 0)), pixel);
-#if HAS_velocity_post
-      bounds = with(bounds, texelFetch(velocity_post_tex, pixel, 0));
-#endif
+      if (valid_at(pixel).x <= 0.5) continue;
+      bounds = withCurve(with(bounds, velocity_at(pixel)), pixel);
+      bounds = with(bounds, velocity_post_at(pixel));
     }
   }
   imageStore(bounds_img, cell, bounds);

@@ -31,42 +31,24 @@ const float kSameDepth = 1.0 - 1.0 / 65536.0;
 const float kSamePath = 1.0 / 16.0;
 
 vec3 colorOf(int layer, ivec2 at) {
-#if HAS_layer_2_color
-  if (layer == 1) return finiteColor(texelFetch(layer_2_color_tex, at, 0));
-#endif
-#if HAS_layer_3_color
-  if (layer == 2) return finiteColor(texelFetch(layer_3_color_tex, at, 0));
-#endif
-#if HAS_layer_4_color
-  if (layer == 3) return finiteColor(texelFetch(layer_4_color_tex, at, 0));
-#endif
-  return finiteColor(texelFetch(color_tex, at, 0));
+  if (layer == 1) return finiteColor(layer_2_color_at(at));
+  if (layer == 2) return finiteColor(layer_3_color_at(at));
+  if (layer == 3) return finiteColor(layer_4_color_at(at));
+  return finiteColor(color_at(at));
 }
 
 float depthOf(int layer, ivec2 at) {
-#if HAS_layer_2_depth
-  if (layer == 1) return saneDepth(texelFetch(layer_2_depth_tex, at, 0).x);
-#endif
-#if HAS_layer_3_depth
-  if (layer == 2) return saneDepth(texelFetch(layer_3_depth_tex, at, 0).x);
-#endif
-#if HAS_layer_4_depth
-  if (layer == 3) return saneDepth(texelFetch(layer_4_depth_tex, at, 0).x);
-#endif
-  return saneDepth(texelFetch(depth_tex, at, 0).x);
+  if (layer == 1) return saneDepth(layer_2_depth_at(at).x);
+  if (layer == 2) return saneDepth(layer_3_depth_at(at).x);
+  if (layer == 3) return saneDepth(layer_4_depth_at(at).x);
+  return saneDepth(depth_at(at).x);
 }
 
 vec4 displacementOf(int layer, ivec2 at) {
-#if HAS_layer_2_velocity
-  if (layer == 1) return texelFetch(layer_2_velocity_tex, at, 0);
-#endif
-#if HAS_layer_3_velocity
-  if (layer == 2) return texelFetch(layer_3_velocity_tex, at, 0);
-#endif
-#if HAS_layer_4_velocity
-  if (layer == 3) return texelFetch(layer_4_velocity_tex, at, 0);
-#endif
-  return texelFetch(velocity_tex, at, 0);
+  if (layer == 1) return layer_2_velocity_at(at);
+  if (layer == 2) return layer_3_velocity_at(at);
+  if (layer == 3) return layer_4_velocity_at(at);
+  return velocity_at(at);
 }
 
 vec2 limitedDisplacementOf(int layer, ivec2 at) {
@@ -89,10 +71,10 @@ void search(inout Searched searched, vec2 d) {
 
 void searchDominant(inout Searched searched, ivec2 tile) {
 #if HAS_dominant
-  search(searched, vec2(texelFetch(dominant_tex, tile, 0)));
+  search(searched, vec2(dominant_at(tile)));
 #endif
 #if HAS_deep_dominant
-  search(searched, vec2(texelFetch(deep_dominant_tex, tile, 0)));
+  search(searched, vec2(deep_dominant_at(tile)));
 #endif
 }
 
@@ -142,11 +124,11 @@ Nearest sampleAt(ivec2 pixel, Searched searched, float t, ivec2 size) {
 bool isVaried(ivec2 pixel, float t, ivec2 size) {
   vec2 d = limitedDisplacementOf(0, pixel);
   ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);
-  return texelFetch(id_tex, at, 0).xy == texelFetch(id_tex, pixel, 0).xy && !comes(0, at, d);
+  return id_at(at).xy == id_at(pixel).xy && !comes(0, at, d);
 }
 
 void run(ivec2 pixel) {
-  vec3 own = vec3(texelFetch(color_tex, pixel, 0));
+  vec3 own = vec3(color_at(pixel));
   Searched searched = searchedAt(pixel);
   if (spreadFactor(frame.shutter) * searched.longest <= kStaticRadius) {
     imageStore(blurred_img, pixel, vec4(own, 1));

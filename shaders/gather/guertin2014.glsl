@@ -61,7 +61,7 @@ Sample sampleAt(int i, vec2 d, vec2 second, bool along_second, float jitter) {
 // Number of samples along the second direction.
 int secondCount(ivec2 tile) {
 #if HAS_variance
-  float share = smoothstep(0.0, 0.5, texelFetch(variance_tex, tile, 0).x);
+  float share = smoothstep(0.0, 0.5, variance_at(tile).x);
   return int(floor(0.5 * float(params.samples) * share + 0.5));
 #else
   return params.samples / 2;
@@ -69,12 +69,8 @@ int secondCount(ivec2 tile) {
 }
 
 bool movesAsOne(ivec2 tile, vec2 d, float spread_factor) {
-#if HAS_slowest
-  float slowest = texelFetch(slowest_tex, tile, 0).x;
+  float slowest = slowest_at(tile).x;
   return slowest >= kUniformShare * lengthOf(d) && spread_factor * slowest >= kUniformRadius;
-#else
-  return false;
-#endif
 }
 
 float tapWeight(Tap here, Tap tap, Sample taken, vec2 second) {
@@ -99,11 +95,11 @@ void run(ivec2 pixel) {
     return;
   }
   ivec2 tile = lookupTile(pixel, textureSize(dominant_tex, 0));
-  vec2 d = vec2(texelFetch(dominant_tex, tile, 0));
+  vec2 d = vec2(dominant_at(tile));
   float spread_factor = spreadFactor(frame.shutter);
   if (spread_factor * lengthOf(d) <= kCopiedRadius) {
     count_copied(1u);
-    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
+    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(color_at(pixel)), 1)));
     return;
   }
 

@@ -171,11 +171,7 @@ int sampleCount(vec2 d) {
 
 // True if all surfaces around move nearly as fast as the dominant displacement.
 bool movesAsOne(ivec2 pixel, vec2 d) {
-#if HAS_slowest
-  return texelFetch(slowest_tex, pixel / params.tile, 0).x > params.cheap_ratio * lengthOf(d);
-#else
-  return false;
-#endif
+  return slowest_at(pixel / params.tile).x > params.cheap_ratio * lengthOf(d);
 }
 
 // Offset of a single tap, if the exposure lies on one side of the raster time.
@@ -224,11 +220,11 @@ void run(ivec2 pixel) {
     imageStore(blurred_img, pixel, vec4(0));
     return;
   }
-  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
+  vec2 d = vec2(dominant_at(pixel / params.tile));
   float spread_factor = spreadFactor(frame.shutter);
   if (spread_factor * lengthOf(d) <= params.copy_below + (kStaticRadius - 0.5)) {
     count_copied(1u);
-    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
+    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(color_at(pixel)), 1)));
     return;
   }
 

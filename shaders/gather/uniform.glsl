@@ -35,11 +35,7 @@ struct Tap {
 
 Tap tapAt(ivec2 pixel) {
   Texel texel = texelAt(pixel);
-  vec2 d_after = texel.d;
-#if HAS_velocity_post
-  d_after = limited(texelFetch(velocity_post_tex, pixel, 0));
-#endif
-  return Tap(texel.color, texel.depth, texel.d, d_after);
+  return Tap(texel.color, texel.depth, texel.d, limited(velocity_post_at(pixel)));
 }
 
 // True if a tap at `offset` for time t passes over the pixel, and its displacement then, px over the exposure.
@@ -118,13 +114,11 @@ void run(ivec2 pixel) {
     imageStore(blurred_img, pixel, vec4(0));
     return;
   }
-  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0)), d_after = d;
-#if HAS_dominant_post
-  d_after = vec2(texelFetch(dominant_post_tex, pixel / params.tile, 0));
-#endif
+  ivec2 tile = pixel / params.tile;
+  vec2 d = vec2(dominant_at(tile)), d_after = vec2(dominant_post_at(tile));
   float spread_factor = spreadFactor(frame.shutter);
   if (spread_factor * max(lengthOf(d), lengthOf(d_after)) <= kStaticRadius) {
-    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
+    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(color_at(pixel)), 1)));
     return;
   }
 

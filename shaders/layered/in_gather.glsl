@@ -35,23 +35,18 @@ struct Tap {
 };
 
 Tap rasterAt(ivec2 pixel, bool after) {
-  return Tap(colorOf(kRaster, pixel), saneDepth(texelFetch(depth_tex, pixel, 0).x), pathOf(kRaster, pixel, after),
-             texelFetch(id_tex, pixel, 0).x);
+  return Tap(colorOf(kRaster, pixel), saneDepth(depth_at(pixel).x), pathOf(kRaster, pixel, after), id_at(pixel).x);
 }
 
 // Background of a pixel: the revealed surface, or the raster surface if none was revealed.
 Tap backgroundOf(ivec2 pixel, bool after) {
   if (!isRevealed(pixel)) return rasterAt(pixel, after);
-  return Tap(colorOf(kRevealed, pixel), revealedDepth(pixel), pathOf(kRevealed, pixel, after),
-             texelFetch(revealed_id_tex, pixel, 0).x);
+  return Tap(colorOf(kRevealed, pixel), revealedDepth(pixel), pathOf(kRevealed, pixel, after), revealed_id_at(pixel).x);
 }
 
 Path dominantOf(ivec2 pixel, bool after) {
   ivec2 tile = pixel / params.tile;
-#if HAS_dominant_post
-  if (after) return straight(vec2(texelFetch(dominant_post_tex, tile, 0)));
-#endif
-  return straight(vec2(texelFetch(dominant_tex, tile, 0)));
+  return straight(vec2(after ? dominant_post_at(tile) : dominant_at(tile)));
 }
 
 ivec2 tapFor(ivec2 pixel, Path path, float t) { return nextTexel(pixel, path, t); }
@@ -101,7 +96,7 @@ vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
 void run(ivec2 pixel) {
   float fastest = max(reachOf(dominantOf(pixel, false)), reachOf(dominantOf(pixel, true)));
   if (spreadFactor(frame.shutter) * fastest <= kStaticRadius) {
-    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+    imageStore(blurred_img, pixel, vec4(vec3(color_at(pixel)), 1));
     return;
   }
 

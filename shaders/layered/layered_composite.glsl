@@ -84,7 +84,7 @@ struct Own {
 };
 
 Own ownOf(ivec2 pixel) {
-  float depth = saneDepth(texelFetch(depth_tex, pixel, 0).x);
+  float depth = saneDepth(depth_at(pixel).x);
   return Own(pathOf(kRaster, pixel, false), pathOf(kRaster, pixel, true), depth, colorOf(kRaster, pixel));
 }
 
@@ -95,7 +95,7 @@ Path rasterPath(Own own, ivec2 pixel, ivec2 now, bool after) {
 }
 
 float rasterDepth(Own own, ivec2 pixel, ivec2 now) {
-  return now == pixel ? own.depth : saneDepth(texelFetch(depth_tex, now, 0).x);
+  return now == pixel ? own.depth : saneDepth(depth_at(now).x);
 }
 
 Nearest nearerRaster(Nearest nearest, Own own, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
@@ -128,10 +128,9 @@ Nearest nearerRevealed(Nearest nearest, ivec2 pixel, ivec2 now, float t, float t
 // True if a moving silhouette may pass between the texels around a sample. With marks_contrast: if their displacements differ
 // (movesOtherwise). Otherwise: if some of these texels are at the pixel at time t, within 1.5 px, and some are not.
 bool isAtSilhouette(ivec2 pixel, ivec2 now, vec2 offset, float t) {
-#if HAS_silhouettes
   vec2 off_centre = offset - vec2(now - pixel);
   ivec2 beside = ivec2(greaterThan(off_centre, vec2(kCentre))) - ivec2(lessThan(off_centre, vec2(-kCentre)));
-  if (beside == ivec2(0) || texelFetch(silhouettes_tex, now, 0).x < 0.5) return false;
+  if (beside == ivec2(0) || silhouettes_at(now).x < 0.5) return false;
   ivec2 size = textureSize(color_tex, 0);
 #if PARAM_marks_contrast
   vec2 d = pathOf(kRaster, now, t > 0.0).d;
@@ -148,9 +147,6 @@ bool isAtSilhouette(ivec2 pixel, ivec2 now, vec2 offset, float t) {
     there += isAt(pixel, at, pathOf(kRaster, at, t > 0.0), t, 1.5) ? 1 : 0;
   }
   return there % 4 != 0;
-#endif
-#else
-  return false;
 #endif
 }
 
@@ -186,39 +182,6 @@ Nearest sampleAt(ivec2 pixel, Own own, Candidates candidates, bool background, f
 }
 
 // True if a moving surface may be at the cell's pixels at some time.
-bool isMoved(ivec2 cell) {
-#if HAS_moved
-  return texelFetch(moved_tex, cell, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
-
-bool isUnlisted(ivec2 cell) {
-#if HAS_unlisted
-  return texelFetch(unlisted_tex, cell, 0).x > 0.5;
-#else
-  return false;
-#endif
-}
-
-// Strata with unreliable layers, a bit each.
-uint unreliable(ivec2 cell) {
-#if HAS_unreliable
-  return texelFetch(unreliable_tex, cell, 0).x;
-#else
-  return 0u;
-#endif
-}
-
-bool isBackground(ivec2 cell) {
-#if HAS_background
-  return texelFetch(background_tex, cell, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
-
 // Colour of the surface found. With taps = linear, the bilinear mean of the four texels around the sample that are at the pixel
 // at time t too, within 1.5 px; corners of weight below 1e-3 are skipped. `alike`: with marks_contrast, false if one of the
 // four is missing or their contrast is above `contrast`; always true above `detail_below` px per sample. `color_range`: range
@@ -340,27 +303,27 @@ void finish(ivec2 pixel, vec3 part, float share, uvec2 unresolved) {
 void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
   const uvec2 all_unresolved = allParts(params.samples);
-  uvec2 unresolved = openOf(unreliable(cell));
+  uvec2 unresolved = openOf(unreliable_at(cell).x);
   if (unresolved == all_unresolved && !kWritesEstimate) {
     finish(pixel, vec3(0), 0.0, unresolved);
     return;
   }
-  if (!isMoved(cell)) {
+  if (moved_at(cell).x <= 0.5) {
     float share = 1.0 - float(countParts(unresolved)) / float(min(params.samples, kMostParts));
-    vec3 color = vec3(texelFetch(color_tex, pixel, 0));
+    vec3 color = vec3(color_at(pixel));
     finishEstimate(pixel, (1.0 - share) * color, (1.0 - share) * mostOf(finiteColor(vec4(color, 1))));
     finish(pixel, share * color, share, unresolved);
     return;
   }
 
   ivec2 tile = pixel / params.tile;
-  bool background = isBackground(cell);
+  bool background = background_at(cell).x > 0.5;
   float jitter = jitterOf(pixel);
   Candidates before = candidatesOf(pixel, dominantBefore(tile), jitter, background, false), after = before;
 #if HAS_velocity_post
   after = candidatesOf(pixel, dominantAfter(tile), jitter, background, true);
 #endif
-  if (PARAM_marks_unresolved != 0 && (before.overflowed || after.overflowed || isUnlisted(cell))) {
+  if (PARAM_marks_unresolved != 0 && (before.overflowed || after.overflowed || unlisted_at(cell).x > 0.5)) {
     unresolved = all_unresolved;
     finish(pixel, vec3(0), 0.0, unresolved);
     if (!kWritesEstimate) return;

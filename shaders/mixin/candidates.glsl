@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_search_taps, PARAM_marks_unresolved, color_tex, dominant_tex, params.limit, params.samples, revealed_color_tex,
-//   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex; may have: PARAM_trajectory,
-//   dominant_post_tex, second_post_tex, velocity_post_tex, curve_tex, dominant_curve_tex, dominant_place_tex,
-//   max_displacement_buf, revealed_dominant_post_tex, revealed_velocity_post_tex, revealed_curve_tex, revealed_dominant_tex,
-//   second_tex.
+//   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex, dominant_post_tex, second_post_tex,
+//   velocity_post_tex, dominant_curve_tex, dominant_place_tex, revealed_dominant_post_tex, revealed_velocity_post_tex,
+//   revealed_dominant_tex, second_tex; may have: PARAM_trajectory, curve_tex, max_displacement_buf, revealed_curve_tex,
+//   max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // Candidate displacements for a composite of layers, which uses them to search for the surface at a pixel at a time. They are
 // the displacements of the tile, of the pixel and of taps along the motion, as far as they differ.
 // layered/layered_composite.glsl has the rules and the reasons.
@@ -104,43 +104,18 @@ struct Dominant {
   ivec2 place;  // texel with the longest displacement
 };
 
-// Texel with the tile's longest displacement; `kNoTexel` if the pass does not read it.
-ivec2 placeOfDominant(ivec2 tile) {
-#if HAS_dominant_place
-  return ivec2(texelFetch(dominant_place_tex, tile, 0).xy);
-#else
-  return kNoTexel;
-#endif
-}
-
 // Displacements for the times before the raster time; for all times if motion is not in two segments.
 Dominant dominantBefore(ivec2 tile) {
-  Path longest = dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile);
-  Dominant dominant = Dominant(longest, longest, longest, placeOfDominant(tile));
-#if HAS_second
-  dominant.second = straight(vec2(texelFetch(second_tex, tile, 0)));
-#endif
-#if HAS_revealed_dominant
-  dominant.revealed = straight(vec2(texelFetch(revealed_dominant_tex, tile, 0)));
-#endif
+  Path longest = onCurve(vec2(dominant_at(tile)), dominant_curve_at(tile)), second = straight(vec2(second_at(tile)));
+  Dominant dominant = Dominant(longest, second, longest, ivec2(dominant_place_at(tile)));
+  if (HAS_revealed_dominant != 0) dominant.revealed = straight(vec2(revealed_dominant_at(tile)));
   return dominant;
 }
 
 // Displacements for the times after the raster time.
 Dominant dominantAfter(ivec2 tile) {
-#if HAS_dominant_post
-  Path longest = straight(vec2(texelFetch(dominant_post_tex, tile, 0)));
-  Dominant dominant = Dominant(longest, longest, longest, kNoTexel);
-#if HAS_second_post
-  dominant.second = straight(vec2(texelFetch(second_post_tex, tile, 0)));
-#endif
-#if HAS_revealed_dominant_post
-  dominant.revealed = straight(vec2(texelFetch(revealed_dominant_post_tex, tile, 0)));
-#endif
-  return dominant;
-#else
-  return dominantBefore(tile);
-#endif
+  return Dominant(straight(vec2(dominant_post_at(tile))), straight(vec2(second_post_at(tile))),
+                  straight(vec2(revealed_dominant_post_at(tile))), kNoTexel);
 }
 
 // Add the displacements at the pixel, then at the taps along the tile's longest and second displacement. Only the first few

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: depth_tex, edge_img, normal_tex, params.depth_threshold, params.normal_threshold, PARAM_combine, PARAM_norm;
-//   may have: where_tex.
+// Needs: depth_tex, edge_img, normal_tex, params.depth_threshold, params.normal_threshold, PARAM_combine, PARAM_norm,
+//   where_tex.
 // Gradients of depth and normal by kernels of 3x3 pixels. Each kernel returns 1 for a step of 1 along an axis.
 #ifndef STROBE_EDGE_GRADIENT_GLSL
 #define STROBE_EDGE_GRADIENT_GLSL

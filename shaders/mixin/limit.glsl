@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: params.limit; may have: max_displacement_buf.
+// Needs: params.limit; may have: max_displacement_buf, max_displacement_post_buf, revealed_max_displacement_buf,
+//   revealed_max_displacement_post_buf.
 // Longest displacement that a filter handles, and bound of the distance within which it searches. With limit = auto, stored as
 // a negative number, no displacement is shortened, and the bound is the longest displacement in the image.
 #ifndef STROBE_LIMIT_GLSL

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: params.limit; may have: PARAM_trajectory, curve_tex, dominant_curve_tex, max_displacement_buf.
+// Needs: params.limit; may have: PARAM_trajectory, curve_tex, max_displacement_buf, max_displacement_post_buf,
+//   revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // Iterative search for the texel whose surface is at a pixel at a given time. If a texel's surface is not at the pixel, the
 // texel's own displacement gives the next texel. This handles motion that varies over a surface (perspective, rotation). A
 // texel that passes `isAt` is at the pixel, whichever texels were tried before.

@@ -80,17 +80,8 @@ void markUnreliable(ivec2 cell) {
 
 void run(ivec2 cell) {
   markUnreliable(cell);
-  markAllUnreliable(cell, texelFetch(bounds_tex, cell, 0), texelFetch(deviation_bounds_tex, cell, 0), 0.0);
-#if HAS_background_bounds && HAS_background_deviation_bounds
-  markAllUnreliable(cell, texelFetch(background_bounds_tex, cell, 0),
-                    texelFetch(background_deviation_bounds_tex, cell, 0), 0.0);
-#endif
-#if HAS_shutter_open_bounds && HAS_shutter_open_deviation_bounds
-  markAllUnreliable(cell, texelFetch(shutter_open_bounds_tex, cell, 0),
-                    texelFetch(shutter_open_deviation_bounds_tex, cell, 0), frame.shutter.x);
-#endif
-#if HAS_shutter_close_bounds && HAS_shutter_close_deviation_bounds
-  markAllUnreliable(cell, texelFetch(shutter_close_bounds_tex, cell, 0),
-                    texelFetch(shutter_close_deviation_bounds_tex, cell, 0), frame.shutter.y);
-#endif
+  markAllUnreliable(cell, bounds_at(cell), deviation_bounds_at(cell), 0.0);
+  markAllUnreliable(cell, background_bounds_at(cell), background_deviation_bounds_at(cell), 0.0);
+  markAllUnreliable(cell, shutter_open_bounds_at(cell), shutter_open_deviation_bounds_at(cell), frame.shutter.x);
+  markAllUnreliable(cell, shutter_close_bounds_at(cell), shutter_close_deviation_bounds_at(cell), frame.shutter.y);
 }

@@ -9,11 +9,7 @@
 #include "lib/sanitise.glsl"
 
 vec4 motionAt(ivec2 at) {
-  vec2 d = finiteDisplacement(texelFetch(velocity_tex, at, 0)), after = d;
-#if HAS_velocity_post
-  after = finiteDisplacement(texelFetch(velocity_post_tex, at, 0));
-#endif
-  return vec4(d, after);
+  return vec4(finiteDisplacement(velocity_at(at)), finiteDisplacement(velocity_post_at(at)));
 }
 
 void run(ivec2 pixel) {
@@ -23,10 +19,8 @@ void run(ivec2 pixel) {
   for (int k = 0; k < 9; ++k) {
     vec4 there = motionAt(clampToImage(pixel + ivec2(k % 3, k / 3) - 1, size));
     if (there == here) continue;
-    otherwise = otherwise || movesOtherwise(there.xy, here.xy, params.slowest);
-#if HAS_velocity_post
-    otherwise = otherwise || movesOtherwise(there.zw, here.zw, params.slowest);
-#endif
+    otherwise = otherwise || movesOtherwise(there.xy, here.xy, params.slowest) ||
+                movesOtherwise(there.zw, here.zw, params.slowest);
   }
   if (otherwise) imageStore(near_img, pixel, vec4(1));
 }

@@ -91,14 +91,14 @@ bool isInRaster(Hit hit, out ivec2 place) {
 // Regions of occluded points that this sample may add to the pixel; 0 if the pixel has them already.
 uint wantedRegions(ivec2 pixel, Hit hit, uint known) {
   if (!isHit(hit)) return 0u;
-  uint wanted = hit.instance + 1u == texelFetch(hit_tex, pixel, 0).x ? kRegionHidden | kRegionSelf : kRegionHidden;
+  uint wanted = hit.instance + 1u == hit_at(pixel).x ? kRegionHidden | kRegionSelf : kRegionHidden;
   return (known & wanted) != wanted ? wanted : 0u;
 }
 
 // Regions of a sample. `is_static`: neither camera nor instance has moved, so a comparison with the depth of the raster sample
 // replaces the occlusion test. `hidden`: otherwise, the regions of an occluded point; 0 if it is visible at the raster time.
 uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_static, uint hidden) {
-  uvec4 ids = texelFetch(hit_tex, pixel, 0);
+  uvec4 ids = hit_at(pixel);
   uint id = isHit(hit) ? hit.instance + 1u : 0u;
   uint found = 0u;
   bool farther = false;
@@ -141,27 +141,15 @@ void setSamples(ivec2 pixel, vec3 color) {
 // Static surface that earlier samples hit, in this loop or in the one before it.
 uvec4 staticBefore(ivec2 pixel) {
   uvec4 static_background = imageLoad(static_background_img, pixel);
-#if HAS_first_static
-  if (static_background.x == kNoSurface) static_background = texelFetch(first_static_tex, pixel, 0);
-#endif
-  return static_background;
+  return static_background.x == kNoSurface ? first_static_at(pixel) : static_background;
 }
 
 vec4 staticMeanBefore(ivec2 pixel) {
   vec4 static_mean = imageLoad(static_mean_img, pixel);
-#if HAS_first_static_mean
-  if (static_mean.a == 0.0) static_mean = texelFetch(first_static_mean_tex, pixel, 0);
-#endif
-  return static_mean;
+  return static_mean.a == 0.0 ? first_static_mean_at(pixel) : static_mean;
 }
 
-uint regionsBefore(ivec2 pixel) {
-  uint regions = imageLoad(regions_img, pixel).r;
-#if HAS_first_regions
-  regions |= texelFetch(first_regions_tex, pixel, 0).r;
-#endif
-  return regions;
-}
+uint regionsBefore(ivec2 pixel) { return imageLoad(regions_img, pixel).r | first_regions_at(pixel).r; }
 
 // Intersection of a ray with the surface of the consensus; a miss if the ray passes beside it or through a hole.
 Hit hitOnConsensus(uint slice, Ray ray, uvec4 consensus, out float t) {
@@ -193,9 +181,8 @@ Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) 
     known.hit = Hit(instanceOf(found), found.y, found.z, vec2(0), 0.0, true);
     known.t = uintBitsToFloat(found.w);
   }
-#if HAS_known_hit
   if (known.is_found || frame.camera_rests == 0u) return known;
-  known.consensus = texelFetch(known_hit_tex, pixel, 0);
+  known.consensus = known_hit_at(pixel);
   if (!isOneSurface(known.consensus)) return known;
   float t = kFar;
   bool is_sky = known.consensus.x == kSkySurface;
@@ -203,7 +190,6 @@ Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) 
   known.is_known = spares_rays && (is_sky || isHit(known.taken));
   if (known.is_known) known.hit = known.taken;
   if (isHit(known.hit)) known.t = t;
-#endif
   return known;
 }
 
@@ -220,18 +206,14 @@ bool contradicts(Known known, Hit hit) {
 // time.
 uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   is_shown = false;
-  uint shadows = 0u;
-#if HAS_known_hit
   if (!kFrozen || !isHit(hit)) return 0u;
   ivec2 place = pixel;
   bool camera_rests = frame.camera_rests != 0u;
   if (camera_rests && !isAtRest(hit)) return 0u;
   if (!camera_rests && !isInRaster(hit, place)) return 0u;
-  shadows = shadowsOf(texelFetch(known_shadows_tex, place, 0), hit.instance);
-  uvec4 shown = texelFetch(known_hit_tex, place, 0);
+  uvec4 shown = known_hit_at(place);
   is_shown = !camera_rests && isOneTriangle(shown) && shown.xyz == idsOf(hit).xyz;
-#endif
-  return shadows;
+  return shadowsOf(known_shadows_at(place), hit.instance);
 }
 
 // Nearest hit on a sample's ray: the static hit `static_background` if it is known, or a moving surface in front. At equal
@@ -306,23 +288,19 @@ void note(ivec2 pixel, Hit hit, float background_t, vec3 color) {
 // Lights visible (x) and blocked (y) from the whole shadow tile, if the raster image shows the hit: its triangle at the pixel,
 // or for samples all over the pixel its surface at the pixel and at the eight around it.
 uvec2 knownShadows(ivec2 pixel, Hit hit) {
-  uvec2 light_visibility = uvec2(0u);
-#if HAS_light_visibility
-  if (!isHit(hit)) return light_visibility;
+  if (!isHit(hit)) return uvec2(0u);
   uvec3 ids = uvec3(hit.instance + 1u, hit.geometry, hit.primitive);
 #if PARAM_pixel == pixel_box
   bool is_shown = true;
   ivec2 last = textureSize(hit_tex, 0) - 1;
   for (int i = 0; i < 9; ++i) {
     ivec2 at = clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
-    is_shown = is_shown && texelFetch(hit_tex, at, 0).xy == ids.xy;
+    is_shown = is_shown && hit_at(at).xy == ids.xy;
   }
 #else
-  bool is_shown = texelFetch(hit_tex, pixel, 0).xyz == ids;
+  bool is_shown = hit_at(pixel).xyz == ids;
 #endif
-  if (is_shown) light_visibility = texelFetch(light_visibility_tex, pixel / params.shadow_tile, 0).xy;
-#endif
-  return light_visibility;
+  return is_shown ? light_visibility_at(pixel / params.shadow_tile).xy : uvec2(0u);
 }
 
 #if PARAM_probes
@@ -353,13 +331,8 @@ void run(ivec2 pixel) {
   // With a static camera, all rays through the pixel's centre are one ray.
   bool one_ray = PARAM_every_ray == 0 && kFrozen && PARAM_pixel == pixel_centre && frame.camera_rests != 0u;
 
-  bool is_even = false;
-#if HAS_even_color
-  vec4 even = texelFetch(even_color_tex, pixel, 0);
-  is_even = kFrozen && even.a != 0.0 && spares_rays && !one_ray && frame.camera_rests != 0u;
-#else
-  vec4 even = vec4(0);
-#endif
+  vec4 even = even_color_at(pixel);
+  bool is_even = kFrozen && even.a != 0.0 && spares_rays && !one_ray && frame.camera_rests != 0u;
 
   Known known = knownOn(pixel, slice, ray, one_ray, spares_rays);
   float t = known.t;

@@ -29,7 +29,7 @@ class RenderCells : public RenderTest {
 };
 
 // Nodes that share cells: the mask's bounds serve the composite too.
-const std::vector<std::string> kNodes = {"mask_bounds",     "mask_ids",     "cull_candidates", "mask",
+const std::vector<std::string> kNodes = {"mask_bounds",     "mask_ids",       "cull_candidates", "mask",
                                          "revealed_bounds", "classify_cells", "composite"};
 
 // Those of its pixels and of no others; the last cells are cut off by the picture's border.

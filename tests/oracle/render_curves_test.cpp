@@ -252,12 +252,12 @@ TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
   lab::Shot shot = with(shotOf("swerve", kSide, 64), "hybrid_traced",
                         {fmt::format("samples={}", Doubts::kParts), "jitter=hash"}, "centre");
   shot.taps = {"classify_time_samples.unreliable"};
-  const std::pair<const char*, double> layers[] = {{"raster_bent_bounds", 0},
-                                                   {"revealed_1_bent_bounds", 0},
-                                                   {"open_unseen_bounds", Doubts::kOpen},
-                                                   {"close_unseen_bounds", Doubts::kClose}};
+  const std::pair<const char*, double> layers[] = {{"raster_deviation_bounds", 0},
+                                                   {"revealed_deviation_bounds", 0},
+                                                   {"open_disoccluded_bounds", Doubts::kOpen},
+                                                   {"close_disoccluded_bounds", Doubts::kClose}};
   for (const auto& layer : layers)
-    for (const char* of : {"bounds", "bends"}) shot.taps.push_back(fmt::format("{}.{}", layer.first, of));
+    for (const char* of : {"bounds", "deviation_bounds"}) shot.taps.push_back(fmt::format("{}.{}", layer.first, of));
   const lab::Picture picture = render(shot);
   const image::UintImage& unreliable = picture.frame.taps.at(shot.taps[0]).uints;
   Doubts doubts{{unreliable.width, unreliable.height}};

@@ -46,29 +46,32 @@ std::vector<Case> cases() {
   std::vector<Case> all = {
       {"crowd at rest",
        shotOf("crowd", kWidth, kHeight, {{"speed", 0}}),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
-      {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "bends"}},
-      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms"}},
+      {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "deforms"}},
+      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "deforms"}},
       {"crowd whose motion is not kept",
        held,
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms"}},
       {"crowd in no time",
        instant,
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends", "before", "after"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms", "before",
+        "after"}},
       {"cut out",
        shotOf("cut_out", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "blend", "one_sided", "shadows", "bends"}},
-      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"curves", "covered", "one_sided", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "blend", "one_sided", "shadows", "deforms"}},
+      {"veil",
+       shotOf("veil", kWidth, kHeight, {{"shift", 9}}),
+       {"curves", "may_be_occluded", "one_sided", "shadows", "deforms"}},
       {"sides",
        shotOf("sides", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "shadows", "deforms"}},
       {"a square that slides",
        shotOf("quad_2d", kWidth, kHeight,
               {{"left", 18}, {"right", 28}, {"top", 10}, {"bottom", 18}, {"d_x", 8}, {"d_y", -4}}),
-       {"curves", "covered", "arrives", "alpha", "blend", "one_sided", "shadows", "bends"}},
+       {"curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "shadows", "deforms"}},
       {"lit",
        shotOf("lit", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "shadows", "deforms"}},
   };
   Shot bent;
   bent.width = kWidth, bent.height = kHeight;
@@ -145,11 +148,15 @@ class RenderFacts : public oracle::RenderTest {
     EXPECT_TRUE(oracle::identical(oracle::colorOf(required), oracle::colorOf(capture)));
   }
 
-  static bool hasOwnTimes(const Picture& picture) { return picture.record["counters"].contains("trace_time_samples.samples"); }
+  static bool hasOwnTimes(const Picture& picture) {
+    return picture.record["counters"].contains("trace_time_samples.samples");
+  }
 
   // Then what is at rest counts in the mean at once, or is the capture's where nothing reaches, and else sample by
   // sample.
-  static bool hasGround(const Picture& picture) { return picture.record["counters"].contains("over_background.samples"); }
+  static bool hasGround(const Picture& picture) {
+    return picture.record["counters"].contains("over_background.samples");
+  }
   static bool takesMeansOtherwise(const Picture& picture) {
     const Json& passes = picture.record["counters"];
     return hasGround(picture) || passes.contains("adaptive_times.samples");
@@ -234,7 +241,7 @@ TEST_F(RenderFacts, AreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid_traced")),
           moving = render(with(cases()[1].shot, "hybrid_traced"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
-  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "covered", "arrives", "shadows", "before"}));
+  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "may_be_occluded", "may_appear", "shadows", "before"}));
   EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid_traced")).record["facts"].size(), 12u);
 }
 
@@ -262,8 +269,8 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
 TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
   const Shot square = shotOf("quad_2d", kWidth, kHeight, {{"left", 18}, {"right", 24}, {"top", 10}, {"bottom", 15}});
   Shot shot = with(square, "hybrid_traced", {}, "end");
-  shot.taps = {"composite.unresolved",   "mask.mask",        "ray_reveal.found",
-               "raster_deviation.path_deviation", "tile_max.longest", "composite.blurred"};
+  shot.taps = {"composite.unresolved", "mask.mask",        "ray_reveal.found", "raster_deviation.path_deviation",
+               "tile_max.longest",     "composite.blurred"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
@@ -298,8 +305,8 @@ TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
     std::vector<std::string> nodes = nodesOf(render(with(crowd, pipeline, {}, anchor)));
     return std::count(nodes.begin(), nodes.end(), node) > 0;
   };
-  for (const char* node :
-       {"trace_time_samples", "shutter_open_visibility", "disoccluded_at_open", "raster_deviation", "unreliable", "moving_silhouettes"})
+  for (const char* node : {"trace_time_samples", "shutter_open_visibility", "disoccluded_at_open", "raster_deviation",
+                           "unreliable", "moving_silhouettes"})
     EXPECT_FALSE(runs("end", "hybrid_layered", node)) << node;
   const std::map<std::string, std::pair<bool, bool>> ends = {
       {"end", {true, false}}, {"centre", {true, true}}, {"start", {false, true}}};

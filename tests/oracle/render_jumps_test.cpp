@@ -53,7 +53,7 @@ class RenderJumps : public RenderTest {
 // --- Cuts
 
 TEST_F(RenderJumps, ACutOfTheSceneIsThePictureWithoutBlur) {
-  const std::pair<std::string, double> cuts[] = {{"end", -.3},         {"end", 0}, {"centre", .2},
+  const std::pair<std::string, double> cuts[] = {{"end", -.3},           {"end", 0},    {"centre", .2},
                                                  {"centre", -.5 + 1e-6}, {"start", .5}, {"start", 1}};
   image::Image sharp = drawn(jumps({}), {"none", {}}, "end");
   for (const auto& [anchor, cut] : cuts)

@@ -215,7 +215,7 @@ TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {
     RowError both = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {}))), kGentle, c);
     EXPECT_LE(both.rms, .0065) << what;
     if (c.d_front * c.d_back > 0) continue;  // found without taps too, by asking twice
-    RowError none = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {"harvest=false"}))), kGentle, c);
+    RowError none = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {"search_taps=false"}))), kGentle, c);
     EXPECT_GE(none.rms, 5 * both.rms) << what;
   }
 }

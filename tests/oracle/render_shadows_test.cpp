@@ -20,7 +20,9 @@ class RenderShadows : public RenderTest {
     lab::Picture by_tiles = render(shot);
     lab::Picture by_rays = render(with(shot, shot.pipeline, {"tile_light_visibility.per_tile=false"}));
     EXPECT_TRUE(identical(colorOf(by_tiles), colorOf(by_rays))) << what;
-    EXPECT_EQ(counterOf(by_rays, "tile_light_visibility.visible_lights") + counterOf(by_rays, "tile_light_visibility.blocked_lights"), 0u)
+    EXPECT_EQ(counterOf(by_rays, "tile_light_visibility.visible_lights") +
+                  counterOf(by_rays, "tile_light_visibility.blocked_lights"),
+              0u)
         << what;
     EXPECT_LE(raysOf(by_tiles), raysOf(by_rays)) << what;
     return by_tiles;
@@ -79,7 +81,9 @@ TEST_F(RenderShadows, OtherBackendsTraceEachRay) {
   lab::Picture own = render(shot);
   shot.backend = "query";
   lab::Picture query = render(shot);
-  EXPECT_EQ(counterOf(query, "tile_light_visibility.visible_lights") + counterOf(query, "tile_light_visibility.blocked_lights"), 0u);
+  EXPECT_EQ(counterOf(query, "tile_light_visibility.visible_lights") +
+                counterOf(query, "tile_light_visibility.blocked_lights"),
+            0u);
   EXPECT_GT(counterOf(query, "shade.rays_query"), raysOf(own));
 }
 

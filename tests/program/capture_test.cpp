@@ -116,7 +116,8 @@ TEST_F(Capture, AnEditedCommentChangesHashesOfFilesAlone) {
       << diff.out;
   Outcome verified = run("verify " + path("first"), home);
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
-  EXPECT_NE(verified.out.find("input altered: strobe:shaders/hybrid/ray_reveal.glsl"), std::string::npos) << verified.out;
+  EXPECT_NE(verified.out.find("input altered: strobe:shaders/hybrid/ray_reveal.glsl"), std::string::npos)
+      << verified.out;
 }
 
 // One constant in a shader of each pass: what each writes, moved a little.

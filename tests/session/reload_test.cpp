@@ -291,7 +291,8 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   auto told = session.reload(true);
   ASSERT_TRUE(told);
   EXPECT_EQ(joined(told->rebuilt), "composite");
-  EXPECT_NE(joined(told->problems).find("shaders/layered/disocclusion_mask.glsl:1"), std::string::npos) << joined(told->problems);
+  EXPECT_NE(joined(told->problems).find("shaders/layered/disocclusion_mask.glsl:1"), std::string::npos)
+      << joined(told->problems);
   EXPECT_NE(colorHash(session), before);
   home_.write("shaders/layered/disocclusion_mask.glsl", good);
   told = session.reload(true);
@@ -301,12 +302,13 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   // Lua: one pass broken, another with a new parameter.
   good = home_.read("passes/layered/disocclusion_mask.lua");
   home_.write("passes/layered/disocclusion_mask.lua", "return nothing at all");
-  home_.edit("passes/lib/layered_composite.lua", "harvest  ",
-             "dimmed = param.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest  ");
+  home_.edit("passes/lib/layered_composite.lua", "search_taps  ",
+             "dimmed = param.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    search_taps  ");
   home_.edit("shaders/layered/layered_composite.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
   told = session.reload(true);
   ASSERT_TRUE(told);
-  EXPECT_NE(joined(told->problems).find("passes/layered/disocclusion_mask.lua:1"), std::string::npos) << joined(told->problems);
+  EXPECT_NE(joined(told->problems).find("passes/layered/disocclusion_mask.lua:1"), std::string::npos)
+      << joined(told->problems);
   EXPECT_TRUE(told->swapped);
   session.set("composite.dimmed", "0.25", "window");
   home_.write("passes/layered/disocclusion_mask.lua", good);
@@ -466,8 +468,9 @@ void reachedFrom(const EditableHome& home, const std::string& file, std::set<std
 TEST_F(ReloadTest, CompilesWhatDependsOnTheEditAndNothingElse) {
   Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
-  for (const char* file : {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/mixin/camera.glsl",
-                           "shaders/layered/disocclusion_mask.glsl", "shaders/shared/bindings.glsl", "shaders/mixin/jitter.glsl"}) {
+  for (const char* file :
+       {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/mixin/camera.glsl",
+        "shaders/layered/disocclusion_mask.glsl", "shaders/shared/bindings.glsl", "shaders/mixin/jitter.glsl"}) {
     std::set<std::string> closure;
     const plan::Plan& plan = session.plan();
     for (const auto& node : plan.nodes) {

@@ -148,7 +148,7 @@ TEST_F(Shaders, WhatASceneDoesNotHaveLeavesNoTrace) {
     in.raster = in.scene = true;
     in.writes = {{"hit", "rgba32ui", true, false}};
     for (const char* fact : {"alpha", "blend", "one_sided", "shadows"}) in.facts.push_back({fact, true});
-    in.facts.push_back({"bends", bends});
+    in.facts.push_back({"deforms", bends});
     return compilePass(home(), in, home().at("shaders/gbuffer/visibility.vert.glsl"), Stage::Vertex).spirv;
   };
   auto names = [](const std::vector<uint32_t>& spirv) {

@@ -11,7 +11,7 @@ local scene = {}
 -- A layer: images of one surface per pixel. These fields may be absent; lib/ranges and lib/curves add some.
 scene.layer = pipeline.record("a layer", {
   "valid", "normal", "hit", "light_visibility", "velocities", "bounds", "curve", "path_deviation", "nonlinear",
-  "velocity_post", "whole_velocity", "after",
+  "velocity_post", "whole_velocity", "post",
 })
 
 -- The colour of the visible surfaces, shaded at the raster time (both values of `shading` agree there), and `light_visibility`:
