@@ -45,7 +45,7 @@ local function above(error, least) return math.sqrt(math.max(0, error * error - 
 -- Each rule is tested in its `regions`. `holds` takes the errors of one region. It returns whether the rule holds, and a text
 -- with the numbers that were compared.
 local rules = {
-  { text = "in disoccluded regions the hybrid's error above the floor is at most a third of that of the best post-process",
+  { text = "in disoccluded regions the hybrid's error above the floor is at most a third of the best post-process's",
     regions = uncovered, holds = function(e)
       local own, best = above(e.own, e.floor), above(e.best.rmse, e.floor)
       return own <= best / 3, ("%.4f of %.4f (%s)"):format(own, best, e.best.name)
@@ -165,7 +165,7 @@ return experiment {
   question = "Is the hybrid accurate for objects that turn, have many parts, enter or leave the picture?",
   note = "All methods have 16 samples, the exposure ends at the raster time, and no displacement is shortened. The floor is " ..
          "the error of truth with 16 samples. The hybrid (best) is expected to have an error above the floor of at most a " ..
-         "third of that of the best post-process, in disoccluded regions. In every region its error is expected to be at " ..
+         "third of the best post-process's, in disoccluded regions. In every region its error is expected to be at " ..
          "most 1.5 times the floor, and no baseline is expected to have a smaller error.",
   size = { 480, 270 },
   regions = regions,

@@ -25,8 +25,8 @@ local knobs = {
 -- Values of each knob, one per point, as lists of equal length for experiment.zip.
 local values, names = {}, {}
 for k, knob in ipairs(knobs) do values[knob[1]], names[k] = {}, knob[1] end
--- Keep the points of a Sobol sequence with one more dimension for which coordinate 8 is below 1/2. They are as evenly spread in
--- the other dimensions.
+-- Keep each point of a Sobol sequence with one more dimension if its coordinate 8 is below 1/2. These points are as evenly
+-- spread in the other dimensions.
 for _, point in ipairs(sequences.sobol(2 * count, #knobs + 1)) do
   if table.remove(point, 8) < 0.5 then
     for k, knob in ipairs(knobs) do table.insert(values[knob[1]], knob[2][1 + math.floor(point[k] * #knob[2])]) end
@@ -46,8 +46,8 @@ local function point(i)
   return wanted
 end
 
--- Returns the indices of the points on the front, and all points. A point is on the front if no other point is at least as
--- good in error and in time and better in one of them.
+-- Returns the indices of the points on the front, and all points. A point is not on the front if another point is at least as
+-- good in error and in time, and better in error or in time.
 local function front(r)
   local all, on = {}, {}
   for i = 1, count do all[i] = r.at(point(i)) end

@@ -35,8 +35,8 @@ local function best_baseline(r, ...)
   return least
 end
 
--- Returns the expectation that the error of `arm` is below `factor` times that of the best post-process, at every point of
--- `shots`.
+-- Returns the expectation that the error of `arm` is below `factor` times the error of the best post-process, at every point
+-- of `shots`.
 local function less(arm, factor, shots, text, known)
   return { text, known = known, function(r)
     local ratio, where = most(shots, function(...) return at(r, arm, ...).rmse / best_baseline(r, ...) end)

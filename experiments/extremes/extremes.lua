@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Measures in which range each method is reliable: its error against truth while one quantity varies to an extreme.
+-- Measures the reliable range of each method: the error against truth while one quantity varies to an extreme.
 --   strobe sweep experiments/extremes/extremes.lua -o out/extremes
 local experiment = require "strobe.experiment"
 

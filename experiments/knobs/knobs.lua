@@ -6,8 +6,8 @@ local experiment = require "strobe.experiment"
 
 local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots with motion
 
--- A knob replaces the pipeline, parameters (`set`) or options of the shot (`run`). `needed`: shots in which the knob is
--- expected to increase the error by more than a twentieth.
+-- A knob replaces the pipeline, parameters (`set`) or options of the shot (`run`). `needed`: shots with an
+-- expected increase of the error by more than a twentieth.
 local knobs = {
   { name = "arcs", set = { trajectory = "arc" }, needed = {} },
   { name = "no rays at own times", pipeline = "hybrid_layered", needed = moving },

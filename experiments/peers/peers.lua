@@ -13,7 +13,8 @@ local layers, best = "layers 2024", "hybrid, best"
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region } end
 
--- Returns the expectation that the error of `arm` in a region is at most `factor` times that of `other`, in every shot.
+-- Returns the expectation that the error of `arm` in a region is at most `factor` times the error of `other`, in every
+-- shot.
 local function below(arm, other, region, factor, text)
   return { text, function(r)
     local most, where = 0, ""

@@ -56,7 +56,7 @@ return pipeline {
   params = {
     options.blur(40),
     mask = pipeline.choice { "disocclusion", "paper", "moving", "all", "none", default = "disocclusion",
-      doc = "pixels at which a ray reveals the background",
+      doc = "pixels with a ray that reveals the background",
       values = {
         disocclusion = "The disocclusion mask, as in hybrid_layered.",
         paper  = "The published ray mask, as in hybrid.",

@@ -91,8 +91,8 @@ end
 
 return experiment {
   title    = "Readings of the paper",
-  question = "The paper claims that the hybrid corresponds to ground truth and post-process does not. With which " ..
-             "interpretations of the paper does this claim hold?",
+  question = "The paper claims that the hybrid corresponds to ground truth and post-process does not. Which " ..
+             "interpretations of the paper make this claim true?",
   note     = "\"as written\" is the preset text of hybrid. \"+ even weights\" is its preset paper. An arm with + adds one " ..
              "change to the changes of the arms with + before it. The other arms make one change to \"as written\". In " ..
              "three shots a vase slides past a striped cushion. The vase is hollow and of one colour, as in the paper, or " ..

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- Real scenes: an object moves about 40 px over the exposure before a background with detail. No displacement is clamped.
--- Expectation, written before measuring. It applies if the background has detail: its standard deviation over `inner` is at
--- least a fifth of its mean difference from the foreground. Then the RMSE of the hybrid (best) in `inner` against frozen truth
--- is at most a fifth of that of each baseline with the same anchor, and at most 1.5 times that of truth with 16 samples.
+-- The expectation was written before measuring. It applies if the background has detail: its standard deviation over `inner` is
+-- at least a fifth of its mean difference from the foreground. Then the RMSE of the hybrid (best) in `inner` against frozen
+-- truth is at most a fifth of the RMSE of each baseline with the same anchor, and at most 1.5 times the RMSE of truth with 16
+-- samples.
 --   strobe sweep experiments/real_scenes/real_scenes.lua -o out/real_scenes
 -- Two of the scenes are shared data (STROBE_DATA). Their shots are skipped if the data is missing.
 local experiment = require "strobe.experiment"

@@ -71,8 +71,8 @@ arms[#arms + 1] = { name = exact, pipeline = "ground_truth", timed = true, set =
 
 -- ---- curves
 
--- Returns the cost and the error of an arm in a shot. The cost is the frame time divided by that of the arm `base`, or rays per
--- pixel. The error is divided by that of `base`.
+-- Returns the cost and the error of an arm in a shot. The cost is the frame time divided by the time of the arm `base`, or rays
+-- per pixel. The error is divided by the error of `base`.
 local function in_shot(r, one, name, cost)
   local here, unit = r.at { shot = one.name, arm = name }, r.at { shot = one.name, arm = base }
   local of = cost == "rays" and here.rays / (width * height) or here.ms_ratio
@@ -155,8 +155,8 @@ local function of_curve(cost, words, known)
   }
 end
 
--- Returns the number of scenes in which no point lies below the curve. Also returns the points below the curve in each other
--- scene, as texts.
+-- Returns the number of scenes without a point below the curve. Also returns the points below the curve in each other scene,
+-- as texts.
 local function scene_by_scene(r, cost)
   local good, texts = 0, {}
   for _, one in ipairs(shots) do

@@ -18,7 +18,7 @@ local time_samples = require "scripts.pipelines.lib.time_samples"
 local slowest   = 0.02  -- slowest motion whose silhouettes are traced, px over the exposure, as in hybrid_traced
 local revealing = 0.6   -- share of the budget for revealing rays; the rest traces unresolved samples
 
--- Returns the mask of the pixels with the highest priority, at most `part` of the ray budget (default: all of it).
+-- Returns the mask of the pixels with the highest priority, at most `part` (default 1) of the ray budget.
 local function select_top(p, priority, name, part)
   local counts = priority_histogram { priority = priority, as = name .. "_counts" }.counts
   local limit = priority_limit {
