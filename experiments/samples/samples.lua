@@ -6,7 +6,7 @@ local function inner(r, arm, samples, tile)
   return r.at { arm = arm, samples = samples, tile = tile, region = "inner" }.rmse
 end
 
-local few_left = "with 64 samples the error is a twenty-fifth of the error with 4, so a tenth of the error is a small difference"
+local few_left = "with 64 samples the error is a twenty-fifth of the error with 4, so a tenth of it is a small change"
 
 return experiment {
   title    = "Samples and tiles",
