@@ -82,7 +82,7 @@ FRAGMENTS = [
     ("experiments/README.md", "With rays for at most 15 % of the pixels", "a setting"),
     ("experiments/README.md", "with at most 1.1 times its error?", "a question"),
     ("experiments/README.md", "threshold 0.05", "a setting"),
-    ("experiments/README.md", "never more than 1.3 times its error", "an expectation that the experiment checks"),
+    ("experiments/README.md", "at most 1.3 times the error of truth", "an expectation that the experiment checks"),
     ("docs/any-object.md", "posed at 33 times", "a constant of the program"),
     ("docs/any-object.md", "(2 % of their colour)", "a default"),
     ("docs/any-object.md", "(0.75 px)", "a default"),

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A thousand small points, which show the time of a sweep besides drawing (docs/writing-experiments.md).
+-- Draws a thousand small points. They show how much time a sweep takes in addition to drawing (docs/writing-experiments.md).
 local experiment = require "strobe.experiment"
 
 return experiment {

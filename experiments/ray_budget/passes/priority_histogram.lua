@@ -8,5 +8,5 @@ return pass.compute {
   fails  = "Does not fail: the counts are exact.",
   size   = { 64, 64 },
   reads  = { priority = { uint = true, doc = "priority of each pixel, 0 to 4095; 0: no ray" } },
-  writes = { counts = { format = "buffer32ui", doc = "number of pixels with each priority from 1 on" } },
+  writes = { counts = { format = "buffer32ui", doc = "entry i: number of pixels with priority i; entry 0 stays 0" } },
 }
