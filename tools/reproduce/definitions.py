@@ -51,7 +51,7 @@ FRAGMENTS = [
     ("docs/figures.md", "96 pixels are an inch", "a unit"),
     ("docs/glossary.md", "0.5 is a shutter of 180 degrees", "a unit"),
     ("docs/how-a-pass-travels.md", "5 s of processor time, 10 s of wall clock and 256 MB", "limits"),
-    ("docs/hybrid-pass-by-pass.md", "asks for each of 16 times", "a default"),
+    ("docs/hybrid-pass-by-pass.md", "at each of 16 times", "a default"),
     ("docs/installing.md", "of more than 256 MiB of either", "a limit"),
     ("docs/invariants.md", "A tap of weight 0.00001", "a setting of a test"),
     ("docs/live.md", "ends the program (10 s)", "a limit"),
