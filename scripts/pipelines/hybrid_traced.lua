@@ -10,7 +10,7 @@ local time_samples = require "scripts.pipelines.lib.time_samples"
 
 local by_cell = "cells decide which samples are traced, and the grid of cells starts at the corner of the picture"
 local by_threshold = "thresholds decide which samples are traced, and rounding may cross a threshold"
-local slowest = 0.02  -- px over the exposure; a slower silhouette changes the coverage of a pixel by less than 0.02
+local slowest = 0.02  -- px over the exposure: a slower silhouette changes the coverage of a pixel by less than 0.02
 
 return pipeline {
   doc = "hybrid_layered with a ray for each time sample that the layers do not resolve",

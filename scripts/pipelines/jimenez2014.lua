@@ -16,7 +16,7 @@ return pipeline {
     direction   = gather.params.direction,
     copy_below  = gather.params.copy_below,
     cheap_ratio = gather.params.cheap_ratio,
-    cheap       = pipeline.bool { true, doc = "average the taps without weights where all surfaces around move alike" },
+    cheap       = pipeline.bool { true, doc = "use equal weights for all taps where all surfaces around a pixel move alike" },
   },
   build = function(p)
     local raster = scene.raster()
