@@ -20,8 +20,8 @@ return pipeline {
       doc = "colour of a surface in a time sample: shaded, or read from the raster image where it shows the surface",
       values = {
         none = "Every sample is shaded in the pose of the raster time. Costs a shadow ray per sample and light.",
-        blended = "The four nearest texels of the raster image are blended if they show the surface. Otherwise the sample is " ..
-                  "shaded. Fails by smoothing textures.",
+        blended = "The four nearest texels of the raster image are blended if they show the surface. Otherwise the sample " ..
+                  "is shaded. Fails by smoothing textures.",
         detailed = "As `blended`, but a sample is shaded if its four texels differ by more than `contrast` and the surface " ..
                    "moves by at most `detail_below` from sample to sample.",
       } },

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Parameter declarations of passes and pipelines alike: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
--- The constructors store the table and its place. `declare` checks them once the name is known.
+-- A constructor stores the table and its place. `declare` checks the table once the name of the parameter is known.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -101,11 +101,11 @@ local function check_values(problems, given, choices, place, what)
   return values
 end
 
--- Largest values in a shader: 32-bit integers, single-precision numbers.
+-- Largest number of each type in a shader: of 32-bit integers, and of single-precision floats.
 local LARGEST = { int = 2147483647, float = 3.4028234e38 }
 
--- Checks `breaks = { value = { invariant = "reason" } }`: invariants that a value breaks. For a bool, `value` is "true" or
--- "false"; for a number it is "other": any value but the default.
+-- Checks `breaks = { value = { invariant = "reason" } }`: invariants that a value of the parameter breaks. The value of a bool
+-- is "true" or "false". The value of a number is "other", which means any value except the default.
 local function check_breaks(problems, given, choices, place, what)
   if given.breaks == nil or not check.field(problems, given, "breaks", "table", place, what) then return nil end
   local breaks = {}
@@ -146,7 +146,8 @@ end
 
 local roles = native.roles()
 
--- The role: commands find a parameter by its role, without its name. One of native.roles(), or nil.
+-- Checks the role of a parameter, one of native.roles(), and returns it; nil without a role. Commands find a parameter by its
+-- role, so its name is free.
 local function check_role(problems, given, place, what)
   if given.role == nil then return nil end
   if check.contains(roles, given.role) then return given.role end
@@ -156,15 +157,16 @@ local function check_role(problems, given, place, what)
   return nil
 end
 
--- The origin of each checked declaration, and the origins of the parameters of passes.
+-- The origin of a declaration is the first declaration of the parameter; its uses may have changed some keys. `origins`: key: a
+-- checked declaration; value: its origin. `of_passes`: the set of the origins of all parameters of passes.
 local origins, of_passes = setmetatable({}, { __mode = "k" }), {}
 
--- True if two checked declarations are of one parameter.
+-- True if two checked declarations have the same origin: they are uses of one parameter.
 function param.same(a, b)
   return origins[a] ~= nil and origins[a] == origins[b]
 end
 
--- Notes the parameters of a pass: a parameter of a pipeline with the same origin counts as used.
+-- Records the parameters of a pass. A parameter of a pipeline with the same origin then counts as used.
 function param.note_pass(list)
   for _, one in ipairs(list) do of_passes[origins[one]] = true end
 end
@@ -173,7 +175,7 @@ function param.is_of_a_pass(declared)
   return of_passes[origins[declared]] == true
 end
 
--- Cache of checked declarations without mistakes: many passes share a parameter.
+-- Cache of checked declarations without mistakes, because many passes share a parameter.
 local checked = setmetatable({}, { __mode = "k" })
 
 local function copy_of(declaration)
@@ -246,7 +248,8 @@ function param.declare(problems, name, declared, at, owner)
   return result
 end
 
--- The value in canonical form, or nil and a message. Unlike in a typed setting, a text is not converted to a number.
+-- Returns `value` in canonical form, or nil and a message. A text is not converted to a number, unlike in a setting on the
+-- command line.
 function param.check(declared, value)
   if type(value) == "string" and declared.type ~= "choice" and not (declared.auto and value == "auto") then
     return nil, ("'%s' = '%s' is a text instead of a value of type %s"):format(declared.name, value, declared.type)
@@ -278,7 +281,7 @@ function param.refuse_twins(problems, list, owner)
   end
 end
 
--- The first declaration named `name` in a list, or nil. A list is indexed once: there are thousands of lookups.
+-- The first declaration named `name` in a list, or nil. The index of a list is kept, because there are thousands of lookups.
 local indices = setmetatable({}, { __mode = "k" })
 function param.find(list, name)
   local index = indices[list]
