@@ -33,13 +33,13 @@
 ---@field wired? boolean (passes) describes the rest of the graph, so that only a pipeline may set the parameter
 ---@field auto? boolean the parameter also accepts "auto" (for a float that is never negative)
 ---@field variant? boolean (int and float) the value is compiled into the shader instead of passed to the shader
----@field breaks? table<string, table<strobe.Invariant, string>> invariants broken by a value (of a number: `other`), with reasons
+---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a value (a number: `other`) breaks
 
 ---The choices in order, `{ "a", "b", default = "b", doc = "which" }`. Without `default` the first choice is the default.
 ---@class strobe.ChoiceTable
 ---@field [integer] string the choices
 ---@field default? string the default choice
----@field unit? string unit of the choices, if they are sizes
+---@field unit? string unit of the choices
 ---@field doc string meaning
 ---@field role? strobe.Role role, by which commands find the parameter
 ---@field wired? boolean (passes) describes the rest of the graph, so that only a pipeline may set the parameter
@@ -97,15 +97,15 @@
 ---@field breaks? table<strobe.Invariant, string> invariants that do not hold in a pipeline that uses the pass, with reasons
 ---@field size? "frame"|strobe.Size size of the outputs; default "frame"
 ---@field scene? boolean (compute) the shader reads the scene; raster and trace passes always do
----@field runs? strobe.Runs pixels or instances that the pass is restricted to; default "moving_rect", which needs an `if_no`
+---@field runs? strobe.Runs pixels or instances that the pass is restricted to; default "moving_rect", if `if_no` allows
 ---@field dispatch_over? string a buffer read whose entries are the pixels for which the pass runs
 ---@field group? boolean (compute) one work group per output pixel, instead of one invocation
 ---@field reads? table<string, strobe.Read> images that the shader samples
 ---@field writes? table<string, strobe.Write> images in which the shader writes every pixel
----@field updates? table<string, strobe.Update> images that the shader reads and writes; zero before the first execution in a frame
+---@field updates? table<string, strobe.Update> images that the shader reads and writes; zero before the first execution
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string|strobe.Counter> counters, each with its counted event
----@field if_no? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read is all zeros
+---@field if_no? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read 0
 
 ---An image that a node writes. It can be wired to reads of other nodes.
 ---@class strobe.Image

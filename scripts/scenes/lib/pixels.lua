@@ -5,7 +5,7 @@ local scene = require "strobe.scene"
 
 local pixels = {}
 
--- Parameters of every oracle: size of the picture; frames per second and exposure. Displacements refer to that exposure.
+-- Parameters of every oracle scene: the size of the picture, and the frame rate and exposure to which displacements refer.
 function pixels.picture(width, height)
   return {
     width = scene.param("width", width), height = scene.param("height", height),
@@ -13,7 +13,8 @@ function pixels.picture(width, height)
   }
 end
 
--- The motion with a displacement of `dx`, `dy` pixels over the exposure. At frame 0 the node is at its own position.
+-- The motion with a displacement of `dx`, `dy` pixels over the exposure. At frame 0 the node is at the position that it is
+-- given.
 function pixels.motion(picture, dx, dy)
   local per_second = picture.fps / picture.exposure
   return { velocity = { dx * per_second, -(dy or 0) * per_second, 0 } }
@@ -33,7 +34,7 @@ function pixels.flat(name, color)
   return scene.material { name = name, color = { color, color, color }, unlit = true }
 end
 
--- Texels of one row (or rows) sampled without a filter.
+-- A material with a texture of `width` x `height` texels, which is sampled without a filter.
 function pixels.textured(name, width, height, texels)
   local texture = scene.texture.texels { width = width, height = height, texels = texels, wrap = "clamp" }
   return scene.material { name = name, color_texture = texture, unlit = true }

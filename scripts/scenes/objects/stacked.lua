@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- `count` (2 to 4) boxes one behind the other, in front of a wall, each with its own motion. `equal` = true: all boxes have one
--- plain colour, so that only their motions differ. `pixels`: displacement of the first box, px; the others move by 0.8 to 1.1
--- times as much.
+-- `count` (2 to 4) boxes one behind the other, in front of a wall, each with its own motion. `equal`: true if all boxes have
+-- one plain colour, so that only their motions differ. `pixels`: displacement of the first box over the exposure, px; the other
+-- boxes move by 0.8 to 1.1 times as much.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,9 +1,11 @@
 -- SPDX-License-Identifier: MIT
 -- A wedge turns about its tip at the centre of the picture, anticlockwise by `degrees` over the exposure, over a constant
--- background (docs/derivations.md). At frame 0 it covers the directions from `from` to `to` degrees (anticlockwise from +x,
--- y up) and extends beyond the picture. `blades`: number of such wedges, evenly around the tip. `slide`: motion to the left, px
--- over the exposure; with it, points follow cycloids, as on a rolling wheel. `slides_off`: two cards in the
--- background's colour cover the right half at frame 0 and slide to the right by so many px over the exposure; 0: no cards.
+-- background (docs/derivations.md). At frame 0 the wedge covers the directions from `from` to `to` degrees (anticlockwise from
+-- +x, y up) and extends beyond the picture.
+-- blades      number of such wedges, evenly around the tip
+-- slide       motion of the wedges to the left, px over the exposure; points then follow cycloids, as on a rolling wheel
+-- slides_off  motion of two cards to the right, px over the exposure; the cards have the colour of the background and cover the
+--             right half at frame 0; 0: no cards
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
