@@ -1,6 +1,6 @@
 ---@meta
 -- SPDX-License-Identifier: MIT
--- Annotations for editors, with which they complete and check passes and pipelines. The program does not load this file.
+-- Annotations that editors use to complete and check passes and pipelines. The program does not load this file.
 -- A test compares the fields below with the fields that scripts/strobe accepts.
 
 ---@alias strobe.Format

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Average of `taps` colours along the pixel's own displacement.
-// In:  `color`:    linear radiance.
-//      `velocity`: displacement, px over the exposure, x right, y down.
-// Out: `color`:    linear radiance, alpha 1.
-// Method: take `taps` times of equal weight. At time t (in exposures, relative to the raster time) the pixel X is assumed to
-// show the surface that is at X - displacement * t in the raster image. Average the colours of these surfaces.
+// In:  `color`: linear radiance. `velocity`: displacement, px over the exposure, y down.
+// Out: `color`: linear radiance, alpha 1.
+// Method: at time t, in exposures after the raster time, the pixel X shows the colour at X - displacement * t.
 // Fails: moving surfaces are not blurred over static ones, and disoccluded background is missing.
 #include "lib/times.glsl"
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Test rays, with which tracing backends are compared. The output is not a picture of the scene.
+-- Test rays that compare tracing backends with each other. The output is not a picture of the scene.
 local pipeline = require "strobe.pipeline"
 local rays     = require "passes.inspect.test_rays"
 

@@ -95,7 +95,7 @@ return pipeline {
       doc = "find the error regions; costs one more ray per sample" },
     validation_share = trace.params.validation_share,
     tolerance        = float { 0, min = 0, max = 1e6,
-      doc = "standard error of the mean at which sampling stops, linear radiance; 0: sampling does not stop early" },
+      doc = "standard error of the mean that stops sampling, linear radiance; 0: sampling does not stop early" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"

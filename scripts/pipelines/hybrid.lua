@@ -42,7 +42,7 @@ local text = {
   edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit",
   weights = "mcguire2012",
 }
--- Two settings in which the text of the paper is silent or contradicts its claims: a ray passes the whole foreground object at
+-- Two settings where the text of the paper is silent or contradicts its claims: a ray passes the whole foreground object at
 -- once, and each tap has an equal share of the exposure.
 local paper = { text, advance = "instance_filter", weights = "uniform" }
 
@@ -68,7 +68,7 @@ return pipeline {
     paper = { doc = "the paper, so that its claims hold: a ray passes the foreground object at once, taps have equal weights",
               set = paper },
     text = { doc = "the paper to the letter", set = text },
-    geometry_index = { doc = "as `paper`, but a ray ends at another geometry, not at another luminance (proposed in the paper)",
+    geometry_index = { doc = "like `paper`, but a ray ends at another geometry instead of luminance (proposed in the paper)",
                        set = { paper, termination = "geometry" } },
   },
   default_preset = "paper",

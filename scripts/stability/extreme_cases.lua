@@ -119,7 +119,7 @@ local function bar_over_time(left, right, d, from, to)
   return function(x) return back_value + (bar_value - back_value) * coverage(left, right, d, from, to, x) end
 end
 
--- The bar has two silhouettes, each with a jump of 0.8. Each of them is wrong by at most half a time sample.
+-- The bar has two silhouettes, each with a jump of 0.8. Each silhouette is wrong by at most half a time sample.
 local bar_tolerance = 2 * (bar_value - back_value) / (2 * truth_times) + 1e-4
 
 local function between(a_shot) return within(a_shot, back_value, bar_value) end
@@ -269,7 +269,7 @@ for _, anchor in ipairs(anchors) do
        function()
     local from = window_start[anchor]
     local curved = bar(12, { limit = 10, tile = 8 }, { anchor = anchor, shutter_curve = "triangle" })
-    local function covered(x) -- total weight of the times at which the bar covers x
+    local function covered(x) -- total weight of the times while the bar covers x
       return triangle((x - 16) / 12 - from) - triangle((x - 32) / 12 - from)
     end
     local function value(x) return back_value + (bar_value - back_value) * covered(x) end

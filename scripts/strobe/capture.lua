@@ -18,7 +18,7 @@ capture.fields = {
   -- Fields of a capture:
   -- layers     images in the file of a picture besides its colour: "all" (every output of every pass), or a list of outputs and
   --            "node.port"
-  -- most_flip  largest mean FLIP at which a picture of another device counts as equal
+  -- most_flip  largest mean FLIP of two pictures that count as equal, if they are from different devices
   -- truth      name of the arm that is the reference of errors
   -- figures    list of figures, checked by strobe.figure
   -- films      list of films, checked by strobe.figure

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Collects the mistakes of a table and raises one error with all of them. Each mistake has the file and line of the user's
+-- Collects the mistakes of a table and raises one error for all mistakes. Each mistake has the file and line of the user's
 -- script.
 local native = require "strobe.native"
 
@@ -14,7 +14,7 @@ function check.problems()
   return setmetatable({ list = {} }, Problems)
 end
 
--- Adds a mistake at `place`. The text and the values that follow are those of string.format.
+-- Adds a mistake at `place`. The text and the values after it are formatted by string.format.
 function Problems:add(place, text, ...)
   self.list[#self.list + 1] = { place = { file = place.file, line = place.line }, message = text:format(...) }
 end
@@ -141,7 +141,7 @@ function check.doc(problems, t, place, what, path)
 end
 
 -- Checks `given`, a table `breaks = { invariant = "reason" }` of the invariants that do not hold. Returns the valid entries;
--- nil if there are none. `path`: keys that lead from the call at `place` to the table.
+-- nil without any. `path`: keys that lead from the call at `place` to the table.
 function check.breaks(problems, given, place, what, path)
   if given == nil then return nil end
   local at = native.key_place(place, table.unpack(path))

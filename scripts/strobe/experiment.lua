@@ -62,7 +62,7 @@ experiment.fields = {
   -- at            function from a value to its settings; default: the value sets the parameter or option with the name of the
   --               axis
   -- shots         names of the shots that vary along the axis; default: all
-  -- benign        the harmless value, with which the other values are compared
+  -- benign        the harmless value; the other values are compared with it
   -- region        error region of the plotted errors
   -- same_picture  true: the picture does not depend on the value
   -- fixed, note   texts
@@ -77,8 +77,8 @@ experiment.fields = {
     fixed = { text, optional = true }, note = { text, optional = true }, reading = { text, optional = true },
     against = { text, optional = true }, costs = { list, optional = true },
   },
-  -- An expected growth of times. part: "frame", "passes" (each pass that no other entry names) or a node. arm: the only arm to
-  -- which the entry applies; default: all.
+  -- An expected growth of times. part: "frame", "passes" (each pass that no other entry names) or a node. arm: the entry
+  -- applies to this arm only; default: to all arms.
   cost = { part = { text }, grows = { text }, arm = { text, optional = true }, why = { text, optional = true } },
   -- arm: the arm with the background; `color` and `valid` are the names of its outputs. front: the arm that shows the
   -- foreground.
@@ -92,8 +92,8 @@ experiment.fields = {
   -- factor: the error of an arm counts as sampling noise if it is at most `factor` times the error of the arm with role
   -- "floor".
   curves = { factor = { number, optional = true } },
-  -- The Pareto front of each shot. x, y: names of the measures on the axes of the chart. region: error region in which y is
-  -- measured; x is measured there too, if it depends on a region.
+  -- The Pareto front of each shot. x, y: names of the measures on the axes of the chart. region: error region for the measure
+  -- y, and also for x if x is measured by region.
   front = {
     x = { text, optional = true }, y = { text, optional = true }, region = { text, optional = true },
     title = { text, optional = true }, note = { text, optional = true },

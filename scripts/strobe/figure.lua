@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Figures and films of a capture: checks of their tables, and their form as plain data. docs/figures.md describes each field.
--- A field of a cell may also be set in its figure, row or column. The value of the cell has priority, then that of its column,
--- of its row and of the figure. Marks and insets of all of them are drawn.
+-- A field of a cell may also be set in its figure, row or column. The cell has priority, then its column, its row and the
+-- figure. Marks and insets of all four are drawn.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local native = require "strobe.native"
@@ -265,7 +265,7 @@ function Checker:look(t, path)
 end
 
 -- Checks the rows or the columns of the figure `t`. Returns two lists: their labels, and the fields that they set in their
--- cells. If there are none, the figure has a single row or column without a label.
+-- cells. If `t` has no such list, the figure has a single row or column without a label.
 function Checker:lines(t, name, path)
   local looked = {}
   local labels = self:entries(t, name, path, function(entry, at)

@@ -130,8 +130,8 @@ function judge.outcomes(expectations, data, known)
   return outcomes
 end
 
--- Adds a mistake for each expectation that contains an unknown arm, shot, region, axis, value or measure. To find it, the
--- expectation is tested on the placeholder results `data`, in which each measure is 1, and its outcome is ignored.
+-- Adds a mistake for each expectation that contains an unknown arm, shot, region, axis, value or measure. To find such
+-- mistakes, each expectation is tested on the placeholder results `data`: each measure is 1 there. Outcomes are ignored.
 function judge.rehearse(problems, expectations, data, known)
   local r = results_of(data, known)
   for _, entry in ipairs(expectations) do

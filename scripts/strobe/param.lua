@@ -248,8 +248,7 @@ function param.declare(problems, name, declared, at, owner)
   return result
 end
 
--- Returns `value` in canonical form, or nil and a message. A text is not converted to a number, unlike in a setting on the
--- command line.
+-- Returns `value` in canonical form, or nil and a message. Unlike on the command line, a text is not converted to a number.
 function param.check(declared, value)
   if type(value) == "string" and declared.type ~= "choice" and not (declared.auto and value == "auto") then
     return nil, ("'%s' = '%s' is a text instead of a value of type %s"):format(declared.name, value, declared.type)

@@ -499,7 +499,7 @@ function pass.member(folder, name)
   return require(("passes.%s.%s"):format(folder, name))
 end
 
--- Returns the arguments of a call: `arguments`, and those of `images` that the pass reads, by name. An example is
+-- Returns the arguments of a call: `arguments`, and all images of `images` that the pass reads, by name. An example is
 -- `sobel(pass.wired(sobel, raster, { as = "edge" }))`.
 function pass.wired(called, images, arguments)
   local result = {}

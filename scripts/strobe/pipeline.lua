@@ -165,7 +165,7 @@ local function check_until(problems, t, loop, results, place)
   return ""
 end
 
--- Checks `first` and `parts` of a loop. The exposure is divided into `parts` parts. The loop takes `count` of them, beginning
+-- Checks `first` and `parts` of a loop. The exposure is divided into `parts` parts. The loop takes `count` parts, beginning
 -- with part number `first` (0-based).
 local function check_parts(problems, t, place)
   for _, key in ipairs { "first", "parts" } do
@@ -356,8 +356,8 @@ local function settable_names(self, graph)
   return names
 end
 
--- Hint for a message about `--set NAME=...`: the nodes that have a parameter NAME, which the pipeline lacks; nil if there are
--- none.
+-- Hint for a message about `--set NAME=...`: the nodes that have a parameter NAME, which the pipeline lacks. Nil if no node has
+-- this parameter.
 local function nodes_with(graph, name)
   local found = {}
   for _, made in ipairs(graph.nodes) do

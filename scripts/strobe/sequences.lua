@@ -70,7 +70,7 @@ function sequences.sobol(count, width)
   return points
 end
 
--- Returns a function; each call of it returns the next random number in [0, 1) (SplitMix64: Steele, Lea and Flood 2014).
+-- Returns a function that returns another random number in [0, 1) at each call (SplitMix64: Steele, Lea and Flood 2014).
 function sequences.random(seed)
   local state = seed
   return function()

@@ -49,7 +49,7 @@ end
 
 local function as_they_are(values) return values end
 
--- Returns a function that makes one combination per row, in which axis k has its value number row[k]. Equal rows count once.
+-- Returns a function that makes one combination per row. Axis k then has its value number row[k]. Equal rows count once.
 local function combined(axes, rows)
   return function(entries)
     local all, known = {}, {}
@@ -133,7 +133,7 @@ vary.zip = native.at_caller(function(place, t)
   return varied(axes, combined(axes, rows))
 end)
 
--- `each { list { ... }, grid { ... } }`: the combinations of the first entry, then those of the second, and so on. Entries are
+-- `each { list { ... }, grid { ... } }`: the combinations of the first entry, then of the second entry, and so on. Entries are
 -- not multiplied: a point has only the axes of its entry.
 vary.each = native.at_caller(function(place, t)
   local axes = {}

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Stream compaction: makes a list of the masked pixels, over which passes can be dispatched.
+-- Stream compaction: makes a list of the masked pixels, so that passes can be dispatched over this list.
 local ballot  = require "passes.compact.ballot"
 local scan    = require "passes.compact.scan"
 local scatter = require "passes.compact.scatter"

@@ -8,7 +8,7 @@ local tile_light_visibility = require "passes.tile.tile_light_visibility"
 
 local scene = {}
 
--- A layer: images of one surface per pixel. A layer may lack the fields in this list; lib/paths adds some of them.
+-- A layer: images of one surface per pixel. A layer may lack the fields in this list; lib/paths adds some of these fields.
 scene.layer = pipeline.record("a layer", {
   "valid", "normal", "hit", "light_visibility", "velocities", "bounds", "curve", "path_deviation", "nonlinear",
   "velocity_post", "whole_velocity", "after",

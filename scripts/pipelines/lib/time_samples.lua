@@ -49,7 +49,7 @@ local function at_the_middle(raster, revealed)
   end }
 end
 
--- Cells and time strata in which the layers are unreliable, because paths deviate from straight lines or a surface is visible
+-- Cells and time strata where the layers are unreliable, because paths deviate from straight lines or a surface is visible
 -- only at shutter open or shutter close.
 function time_samples.unreliable(p, raster, revealed)
   local found = at_the_middle(raster, revealed)

@@ -18,8 +18,8 @@ local function valued(setting)
   return setting()
 end
 
--- One time sample by rays. `t.before`: results of the first samples, or nil. `t.consensus`: what the first samples agree on;
--- rays with a known result are skipped. `t.every_ray`: true if no ray is skipped.
+-- One time sample by rays. `t.before`: results of the first samples, or nil. `t.consensus`: results that all first samples
+-- share; rays with such a result are skipped. `t.every_ray`: true if no ray is skipped.
 function truth.traced_sample(p, raster, t)
   local before, consensus = t.before or {}, t.consensus or {}
   local frozen = valued(p.shading) == "frozen"

@@ -5,7 +5,7 @@ local scene = require "strobe.scene"
 
 local pixels = {}
 
--- Parameters of every oracle scene: the size of the picture, and the frame rate and exposure to which displacements refer.
+-- Parameters of every oracle scene: size of the picture, frame rate and exposure. Displacements are over this exposure.
 function pixels.picture(width, height)
   return {
     width = scene.param("width", width), height = scene.param("height", height),

@@ -6,7 +6,7 @@ local scene = require "strobe.scene"
 
 local stage = {}
 
--- Parameters of every scene of extremes: the size of the picture; the frame rate and exposure to which displacements refer;
+-- Parameters of every scene of extremes: size of the picture, frame rate and exposure (displacements are over this exposure);
 -- `scale`, a factor on all lengths; `offset`, a translation of the whole scene along each axis of the world, metres.
 function stage.open()
   local self = {

@@ -6,8 +6,8 @@ local scene = require "strobe.scene"
 local node, material, srgb = scene.node, scene.material, scene.srgb
 local studio = {}
 
--- A camera at `eye` that looks at `aim`, with the vertical angle `fov` in degrees. Each scene has these parameters: the size of
--- the picture, and the frame rate and exposure to which displacements refer.
+-- A camera at `eye` that looks at `aim`, with the vertical angle `fov` in degrees. Each scene has these parameters: size of the
+-- picture, frame rate and exposure. Displacements are over this exposure.
 function studio.open(eye, aim, fov)
   local self = {
     width = scene.param("width", 480), height = scene.param("height", 270),

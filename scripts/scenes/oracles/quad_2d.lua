@@ -13,7 +13,7 @@ local cell = scene.param("cell", 8)
 local foreground = scene.param("foreground", 0.9)
 local b_light, b_dark = scene.param("b_light", 0.5), scene.param("b_dark", 0.1)
 
--- The texture has four texels; one repeat of it covers 2 x 2 cells.
+-- The texture has four texels and repeats every 2 x 2 cells.
 local light, dark = { b_light, b_light, b_light }, { b_dark, b_dark, b_dark }
 local checker = scene.material {
   name = "background", unlit = true,

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- A striped bar over a striped background; both move. The colour of a pixel is piecewise constant in time
 -- (docs/derivations.md). At frame 0, texel i of the bar covers exactly the pixel column left + i, and texel i of the background
--- the column i - margin. The stripes of the bar start at `left`, those of the background at column 0, each with the lighter
--- colour.
+-- the column i - margin. The stripes of the bar start at `left`, the stripes of the background at column 0, both with the
+-- lighter colour.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

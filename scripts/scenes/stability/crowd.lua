@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Random cards and solids in front of a wall, with which `strobe stability` tests properties that hold for any picture. The
+-- Random cards and solids in front of a wall. `strobe stability` uses them to test properties that hold for any picture. The
 -- parameter `seed` chooses the objects. Every other parameter changes one thing with a known effect on the picture.
 -- Positions are in pixels from the middle of the picture (x right, y down), displacements in pixels over an exposure of
 -- half a frame at 24 frames per second. One pixel spans 1/8 m for the orthographic camera and depth / 64 for the perspective

@@ -14,5 +14,5 @@ return pass.compute {
   },
   writes = { tinted = { format = "rgba32f", doc = "tinted colour, linear radiance; alpha 1" } },
   if_no  = { motion = { tinted = "color" }, moving_rect = { tinted = "color" } },
-  params = { limit = pass.float { 20, min = 1, max = 1000, unit = "px", doc = "displacement from which the tint is full" } },
+  params = { limit = pass.float { 20, min = 1, max = 1000, unit = "px", doc = "displacement that gives the full tint" } },
 }
