@@ -24,10 +24,10 @@
 ---A number or a boolean; the default is first: `{ 20, min = 1, max = 256, unit = "px", doc = "side of a tile" }`.
 ---@class strobe.ParamTable
 ---@field [1]? boolean|integer|number the default value
----@field default? boolean|integer|number the default value, by name
----@field min? number smallest value; every int and float has one
----@field max? number largest value; every int and float has one
----@field unit? string "px", "m", "image widths"
+---@field default? boolean|integer|number the default value, in place of the first entry
+---@field min? number smallest value; required for int and float
+---@field max? number largest value; required for int and float
+---@field unit? string unit of the value: "px", "m", "image widths"
 ---@field doc string meaning
 ---@field role? strobe.Role role, by which commands find the parameter
 ---@field wired? boolean (passes) describes the rest of the graph, so that only a pipeline may set the parameter
@@ -58,20 +58,20 @@
 
 ---A format chosen by a choice parameter of the pass: `{ by = "precision", fp32 = "rg32f", fp16 = "rg16f" }`.
 ---@class strobe.ChosenFormat
----@field by string name of the parameter
----@field [string] strobe.Format format of each choice
+---@field by string name of the choice parameter
+---@field [string] strobe.Format format for the choice of this name
 
 ---@class strobe.Write
 ---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
 ---@field cleared? boolean (not raster) the image is zero when the pass begins, so that the pass may skip pixels
----@field each? integer buffer entries per pixel of the pass's size
+---@field each? integer (buffers) number of entries per output pixel of the pass
 
 ---@class strobe.Update
 ---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
 ---@field history? boolean true: the image is kept from frame to frame; false: it is zero at the start of each frame
----@field each? integer buffer entries per pixel of the pass's size
+---@field each? integer (buffers) number of entries per output pixel of the pass
 
 ---@class strobe.Size
 ---@field of? string name of a read; the outputs have the size of its image
@@ -90,7 +90,7 @@
 ---| "after" | "weighted"
 
 ---@class strobe.PassTable
----@field name? string unique; default: path of its file below passes/, without .lua. Its last part is the default name of nodes
+---@field name? string unique name; default: path below passes/ without .lua. Its last part is the default name of nodes
 ---@field shader? string path below shaders/, without .glsl (for a raster pass without .vert.glsl and .frag.glsl)
 ---@field doc string result of the pass
 ---@field fails? string where the result of the pass is wrong, and how
@@ -98,7 +98,7 @@
 ---@field size? "frame"|strobe.Size size of the outputs; default "frame"
 ---@field scene? boolean (compute) the shader reads the scene; raster and trace passes always do
 ---@field runs? strobe.Runs pixels or instances that the pass is restricted to; default "moving_rect", if `if_no` allows
----@field dispatch_over? string a buffer read whose entries are the pixels for which the pass runs
+---@field dispatch_over? string name of a buffer read; the pass runs for the pixels in this buffer
 ---@field group? boolean (compute) one work group per output pixel, instead of one invocation
 ---@field reads? table<string, strobe.Read> images that the shader samples
 ---@field writes? table<string, strobe.Write> images in which the shader writes every pixel
@@ -170,7 +170,7 @@ function pass.choice(t) end
 ---@field doc string result and source of the method
 ---@field params? table<string, strobe.Param>
 ---@field kind? "method"|"sharp"|"truth"|"list" "truth" has an output `error`, a "list" is not a picture; default "method"
----@field presets? table<string, strobe.Preset> by name, for `--set preset=NAME`
+---@field presets? table<string, strobe.Preset> presets by name, for `--set preset=NAME`
 ---@field default_preset? string name of the preset that is used by default; without it, "none", which sets nothing
 ---@field breaks? table<strobe.Invariant, string> invariants that the pipeline breaks with all values, with reasons
 ---@field compare_with? string a pipeline that must not be nearer to truth than this one
@@ -180,7 +180,7 @@ function pass.choice(t) end
 
 ---@class strobe.Preset
 ---@field doc string purpose
----@field set table<string, boolean|number|string> values by parameter
+---@field set table<string, boolean|number|string> values by the name of the parameter
 
 ---@class strobe.EqualTable
 ---@field when table<string, boolean|number|string> parameter values of this pipeline
@@ -194,7 +194,7 @@ function pass.choice(t) end
 ---@field count integer|strobe.Parameter number of iterations
 ---@field first? integer number of the first part of the exposure, 0-based; needs `parts`
 ---@field parts? integer number of parts of the exposure, of which the loop takes `count`; default: `count`
----@field times? "midpoint"|"stratified"|"even"|"frames"|strobe.Parameter times of the iterations; default "midpoint"
+---@field times? "midpoint"|"stratified"|"even"|"frames"|strobe.Parameter scene times of the iterations; default "midpoint"
 ---@field slices? integer|strobe.Parameter scene times per iteration, of which each pixel uses a random one; default 1
 ---@field until_? strobe.Image|fun(results: strobe.Ports): strobe.Image 1x1 r32f image; the loop ends when it is not zero
 ---@field body fun(): table<string, strobe.Image> function that runs once and makes the nodes that the loop repeats
@@ -205,7 +205,7 @@ local pipeline = {}
 ---@param t strobe.LoopTable
 ---@return strobe.Ports
 function pipeline.loop(t) end
----@param what string names the records in messages
+---@param what string name of the records in messages
 ---@param optional? string[] fields that a record may lack
 ---@return fun(t: table): table makes `t` a record: reading a field that it lacks is an error, except by t:get(name)
 function pipeline.record(what, optional) end

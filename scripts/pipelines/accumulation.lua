@@ -12,7 +12,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
 
 return pipeline {
-  doc = "Mean of the scene drawn at each time sample, shaded as at the raster time (Haeberli and Akeley 1990)",
+  doc = "Mean of pictures of the scene at each time sample, shaded as at the raster time (Haeberli and Akeley 1990)",
   breaks = { mirrored = snapped, scaled = snapped },
   params = {
     samples = blur.samples { doc = "number of time samples; the scene is drawn once for each" },

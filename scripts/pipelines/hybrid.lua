@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Tan, Cui and Bhojan 2020, "Hybrid MBlur: Using Ray Tracing to Solve the Partial Occlusion Artifacts in Real-Time
--- Rendering of Motion Blur Effect", SIGGRAPH '20 Posters. One function per section of the paper.
+-- Rendering of Motion Blur Effect", SIGGRAPH '20 Posters. Each section of the paper has a function here.
 local pipeline    = require "strobe.pipeline"
 local candidate   = require "passes.hybrid.displaced_position"
 local range_check = require "passes.hybrid.range_check"

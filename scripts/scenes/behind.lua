@@ -33,7 +33,7 @@ local function flat(name, color) return scene.material { name = name, color = co
 
 -- ---- moving object
 
--- A box; its width and height are in pixels at its near side.
+-- A box. Its width and height are in pixels, measured at its near side.
 local function box(pixels_wide, pixels_high, deep)
   local metre = stage:point(w / 2 + 1, h / 2, depth)[1]
   return scene.box { size = { pixels_wide * metre, pixels_high * metre, deep * stage.scale } }

@@ -6,7 +6,7 @@
 -- A case has a name, a clause (its category), a text `says` (its requirement in words) and a function that returns its checks.
 -- A check has a requirement on the picture of `shot`, and in `by` the pipelines that it applies to. Every picture must be
 -- finite. The requirements are:
---   draws         no further requirement
+--   draws         every picture is finite (no further requirement)
 --   as_captured   all but `pixels` pixels are equal, bit for bit, to the sharp picture of `shot` or, if given, of the shot `of`
 --   within        all colours are in the range `low` to `high`; not required if a warning contains the text `unless`
 --   nearer        the picture is nearer to truth than the sharp picture
@@ -563,7 +563,7 @@ end
 
 for _, v in ipairs { { "black", 0 }, { "equal_luminance", 0.9 } } do
   case(v[1], "equal colours", "motion between equal colours does not change the picture", function()
-    -- Termination by luminance cannot separate the two surfaces, and warns about it.
+    -- A pipeline whose rays end by luminance cannot separate the two surfaces, and warns about this.
     return { merged(within(planes(7, { value = v[2], velocity_x = 0.7 }), v[2], v[2]),
                     { unless = "as bright as the foreground" }) }
   end)
@@ -581,6 +581,6 @@ for _, one in ipairs(list) do one.checks = (not wanted.cases or asked[one.name])
 return {
   sharp = { pipeline = "none" },
   truth = { pipeline = "ground_truth", set = { samples = truth_times, mark_regions = false } },
-  truth_method = { samples = 16 }, -- settings of ground truth as a method
+  truth_method = { samples = 16 }, -- settings of ground truth if it is tested like a blur
   cases = list,
 }

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Captures: pictures that can be rendered again bit for bit, and figures and films of these pictures. `capture { ... }` is
--- checked as a whole and reports all mistakes at once. docs/captures.md describes each field.
+-- Captures: pictures that can be rendered again bit for bit, and figures and films of these pictures. All mistakes of `capture
+-- { ... }` are reported at once. docs/captures.md describes each field.
 local check      = require "strobe.check"
 local experiment = require "strobe.experiment"
 local fields     = require "strobe.fields"
@@ -13,7 +13,7 @@ local capture = {}
 local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local copied = fields.copied
 
--- Fields of each table, with their types; optional fields may be left out. A shot also has the options of the command line.
+-- Fields of each table, with their types. Optional fields may be left out. A shot may also have options of the command line.
 capture.fields = {
   -- Fields of a capture:
   -- layers     images in the file of a picture besides its colour: "all" (every output of every pass), or a list of outputs and
@@ -98,7 +98,7 @@ end
 local Checker = fields.checker(capture.fields)
 shots.extend(Checker, capture.fields.shot)
 
--- Checks `layers`: "all", or a list of names.
+-- Checks `layers`, which is "all" or a list of names of images, and returns it.
 function Checker:layers(value, path, what)
   if value == nil or value == "all" then return value end
   if type(value) ~= "table" then
@@ -150,7 +150,7 @@ function Checker:captured_arm(entry, path, shot_names)
   return result
 end
 
--- Checks the parts of a capture that make it an experiment.
+-- Checks the fields of a capture that it shares with an experiment.
 function Checker:measured(t, shot_names)
   for _, name in ipairs(measuring) do
     if t.measures == nil and t[name] ~= nil then
@@ -217,7 +217,7 @@ end
 
 local Made = { kind = "capture" }
 
--- The capture that a file returned, as plain data, checked against `given.options`, the known options of shots. If `given` has
+-- Returns the capture that a file returned, as plain data. `given.options`: the known options of shots. If `given` has
 -- `measures`, a capture with `measures` is returned as an experiment.
 function Made.finished(result, given)
   local self = Checker.at(result.place)

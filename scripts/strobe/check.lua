@@ -52,7 +52,7 @@ function check.merged(t)
     if check.is_plain(part) then
       for key, value in pairs(check.merged(part)) do result[key] = value end
     else
-      result[i] = part  -- not a table of declarations: reported with its key
+      result[i] = part  -- not a table of declarations; it is reported later, with its key
     end
   end
   for key, value in pairs(t) do
@@ -61,7 +61,7 @@ function check.merged(t)
   return result
 end
 
--- `t`, or a copy that has one table instead of a list of tables as its field `key`.
+-- Returns `t`. If its field `key` has a list of tables, returns a copy of `t` with these tables merged into one.
 function check.with_merged(t, key)
   if type(t[key]) ~= "table" or t[key][1] == nil then return t end
   local copy = {}

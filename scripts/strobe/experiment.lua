@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Experiments: arms render shots along axes, the pictures are measured against truth, and expectations check the numbers.
--- `experiment { ... }` is checked as a whole and reports all mistakes at once. docs/writing-experiments.md lists its fields.
+-- Experiments: arms (pipelines with settings) render shots (scenes with options) with the values of axes. The pictures are
+-- measured against truth, and expectations test the results. All mistakes of `experiment { ... }` are reported at once.
+-- docs/writing-experiments.md lists its fields.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local judge  = require "strobe.judge"
@@ -13,7 +14,7 @@ local experiment = {}
 local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local func, shown, copied = fields.func, fields.shown, fields.copied
 
--- Fields of each table, with their types; optional fields may be left out. A shot also has the options of the command line.
+-- Fields of each table, with their types. Optional fields may be left out. A shot may also have options of the command line.
 experiment.fields = {
   experiment = {
     title = { text }, question = { text, optional = true }, note = { text, optional = true },
@@ -53,7 +54,7 @@ experiment.fields = {
     shown = { bool, optional = true }, timed = { bool, optional = true }, published = { map, optional = true },
   },
   published = { fps = { number }, shot = { text }, by = { text } },
-  -- full: settings of a second truth, for the measure rmse_full.
+  -- full: settings of a second truth, which is the reference of the measure rmse_full.
   truth = {
     name = { text, optional = true }, pipeline = { text }, set = { map, optional = true },
     full = { map, optional = true },
@@ -110,7 +111,7 @@ experiment.fields = {
   },
 }
 
--- Scales of an axis: logarithmic (0 has a separate place), linear, or values at even distances.
+-- Scales of an axis: "log" is logarithmic, with a separate place for 0; "even" puts the values at even distances.
 experiment.scales = { "log", "linear", "even" }
 experiment.roles = { "method", "floor" }
 -- Measures against which times may be drawn, instead of the values of an axis. These measures depend on the picture only.

@@ -3,7 +3,7 @@
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
--- Types of fields.
+-- Types of fields: the type that Lua must report for the value, or list, map or any.
 local fields = { text = "string", number = "number", bool = "boolean", list = "list", map = "map", func = "function",
                  any = "any" }
 
@@ -17,7 +17,7 @@ function fields.checker(declared)
 
   function Checker:add(path, ...) self.problems:add(native.key_place(self.place, table.unpack(path)), ...) end
 
-  -- Checks the fields of `t` and returns it; returns an empty table if `t` is not a table. `what` names it in messages.
+  -- Checks the fields of `t` and returns it; returns an empty table if `t` is not a table. `what` names the table in messages.
   function Checker:fields(t, kind, path, what)
     what = what or "the " .. kind
     if type(t) ~= "table" then

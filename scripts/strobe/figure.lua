@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Figures and films of a capture: checks of their tables, and their form as plain data. docs/figures.md describes each field.
+-- Checks the figures and films of a capture, and returns them as plain data. docs/figures.md describes each field.
 -- A field of a cell may also be set in its figure, row or column. The cell has priority, then its column, its row and the
 -- figure. Marks and insets of all four are drawn.
 local check  = require "strobe.check"
@@ -78,7 +78,7 @@ shots.extend(Checker, {})
 
 function Checker:place_of(path) return native.key_place(self.place, table.unpack(path)) end
 
--- Checks that a number is from `least` to `most`, and a whole number unless `fraction` is true.
+-- Checks that `value` is a number from `least` to `most`. It must be a whole number unless `fraction` is true.
 function Checker:amount(value, least, most, path, what, fraction)
   if type(value) ~= "number" then return end
   local good = value >= least and value <= most and (fraction or math.tointeger(value))
@@ -308,7 +308,7 @@ local function united(parts)
   return result
 end
 
--- Checks the merged fields of a cell.
+-- Checks the fields of a cell after they have been merged.
 function Checker:finish_cell(cell, path)
   local where = ("the cell in row %d, column %d"):format(cell.row, cell.column)
   cell.shot = cell.shot or (#self.shot_names == 1 and self.shot_names[1]) or nil

@@ -15,7 +15,7 @@ node.graph = nil
 
 -- ---- values
 
-local Value = {}  -- a port of a node: { node = , port = , format = , formats = by choice or nil }
+local Value = {}  -- a port of a node: { node = , port = , format = , formats = { CHOICE = format } or nil }
 local Ports = {}  -- the result of a call; its fields are values
 
 Value.__index = native.at_caller(function(place, value, key)
@@ -81,7 +81,7 @@ end
 -- ---- parameters
 
 -- A reference to a parameter of the pipeline, as in p.x: { name = , declaration = }. Only a call, p.x(), returns its value. The
--- call is noted, because the value may then decide the graph.
+-- name is then added to `noted`, because the value may decide the graph.
 local Reference = {}
 local taken = setmetatable({}, { __mode = "k" })  -- key: a reference; value: the function that its call runs
 Reference.__call = function(reference) return taken[reference]() end

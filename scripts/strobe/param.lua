@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Parameter declarations of passes and pipelines alike: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
+-- Declarations of parameters, for passes and for pipelines: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
 -- A constructor stores the table and its place. `declare` checks the table once the name of the parameter is known.
 local check  = require "strobe.check"
 local native = require "strobe.native"
@@ -10,7 +10,7 @@ param.keys = {
   bool   = { 1, "default", "doc", "unit", "role", "wired", "breaks" },
   int    = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "breaks" },
   float  = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "auto", "breaks" },
-  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
+  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and 1, 2, 3, ...: the choices
 }
 
 -- Reserved words of GLSL, which cannot name a parameter.
@@ -40,7 +40,8 @@ function param.new(kind, place, given, origin)
   return made
 end
 
--- Keys that a use of a shared parameter may change, as in `blur.tile { 16 }`. The result still counts as the same parameter.
+-- Keys that a pass or a pipeline may change when it uses a shared parameter, as in `blur.tile { 16 }`. The changed declaration
+-- still counts as the same parameter.
 param.changed_keys = {
   bool = { 1, "default", "doc", "wired", "breaks" },
   int = { 1, "default", "min", "max", "doc", "wired" },
@@ -185,7 +186,7 @@ local function copy_of(declaration)
   return copy
 end
 
--- The checked declaration of the parameter `name`; nil after a mistake. `at` is the place of the name.
+-- Checks the declaration of the parameter `name` and returns it; nil after a mistake. `at`: place of the name.
 function param.declare(problems, name, declared, at, owner)
   local same = checked[declared]
   if same and same.name == name then return copy_of(same) end

@@ -19,7 +19,7 @@ pass.format_keys = { "by" }  -- and each choice of the parameter that `by` names
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.runs       = { "everywhere", "moving_rect", "moving_instances" }  -- pixels or instances that a pass is restricted to
-pass.call_keys  = { "as", "time", "runs", "get" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
+pass.call_keys  = { "as", "time", "runs", "get" }  -- reserved in calls: not names of ports and parameters
 
 local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
@@ -149,8 +149,8 @@ local function deciding_parameter(problems, format, params, declared, at, what)
   return nil
 end
 
--- Checks `format = { by = "parameter", choice = "format", ... }`, a format for each choice. Returns the format of the default
--- choice, the parameter's name, and the formats by choice; nil after a mistake.
+-- Checks `format = { by = "PARAMETER", CHOICE = "FORMAT", ... }`, which has a format for each choice of a parameter. Returns
+-- the format of the default choice, the name of the parameter, and the formats by choice; nil after a mistake.
 local function chosen_format(problems, format, params, declared, path, place, what)
   local function at(key) return native.key_place(place, table.unpack(check.joined(path, key))) end
   local by = deciding_parameter(problems, format, params, declared, at("by"), what)
@@ -294,7 +294,7 @@ local function declare_group(problems, t, kind, result, place, owner)
   return true
 end
 
--- True if `runs` is one of pass.runs and suits the pass `result`.
+-- True if `runs` is one of pass.runs and is allowed for the kind of the pass `result`. Otherwise reports a mistake.
 function pass.check_runs(problems, runs, result, at, owner)
   if not check.contains(pass.runs, runs) then
     local near = type(runs) == "string" and native.nearest(runs, pass.runs) or ""

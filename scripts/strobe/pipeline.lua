@@ -9,7 +9,8 @@ local preset = require "strobe.preset"
 
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
--- Makes reading an unknown field of a table an error. `t:get(name)` reads a field that may be absent.
+-- Returns a function that makes a table a record: reading an unknown field of a record is an error. `t:get(name)` reads a field
+-- that may be absent.
 pipeline.record = check.record
 
 pipeline.keys = {
@@ -401,8 +402,8 @@ local function in_order(by_name)
   return list
 end
 
--- The graph of a pipeline for the settings { { name = , value = }, ... }, as plain data. With `lenient`, settings that do not
--- fit are left out and listed in `dropped`; otherwise they are mistakes.
+-- Returns the graph of a pipeline for the settings { { name = , value = }, ... }, as plain data. If `lenient` is true, settings
+-- that do not fit are left out and listed in the field `dropped`; otherwise they are mistakes.
 function pipeline.describe(self, name, file, sets, lenient)
   for _, set in ipairs(sets) do set.place = { file = ("--set %s=%s"):format(set.name, set.value), line = 0 } end
   local problems = check.problems()

@@ -114,8 +114,8 @@ local function with_file(problems, presets, params, name)
   return list, name
 end
 
--- Resolves `--set preset=VALUE`: returns the available presets and the name of the chosen one. After a mistake the name is nil;
--- a message follows unless `problems` has it already.
+-- Resolves `--set preset=VALUE`: returns the available presets and the name of the chosen one. After a mistake the name is nil.
+-- A third result is the message, unless `problems` has the message already.
 function preset.taken(problems, presets, params, value)
   if is_file(value) then return with_file(problems, presets, params, value) end
   local choice = { name = "preset", type = "choice", choices = {}, unit = "" }

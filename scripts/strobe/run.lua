@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Requests that a script child process evaluates. Each function takes the request as a table and returns plain data.
+-- Requests to the child process that evaluates scripts. Each function takes a request as a table and returns plain data.
 local check    = require "strobe.check"
 local native   = require "strobe.native"
 local pass     = require "strobe.pass"
@@ -89,7 +89,7 @@ function run.kind()
   return { kind = (getmetatable(native.main()) or {}).kind or "" }
 end
 
--- The descriptions of the passes in all files; raises all mistakes of all files together.
+-- Returns the descriptions of the passes in all files. Raises one error with the mistakes of all files.
 function run.passes(request)
   local problems, passes, by_name = check.problems(), {}, {}
   for _, module in ipairs(request.modules) do
@@ -108,7 +108,7 @@ function run.passes(request)
       local other = by_name[description.name]
       if other then
         local second, first = description.place, other.place
-        if second.file:find("^strobe:") then second, first = first, second end  -- report the project's pass
+        if second.file:find("^strobe:") then second, first = first, second end  -- report the pass of the project
         problems:add(second, "another pass is called '%s': %s:%d", description.name, first.file, first.line)
       end
       by_name[description.name] = description

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Constructors of scenes. Each returns its table as plain data, with its kind and its place in the script. Keys are checked
--- when the scene is built, and all mistakes are reported at once. The program makes vertices and texels, not this script.
+-- Constructors of scenes. Each constructor returns its table as plain data, with the kind of the object and its place in the
+-- script. Keys are checked
+-- when the scene is built, and all mistakes are reported at once. Vertices and texels are made later, by the program.
 -- Lengths are in metres, angles in degrees, times in seconds; y is up. Colours are linear { r, g, b } or { r, g, b, a }.
 local scene = {}
 local type_of = type
 
--- A global of the sandbox; absent if a plain interpreter reads the file.
+-- A global function of Strobe's interpreter; nil in another Lua interpreter.
 local caller_place = rawget(_ENV, "caller_place")
 
 -- The file and line of the script that calls the constructor.
@@ -67,7 +68,7 @@ scene.point_light = constructor("light", "point")
 scene.spot_light = constructor("light", "spot")
 scene.directional_light = constructor("light", "directional")
 
--- camera { name, fov, near } (vertical angle); orthographic_camera { name, half_height, near }
+-- camera { name, fov, near }: fov is the vertical angle; orthographic_camera { name, half_height, near }
 scene.camera = constructor("camera", "perspective")
 scene.orthographic_camera = constructor("camera", "orthographic")
 
@@ -89,7 +90,7 @@ scene.node = constructor "node"
 scene.animation = constructor "animation"
 scene.track = constructor "track"
 
--- Linear { r, g, b } of an sRGB colour written "#rrggbb", times `factor`.
+-- Returns the linear { r, g, b } of an sRGB colour "#rrggbb", multiplied by `factor` (default: 1).
 function scene.srgb(text, factor)
   local r, g, b = tostring(text):match "^#(%x%x)(%x%x)(%x%x)$"
   if not r then error("srgb takes a colour like '#c08040', got '" .. tostring(text) .. "'", 2) end
@@ -100,7 +101,8 @@ function scene.srgb(text, factor)
   return { linear(r), linear(g), linear(b) }
 end
 
--- A number, text or boolean of the scene that `--set scene.NAME=VALUE` may replace. Its type is the type of `default`.
+-- Returns a parameter of the scene: a number, text or boolean of the type of `default`, which is its value unless `--set
+-- scene.NAME=VALUE` gives another.
 function scene.param(name, default)
   local given = rawget(_ENV, "scene_params") and scene_params[name]
   if given == nil then return default end

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Sobol points and random numbers in the unit cube, equal on every machine.
+-- Sobol points and random numbers in [0, 1). They are equal on every machine.
 local sequences = {}
 
 -- One row for each dimension from the second on. The first number of a row is the primitive polynomial, whose coefficients are

@@ -56,7 +56,7 @@ local motions = { move = 3, spin = 4 }
 local lua_types = { number = "number", integer = "number", choice = "string", text = "string", size = "table",
                     view = "table", texts = "table", bool = "boolean" }
 
--- A number as text: 15 digits if they read back as the same number, otherwise 17.
+-- Returns a number as text: with 15 digits if they read back as the same number, otherwise with 17 digits.
 local function digits(value)
   local short = ("%.15g"):format(value)
   return tonumber(short) == value and short or ("%.17g"):format(value)

@@ -99,7 +99,7 @@ end)
 
 -- ---- combinations
 
--- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis with its fields.
+-- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis; the table has the fields of the axis.
 vary.list = native.at_caller(function(place, t)
   if type(t) ~= "table" then check.fail(place, "list takes a table: list { name = ..., values = { ... } }") end
   local axis = { fields = t, place = place }

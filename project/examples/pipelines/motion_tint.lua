@@ -13,7 +13,7 @@ return pipeline {
   params = { tint = pipeline.choice(tints) },
   build  = function(p)
     local raster = scene.raster()
-    local tint = pass.member("motion_tint", p.tint())  -- a call, because the choice decides the graph
+    local tint = pass.member("motion_tint", p.tint())  -- p.tint() is a value: the choice decides the graph
     return scene.outputs(raster, { color = tint(pass.wired(tint, raster, { as = "tint" })).tinted })
   end,
 }

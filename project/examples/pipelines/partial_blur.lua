@@ -16,7 +16,7 @@ return pipeline {
     strength = partial_blur.params.strength,
     masked   = pipeline.bool { false, doc = "use the blurred picture only in tiles that a moving surface may reach" },
   },
-  presets = { half = { doc = "half of the blur, in few samples", set = { samples = 8, strength = 0.5 } } },
+  presets = { half = { doc = "half of the blur, with 8 samples", set = { samples = 8, strength = 0.5 } } },
   build   = function(p)
     local raster = scene.raster()
     local around = tiles.dominant(p, raster)

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Blur of one layer.
+-- Gathers: filters that blur one layer by reading colours along the motion.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local paths    = require "scripts.pipelines.lib.paths"

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Parameters that blur pipelines share, so that a name has one meaning everywhere.
+-- Parameters that blur pipelines share, so that the name of a parameter has one meaning in all pipelines.
 local blur          = require "passes.lib.blur"
 local jitter        = require "passes.lib.jitter"
 local quantised     = require "passes.lib.quantised"

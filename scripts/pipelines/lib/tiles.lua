@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Displacements per tile.
+-- Displacements per tile: dominant, shortest and candidate displacements, and the variance of their directions.
 local pipeline      = require "strobe.pipeline"
 local neighbour_max   = require "passes.tile.neighbour_max"
 local neighbour_min   = require "passes.tile.neighbour_min"

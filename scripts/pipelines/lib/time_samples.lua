@@ -12,7 +12,7 @@ local classify_time_samples = require "passes.time.classify_time_samples"
 
 local time_samples = {}
 
--- Velocity over the whole exposure, also for a layer whose motion has two segments.
+-- Velocity of a layer over the whole exposure, also if the motion of the layer is split into two segments.
 local function whole_velocity(layer) return layer.whole_velocity or layer.velocity end
 
 local function deviation_of(layer, name)

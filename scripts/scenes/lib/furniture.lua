@@ -255,7 +255,7 @@ function furniture.picture(given)
   }
 end
 
--- Parts of a few thin branches with berries, growing from `given.position`.
+-- A few thin branches with berries, which grow from `given.position`, as a list of parts.
 function furniture.twigs(given)
   local random = studio.generator(given.seed)
   local bark = scene.material { name = "bark", color = srgb "#5b3d28", roughness = 0.9 }

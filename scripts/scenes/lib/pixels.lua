@@ -20,7 +20,7 @@ function pixels.motion(picture, dx, dy)
   return { velocity = { dx * per_second, -(dy or 0) * per_second, 0 } }
 end
 
--- A rectangle of [left, right) x [top, bottom) pixels at depth `z` (larger is nearer).
+-- A rectangle that covers the pixels [left, right) x [top, bottom), at the position `z` (a larger z is nearer).
 function pixels.rectangle(picture, name, edges, z, material, motion)
   local left, top, right, bottom = edges[1], edges[2], edges[3], edges[4]
   return scene.node {
@@ -40,7 +40,7 @@ function pixels.textured(name, width, height, texels)
   return scene.material { name = name, color_texture = texture, unlit = true }
 end
 
--- `count` grey texels that alternate between `a` and `b` every `period` texels.
+-- A list of `count` grey texels, which alternate between the values `a` and `b` every `period` texels.
 function pixels.stripes(count, period, a, b)
   local texels = {}
   for i = 0, count - 1 do

@@ -24,7 +24,7 @@ function stage:point(x, y, depth)
   return { (x - self.width / 2) / self.focal_px * along, (self.height / 2 - y) / self.focal_px * along, -along }
 end
 
--- The world position of `point` in the camera's space.
+-- Returns the position in the world of `point`, a point in camera space.
 function stage:placed(point)
   return { point[1] + self.offset, point[2] + self.offset, point[3] + self.offset }
 end

@@ -39,7 +39,7 @@ function studio:velocity(offset)
   return { self:rate(offset[1]), self:rate(offset[2] or 0), self:rate(offset[3] or 0) }
 end
 
--- A generator of random numbers in [0, 1) that depend only on the seed.
+-- Returns a function that returns random numbers in [0, 1). The numbers depend only on the seed.
 function studio.generator(seed)
   local state = seed * 7919 + 17
   return function()

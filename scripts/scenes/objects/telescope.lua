@@ -17,7 +17,7 @@ local view = studio.open({ 0, pivot[2] + 0.12, distance }, pivot, 30)
 local brass, dark = studio.plain("brass", "#c9a24c", 0.45), studio.plain("dark", "#2b2a28", 0.6)
 local white, red = studio.plain("white", "#e9e4d6", 0.5), studio.plain("red", "#a8321f", 0.6)
 
--- Closed cylinders along z from `from` to `to`, one object.
+-- Closed cylinders along z, each from `from` to `to`, as parts of one object.
 local function tubes(name, list)
   local parts = {}
   for i, tube in ipairs(list) do

@@ -11,7 +11,7 @@ local d_f = scene.param("d_f", 40)
 local foreground = scene.param("foreground", 0.5)
 local border = scene.param("border", 296)
 
--- One instance, so that the border between white and black is not a silhouette.
+-- The background is one instance, so that the border between white and black is not a silhouette.
 local margin = 2 * math.abs(d_f)
 local columns = picture.width + 2 * margin
 local texels = {}

@@ -17,7 +17,7 @@ local slides_off = scene.param("slides_off", 0)
 local foreground = scene.param("foreground", 1)
 local background = scene.param("background", 0)
 
--- The far side of the wedge is a fan of steps of at most 15 degrees, outside of the picture.
+-- The far side of the wedge, outside of the picture, is a polygon with a corner every 15 degrees or less.
 local radius = picture.width + picture.height
 local steps = math.max(1, math.ceil((to - from) / 15))
 local function rim(blade, step)

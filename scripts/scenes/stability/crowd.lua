@@ -14,7 +14,7 @@ local param = scene.param
 local width, height = param("width", 64), param("height", 40)
 local seed, cards, boxes, balls = param("seed", 1), param("cards", 5), param("boxes", 0), param("balls", 0)
 local reach, ties, spin = param("reach", 10), param("ties", 0), param("spin", 0)
-local inside = param("inside", -1)             -- >= 0: distance that cards keep from the picture's border, px
+local inside = param("inside", -1)             -- smallest distance of cards from the border, px; -1: none
 local textured, lit, wall = param("textured", 1), param("lit", 1), param("wall", 1)
 local perspective = param("perspective", 1)
 local speed, scale, brightness = param("speed", 1), param("scale", 1), param("brightness", 1)
@@ -30,7 +30,7 @@ local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 local exposures_per_second = 24 / 0.5
 local wall_depth = 32
 
--- A random number in [0, 1), a function of the seed, a number and a name.
+-- A random number in [0, 1) that depends only on the seed, the number `i` and the name.
 local function random(i, name)
   local state = math.tointeger(seed) * 0x9E3779B97F4A7C15 + i * 0xD1B54A32D192ED03
   for k = 1, #name do state = (state ~ name:byte(k)) * 0x100000001B3 end

@@ -8,7 +8,8 @@
 -- nesting   0: each node has the offset; 1: one parent node has the offset; 2: a parent node has the offset and each node
 --           reverses it, so that the scene is at the origin; 3: as 0, but the vertices of the card's mesh have the offset
 -- speed     factor on the speed of card and ball
--- camera_speed, turn   motion of the camera to the left: px over the exposure at a depth of 16; degrees over the exposure
+-- camera_speed   motion of the camera to the left, px over the exposure at a depth of 16
+-- turn           rotation of the camera to the left, degrees over the exposure
 -- rest_s    time at which the objects have the poses given here, seconds
 local scene = require "strobe.scene"
 

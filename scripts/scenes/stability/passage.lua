@@ -7,7 +7,7 @@ local stage = require("scripts.scenes.lib.stage").open()
 
 local speed, angle = scene.param("speed", 12.8), math.rad(scene.param("angle", 0))
 local gap = scene.param("gap", 0.5)
-local front = 10 -- depth, metres
+local front = 10 -- depth of the panel, metres
 
 local w, h = stage.width, stage.height
 local middle = stage:point(w / 2, h / 2, front)
