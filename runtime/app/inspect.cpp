@@ -200,7 +200,7 @@ std::vector<std::string> ownFiles(const Home& home, const Path& folder) {
   std::vector<std::string> files;
   for (const std::string& name : home.namesBelow(folder, ".lua")) {
     Path file = home.at(folder / (name + ".lua"));
-    bool is_own = liesIn(file, home.project()) && file.parent_path().filename() != "lib";
+    bool is_own = liesIn(file, home.project() / folder) && file.parent_path().filename() != "lib";
     if (is_own && !isPreset(home, file)) files.push_back(file);
   }
   return files;

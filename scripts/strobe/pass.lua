@@ -19,7 +19,7 @@ pass.format_keys = { "by" }  -- and each choice of the parameter that `by` names
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.runs       = { "everywhere", "moving_rect", "moving_instances" }  -- pixels or instances that a pass is restricted to
-pass.call_keys  = { "as", "time", "runs", "get" }  -- reserved in calls: not names of ports and parameters
+pass.call_keys  = { "as", "time", "runs" }  -- reserved in calls: not names of ports and parameters
 
 local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
@@ -35,7 +35,7 @@ local function is_port_table(problems, name, port, place, what)
     problems:add(place, "%s is not a name for %s (a-z, then a-z, 0-9 and _)", check.quoted(name), what)
     return false
   end
-  if check.contains(pass.call_keys, name) then
+  if check.contains(pass.call_keys, name) or name == "get" then
     problems:add(place, "%s cannot be called '%s', which has a meaning in every call", what, name)
   end
   if type(port) ~= "table" then

@@ -3,7 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "guessed",
   doc    = "Replaces unresolved samples by their fallback estimate at pixels without rays",
   fails  = "Inherits the errors of the fallback estimate.",
   size   = { of = "partial" },

@@ -3,7 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "rank_counts",
   doc    = "Histogram of priorities: number of pixels with each priority",
   fails  = "Does not fail: the counts are exact.",
   size   = { 64, 64 },

@@ -3,7 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "rank_limit",
   doc    = "Threshold of the priority that at most a given share of the pixels exceed",
   fails  = "Selects all pixels of one priority or none, so the share is not used up if many pixels have the same priority.",
   size   = { 1, 1 },

@@ -4,7 +4,6 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  shader = "uncovered_rank",
   doc    = "Priority of masked pixels: mean over the exposure of the difference of visible background and foreground",
   fails  = "Assumes that the background is static, or moves with the dominant displacement of the tile.",
   size   = { of = "mask" },

@@ -3,7 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "first_ranks",
   doc    = "Mask of the pixels with a priority above a threshold",
   fails  = "Does not fail: the comparison is exact.",
   size   = { of = "priority" },

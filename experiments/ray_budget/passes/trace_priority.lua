@@ -3,7 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "open_rank",
   doc    = "Priority of pixels: first pixels that have a ray, then pixels with unresolved samples, by the uncertainty of " ..
     "their fallback estimate",
   fails = "The order is only as good as the uncertainty that `fallback_estimate` stores.",
