@@ -50,8 +50,8 @@ TEST_F(Limits, ShortenedDisplacementsAreCountedAndSaid) {
   ASSERT_GT(longer, 20);
   EXPECT_EQ(oracle::counterOf(picture, "tile_max.clamped"), uint64_t(longer));
   ASSERT_EQ(picture.warnings.size(), 1u);
-  std::string begin =
-      fmt::format("tile_max: {} pixels (of either layer) that move farther than the limit of displacements; each", longer);
+  std::string begin = fmt::format(
+      "tile_max: {} pixels (of either layer) that move farther than the limit of displacements; each", longer);
   EXPECT_TRUE(picture.warnings[0].starts_with(begin)) << picture.warnings[0];
 }
 
