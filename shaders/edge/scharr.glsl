@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Edges from gradients of depth and normal (Scharr 2000): the method of edge/sobel, with the weights across the gradient for
-// which the response depends least on direction.
+// Edges from gradients of depth and normal (Scharr 2000): the method of edge/sobel, with weights across the gradient that make
+// the response least dependent on direction.
 // In:  `depth`:  view depth, m; +inf for the sky
 //      `normal`: unit, world; 0 for the sky
 //      `where`:  above 1/2 where to test; absent: everywhere

@@ -13,8 +13,9 @@
 //   texel Y = X - t_i*g, clamped to the image. Y counts if its displacement differs from g by at most `agreement` px and by at
 //   most half of the longer one (at least half a pixel). The nearest texel that counts is the sample; at equal depths, the
 //   texel of the first g. The result is the mean over the samples found, or the colour of pixel X if none is found.
-//   The searched displacements are those of X in all layers, and the dominant ones of its tile. The paper's text at hand does
-//   not say which displacements start at a pixel that another surface passes over; they are found here as in the other filters.
+//   Searched displacements: the displacements of X in all layers, and the dominant ones of its tile. The paper's text at hand
+//   does not say which displacements start at a pixel that another surface passes over; they are found here as in the other
+//   filters.
 //   `varied` counts samples of a deeper layer where the path of X's own surface leads to another part of this surface, with a
 //   different displacement.
 // Fails: surfaces in no layer are missed, and surfaces whose displacement is neither the pixel's nor the longest of its tile.

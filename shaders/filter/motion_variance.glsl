@@ -11,7 +11,7 @@
 #include "mixin/along_motion.glsl"
 
 const int kWide = 3;  // px
-const int kLooks = 8;  // px; a surface that moves across these pixels shows at some of them at their sample times
+const int kLooks = 8;  // px; a surface that moves across shows at some of these pixels at their sample times
 
 bool seesMotion(ivec2 at, ivec2 size) {
   return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStaticRadius;

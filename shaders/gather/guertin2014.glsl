@@ -15,7 +15,7 @@
 //   surrounds the raster time, taps lie at |d|/2 * t_i, without the tap on X itself (odd N). Otherwise they lie at |d| (t_i +
 //   1)/2.
 //   round(N/2 * smoothstep(0, 1/2, variance)) taps lie along the second direction v_c (mixin/directions.glsl) instead. They are
-//   skipped if there is no second direction.
+//   skipped if v_c is 0.
 //   A tap Y at the distance D has the weight f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB). Here
 //   e is the sampled direction, wA = |v_c . e|, wB = |unit d(Y) . e|, r is the blur radius (at least 1/2 px), and f and b
 //   compare the depths as shares of the depth. X itself has the weight N/(kappa*rX). The sum is normalised.

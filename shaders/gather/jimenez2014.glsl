@@ -19,7 +19,7 @@
 //   a tie both keep their own weights, so that mirrored images have mirrored results.
 //   Result: sum of weight * colour over N; the rest of the exposure is the colour of X.
 //   Alpha: 1. Over a revealed surface, the result is the foreground alone. A tap then counts to the degree that it is in front
-//   of that surface and spreads over X. The rest of the exposure counts to the degree that X is in front of it.
+//   of that surface and spreads over X. The rest of the exposure counts to the degree that X is in front.
 // Fails: inside a silhouette the background is copied from outside, so its edges appear twice. Outside a silhouette, the
 //   background under the object comes from the opposite side. There is one direction per tile.
 #include "mixin/jitter.glsl"

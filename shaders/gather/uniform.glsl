@@ -60,7 +60,7 @@ Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
 }
 
 #if FACT_weighted
-// Weight, by the shutter curve, of the times at which a surface with the displacement d passes over part i of the dominant
+// Weight, by the shutter curve, of the times when a surface with the displacement d passes over part i of the dominant
 // displacement `along`.
 float weightOfPart(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5);
@@ -81,9 +81,9 @@ float shareOfMean(int i, vec2 d, vec2 along) {
   return 1.0;
 }
 
-// Time for which the surface of tap i, with the displacement d, is at the pixel, as a share of the exposure. The tap stands for
-// part i of N of the dominant displacement `along`, and a slower surface passes over this part for longer. With a shutter
-// curve, the result is the weight of this time.
+// Share of the exposure during which the surface of tap i, with the displacement d, is at the pixel. The tap stands for part i
+// of N of the dominant displacement `along`, and a slower surface passes over this part for longer. With a shutter curve, the
+// result is the weight of these times.
 float timeShare(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5), speed = lengthOf(d);
 #if FACT_weighted

@@ -6,8 +6,8 @@
 #ifndef STROBE_BLUR_GLSL
 #define STROBE_BLUR_GLSL
 
-// Distance, px, up to which the motion of a surface counts as static. A shift of half a pixel reaches no other pixel's centre.
-// The added 1e-4 keeps a motion of exactly half a pixel static, although projections round it.
+// Longest motion of a surface that counts as static, px. A shift of half a pixel reaches no other pixel's centre. The added
+// 1e-4 keeps a motion of exactly half a pixel static, although projections round it.
 const float kStaticRadius = 0.5 + 1e-4;
 
 // --- Lengths and places

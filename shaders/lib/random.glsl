@@ -38,8 +38,8 @@ vec2 stratified2(uint pixel, uint number) {
   return vec2(x >> 8u, y >> 8u) * (1.0 / 16777216.0);
 }
 
-// Half of the sequence, 0 or 1, to which a point belongs: the parity of two of every three bits of the point's number. The
-// highest bits of the coordinates are parities of other sets of bits, so that each half is spread nearly as evenly as the whole
+// Half of the sequence, 0 or 1, that contains point `number`: the parity of two of every three bits of the number. The highest
+// bits of the coordinates are parities of other sets of bits, so that each half is spread nearly as evenly as the whole
 // sequence.
 uint stratifiedHalf(uint number) { return uint(bitCount(number & 0xdb6db6dbu)) & 1u; }
 

@@ -38,10 +38,10 @@ const float kUnused = 1e9;
 // samples before and after the raster time.
 float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
 
-// True if the surface at the texel `now` at the raster time is at the pixel at time t. The tolerance is that of nearest texels,
-// kNearest, or a larger one: where displacements vary over a surface, the nearest match may be almost half-way to the next
-// sample. The larger tolerance is the smaller one of `tolerance_px`, which belongs to the candidate, and of the tolerance for
-// the texel's own displacement.
+// True if the surface at the texel `now` at the raster time is at the pixel at time t. The tolerance is kNearest or a larger
+// one: where displacements vary over a surface, the nearest match may be almost half-way to the next sample. The larger
+// tolerance is the smaller one of `tolerance_px`, which belongs to the candidate, and of the tolerance for the texel's own
+// displacement.
 bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
   if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
   return isAt(pixel, now, path, t, kNearest) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)));

@@ -127,7 +127,7 @@ float reachOf(vec2 d, vec4 curve, vec2 shutter) {
   return max(max(lengthOf(around[0]), lengthOf(around[1])), max(lengthOf(around[2]), lengthOf(around[3])));
 }
 
-// Number of steps in which to follow a curve over tiles with sides of `tile` px: four per tile of the path's reach, at least 4,
+// Number of steps along a curve for a walk over tiles with sides of `tile` px: four per tile of the path's reach, at least 4,
 // at most 64.
 int stepsAlong(vec2 d, vec4 curve, int tile) { return clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / tile, 4, 64); }
 

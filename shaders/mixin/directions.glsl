@@ -21,8 +21,8 @@ vec2 unitOf(vec2 d) {
 // Second direction, a unit vector or 0. `own`: displacement of the pixel's surface. `radius_px`: blur radius of this surface.
 // `other`: another displacement in the neighbourhood.
 // A static pixel uses the perpendicular of the dominant displacement. A pixel with a blur radius of gamma_px + 1/2 or more uses
-// its own displacement. A pixel in between uses a blend of both. The perpendicular points to the side to which `own` points. If
-// `own` has no side, the perpendicular points to the side of `other`. If `other` has no side either, the perpendicular is 0,
+// its own displacement. A pixel in between uses a blend of both. The perpendicular points to the same side as `own`. If `own`
+// has no side, the perpendicular points to the same side as `other`. If `other` has no side either, the perpendicular is 0,
 // because no surface is known to move across. (The paper leaves the side to rounding in this case. A one-sided gather would
 // then sample the wrong side half of the time, and mirrored scenes would not give mirrored images.)
 vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float gamma_px) {

@@ -15,7 +15,7 @@ float depthAt(ivec2 pixel) {
   return saneDepth(texelFetch(depth_tex, clampToImage(pixel, textureSize(depth_tex, 0)), 0).x);
 }
 
-// True if the depth is that of a surface: finite and above 0. Detectors mark no edges on the sky.
+// True if the depth belongs to a surface: it is finite and above 0. Detectors mark no edges on the sky.
 bool isSurface(float depth) { return depth > 0.0 && depth <= kLargestFinite; }
 
 #endif

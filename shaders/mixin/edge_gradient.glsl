@@ -32,7 +32,7 @@ vec4 difference(ivec2 pixel, ivec2 along, ivec2 across, float depth, float middl
   return ahead - background;
 }
 
-// True if the pixel is on an edge. The gradient is that of the kernel [side middle side]^T [-1 0 1] and its transpose, with 2 *
+// True if the pixel is on an edge, by the gradient from the kernel [side middle side]^T [-1 0 1] and its transpose, where 2 *
 // side + middle = 1.
 bool isStepBy(ivec2 pixel, float middle, float side) {
   float depth = depthAt(pixel);

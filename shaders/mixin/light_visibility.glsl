@@ -142,7 +142,7 @@ uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
   return open == 0u ? kStopsAll : kStopsInside + open_edge + (facing < 0.0 ? 4u : 0u);
 }
 
-// True if every hit on the geometry counts, because alpha cuts no part of it out.
+// True if every hit on the geometry counts, because alpha cuts no hole into it.
 bool isSolid(uint instance, uint geometry) {
   if ((geometry & BVH_OPAQUE) != 0u) return true;
 #if FACT_alpha

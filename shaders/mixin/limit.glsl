@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.limit; may have: max_displacement_buf, max_displacement_post_buf, revealed_max_displacement_buf,
 //   revealed_max_displacement_post_buf.
-// Length to which a filter shortens displacements, and bound of the distance within which the filter looks for surfaces. With
+// Largest length of a filter's displacements, and bound of the distance within which the filter looks for surfaces. With
 // `limit` = auto, stored as a negative number, no displacement is shortened, and the bound is the longest displacement in the
 // image.
 #ifndef STROBE_LIMIT_GLSL
@@ -11,7 +11,7 @@
 const float kNoLimit = 1e18;   // px; its square is finite
 const float kMostReach = 1e6;  // px; bounds paths through the near plane, so that their number of tiles fits an integer
 
-// Length to which longer displacements are shortened, px over the exposure.
+// Largest length of a displacement, px over the exposure. Longer displacements are shortened to this length.
 float limitPx() { return params.limit < 0.0 ? kNoLimit : params.limit * float(frame.size.x); }
 
 // Upper bound of the lengths of displacements, px over the exposure. The bound is twice the diagonal of the image if no pass

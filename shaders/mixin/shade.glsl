@@ -102,7 +102,7 @@ Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
   return texels;
 }
 
-// World directions in which the texture coordinates u and v of a texture slot grow, not of unit length. Returns false if the
+// World directions of increasing texture coordinates u and v of a texture slot, not of unit length. Returns false if the
 // coordinates are constant.
 bool textureAxes(SceneTextureUse use, Surface surface, out vec3 along_u, out vec3 along_v) {
   vec2 d1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
@@ -254,7 +254,7 @@ void findShadows(uint slice, Hit hit) {
 // Number of radiances that this invocation replaced because they were not finite.
 uint replaced_radiances = 0u;
 
-// Radiance in which NaN becomes 0 and infinity becomes 65504, so that one texel or light does not spoil a pixel's mean.
+// Radiance after NaN is replaced by 0 and infinity by 65504, so that one texel or light does not spoil a pixel's mean.
 vec3 finiteRadiance(vec3 radiance) {
   vec3 sound = finiteColor(vec4(radiance, 0));
   if (sound != radiance) ++replaced_radiances;

@@ -36,7 +36,7 @@ vec2 shiftAt(uint slice, float t, ivec2 at, uint kind) {
 // True if the texel is in the image and shows the instance `id`.
 bool isSame(ivec2 at, uint id) { return isInside(at, ivec2(frame.size)) && texelFetch(id_tex, at, 0).x == id; }
 
-// World position at which the ray through a texel meets the plane through `point_ws` with the normal `normal_ws`.
+// World position where the ray through a texel meets the plane through `point_ws` with the normal `normal_ws`.
 vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
   Ray ray = cameraRay(SLICE_RASTER, samplePosition(at));
   return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));

@@ -161,7 +161,7 @@ vec3 stepsOf(BvhNode at) { return uintBitsToFloat((uvec3(at.steps) << uvec3(23, 
 vec3 slackOf(vec3 offset, vec3 step_t) { return (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0); }
 
 // Nearest child that the ray meets; kNextOnStack if the ray meets no child. The ray meets the children with `enter` (0 or more)
-// <= `leave`. `others`: output, stack entry of the other children that the ray meets; 0 if there are none.
+// <= `leave`. `others`: output, stack entry of the other children that the ray meets; 0 if it meets only one child.
 uint firstMet(BvhNode at, uint node, vec4 enter, vec4 leave, out uint others) {
   uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(at.steps >> 24)));
   // Sort the distances, with the number of the child in the last bits of each. Missed children come last.

@@ -3,7 +3,7 @@
 // Stack of a ray that traverses the runtime's own tree. Each entry is a node with children that are left to visit. The newest
 // six entries are in variables. The older entries, of deep trees, are in an array, which a processor keeps in memory.
 
-const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;  // references that are no node or leaf
+const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;  // references besides nodes and leaves
 const uint kInstanceEnds = 0xffffffffu;  // entry; older entries belong to the tree over instances
 const int kMovedAtOnce = 3;
 

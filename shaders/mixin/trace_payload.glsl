@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Payload of a ray between the stages of the ray tracing pipeline, and the test by which every backend accepts hits.
+// Payload of a ray between the stages of the ray tracing pipeline, and the test that accepts hits in every backend.
 #ifndef STROBE_TRACE_PAYLOAD_GLSL
 #define STROBE_TRACE_PAYLOAD_GLSL
 #include "lib/random.glsl"

@@ -29,7 +29,7 @@ struct FrameData {
   vec4 background;  // rgb: radiance of rays that miss, if w is 1; if w is 0, these rays get sky and ground
   ivec4 moving_rect;      // pixels [x, z) x [y, w) that moving surfaces can reach in the exposure; conservative
   ivec4 crossing;   // pixels [x, z) x [y, w) that may show an object that is outside at raster time, shutter open and close
-  vec2 crossing_times;  // first and last time at which such an object is visible, in exposures from the raster time
+  vec2 crossing_times;  // first and last time when such an object is visible, in exposures from the raster time
   float exposure;       // length of the exposure, in frames
   uint camera_rests;    // 1 if the camera is proven static within the exposure
   uint moving_count;    // number of instances that may move within the exposure

@@ -4,7 +4,7 @@
 // Out: `ridge`:    1 where the length is above 1, 1/2 where it is above 1 / `ratio`, 0 elsewhere
 // Method: non-maximum suppression. A pixel is 0 if one of its two neighbours across the edge, in the nearest of eight
 //      directions, has a longer gradient. Of two equal neighbours the left or upper one stays.
-// Fails: where three edges meet, one of them may end a pixel early.
+// Fails: where three edges meet, one edge may end a pixel early.
 #include "lib/blur.glsl"
 
 const float kSector = 1.2071068;  // 1 / (2 tan 22.5 deg): rounds to an axis up to 22.5 degrees from it, otherwise to a diagonal
