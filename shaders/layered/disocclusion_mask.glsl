@@ -80,8 +80,8 @@ bool concerns(Path path, ivec2 cell) {
   return (matches || moves) && !(ids.x == path.own && ids.y == path.own);
 }
 
-// First step, between `from` and `to`, in a cell where the walk may end, or a step shortly before it; kNoStep if there is no
-// such cell. Follows the path from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
+// First step, between `from` and `to`, in a cell where the walk may end, or a step shortly before it; otherwise kNoStep. The
+// search goes from cell to cell along the path (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
 int firstConcern(Path path, int from, int to) {
   ivec2 cell = placeOn(path, from) / params.cell_side;
   ivec2 ahead = ivec2(greaterThan(path.unit, vec2(0)));

@@ -60,8 +60,8 @@ struct Cover {
 
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
-// Raster surface that covers the background at the pixel at time t; kNoCover if there is none. The search begins at the texel
-// `now`. The length of `path`, the motion that the search assumes, sets the tolerance.
+// Raster surface that covers the background at the pixel at time t; kNoCover if no such surface is found. The search begins at
+// the texel `now`. The length of `path`, the motion that the search assumes, sets the tolerance.
 Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
   for (int fallback_estimate = 0; fallback_estimate < kIterations; ++fallback_estimate) {

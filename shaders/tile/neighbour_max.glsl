@@ -21,7 +21,7 @@
 #include "mixin/path.glsl"
 
 // Open interval of the times t when another tile overlaps this tile along one axis: |offset * tile_px + d * t| < tile_px.
-// `offset`: offset of the other tile, tiles; `d`: its displacement along the axis, px. The result is (1, -1) if there is none.
+// `offset`: offset of the other tile, tiles; `d`: its displacement along the axis, px. An empty interval is (1, -1).
 vec2 overlapTimes(int offset, float d, float tile_px) {
   if (d == 0.0) return offset == 0 ? vec2(-1e30, 1e30) : vec2(1.0, -1.0);
   float a = (-tile_px - float(offset) * tile_px) / d;
