@@ -11,7 +11,8 @@
 
 bool isMoving(uvec4 ids) { return ids.x != 0u && instanceAt(ids.x - 1u).moves != 0u; }
 
-// Nearest static surface on the ray. Each ray starts at the last moving hit and skips that hit's whole instance.
+// Hit on the nearest static surface along the ray, or a miss. Each traced ray starts at the last moving hit and skips the whole
+// instance of that hit.
 Hit atRestOn(Ray ray, uint first_moving) {
   Hit hit = traceExcept(SLICE_RASTER, RAYS_TO_ALL, ray, scene_cameras[SLICE_RASTER].near, 3.0e38, first_moving, NO_INSTANCE);
   while (!isAtRest(hit))

@@ -51,7 +51,7 @@ void main() {
 #endif
 
   // The image moves against the sample offset. Depth is near / z for a perspective camera, and the share of the depth range
-  // behind z for an orthographic camera. Both are larger for nearer points.
+  // behind z for an orthographic camera. Both depths are larger for nearer points.
   vec2 shift = vec2(-2, -2) * frame.subpixel / vec2(frame.size);
   if (camera.orthographic != 0u) {
     vec2 ndc = p.xy / camera.half_extent;

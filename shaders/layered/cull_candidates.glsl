@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Per cell, the candidate background displacements for which layered/disocclusion_mask.glsl may mark a pixel of the cell
+// Per cell, the candidate background displacements that may make layered/disocclusion_mask.glsl mark a pixel of the cell
 // (conservative).
 // In:  `bounds`: bounds of the displacements in each cell, px over the exposure
 //      `ids`: least and greatest instance + 1 in each cell

@@ -23,10 +23,10 @@
 #include "lib/sanitise.glsl"
 #include "mixin/limit.glsl"
 
-// The loops of a walk follow one another and have small bodies, because a GPU runs a loop until the slowest pixel of a subgroup
-// is done.
+// The loops of a walk run one after the other and have small bodies, because a GPU runs a loop until the slowest pixel of a
+// subgroup has finished it.
 
-// The path y - t*(d - b), one step per pixel.
+// The path y - t*(d - b), with one step per pixel.
 struct Path {
   ivec2 pixel;  // y
   vec2 d, b;

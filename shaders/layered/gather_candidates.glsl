@@ -37,7 +37,7 @@ VelocityList withTile(VelocityList velocities, ivec2 tile) {
   return withMotion(velocities, vec2(pair.z, pair.w));
 }
 
-// Adds the tiles at the distance `ring`, in raster order.
+// Adds the displacements of the tiles at the distance `ring` from `tile`, in raster order.
 VelocityList withRing(VelocityList velocities, ivec2 tile, int ring) {
   for (int y = -ring; y <= ring; ++y) {
     int stride = abs(y) == ring ? 1 : max(2 * ring, 1);

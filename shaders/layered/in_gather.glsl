@@ -12,8 +12,8 @@
 // Out: `blurred`: linear radiance, alpha 1
 // Method: the background B of a pixel X is the revealed surface at X, or the raster surface if none was revealed. The N time
 //   samples t_i are the midpoints (i + 1/2 + jitter)/N of the exposure and have equal weights.
-//   Foreground: two searches begin at X - t_i*d, one with the tile's dominant displacement and one with that of X as d. A tap Y
-//   is at X at t_i if |Y + t_i*d(Y) - X| <= max(3/4, |d|/(2N)) px (rounding to a texel; half the distance between two samples).
+//   Foreground: two searches begin at X - t_i*d; d is the tile's dominant displacement in one and d(X) in the other. A tap Y is
+//   at X at t_i if |Y + t_i*d(Y) - X| <= max(3/4, |d|/(2N)) px (rounding to a texel; half the distance between two samples).
 //   If Y is not at X, d(Y) leads to one more tap. The nearer surface found covers B in part if it is in front by less than
 //   `depth_extent`, otherwise fully.
 //   Background: the raster texel at Y = X - t_i*d(B), if it has B's instance or is not in front of B. Otherwise the texel

@@ -3,7 +3,7 @@
 // time (an extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Per-time layered gather").
 // In:  `color`, `depth`: raster layer: linear radiance; view depth, metres, +inf for the sky
 //      `velocity`: displacement d of each pixel; `dominant`, `second`: two displacements per tile; px over the exposure
-//      `revealed_color`, `_depth`, `_velocity`, `_dominant`: the same of the revealed layer; `_valid`: > 1/2 where it exists
+//      `revealed_color`, `_depth`, `_velocity`, `_dominant`: images of the revealed layer; `_valid`: > 1/2 where it exists
 //      `velocity_post`, `dominant_post`, `second_post`, `revealed_*_post`: after the raster time; absent: as before it
 //      `curve`, `revealed_curve`, `dominant_curve`: curves of the paths, px; `dominant_place`: texel of `dominant`; optional
 //      `moved`, `background`: per cell, > 1/2 if a moving (a revealed) surface is there at some time; absent: everywhere
@@ -63,7 +63,7 @@ const float kCentre = PARAM_marks_contrast != 0 ? 1e-3 : 0.05;
 
 struct Nearest {
   int layer;
-  ivec2 now;  // texel of its layer, at the raster time
+  ivec2 now;  // texel of the layer that shows the surface at the raster time
   float depth;
   bool at_silhouette;  // a moving silhouette may pass between the texels around the sample
 };
@@ -182,11 +182,11 @@ Nearest sampleAt(ivec2 pixel, Own own, Candidates candidates, bool background, f
   return nearest;
 }
 
-// Colour of the surface found, linear radiance. With taps = linear: bilinear mean of those of the four texels around the sample
-// that are at the pixel at time t too, within 1.5 px. Texels with a weight below 1e-3 are skipped. `alike`: false if one of the
-// four texels is missing or, with marks_contrast, if their contrast is above the parameter `contrast`; with marks_contrast,
-// always true for surfaces faster than `detail_below` px per sample. `color_range`: range of the texels' colours. With
-// WRITES_ESTIMATE, raster colours replace missing texels in this range.
+// Colour of the surface found, linear radiance. With taps = linear, it is the bilinear mean of the four texels around the
+// sample. A texel that is not at the pixel at time t, within 1.5 px, is missing from the mean, and texels with a weight below
+// 1e-3 are skipped. `alike`: false if a texel is missing or, with marks_contrast, if the contrast of the texels is above the
+// parameter `contrast`; with marks_contrast, always true for surfaces faster than `detail_below` px per sample. `color_range`:
+// range of the texels' colours. With WRITES_ESTIMATE, raster colours replace missing texels in this range.
 vec3 colorFound(Nearest nearest, ivec2 pixel, float t, out bool alike, out ColorRange color_range) {
   alike = true;
   color_range = emptyColorRange();

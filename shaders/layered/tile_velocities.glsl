@@ -6,7 +6,7 @@
 //      the displacement limit
 //      `farthest`: view depth of the farthest moving surface, metres; 0 without motion
 // Method: one work group per tile computes the maximum of |d|, then of |d - a|, then of the depth where the displacement d is
-//   not 0. Among equal values, the first texel in raster order counts. A tile with two motions yields both of them.
+//   not 0. Among equal values, the first texel in raster order counts. A tile with two motions yields both motions.
 // Fails: if a tile has three different motions, the third one is lost.
 #include "mixin/limit.glsl"
 #include "lib/group.glsl"

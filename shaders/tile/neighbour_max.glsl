@@ -11,10 +11,10 @@
 // Method: test the tiles up to ceil(limit * width * r / tile) tiles away, where r is 1 for a one-sided and 1/2 for a centred
 //      exposure. With `limit` = auto, the measured maximum replaces limit * width. The parameter `rule` decides:
 //      - `all` accepts each tile.
-//      - `sign` (Guertin et al. 2014) requires that the displacement is not 0 on any axis on which the tiles differ. On these
-//      axes it must bring the tile here; with a centred exposure, all components point here or all point away.
+//      - `sign` (Guertin et al. 2014) requires that the displacement brings the other tile here along each axis that separates
+//      the two tiles. With a centred exposure, all components must point here, or all must point away.
 //      - `swept_box` requires that the box of the other tile, swept along its displacement over the exposure, overlaps this
-//      tile. These tiles are a subset of those of `sign`. The test is exact for boxes at any distance.
+//      tile. It accepts a subset of the tiles that `sign` accepts. The test is exact for boxes at any distance.
 //      A tile with a curved path is swept along it under every rule. At equal length the first in raster order wins.
 // Fails: a tile is tested by its longest displacement alone. A slower pixel that reaches this tile is lost if the longest
 //      displacement does not reach it.
@@ -80,7 +80,8 @@ bool accepts(ivec2 offset, vec2 d) {
 #endif
 }
 
-// Either `second` or d: the one that differs more from `dominant`. `second` if d is static (up to 1/2 px) or not accepted.
+// Of `second` and d, the displacement that differs more from `dominant`. If d is static (up to 1/2 px) or not accepted, the
+// result is `second`.
 vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
   if (lengthOf(d) <= 0.5 || lengthOf(d - dominant) <= lengthOf(second - dominant)) return second;
   return accepts(offset, d) ? d : second;

@@ -10,19 +10,19 @@
 //      `longest`:  per cell: longest displacement of the surfaces that reach the cell, px over the exposure
 // Out: `picture`:  linear radiance, alpha 1
 // Method: trace first rays at times a power of two of samples apart, so that `longest` moves by at most `pace` image widths
-//      between two of them. Two rays at the times a < b of n suffice if error * (b - a) / n <= `allowance`, in the channel with
-//      the largest error. Otherwise, or if the raster image shows a third surface that arrives between them, trace a ray at the
-//      time half-way between. If both rays hit one surface that the raster image shows, the times between them take that
-//      surface's texels along its path, and the error is the larger difference between ray and texel. Otherwise the times
-//      between take the mean of both rays, and the error is the difference of their colours. With `allowance` = 0 the result
-//      is the mean of all n times. In cells with `certain` = 1 it is the mean of `samples` texels along the motion.
+//      between two rays. Two rays at the times a < b of n suffice if error * (b - a) / n <= `allowance`, in the channel with
+//      the largest error. Otherwise, or if the raster image shows a third surface that arrives between the two times, trace a
+//      ray half-way between. If both rays hit one surface that the raster image shows, the times between take that surface's
+//      texels along its path, and the error is the larger difference between ray and texel. Otherwise the times between take
+//      the mean of both rays, and the error is the difference of their colours. With `allowance` = 0 the result is the mean of
+//      all n times. In cells with `certain` = 1 the result is the mean of `samples` texels along the motion.
 // Fails: misses a surface that appears and disappears between two rays of equal colour, unless the raster image shows it.
 #include "lib/blur.glsl"
 #include "lib/moving_rect.glsl"
 #include "lib/times.glsl"
 #include "mixin/static_background.glsl"
 
-const int kLevels = 12;  // depth of the subdivision: enough for 2^12 times; `selective` has at most 256
+const int kLevels = 12;  // depth of the subdivision; enough for 2^12 times (the pipeline `selective` has at most 256)
 
 // Result of one ray. Colours are scaled by kSumScale (toSum of lib/sanitise.glsl).
 struct Sample {
@@ -75,7 +75,7 @@ Sample sampleAt(ivec2 pixel, int part, inout StaticBackground static_background)
   return result;
 }
 
-// True if both samples hit one surface and the raster image shows both points.
+// True if both samples hit one surface and the raster image shows both hit points.
 bool isTold(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
 
 // True if the raster image shows a third surface, neither a nor b, that the displacement d brings to the pixel in this part of
@@ -107,7 +107,7 @@ bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count
   return true;
 }
 
-// Distance between the first rays, in samples: a power of two.
+// Distance in time between two successive first rays of a pixel, in samples; a power of two.
 int firstStep(vec2 d, int count) {
   float longest = lengthOf(d);
   int step = 1;

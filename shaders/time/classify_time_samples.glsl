@@ -51,8 +51,8 @@ vec2 partTimes(int number, int count) {
 // True if all displacements, shortened to the limit, are too small to blur.
 bool isStatic(vec4 bounds) { return spreadFactor(frame.shutter) * min(longestIn(bounds), limitPx()) <= kStaticRadius; }
 
-// For each stratum, marks the cells that the surfaces of a cell may reach. `visible_part`: time at which the surfaces lie in
-// the cell, in exposures from the raster time. Deviations have a margin of 10 %, because paths are only nearly parabolas; this
+// For each stratum, marks the cells that the surfaces of a cell may reach. `visible_part`: time when the surfaces lie in the
+// cell, in exposures from the raster time. Deviations have a margin of 10 %, because paths are only nearly parabolas; this
 // value is not derived.
 void markAllUnreliable(ivec2 cell, vec4 bounds, vec4 deviation_bounds, float visible_part) {
   if (isEmpty(bounds) || isStatic(bounds)) return;

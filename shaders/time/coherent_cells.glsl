@@ -71,7 +71,7 @@ bool agrees(ivec2 cell, uint number) {
   return shows(pixel + roundSymmetric(tapOffset(d, t)), isHit(hit) ? hit.instance + 1u : 0u);
 }
 
-// Corner of a box that is farthest from zero.
+// Corner of the box `bounds` that is farthest from zero.
 vec2 longestOf(vec4 bounds) {
   vec2 low = lowOf(bounds), high = highOf(bounds);
   return mix(low, high, greaterThan(abs(high), abs(low)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Moving surfaces that are visible at one end of the exposure but in no layer of the raster time, because they face away at the
 // raster time, lie outside the image, or lie behind more than one surface.
-// In:  `hit`:            at that end: instance + 1, geometry, primitive; 0 for the sky and, for a static camera, for static
-//                        surfaces
+// In:  `hit`:            surface at that end of the exposure: instance + 1, geometry, primitive; 0 for the sky and, for a
+//                        static camera, for static surfaces
 //      `depth`, `revealed_depth`: view depth of the raster and the revealed layer, m; +inf for the sky
 //      `id`, `revealed_id`: instance + 1 of both layers; 0 for the sky
 //      `revealed_valid`: above 1/2 where the revealed layer has a surface

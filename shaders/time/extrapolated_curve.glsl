@@ -13,9 +13,9 @@
 //                  points one pixel apart move more than `max_stretch` px apart
 // Method: Newton's backward differences of the positions p0 at the raster time, p1 and p2 in the two frames before it (a loop
 //      with two times). With D = p0 - p1 and D2 = p0 - 2 p1 + p2, the point is at p0 + f D + f (f + 1) / 2 D2, f frames after
-//      the raster time. Poses beyond a cut are ignored: one earlier pose gives a straight path.
-// Fails: objects that change direction after the raster time. An object whose pose two frames before equals its pose at the
-//      raster time is treated as cut.
+//      the raster time. Poses beyond a cut are ignored. If only one earlier pose remains, the path is straight.
+// Fails: objects that change direction after the raster time have wrong paths. If the pose of an object two frames before the
+//      raster time equals its pose at the raster time, the object is treated as if a cut lay between.
 #include "mixin/quantised.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"

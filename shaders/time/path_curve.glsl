@@ -11,9 +11,10 @@
 //      `nonlinear`:     1 if the path is more than `max_deviation` px from the curve at a time of the loop, or if two points
 //                  one pixel apart move more than `max_stretch` px apart
 // Method: the loop has three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs five, at 1/10, 3/10, 5/10, 7/10 and 9/10.
-//      Both curves meet the path in the middle. On an arc, the second differences of the positions turn and grow as the arc
-//      does, whatever its centre and the motion of the centre: the quotient of two second differences gives turn and growth.
-// Fails: parabolas beyond a sixth of a turn, arcs beyond one and a quarter turns; circles seen obliquely.
+//      Both curves meet the path in the middle of the exposure. On an arc, the second differences of the positions turn and
+//      grow as the arc does, for any centre and any linear motion of the centre. The quotient of two second differences
+//      therefore gives turn and growth.
+// Fails: parabolas fail beyond a sixth of a turn, arcs beyond one and a quarter turns. Circles seen obliquely are neither.
 #include "mixin/quantised.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"

@@ -168,13 +168,13 @@ Hit hitOnConsensus(uint slice, Ray ray, uvec4 consensus, out float t) {
   return hit;
 }
 
-// Surface on a sample's ray that is known without tracing the whole scene.
+// Surface on a sample's ray that earlier samples have found, so that the ray need not test the whole scene.
 struct Known {
   bool is_known, is_found;  // is_found: the surface is static, and an earlier sample on the same ray hit it
   Hit hit;
   float t;       // distance along the ray, as traversal computes it
   uvec4 consensus;  // consensus of the first samples
-  Hit taken;     // intersection of this ray with `consensus`
+  Hit taken;     // intersection of this ray with the surface `consensus`
 };
 
 Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) {
@@ -220,8 +220,8 @@ uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   return shadowsOf(known_shadows_at(place), hit.instance);
 }
 
-// Nearest hit on a sample's ray. If the hit `static_background` is known, only moving surfaces in front of it are searched for.
-// At equal distance the first instance of the scene wins. `t`: distance along the ray, as traversal computes it.
+// Nearest hit on a sample's ray. If the hit `static_background` is known, the ray tests only moving surfaces up to that hit. At
+// equal distance the first instance of the scene wins. `t`: distance along the ray, as traversal computes it.
 Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit static_background, inout float t) {
   if (is_known && (!isAtRest(static_background) || !isReachedAt(slice, pixel))) return static_background;
   uint mask = is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
