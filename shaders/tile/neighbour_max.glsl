@@ -80,8 +80,8 @@ bool accepts(ivec2 offset, vec2 d) {
 #endif
 }
 
-// Of `second` and d, the displacement that differs more from `dominant`. If d is static (up to 1/2 px) or not accepted, the
-// result is `second`.
+// Displacement that differs more from `dominant`: `second` or d. If d is static (up to 1/2 px) or not accepted, the result is
+// `second`.
 vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
   if (lengthOf(d) <= 0.5 || lengthOf(d - dominant) <= lengthOf(second - dominant)) return second;
   return accepts(offset, d) ? d : second;

@@ -21,8 +21,8 @@ function selective.truth_samples(effort, samples)
   return math.max(1, math.floor(16 * samples * 2 ^ (10 * (effort - 1)) + 0.5))
 end
 
--- Settings for an effort below `truth_from`, at which no ground truth is made. The allowed error halves if the effort rises by
--- 0.1. The displacement between the first rays of a pixel (`pace`) halves if the effort rises by 0.2.
+-- Settings for an effort above 0 and below `truth_from`. The allowed error halves if the effort rises by 0.1. The displacement
+-- between the first rays of a pixel (`pace`) halves if the effort rises by 0.2.
 function selective.settings(effort, samples)
   local tenths = 10 * effort - 1
   local finer = math.floor(math.max(0, math.min(2, tenths / 2)))
