@@ -9,10 +9,10 @@ local more = {
   id = { uint = true, doc = "instance + 1, geometry + 1; 0 for the sky" },
   dominant      = { optional = true,
     doc = "longest displacement per tile of the first two layers, px over the exposure; absent: only the pixel's own " ..
-          "displacements are searched" },
+          "displacements are tried" },
   deep_dominant = { optional = true,
     doc = "longest displacement per tile of the third and fourth layer, px over the exposure; absent: these " ..
-          "displacements are not searched" },
+          "displacements are not tried" },
 }
 for number = 2, 4 do
   local layer = ("layer_%d_"):format(number)
@@ -23,10 +23,10 @@ for number = 2, 4 do
 end
 
 return pass.compute {
-  doc    = "For each time sample, the nearest texel, of all layers, that moves by the searched displacement",
+  doc    = "For each time sample, the nearest texel, of all layers, that moves by one of the tried displacements",
   fails  = "Surfaces in no layer are missing: surfaces that enter or have left the image, that face away, or that lie behind "
     .. "the last layer. The background shows through where the missing surface is the nearest. Only the pixel's own "
-    .. "displacements and the longest displacements of its tile are searched: surfaces with other displacements are missed. "
+    .. "displacements and the longest displacements of its tile are tried: surfaces with other displacements are missed. "
     .. "Surfaces whose displacement varies by more than `agreement` are missed too.",
   breaks = {
     mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
@@ -40,7 +40,7 @@ return pass.compute {
     tile         = blur.tile,
     limit        = blur.limit,
     agreement    = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "largest difference between the displacement of a texel and the searched displacement that leads to the texel" },
+      doc = "largest difference between the displacement of a texel and the tried displacement that leads to the texel" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },

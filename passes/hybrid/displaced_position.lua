@@ -14,7 +14,8 @@ return pass.compute {
     id       = { uint = true, doc = "instance + 1; 0 for the sky" },
     velocity = { doc = "displacement of the surface, px over the exposure" },
   },
-  writes = { candidate = { format = "r8_unorm", doc = "candidate mask, 1 on a candidate" } },
+  writes = { candidate = { format = "r8_unorm",
+    doc = "1 if the displaced position shows another, farther instance or is outside the image, otherwise 0" } },
   if_no = { motion = { candidate = 0 } },
   params = {
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px",

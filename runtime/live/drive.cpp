@@ -18,7 +18,7 @@ const std::vector<CommandForm>& commandForms() {
       {"play", "on|off", "play from here, one frame number per frame drawn"},
       {"orbit", "DX DY", "drag the picture by pixels of the window: the camera turns about the point in its middle"},
       {"view", "PORT", "show an output or NODE.PORT"},
-      {"kind", "NAME", "show it as colour, depth, ...; auto chooses"},
+      {"kind", "NAME", "show the output as colour, depth, ...; auto chooses by its format and name"},
       {"mode", "MODE", "single, wipe, flicker, difference or error"},
       {"wipe", "AT", "put the line of the wipe at AT of the width, 0 to 1"},
       {"zoom", "Z X Y", "magnify the fitted picture Z times with pixel (X, Y) in the middle"},

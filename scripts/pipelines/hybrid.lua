@@ -13,7 +13,7 @@ local options     = require "scripts.pipelines.lib.options"
 local scene       = require "scripts.pipelines.lib.scene"
 local tiles       = require "scripts.pipelines.lib.tiles"
 
--- Ray Mask: moving pixels with an edge along their displacement. An edge is searched only at pixels whose displaced position
+-- Ray Mask: moving pixels with an edge along their displacement. The edge detector runs only at pixels whose displaced position
 -- shows another, farther object.
 local function ray_mask(p, raster)
   local where = candidate { depth = raster.depth, id = raster.id, velocity = raster.velocity, taps = p.mask_taps }.candidate

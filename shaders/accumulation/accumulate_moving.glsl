@@ -5,10 +5,10 @@
 //      `depth`:  view depth at the raster time, m; +inf for the sky
 //      `id`:     instance + 1, geometry + 1 at the raster time; 0 for the sky
 //      `static_background`: alpha: view depth of the static background behind a moving surface, m; 0 elsewhere
-// Out: `moving`: updated; rgb: mean linear radiance of the samples; alpha: their number
-// Method: pose the triangle of `hit` at this time and intersect the pixel's ray with it. Take the colour of the raster layer if
-//      it shows the point (mixin/raster_color.glsl); otherwise shade the point as at the raster time. For a static camera,
-//      skip static surfaces and moving surfaces behind them: `over_background` adds the static radiance.
+// Out: `moving`: updated; rgb: mean linear radiance of the samples; alpha: number of samples
+// Method: pose the triangle of `hit` at this time and intersect the pixel's ray with it. If the raster layer shows the hit
+//      point, take that layer's colour (mixin/raster_color.glsl). Otherwise shade the point as at the raster time. For a static
+//      camera, skip static surfaces and the moving surfaces behind them, because `over_background` adds the static radiance.
 // Fails: highlights and shadows do not move within the exposure, because points are shaded as at the raster time.
 #include "lib/mean.glsl"
 #include "lib/moving_rect.glsl"
@@ -23,7 +23,7 @@ vec3 colorOf(Hit hit) {
 #endif
 }
 
-// View depth of the nearest static surface on the pixel's ray, for a static camera.
+// View depth of the nearest static surface on the pixel's ray, for a static camera, metres.
 float backgroundDepthOf(ivec2 pixel) {
   float background = texelFetch(static_background_tex, pixel, 0).a;
   return background > 0.0 ? background : texelFetch(depth_tex, pixel, 0).x;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Mean radiance of moving and static surfaces over the time samples (Haeberli and Akeley 1990, "The Accumulation Buffer").
-// In:  `moving`:  rgb: mean linear radiance of the samples that show a moving surface; alpha: their number
-//      `static_background`:  rgb: linear radiance of the static background; alpha 0: the static radiance is `color`
+// In:  `moving`:  rgb: mean linear radiance of the samples that show a moving surface; alpha: number of these samples
+//      `static_background`:  rgb: linear radiance of the static background; alpha: 0 where `color` has the static radiance
 //      `color`:   linear radiance at the raster time
 // Out: `picture`: linear radiance, alpha 1
-// Method: weighted mean of `moving` and, for the other of `samples` samples, `static_background` or `color`. Outside the moving
-//      rectangle the output is `color`.
+// Method: mean of `moving` and the static radiance, weighted by numbers of samples: alpha samples of `samples` show a moving
+//      surface, and the others the static radiance. Outside the moving rectangle the output is `color`.
 // Fails: static surfaces keep the shadows of the raster time.
 #include "lib/mean.glsl"
 #include "lib/moving_rect.glsl"

@@ -2,8 +2,8 @@
 // Static background behind moving surfaces, for a static camera.
 // In:  `hit`:    raster layer: instance + 1 (0 = sky), geometry, primitive
 // Out: `static_background`: linear radiance; alpha: view depth, m, +inf for the sky; 0 where the raster layer is static
-// Method: at each pixel of the moving rectangle that shows a moving instance, trace on from hit to hit. Each ray skips the
-//      moving instance of the last hit, until a hit is static or misses. Shade it as at the raster time.
+// Method: at each pixel of the moving rectangle that shows a moving instance, trace rays from hit to hit until a ray hits a
+//      static surface or none. Each ray skips the moving instance of the last hit. Shade the static hit as at the raster time.
 // Fails: static surfaces keep the shadows of the raster time. A static surface that coincides with the second or a later moving
 //      surface on the ray is missed.
 #include "lib/moving_rect.glsl"
@@ -11,7 +11,8 @@
 
 bool isMoving(uvec4 ids) { return ids.x != 0u && instanceAt(ids.x - 1u).moves != 0u; }
 
-// Nearest static surface on the ray. Each ray starts at the last moving hit and skips that hit's whole instance.
+// Hit on the nearest static surface along the ray, or a miss. Each traced ray starts at the last moving hit and skips the whole
+// instance of that hit.
 Hit atRestOn(Ray ray, uint first_moving) {
   Hit hit = traceExcept(SLICE_RASTER, RAYS_TO_ALL, ray, scene_cameras[SLICE_RASTER].near, 3.0e38, first_moving, NO_INSTANCE);
   while (!isAtRest(hit))

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Per cell, conservative flags: a moving surface is present at some time of the exposure, a revealed surface is, and a surface
-// arrives whose displacement no filter candidate matches.
+// Three conservative flags per cell: whether a moving surface is there at some time of the exposure, whether a revealed surface
+// is, and whether a surface arrives whose displacement is not among the candidates of the filters.
 // In:  `bounds`, `background_bounds`: displacements of each cell, of the raster layer and of the revealed layer, px over the
 //                exposure
 //      `dominant`, `second`: candidate displacements of the tile, px over the exposure
 //      `dominant_post`, `second_post`: candidates after the raster time; absent: none
 //      `revealed_dominant`, `revealed_dominant_post`: candidates of the revealed layer; absent: none
-// Out: `moved`:  1 if a surface that moves by more than `slowest` px is present at some time
-//      `background`: 1 if a revealed surface is present at some time
-//      `unlisted`: 1 if a moving surface arrives from another cell and no candidate leads to it
-// Method: each cell marks all cells that its rectangle overlaps after moving by any of its displacements, widened by the search
-//      radius of the filters, max(3/4, r / (2 * samples)) px with r the longest displacement that filters handle, and by 1 px.
-// Fails: never; conservative. A cell with different motions marks too many cells around it.
+// Out: `moved`:  1 if a surface that moves by more than `slowest` px is in the cell at some time
+//      `background`: 1 if a revealed surface is in the cell at some time
+//      `unlisted`: 1 if a moving surface arrives from another cell and no candidate leads to that surface
+// Method: each cell marks all cells that its rectangle overlaps after moving by any of its displacements. The rectangle is
+//      widened by 1 px and by the search radius of the filters, max(3/4, r / (2 * samples)) px, where r is the longest
+//      displacement that filters handle.
+// Fails: never misses a cell, because the flags are conservative. A cell with different motions marks too many cells around it.
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
 
@@ -19,14 +20,14 @@ bool isStatic(vec4 bounds) {
   return spreadFactor(frame.shutter) * longestIn(bounds) <= params.slowest + (kStaticRadius - 0.5);
 }
 
-// True if a filter that tries displacement d finds the surfaces of the box. The distance allowed, the larger of 2 px and
-// 14 % of the longest displacement (8 degrees), is not derived.
+// True if a filter that tries displacement d finds all surfaces with displacements in `bounds`. The allowed distance of d from
+// the box is the larger of 2 px and 14 % of the longest displacement (8 degrees); the two values are not derived.
 bool leadsTo(vec4 bounds, vec2 d) {
   float apart = lengthOf(d - clamp(d, lowOf(bounds), highOf(bounds)));
   return apart <= max(2.0, 0.14 * longestIn(bounds));
 }
 
-// True if no candidate of the cell's tile leads to the surfaces that arrive.
+// True if no candidate of the cell's tile leads to the arriving surfaces, whose displacements are in `bounds`.
 bool isUnlisted(ivec2 cell, vec4 bounds) {
   ivec2 tile = cell * params.cell_side / params.tile;
   return !leadsTo(bounds, vec2(dominant_at(tile))) && !leadsTo(bounds, vec2(second_at(tile))) &&
@@ -34,7 +35,7 @@ bool isUnlisted(ivec2 cell, vec4 bounds) {
          !leadsTo(bounds, vec2(revealed_dominant_at(tile))) && !leadsTo(bounds, vec2(revealed_dominant_post_at(tile)));
 }
 
-// First and last cell that a cell's surfaces reach.
+// Rectangle of the cells that a cell's surfaces reach within the exposure: first cell (x, y), last cell (z, w).
 ivec4 reachedBy(ivec2 cell, vec4 bounds) {
   float slack_px = max(0.75, reachPx() / float(2 * params.samples)) + 1.0;
   vec4 way = travelled(bounds, frame.shutter);

@@ -2,12 +2,12 @@
 // Per cell, the least and greatest displacement and path deviation of its unreliable texels, component by component.
 // In:  `velocity`: px over the exposure
 //      `path_deviation`:     path deviation in the middle of the exposure, px
-//      `valid`:    above 1/2 where the texel counts
-// Out: `bounds`:   least x and y, greatest x and y of the displacements, px over the exposure; 0 if no texel counts
-//      `deviation_bounds`:    least x and y, greatest x and y of the path deviations, px; 0 if no texel counts
-// Method: minimum and maximum over the cell, whose side is `cell_side` px, after shortening to `limit` as filters do. Cells at
-//      the right and bottom border may be partial.
-// Fails: never; conservative. The box of two different motions also contains displacements that no texel has.
+//      `valid`:    above 1/2 at texels to include
+// Out: `bounds`:   least x and y, greatest x and y of the displacements, px over the exposure; 0 if no texel is included
+//      `deviation_bounds`:    least x and y, greatest x and y of the path deviations, px; 0 if no texel is included
+// Method: minimum and maximum over the cell, whose side is `cell_side` px. Displacements are first shortened to `limit`, as
+//      filters shorten them. Cells at the right and bottom border may be partial.
+// Fails: never too narrow. If a cell contains two different motions, its box also contains displacements that no texel has.
 #include "lib/bounds.glsl"
 #include "lib/sanitise.glsl"
 #include "mixin/limit.glsl"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Per cell, the least and the greatest instance that its pixels show.
+// Per cell, the least and the greatest instance number that its pixels show.
 // In:  `id`:  instance + 1; 0 for the sky
-// Out: `ids`: least and greatest; equal if the cell shows one instance
+// Out: `ids`: least and greatest instance + 1 (0 for the sky); both are equal if the cell shows one instance
 // Method: minimum and maximum over the cell, whose side is `cell_side` px. Cells at the right and bottom border may be partial.
 // Fails: never.
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Per cell, the least and greatest displacement, component by component.
 // In:  `velocity`:       px over the exposure
-//      `velocity_post`: px over the exposure, after the raster time; absent: `velocity`
-//      `valid`:          above 1/2 where the texel counts; absent: all count
-//      `curve`:          curves of the paths, px; absent: straight
+//      `velocity_post`: velocity after the raster time, px over the exposure; absent: `velocity`
+//      `valid`:          above 1/2 at texels to include; absent: all texels are included
+//      `curve`:          curves of the paths, px; absent: paths are straight
 // Out: `bounds`:         least x and y, greatest x and y, px over the exposure; kNoBounds (least above greatest) if no texel
-//                        counts
-// Method: minimum and maximum over the cell, whose side is `cell_side` px, after shortening to `limit` as filters do. A curved
-//      path counts as the straight displacements to its control points, which contain it. Cells at the right and bottom border
-//      may be partial.
-// Fails: never; conservative. The box of two different motions also contains displacements that no texel has.
+//                        is included
+// Method: minimum and maximum over the cell, whose side is `cell_side` px. Displacements are first shortened to `limit`, as
+//      filters shorten them. A curved path is replaced by the straight displacements to its control points, whose box contains
+//      the path. Cells at the right and bottom border may be partial.
+// Fails: never too narrow. If a cell contains two different motions, its box also contains displacements that no texel has.
 #include "lib/bounds.glsl"
 #include "mixin/path.glsl"
 

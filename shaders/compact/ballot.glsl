@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Packs a mask into one bit per pixel: first of the three passes of the stream compaction.
-// In:  mask: > 1/2 where set.
-// Out: bits: masked pixels of each square of 8x8, two words of 32 bits in the order of the list (lib/pixel_list.glsl).
-// Method: reads 2x2 pixels at a time.
+// In:  `mask`: above 1/2 at masked pixels
+// Out: `bits`: masked pixels of each square of 8x8 pixels, as two words of 32 bits in the order of the pixel list
+//      (lib/pixel_list.glsl)
+// Method: read blocks of 2x2 pixels, and set one bit per pixel.
 // Fails: never.
 #include "lib/pixel_list.glsl"
 
-// Mask of 2x2 pixels, with `masked` the upper left one. One gather if all four are inside the image.
+// Mask of 2x2 pixels; `masked` is the upper left pixel. If all four are inside the image, one texture gather reads them.
 bvec4 maskedFrom(ivec2 masked) {
   ivec2 size = textureSize(mask_tex, 0);
   if (all(lessThan(masked + 1, size)))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Exclusive prefix sums of the masked pixels along each row of squares: second of the three passes of the stream compaction.
-// In:  bits: masked pixels of each square of 8x8, one bit each (lib/pixel_list.glsl).
-// Out: before: number of masked pixels in the squares before it in its row.
-//      totals: number of masked pixels in each row of squares.
+// In:  `bits`: masked pixels of each square of 8x8 pixels, one bit each (lib/pixel_list.glsl)
+// Out: `before`: per square, number of masked pixels in the earlier squares of its row
+//      `totals`: number of masked pixels in each row of squares
 // Method: the first invocation of each row adds up the whole row.
 // Fails: never.
 #include "lib/pixel_list.glsl"

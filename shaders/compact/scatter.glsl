@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Writes the list of the masked pixels, square by square in rows: last of the three passes of the stream compaction.
-// In:  bits: masked pixels of each square of 8x8, one bit each (lib/pixel_list.glsl).
-//      before: number of masked pixels in the squares before it in its row.
-//      totals: number of masked pixels in each row of squares.
-// Out: list: the pixels, their number, and the number of work groups for them (lib/compaction.glsl).
+// In:  `bits`: masked pixels of each square of 8x8 pixels, one bit each (lib/pixel_list.glsl)
+//      `before`: per square, number of masked pixels in the earlier squares of its row
+//      `totals`: number of masked pixels in each row of squares
+// Out: `list`: the masked pixels, their number, and the number of work groups to dispatch over them (lib/compaction.glsl)
 // Method: each square writes its pixels from the position (sum of the totals of earlier rows) + before. The positions are fixed
 //   before the writes, so the order does not depend on the scheduling of invocations.
 // Fails: never.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One step of depth peeling: the nearest surface behind a layer (Everitt, "Interactive Order-Independent Transparency", 2001).
 // In:  `front`: instance + 1 (0 = sky), geometry, primitive of the layer in front
-// Out: `hit`:   instance + 1 (0 = sky), geometry, primitive of the nearest surface behind; sky behind the sky
+// Out: `hit`:   instance + 1 (0 = sky), geometry, primitive of the nearest surface behind; sky if `front` is the sky
 // Method: discard fragments that are not behind `front`. One function computes both depths, at the pixel's sample position on
-//      their triangles, so the comparison needs no bias. At equal depths the triangle drawn later is behind, as in the depth
-//      test. With `sides` = front, hits on backs are discarded too.
-// Fails: two surfaces closer together than the depth buffer resolves, if it orders them differently than this comparison does:
-//      one of the two is in no layer.
+//      the two triangles, so the comparison needs no bias. At equal depths the triangle that is drawn later counts as behind,
+//      as in the depth test. With `sides` = front, back faces are discarded too.
+// Fails: if two surfaces are closer together than the depth buffer resolves, it may order them differently than this
+//      comparison does. One of the two surfaces is then in no layer.
 #include "mixin/fragment.glsl"
 #include "mixin/surface.glsl"
 

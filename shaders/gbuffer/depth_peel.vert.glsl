@@ -2,6 +2,6 @@
 // Vertices of a peeled layer, computed as for the nearest surface.
 // In:  as gbuffer/visibility.vert.glsl
 // Out: as gbuffer/visibility.vert.glsl
-// Method: includes that shader.
+// Method: include gbuffer/visibility.vert.glsl.
 // Fails: never.
 #include "gbuffer/visibility.vert.glsl"

@@ -2,9 +2,9 @@
 // Nearest triangle at each pixel's sample position, fragment stage.
 // In:  fragments of gbuffer/visibility.vert.glsl: instance, geometry, triangle, texture coordinates, vertex alpha
 // Out: `hit`: instance + 1 (0 = sky), geometry, primitive, 0
-// Method: the depth test keeps the nearest fragment. Fragments that alpha leaves out, and backs of one-sided surfaces, are
-//      discarded by the tests that rays use (mixin/fragment.glsl).
-// Fails: raster snaps vertices to 1/256 px, so silhouettes may differ from the hits of rays.
+// Method: the depth test keeps the nearest fragment. Fragments that alpha cuts out, and back faces of one-sided surfaces, are
+//      discarded by the same tests as for rays (mixin/fragment.glsl).
+// Fails: rasterisation snaps vertices to 1/256 px, so silhouettes may differ from the hits of rays.
 #include "mixin/fragment.glsl"
 
 void main() {

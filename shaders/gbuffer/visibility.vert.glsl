@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Nearest triangle at each pixel's sample position, vertex stage.
-// In:  vertices of the scene, posed at the node's time and fetched by index
-// Out: clip position with reversed depth (infinite for perspective cameras), instance, geometry; texture coordinates, alpha,
-//      triangle number and mirroring if the frame needs them
-// Method: transform to view space, then to clip space, shifted by the sample offset. A device without triangle numbers draws
-//      three separate vertices per triangle and derives the number from their index.
-// Fails: never; raster snaps the positions to 1/256 px.
+// In:  vertices of the scene, fetched by index and posed at this pass's time (its `time` in the pipeline)
+// Out: clip position with reversed depth (infinite for perspective cameras), instance and geometry; if the frame needs them,
+//      also texture coordinates, alpha, triangle number and mirroring
+// Method: transform to view space, then to clip space, and shift by the sample offset. On a device without triangle numbers,
+//      each triangle has three separate vertices, and the index of a vertex gives the triangle number.
+// Fails: never; but rasterisation snaps the positions to 1/256 px.
 #include "mixin/surface.glsl"
 
 layout(location = 0) flat out uvec2 draw;  // instance, geometry
@@ -50,8 +50,8 @@ void main() {
   position_os = vertexPosition(SLICE_RASTER, vertex);
 #endif
 
-  // The image moves against the sample offset. Depth is near / z; for an orthographic camera it is the share of the depth range
-  // behind z. Nearer is larger in both.
+  // The image moves against the sample offset. Depth is near / z for a perspective camera, and the share of the depth range
+  // behind z for an orthographic camera. Both depths are larger for nearer points.
   vec2 shift = vec2(-2, -2) * frame.subpixel / vec2(frame.size);
   if (camera.orthographic != 0u) {
     vec2 ndc = p.xy / camera.half_extent;

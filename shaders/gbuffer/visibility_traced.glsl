@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Nearest triangle at each pixel's sample position, by a ray.
 // In:  none
-// Out: `hit`: instance + 1 (0 = sky), geometry, primitive, 0, as the raster pass `visibility` writes it
-// Method: trace the camera's ray at the node's time.
-// Fails: never; silhouettes may differ from raster, which snaps vertices to 1/256 px.
+// Out: `hit`: instance + 1 (0 = sky), geometry, primitive, 0; the same format as the output of the raster pass `visibility`
+// Method: trace the camera's ray at this pass's time (its `time` in the pipeline).
+// Fails: never. Silhouettes may differ from the raster pass, which snaps vertices to 1/256 px.
 #include "mixin/trace.glsl"
 
 void run(ivec2 pixel) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Every hit of one camera ray at the raster time, nearest first: texel k is hit k.
-// In:  none; the pixel is `pixel_x`, `pixel_y`
-// Out: `hit`:      instance + 1, geometry + 1, primitive, 1 if the front is hit; 0 after the last hit
-//      `where`:    view depth, m; unit normal
+// All hits of one camera ray at the raster time, nearest first: texel k of the output is hit k.
+// In:  none; the parameters `pixel_x` and `pixel_y` select the pixel
+// Out: `hit`:      instance + 1, geometry + 1, primitive, 1 for a front face; 0 after the last hit
+//      `where`:    x: view depth, m; yzw: unit normal in world space
 //      `velocity`: px over the exposure
-//      `color`:    linear radiance; alpha 1 on a hit
-// Method: keep the ray's origin and raise its lower bound by 4 representable numbers after each hit; a second hit on the
-//      triangle just left is not counted.
+//      `color`:    linear radiance; alpha 1 for a hit, otherwise 0
+// Method: keep the ray's origin. After each hit, set the lower bound of the ray 4 representable numbers beyond the hit. A
+//      repeated hit on the same triangle is not counted.
 // Fails: of two coincident surfaces only one is listed.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// One ray per pixel through the scene at the raster time, and its hit, to compare tracing backends: ordinary rays, and rays
-// that rounding makes difficult.
+// One ray per pixel through the scene at the raster time, and its hit, for the comparison of tracing backends. Some rays are
+// ordinary; others are difficult because of rounding.
 // In:  none; points are taken from random triangles of the scene
-// Out: `origin`:    world, relative to the camera at the raster time, m
-//      `direction`: alpha: largest t
+// Out: `origin`:    ray origin in world space, relative to the camera at the raster time, m
+//      `direction`: rgb: ray direction; alpha: largest t
 //      `hit`:       instance + 1, geometry, primitive, bits of t; 0 on a miss
 //      `color`:     rgb: t; 0 on a miss
 //      `blocked`:   1 if any surface lies on the ray
-// Method: eight kinds of rays, one kind per row of pixels in turn, or one kind alone by `ray_kind`: between random points; to a
-//      vertex; to an edge; parallel to an axis through a vertex; from a surface along an edge; from 10^4 times the distance;
-//      from a surface in a random direction; within an axis-aligned plane.
-// Fails: never; degenerate triangles give the direction (0, 0, 1).
+// Method: there are eight kinds of rays. `ray_kind` = all uses one kind per row of pixels in turn; other values use one kind:
+//      between two random points; to a vertex; to an edge; along an axis through a vertex; from a surface point along an edge;
+//      from 10^4 times the distance; from a surface point in a random direction; within an axis-aligned plane.
+// Fails: never; a degenerate triangle may give the direction (0, 0, 1).
 #include "lib/random.glsl"
 #include "mixin/trace.glsl"
 

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Per cell, the candidate background displacements that can make layered/disocclusion_mask.glsl mark one of its pixels
+// Per cell, the candidate background displacements that may make layered/disocclusion_mask.glsl mark a pixel of the cell
 // (conservative).
-// In:  bounds: range of the displacements of each cell, px over the exposure.
-//      ids: least and greatest instance + 1 of each cell.
-//      candidates_0 .. candidates_3: candidate displacements of each tile, two per image, px over the exposure.
-//      max_displacement: longest displacement in the image, px over the exposure, one texel (optional).
-// Out: culled_0 .. culled_3: the candidates kept, in their order, two per image; kNoVelocity after the last.
-// Method: a candidate b is dropped if no walk for b from a pixel of the cell can mark the pixel. For every cell that a path
-//   -t*(d - b) may enter, with d in this cell's bounds, one of these must hold:
-//   - the other cell shows only the one instance of this cell;
-//   - its bounds hold no displacement near b, within max(1 px, match * |d - b|), and no displacement that parts from this
-//   cell's by half a pixel until t, which would start a second walk.
+// In:  `bounds`: bounds of the displacements in each cell, px over the exposure
+//      `ids`: least and greatest instance + 1 in each cell
+//      `candidates_0` to `candidates_3`: candidate displacements of each tile, two per image, px over the exposure
+//      `max_displacement`: longest displacement in the image, px over the exposure; absent: not measured
+// Out: `culled_0` to `culled_3`: the remaining candidates, in the same order, two per image; kNoVelocity after the last
+// Method: a candidate b is kept if a walk for b from a pixel of the cell may mark that pixel. Such a walk follows the path
+//   -t*(d - b), with d in this cell's bounds. b is dropped if one of two conditions holds for every cell on these paths:
+//   - the cell shows the same single instance as this cell;
+//   - its bounds contain neither a displacement within max(1 px, match * |d - b|) of b, nor a displacement that separates from
+//   this cell's by half a pixel or more until t, which would start a second walk.
 //   Paths are extended by the longest displacement, because a walk continues behind an occluder. Pixels outside the image do
 //   not disocclude anything. The mask is the same, bit for bit, as with all candidates.
-// Fails: a cell across tile borders keeps candidates of each tile, up to eight in all: it may mark more pixels, and loses
-//   candidates beyond the eighth.
+// Fails: a cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. It may then mark more
+//   pixels, and candidates beyond the eighth are lost.
 #include "lib/bounds.glsl"
 #include "lib/velocity_list.glsl"
 #include "mixin/limit.glsl"
 
-// Slack for rounding in comparisons, px.
+// Tolerance for rounding errors in comparisons, px.
 const float kSlack = 1e-2;
 
-// Boxes around the pixels of all paths, relative to the first pixel: low x and y, high x and y, inclusive. `steps`: of the
-// paths themselves; `farthest`: with their extension behind an occluder.
+// Boxes around the pixels of a set of paths, relative to the first pixel: least x and y, greatest x and y, inclusive. The box
+// `steps` contains the paths themselves. The box `farthest` also contains their extensions behind an occluder.
 struct Path {
   vec4 steps, farthest;
 };
 
-// Paths -t*(d - b), for all `from_b` = d - b in a box.
+// Boxes around the paths -t*(d - b). `from_b`: box of the differences d - b.
 Path pathOf(vec4 from_b, float t) {
   vec2 a = -t * lowOf(from_b), b = -t * highOf(from_b);
   vec2 low = min(a, b), high = max(a, b);
@@ -59,7 +59,7 @@ bool isOneInstance(Cell own, ivec2 cell) {
   return own.ids.x == own.ids.y && ids.x == own.ids.x && ids.y == own.ids.x;
 }
 
-// True if the cell may end a walk for b from a pixel of `own`.
+// True if a walk for b from a pixel of the cell `own` may end in the cell `cell`.
 bool concerns(Cell own, ivec2 cell, vec4 from_b, vec2 b, float t) {
   vec4 there = texelFetch(bounds_tex, cell, 0);
   float matching_px = max(1.0, params.match * longestIn(from_b));
@@ -91,7 +91,7 @@ bool crosses(Cell own, vec2 b) {
   return false;
 }
 
-// Candidates kept, in order, and all candidates tested (`tried`).
+// The candidates that are kept (`d`), in order, and all tested candidates (`tried`).
 struct VelocityList {
   vec2 d[kMaxVelocities];
   int count;

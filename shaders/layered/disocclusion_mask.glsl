@@ -1,40 +1,39 @@
 // SPDX-License-Identifier: MIT
 // Disocclusion mask by relative motion: pixels that hide a surface which becomes visible within the exposure (an extension of
 // Tan, Cui, Bhojan 2020; docs/derivations.md, "Layers").
-// In:  depth: view depth, metres; +inf for the sky.
-//      id: instance + 1; 0 for the sky.
-//      velocity: displacement d, px over the exposure.
-//      culled_0 .. culled_3: candidate displacements b of the background, per cell, two per image; kNoVelocity after the
-//        last.
-//      bounds, ids: range of the displacements and of the instances of each cell; walks skip cells that cannot end them.
-//      farthest_around: view depth of the farthest moving surface around each tile, metres; static pixels beyond are skipped.
-//      max_displacement: longest displacement in the image, px over the exposure, one texel (optional).
-// Out: mask: 1 where a surface is to be revealed, otherwise 0.
-// Method: a point hidden behind pixel y moves by b, the foreground at y by d. At time t the point is at y + b*t, where the
-//   foreground shows its texel y - t*(d - b). The point is visible if this path leaves the foreground within the exposure:
-//   relative motion decides, so a static foreground is marked if the background moves (a tracking shot).
-//   Each path is walked in steps of 1 px, plus `margin` px (a pixel too many costs a ray, a missing one is an error). y is
-//   marked at a pixel q of another instance that moves by b, within max(1 px, match * |d - b|), and is not nearer, by the share
-//   `occluder`, than the last pixel of y's instance. If the first q that moves relative to y does not move by b, a second walk
-//   uses b = d(q): candidates are approximate where a background's motion varies, d(q) is exact.
+// In:  `depth`: view depth, metres; +inf for the sky
+//      `id`: instance + 1; 0 for the sky
+//      `velocity`: displacement of each pixel, px over the exposure
+//      `culled_0` to `culled_3`: per cell, candidate displacements b of the background, two per image; kNoVelocity for none
+//      `bounds`, `ids`: bounds of the displacements and instances in each cell; a walk skips cells that cannot end it
+//      `farthest_around`: depth of the farthest moving surface around each tile, metres; static pixels beyond it are skipped
+//      `max_displacement`: longest displacement in the image, px over the exposure; absent: not measured
+// Out: `mask`: 1 where `ray_reveal` is to look for the surface behind, otherwise 0
+// Method: let the foreground at pixel y move by d, and a point hidden behind y move by b. At time t the point is at y + b*t,
+//   where the foreground shows its texel y - t*(d - b). The point becomes visible if this path leaves the foreground within the
+//   exposure. Only relative motion counts: in a tracking shot, a foreground that is static on the screen is marked.
+//   A walk takes steps of 1 px along the path, and `margin` px farther (an extra pixel costs a ray, a missing one is an error).
+//   y is marked if the walk meets a pixel q of another instance that moves by b, within max(1 px, match * |d - b|), and is not
+//   nearer than the last pixel of y's instance by the share `occluder`. If the first q that moves relative to y does not move
+//   by b, a second walk uses b = d(q), because candidates are inexact where the motion of a background varies.
 //   A path that ends behind an occluder continues to the occluder's end. Paths end at the image border (counter `off_screen`).
-// Fails: backgrounds with a motion that no pixel around shows; self-occlusion of one instance; more than eight motions.
+// Fails: misses backgrounds whose motion no pixel around shows, self-occlusion, and motions beyond the eighth.
 #include "lib/bounds.glsl"
 #include "lib/velocity_list.glsl"
 #include "lib/sanitise.glsl"
 #include "mixin/limit.glsl"
 
-// The loops of a walk follow one another and have small bodies, because a GPU runs a loop until the slowest pixel of a subgroup
-// is done.
+// The loops of a walk run one after the other and have small bodies, because a GPU runs a loop until the slowest pixel of a
+// subgroup has finished it.
 
-// The path y - t*(d - b), one step per pixel.
+// The path y - t*(d - b), with one step per pixel.
 struct Path {
   ivec2 pixel;  // y
   vec2 d, b;
   float t;
   vec2 unit;    // offset of one step, px
-  int steps;    // steps to its end, `margin` included
-  int longest;  // steps if it continues behind an occluder
+  int steps;    // steps to the end of the path, `margin` included
+  int longest;  // steps to the end of the path if it continues behind an occluder
   int inside;   // steps inside the image
   uint own;     // instance + 1 at y
   float matching_px;
@@ -46,7 +45,7 @@ vec2 displacementAt(ivec2 pixel) {
   return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
 }
 
-// Requires isPath(d, b, t): a path of at least half a pixel.
+// The path of pixel y for the candidate b until time t. Requires isPath(d, b, t): the path is at least half a pixel long.
 Path pathOf(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   vec2 whole = tapOffset(d - b, t);
   float whole_px = lengthOf(whole);
@@ -66,12 +65,12 @@ bool isOwn(Path path, ivec2 at) { return texelFetch(id_tex, at, 0).x == path.own
 
 float depthAt(ivec2 at) { return saneDepth(texelFetch(depth_tex, at, 0).x); }
 
-// True if a surface of this depth is an occluder, behind which the foreground may continue. A slanted background (the ground
-// under an object) is slightly nearer at the end of the path, although it is farther at the pixel itself; `occluder` allows for
-// that.
+// True if a surface of this depth is an occluder, behind which the foreground may continue. A slanted background, such as the
+// ground under an object, can be slightly nearer at the end of the path although it is farther at the pixel itself. The
+// parameter `occluder` is larger than this difference.
 bool occludes(float depth, float own_depth) { return depth < own_depth * (1.0 - params.occluder); }
 
-// True if the cell may end a walk: it may hold another instance that moves by about b, or relative to y.
+// True if a walk may end in the cell. The cell may then contain another instance that moves by about b, or relative to y.
 bool concerns(Path path, ivec2 cell) {
   uvec2 ids = uvec2(texelFetch(ids_tex, cell, 0));
   vec4 bounds = texelFetch(bounds_tex, cell, 0);
@@ -81,8 +80,8 @@ bool concerns(Path path, ivec2 cell) {
   return (matches || moves) && !(ids.x == path.own && ids.y == path.own);
 }
 
-// First step from `from` to `to`, or a step shortly before it, that lies in a cell that may end the walk; otherwise
-// kNoStep. Follows the path from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
+// First step, between `from` and `to`, in a cell where the walk may end, or a step shortly before it; otherwise kNoStep. The
+// search goes from cell to cell along the path (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
 int firstConcern(Path path, int from, int to) {
   ivec2 cell = placeOn(path, from) / params.cell_side;
   ivec2 ahead = ivec2(greaterThan(path.unit, vec2(0)));
@@ -102,10 +101,10 @@ int firstConcern(Path path, int from, int to) {
 struct Walk {
   bool crosses;   // the path reaches a background that moves by b
   bool meets;     // the path reaches a background that moves relative to y, but not by b
-  vec2 d_beyond;  // displacement of the first such background
+  vec2 d_beyond;  // with `meets`: displacement of the first such background
 };
 
-// Last step before step i on y's instance.
+// Last step before step i that is on y's instance.
 int lastOwn(Path path, int i) {
   --i;
   while (i > 0 && !isOwn(path, placeOn(path, i))) --i;
@@ -116,7 +115,7 @@ Walk walked(Path path) {
   Walk walk = Walk(false, false, vec2(0));
   int first = firstConcern(path, 1, path.longest);
   if (first == kNoStep) return walk;
-  // A path that ends behind an occluder continues to the occluder's end: the silhouette may be hidden there.
+  // A path that ends behind an occluder continues to the occluder's end, because the occluder may hide the silhouette.
   int i = min(first, path.steps);
   int own_step = lastOwn(path, i);
   bool occluded = false;
@@ -153,7 +152,7 @@ bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   return walk.crosses;
 }
 
-// True if the pixel is static and every moving surface around is nearer.
+// True if the pixel is static and farther away than every moving surface around it.
 bool isBackgroundMotion(ivec2 pixel, vec2 d) {
   return d == vec2(0) && occludes(texelFetch(farthest_around_tex, pixel / params.tile, 0).x, depthAt(pixel));
 }

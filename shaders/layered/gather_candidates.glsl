@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Per tile, up to eight distinct displacements of the tiles around it, nearest tiles first: the candidate displacements of the
 // background hidden behind its pixels.
-// In:  velocities: two displacements of each tile, px over the exposure.
-//      farthest: view depth of the farthest moving surface in each tile, metres; 0 without motion.
-//      max_displacement: longest displacement in the image, px over the exposure, one texel (optional).
-// Out: candidates_0 .. candidates_3: two displacements each, px over the exposure; kNoVelocity after the last.
-//      farthest_around: greatest `farthest` of all tiles in range, metres.
-// Method: tiles are searched ring by ring, as far as two surfaces can part within the exposure: twice the longest displacement
-//   (limit * width, or reach), times spreadFactor. Two displacements are distinct if they differ by more than 1 px and by more
-//   than a tenth of the longer one.
-// Fails: if there are more than eight displacements the far ones are lost, at equal distance the last ones in raster order.
+// In:  `velocities`: two displacements of each tile, px over the exposure
+//      `farthest`: view depth of the farthest moving surface in each tile, metres; 0 without motion
+//      `max_displacement`: longest displacement in the image, px over the exposure; absent: not measured
+// Out: `candidates_0` to `candidates_3`: two displacements each, px over the exposure; kNoVelocity after the last
+//      `farthest_around`: greatest value of `farthest` among all tiles in range, metres
+// Method: read the tiles ring by ring. The range is the largest distance that two surfaces can separate within the exposure:
+//   twice the longest displacement (limit * width or, with limit = auto, `max_displacement`), times spreadFactor. Two
+//   displacements are distinct if they differ by more than 1 px and by more than a tenth of the longer one.
+// Fails: of more than eight displacements, the displacements of the farthest tiles are lost; at equal distance, the last tiles
+//   in raster order.
 #include "mixin/limit.glsl"
 #include "lib/velocity_list.glsl"
 
@@ -36,7 +37,7 @@ VelocityList withTile(VelocityList velocities, ivec2 tile) {
   return withMotion(velocities, vec2(pair.z, pair.w));
 }
 
-// Adds the tiles at the distance `ring`, in raster order.
+// Adds the displacements of the tiles at the distance `ring` from `tile`, in raster order.
 VelocityList withRing(VelocityList velocities, ivec2 tile, int ring) {
   for (int y = -ring; y <= ring; ++y) {
     int stride = abs(y) == ring ? 1 : max(2 * ring, 1);

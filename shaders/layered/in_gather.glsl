@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
 // One gather over both layers: the mean over the time samples of the foreground at the pixel over its background (an extension
 // of Tan, Cui, Bhojan 2020; docs/derivations.md, "Both in one gather").
-// In:  color: raster layer, linear.
-//      depth: view depth, metres; +inf for the sky.
-//      id: instance + 1, geometry + 1; 0 for the sky.
-//      velocity: displacement d, px over the exposure.
-//      dominant: longest displacement that reaches each tile, px over the exposure.
-//      revealed_color, revealed_depth, revealed_id, revealed_velocity: the same images of the revealed layer.
-//      revealed_valid: > 1/2 where the revealed layer has a surface.
-//      velocity_post, dominant_post, revealed_velocity_post: displacements after the raster time (absent: as before it).
-// Out: blurred: linear, alpha 1.
-// Method: the background B of a pixel X is the surface revealed at X, or the raster surface if none was revealed. The time
-//   samples t_i are the midpoints (i + 1/2 + jitter)/N of the exposure. Each has the weight 1/N.
-//   Foreground: two searches begin at X - t_i*d, with the tile's dominant displacement and with that at X as d. A tap Y is at X
-//   at t_i if |Y + t_i*d(Y) - X| <= max(3/4, |d|/(2N)) px (rounding to a texel; half the distance between two samples). If not,
-//   one more tap follows, by d(Y). The nearer surface found covers B to the degree that it is in front of B (depth_extent).
-//   Background: the raster texel at Y = X - t_i*d(B) if it has B's instance or is not in front of B. Otherwise the texel
+// In:  `color`: raster layer, linear radiance
+//      `depth`: view depth, metres; +inf for the sky
+//      `id`: instance + 1, geometry + 1; 0 for the sky
+//      `velocity`: displacement d of each pixel, px over the exposure
+//      `dominant`: longest displacement that reaches each tile, px over the exposure
+//      `revealed_color`, `revealed_depth`, `revealed_id`, `revealed_velocity`: the same images of the revealed layer
+//      `revealed_valid`: above 1/2 where the revealed layer has a surface
+//      `velocity_post`, `dominant_post`, `revealed_velocity_post`: displacements after the raster time; absent: as before it
+// Out: `blurred`: linear radiance, alpha 1
+// Method: the background B of a pixel X is the revealed surface at X, or the raster surface if none was revealed. The N time
+//   samples t_i are the midpoints (i + 1/2 + jitter)/N of the exposure and have equal weights.
+//   Foreground: two searches begin at X - t_i*d; d is the tile's dominant displacement in one and d(X) in the other. A tap Y is
+//   at X at t_i if |Y + t_i*d(Y) - X| <= max(3/4, |d|/(2N)) px (rounding to a texel; half the distance between two samples).
+//   If Y is not at X, d(Y) leads to one more tap. The nearer surface found covers B in part if it is in front by less than
+//   `depth_extent`, otherwise fully.
+//   Background: the raster texel at Y = X - t_i*d(B), if it has B's instance or is not in front of B. Otherwise the texel
 //   revealed at Y, or B itself if none was revealed there (counter `fallback`).
-//   Coverage and background vary together over time, as in ground truth.
-// Fails: foregrounds that move like neither displacement, above all against them; backgrounds that turn or meet other
-//   backgrounds, because d(B) is taken at X; surfaces behind the revealed layer.
+// Fails: misses foregrounds that move by neither displacement, above all if they move against both. Backgrounds that turn or
+//   meet are misplaced, because d(B) is taken at X. Surfaces behind the revealed layer are missing.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layers.glsl"
@@ -30,7 +30,7 @@
 struct Tap {
   vec3 color;
   float depth;
-  Path path;  // before or after the raster time
+  Path path;  // path before the raster time, or after it, as requested
   uint instance;
 };
 
@@ -60,8 +60,8 @@ struct Cover {
 
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
-// Raster surface that covers the background at the pixel at time t, searched from the texel `now`. The search assumes motion by
-// about `path`, which sets the tolerance.
+// Raster surface that covers the background at the pixel at time t; kNoCover if no such surface is found. The search begins at
+// the texel `now`. The length of `path`, the motion that the search assumes, sets the tolerance.
 Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
   for (int fallback_estimate = 0; fallback_estimate < kIterations; ++fallback_estimate) {
@@ -74,7 +74,8 @@ Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   return kNoCover;
 }
 
-// The nearer of two covers. At about equal depths the first: rounding would choose between two taps of one surface.
+// The nearer of two covers; at about equal depths, the first one. Otherwise rounding would choose between two taps of one
+// surface.
 Cover nearer(Cover a, Cover b) {
   if (a.share == 0.0) return b;
   return b.share > 0.0 && inFrontOf(b.depth, a.depth, params.depth_extent) > 0.5 ? b : a;

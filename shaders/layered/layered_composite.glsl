@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Per-time layered composite: the mean over the time samples of the nearest surface of both layers that is at the pixel at each
 // time (an extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Per-time layered gather").
-// In:  color, depth: raster layer, linear; view depth, metres, +inf for the sky.
-//      velocity, dominant, second: displacement d per pixel; per tile, the longest and another one; px over the exposure.
-//      revealed_color, _depth, _velocity, _dominant: the same images of the revealed layer; _valid: > 1/2 if present.
-//      velocity_post, dominant_post, second_post, revealed_*_post: displacements after the raster time (absent: as before it).
-//      curve, revealed_curve, dominant_curve, dominant_place: deviation of paths from lines, px; texel of dominant (optional).
-//      moved, background: per cell, > 1/2 where a moving (a revealed) surface is at some time (absent: everywhere).
-//      unlisted: per cell, > 1/2 where a surface may arrive that the displacements of the tile do not lead to.
-//      unreliable: per cell, bit i is set if the layers are unreliable at stratum i of at most 32.
-//      silhouettes: > 1/2 next to a texel with a different displacement.
-// Out: blurred: linear, alpha 1; with `marks_unresolved` the sum of the resolved samples over N, alpha: their share. Equals
-//        color in cells without motion.
-//      unresolved: bit i is set if stratum i of at most 64 is unresolved.
-//      fallback_estimate: with WRITES_ESTIMATE, a fallback estimate of the unresolved samples, over N; alpha: its expected error (see
-//        Guess).
-// Method: at each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each candidate displacement g leads to the texel
+// In:  `color`, `depth`: raster layer: linear radiance; view depth, metres, +inf for the sky
+//      `velocity`: displacement d of each pixel; `dominant`, `second`: two displacements per tile; px over the exposure
+//      `revealed_color`, `_depth`, `_velocity`, `_dominant`: images of the revealed layer; `_valid`: > 1/2 where it exists
+//      `velocity_post`, `dominant_post`, `second_post`, `revealed_*_post`: after the raster time; absent: as before it
+//      `curve`, `revealed_curve`, `dominant_curve`: curves of the paths, px; `dominant_place`: texel of `dominant`; optional
+//      `moved`, `background`: per cell, > 1/2 if a moving (a revealed) surface is there at some time; absent: everywhere
+//      `unlisted`: per cell, > 1/2 if a surface may arrive that no displacement of the tile leads to
+//      `unreliable`: per cell, bit i is set if the layers are unreliable in stratum i of at most 32
+//      `silhouettes`: > 1/2 next to a texel with a different displacement
+// Out: `blurred`: linear radiance, alpha 1; with `marks_unresolved` sum of the resolved samples over N, alpha: their share
+//      `unresolved`: bit i is set if stratum i of at most 64 is unresolved
+//      `fallback_estimate`: estimate of the unresolved samples, over N; alpha: its expected error (see Estimate); optional
+// Method: for each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each candidate displacement g leads to the texel
 //   Y = X - t_i*g of both layers. Y is at X if |Y + t_i*d(Y) - X| <= max(3/4, .99 min(|g|, |d(Y)|)/(2N)) px (see Constants). If
-//   not, d(Y) leads to one more texel, on curves to three. The nearest texel at X counts, at equal depths the first one found.
+//   Y is not at X, d(Y) leads to one more texel, on curves to three. The nearest texel at X counts; at equal depths, the first.
 //   Candidates: the displacements of the tile; d of both layers at X and, with `search_taps`, at X +- t_i*g for g = dominant
-//   and second, nearest first. At most 4 that differ by more than 1/2 px, others after the raster time in a split exposure.
-//   No surface: the texel of X, revealed or raster (counter `fallback`). With `marks_unresolved` the sample is unresolved, as
-//   are unreliable samples, samples beside a silhouette, and pixels with too many candidates; with `marks_contrast` also
-//   samples between texels with a contrast above `contrast`, of surfaces that move by less than `detail_below` px per sample.
-// Fails: surfaces hidden at the raster time and not revealed (a second layer); paths that deviate, or surfaces that grow, by
-//   more than the tolerance; more than 4 different motions at a pixel.
+//   and second, nearest taps first. At most 4 candidates are kept that differ by more than 1/2 px.
+//   A sample without a surface takes the texel of X, revealed or raster (counter `fallback`). With `marks_unresolved` it is
+//   unresolved, as are unreliable samples, samples beside a silhouette, and pixels with too many candidates. `marks_contrast`
+//   adds samples between texels of high `contrast` whose surface moves by less than `detail_below` px per sample.
+// Fails: misses surfaces hidden at the raster time and not revealed. Misplaces surfaces whose paths deviate, or that grow, by
+//   more than the tolerance. Ignores motions beyond 4 at a pixel.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/candidates.glsl"
@@ -36,36 +34,38 @@
 // --- Constants
 // ----------------------------------------------------------------------------------------------------------------
 // 3/4 px (mixin/candidates.glsl): rounding a position to a texel moves it by at most sqrt(1/2) = .71 px.
-// .99 min(|g|, |d(Y)|)/(2N) (mixin/candidates.glsl): two time samples are |d|/N px apart. A texel half-way is as near to the
-//   one as to the other and must count at neither, so the tolerance is just below half. The tolerance |g|/(2N) counted the
-//   pixel's own foreground at the samples next to the raster time. With up to four samples and motion above 10 px the error
-//   was then up to twice the error of ground truth with as many samples; now at most 1.05 times (237c3545, RenderPassage).
+// .99 min(|g|, |d(Y)|)/(2N) (mixin/candidates.glsl): two successive time samples are |d|/N px apart. A texel half-way between
+//   them must count at neither sample, so the tolerance is just below half of this distance. With an earlier tolerance of
+//   |g|/(2N), the pixel's own foreground counted at the samples next to the raster time. With up to four samples and motion
+//   above 10 px, the error was then up to twice the error of ground truth with as many samples. It is now at most 1.05 times
+//   that error (237c3545, RenderPassage).
 // 1/4 px^2 (mixin/candidates.glsl): candidates within 1/2 px lead to texels at most 1/2 px apart, since |t| <= 1.
-// 4 px^2, .02 |d|^2 (mixin/candidates.glsl): a fifth candidate is one too many if it differs from each of the four by more than
-//   2 px and by more than sqrt(.02) = .14 of its length, as in shaders/cell/classify_cells.glsl. No derivation is recorded.
-// 1.5 px (isUnsure, colorFound): a sample lies at most sqrt(2) = 1.41 px from the texels of its bilinear footprint. The rest
-//   allows for displacements that vary over a surface.
+// 4 px^2, .02 |d|^2 (mixin/candidates.glsl): a fifth candidate makes the list overflow if it differs from each of the four by
+//   more than 2 px and by more than sqrt(.02) = .14 of its length, as in shaders/cell/classify_cells.glsl. No derivation is
+//   recorded.
+// 1.5 px (isAtSilhouette, colorFound): a sample lies at most sqrt(2) = 1.41 px from the texels of its bilinear footprint. The
+//   rest allows for displacements that vary over a surface.
 
-// True if unresolved samples get a fallback estimate: the layers are then searched at these samples too.
+// True if unresolved samples get a fallback estimate. Surfaces are then searched for at the times of these samples too.
 #ifdef WRITES_ESTIMATE
 const bool kWritesEstimate = true;
 #else
 const bool kWritesEstimate = false;
 #endif
 
-// Depths that differ by less than 2^-16 of the depth count as equal: rays and raster find one surface at depths that differ by
-// rounding. 2^-16 is 128 to 256 units in the last place of a float.
+// Depths that differ by less than 2^-16 of the depth count as equal, because rays and raster compute the depth of one surface
+// with different rounding errors. 2^-16 is 128 to 256 units in the last place of a float.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
-// A sample within this distance of a texel's centre along an axis, px, reads no texel beside it. 1e-3: the texels beside then
-// have weights below 1e-3, which colorFound skips. 0.05: no derivation is recorded.
+// Distance from a texel's centre along an axis, px, within which a sample reads no neighbour of the texel. At 1e-3, the
+// neighbours have weights below 1e-3, which colorFound skips. For 0.05, no derivation is recorded.
 const float kCentre = PARAM_marks_contrast != 0 ? 1e-3 : 0.05;
 
 struct Nearest {
   int layer;
-  ivec2 now;  // texel of its layer, at the raster time
+  ivec2 now;  // texel of the layer that shows the surface at the raster time
   float depth;
-  bool at_silhouette;  // a moving silhouette may pass between the texels around it
+  bool at_silhouette;  // a moving silhouette may pass between the texels around the sample
 };
 
 // --- Surfaces at a pixel
@@ -76,7 +76,7 @@ Nearest nearer(Nearest nearest, int layer, ivec2 now, float depth) {
   return Nearest(layer, now, depth, nearest.at_silhouette);
 }
 
-// Raster surface at the pixel itself, where most searches end. Read once.
+// Raster surface at the pixel itself, where most searches end, so that it is read only once.
 struct Own {
   Path before, after;
   float depth;
@@ -125,8 +125,9 @@ Nearest nearerRevealed(Nearest nearest, ivec2 pixel, ivec2 now, float t, float t
   return nearest;
 }
 
-// True if a moving silhouette may pass between the texels around a sample. With marks_contrast: if their displacements differ
-// (movesOtherwise). Otherwise: if some of these texels are at the pixel at time t, within 1.5 px, and some are not.
+// True if a moving silhouette may pass between the texels around a sample. With marks_contrast, the test is whether their
+// displacements differ (movesOtherwise). Otherwise it is whether some of these texels are at the pixel at time t, within
+// 1.5 px, and some are not.
 bool isAtSilhouette(ivec2 pixel, ivec2 now, vec2 offset, float t) {
   vec2 off_centre = offset - vec2(now - pixel);
   ivec2 beside = ivec2(greaterThan(off_centre, vec2(kCentre))) - ivec2(lessThan(off_centre, vec2(-kCentre)));
@@ -150,8 +151,8 @@ bool isAtSilhouette(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 #endif
 }
 
-// First texel of the search along a candidate. On a curve: the texel that has this curve, because Newton's method reaches
-// farther from there. Otherwise: `now`, the tap of the candidate.
+// First texel of the search with candidate k. If the candidate has a curve, it is the texel with this curve, because Newton's
+// method reaches farther from there. Otherwise it is `now`, the tap of the candidate.
 ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
 #if HAS_curve
   ivec2 texel = candidates.texels[k];
@@ -160,9 +161,9 @@ ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
   return now;
 }
 
-// Nearest surface at the pixel at time t. Each kind of candidate is needed: without the taps the slower one of two moving
-// surfaces is missed, without the taps on the other side a slower surface against the dominant motion, and without `second` a
-// surface across the dominant motion (docs/derivations.md, "Which displacements to try").
+// Nearest surface at the pixel at time t. Each kind of candidate is needed (docs/derivations.md, "Which displacements to try").
+// Without the taps, the slower one of two moving surfaces is missed. Without the taps on the other side, a slower surface that
+// moves against the dominant motion is missed. Without `second`, a surface that moves across the dominant motion is missed.
 Nearest sampleAt(ivec2 pixel, Own own, Candidates candidates, bool background, float t) {
   ivec2 size = textureSize(color_tex, 0);
   Nearest nearest = Nearest(kNothing, pixel, 0.0, false);
@@ -181,11 +182,11 @@ Nearest sampleAt(ivec2 pixel, Own own, Candidates candidates, bool background, f
   return nearest;
 }
 
-// True if a moving surface may be at the cell's pixels at some time.
-// Colour of the surface found. With taps = linear, the bilinear mean of the four texels around the sample that are at the pixel
-// at time t too, within 1.5 px; corners of weight below 1e-3 are skipped. `alike`: with marks_contrast, false if one of the
-// four is missing or their contrast is above `contrast`; always true above `detail_below` px per sample. `color_range`: range
-// of their colours; with WRITES_ESTIMATE, raster colours stand in for missing texels.
+// Colour of the surface found, linear radiance. With taps = linear, it is the bilinear mean of the four texels around the
+// sample. A texel that is not at the pixel at time t, within 1.5 px, is missing from the mean, and texels with a weight below
+// 1e-3 are skipped. `alike`: false if a texel is missing or, with marks_contrast, if the contrast of the texels is above the
+// parameter `contrast`; with marks_contrast, always true for surfaces faster than `detail_below` px per sample. `color_range`:
+// range of the texels' colours. With WRITES_ESTIMATE, raster colours replace missing texels in this range.
 vec3 colorFound(Nearest nearest, ivec2 pixel, float t, out bool alike, out ColorRange color_range) {
   alike = true;
   color_range = emptyColorRange();
@@ -232,7 +233,7 @@ bool isOwnAtRest(Own own, Nearest nearest, ivec2 pixel, float t) {
 
 // ---- unresolved samples
 
-// Largest number of strata in `unreliable`: one word of 32 bits per cell.
+// Largest number of strata in the image `unreliable`, which has one word of 32 bits per cell.
 const int kStrata = 32;
 
 uvec2 partOf(int i) { return partBit(params.samples > kMostParts ? i * kMostParts / params.samples : i); }
@@ -247,22 +248,25 @@ uvec2 openOf(uint unreliable) {
   return unresolved;
 }
 
-// Fallback estimate of the unresolved samples. Its expected error is the sum of three terms. Samples between texels of high
-// contrast: a share of that contrast, with independent signs from texel to texel along the path. Samples of an unreliable
-// layer: a share of the range of all colours at the pixel. Samples without a surface: the whole range, black included.
+// Fallback estimate of the unresolved samples. Its expected error is the sum of three terms:
+// - for samples between texels of high contrast, a share of that contrast, with independent signs from texel to texel along the
+//   path;
+// - for samples of an unreliable layer, a share of the range of all colours at the pixel;
+// - for samples without a surface, the whole range, extended to black.
 struct Estimate {
   vec3 sum;
-  float squares;  // squared contrasts, times the number of samples between the same texels
-  int unreliable;    // samples with unreliable layers
-  int unknown;    // samples without a surface in any layer
+  float squares;  // sum of squared contrasts, each times the number of samples between the same texels
+  int unreliable;    // number of samples with unreliable layers
+  int unknown;    // number of samples without a surface in any layer
 };
 
-// Error of a sample as a share of the contrast of the texels around it. Near 1/sqrt(12) = 0.289, the standard deviation of a
-// value with a uniform distribution between two texels; no derivation is recorded.
+// Error of a sample as a share of the contrast of the texels around it. The value is near 1/sqrt(12) = 0.289, the standard
+// deviation of a uniform distribution between the values of two texels; no derivation is recorded.
 const float kBetweenTexels = 0.3;
 
-// Error of a sample with unreliable layers, as a share of the colour range at the pixel: as if an eighth of these samples were
-// off by the whole range. No derivation is recorded. Both shares only set the order of pixels in experiments/ray_budget.
+// Error of a sample with unreliable layers, as a share of the colour range at the pixel, as if an eighth of these samples were
+// off by the whole range. No derivation is recorded. The two shares kBetweenTexels and kUnreliable affect only the order of the
+// pixels in experiments/ray_budget.
 const float kUnreliable = 0.125;
 
 float mostOf(vec3 value) { return max(value.r, max(value.g, value.b)); }
@@ -292,7 +296,8 @@ void finishEstimate(ivec2 pixel, vec3 part, float off_by) {
 #endif
 }
 
-// Write the outputs. `part`: sum of the resolved samples over N. `share`: share of the samples that are resolved.
+// Writes the outputs. `part`: sum of the resolved samples, divided by the number of all samples. `share`: share of the samples
+// that are resolved.
 void finish(ivec2 pixel, vec3 part, float share, uvec2 unresolved) {
 #if PARAM_marks_unresolved
   imageStore(unresolved_img, pixel, uvec4(unresolved, 0u, 0u));
@@ -366,7 +371,7 @@ void run(ivec2 pixel) {
   if (fallbacks > 0u) count_fallback(fallbacks);
   float n = float(params.samples);
   vec3 mean = fromSum(sum / n);
-  if (left_out == 0u && isNarrow(all_hit, 0.0)) mean = all_hit.low;  // equal colours: exact, without the rounding of a sum
+  if (left_out == 0u && isNarrow(all_hit, 0.0)) mean = all_hit.low;  // the mean of equal colours is exact, without rounding
   if (left_out > 0u)
     finishEstimate(pixel, fromSum(fallback_estimate.sum / n),
                    offBy(fallback_estimate, withColor(all_hit, colorOf(kRaster, pixel))));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the two displacements that represent it, and the depth of its farthest moving surface.
-// In:  velocity: displacement, px over the exposure.
-//      depth: view depth, metres; +inf for the sky.
-// Out: velocities: xy the longest displacement a, zw the displacement that differs most from a; px over the exposure, limited.
-//      farthest: view depth of the farthest moving surface, metres; 0 without motion.
-// Method: one work group per tile finds the maximum of |d|, then of |d - a|, then of the depth where d is not 0. At ties the
-//   first texel in raster order counts. A tile with two motions yields both.
-// Fails: the third of three motions in a tile.
+// In:  `velocity`: displacement of each pixel, px over the exposure
+//      `depth`: view depth, metres; +inf for the sky
+// Out: `velocities`: xy: longest displacement a; zw: displacement that differs most from a; px over the exposure, shortened to
+//      the displacement limit
+//      `farthest`: view depth of the farthest moving surface, metres; 0 without motion
+// Method: one work group per tile computes the maximum of |d|, then of |d - a|, then of the depth where the displacement d is
+//   not 0. Among equal values, the first texel in raster order counts. A tile with two motions yields both motions.
+// Fails: if a tile has three different motions, the third one is lost.
 #include "mixin/limit.glsl"
 #include "lib/group.glsl"
 #include "lib/sanitise.glsl"
@@ -16,9 +17,9 @@ vec2 displacementAt(ivec2 pixel) {
 }
 
 shared vec2 found;          // written by one invocation
-shared uint farthest_bits;  // bits of a depth, which is not negative, so its bits have its order
+shared uint farthest_bits;  // depth as the bits of a float; bits of floats of at least 0 have the order of the floats
 
-// Displacement of the tile that differs most from `from`.
+// Displacement in the tile that differs most from `from`, px over the exposure.
 vec2 farthestFrom(vec2 from, ivec2 first, ivec2 end) {
   vec2 farthest = displacementAt(first);
   float distance_px = lengthOf(farthest - from);

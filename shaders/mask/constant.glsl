@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Constant mask: reveals no pixel, or every pixel.
-// In:  none.
-// Out: mask: 1 everywhere with `everywhere`, otherwise 0.
-// Method: stores the value of the parameter.
-// Fails: everywhere costs one ray per pixel; nowhere leaves the disocclusions of every silhouette unrevealed.
+// Constant mask: all pixels or no pixels.
+// In:  none
+// Out: `mask`: 1 at all pixels with `everywhere`, otherwise 0
+// Method: store the value of the parameter `everywhere`.
+// Fails: with `everywhere` every pixel costs one ray; without it no background is revealed, so disocclusions are missing.
 void run(ivec2 pixel) {
 #if PARAM_everywhere
   imageStore(mask_img, pixel, vec4(1));

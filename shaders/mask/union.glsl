@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Union of two masks.
-// In:  first: > 1/2 where set.
-//      second: > 1/2 where set.
-// Out: mask: 1 where first or second is set, otherwise 0.
+// In:  `first`: above 1/2 at masked pixels
+//      `second`: above 1/2 at masked pixels
+// Out: `mask`: 1 at pixels that are in `first` or in `second`, otherwise 0
 // Method: logical or per pixel.
-// Fails: pixels that both masks miss.
+// Fails: a pixel that both masks miss is missing.
 void run(ivec2 pixel) {
   bool set = texelFetch(first_tex, pixel, 0).x > 0.5 || texelFetch(second_tex, pixel, 0).x > 0.5;
   imageStore(mask_img, pixel, vec4(set ? 1 : 0));

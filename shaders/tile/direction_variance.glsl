@@ -2,11 +2,11 @@
 // Per tile, the variance of the directions of motion around it (Guertin et al. 2014).
 // In:  `longest`:  longest displacement of each tile, px over the exposure
 //      `dominant`: longest displacement that reaches each tile, px over the exposure
-// Out: `variance`: 0 (all displacements along one line) to 1 (all across it); 0 if the tiles are static
-// Method: 1 - mean of |u . u'| over the 3 x 3 tiles around, u and u' the unit directions of this tile's and the other tile's
-//      longest displacement. Static tiles (up to 1/2 px) do not count. If this tile is static, u is the direction of
-//      `dominant`.
-// Fails: one displacement per tile: motions that cross within a tile are not detected.
+// Out: `variance`: from 0 (all displacements are parallel to u) to 1 (all are perpendicular to u); 0 without motion
+// Method: 1 - mean of |u . v| over the 3 x 3 tiles around; u and v are the unit directions of the longest displacements of this
+//      tile and of the other tile. Static tiles (displacement up to 1/2 px) are left out of the mean. If this tile is static, u
+//      is the direction of `dominant`.
+// Fails: each tile has one displacement, so motions that cross within a tile are not detected.
 #include "lib/blur.glsl"
 
 bool moves(vec2 d) { return lengthOf(d) > 0.5; }

@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the longest displacement around that can reach it (McGuire 2012, NeighborMax), and a second, different one.
+// Per tile, the longest displacement of the tiles around that can reach it (McGuire 2012, NeighborMax), and a second
+// displacement that differs from the first.
 // In:  `longest`:  longest displacement of each tile, px over the exposure
-//      `velocities`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: `longest` alone
+//      `velocities`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: only `longest` is used
 //      `curve`:    curve of the path of `longest`, px; absent: straight
-//      `place`:    texel that has `longest`, px
+//      `place`:    texel that has the displacement `longest`, px
 // Out: `dominant`: longest accepted displacement, px over the exposure
 //      `dominant_curve`, `dominant_place`: curve and texel of `dominant`; 0 if paths are straight
-//      `second`:   accepted displacement that differs most from `dominant`, longer than 1/2 px; `dominant` if none differs
-// Method: test the tiles up to ceil(limit * width * r / tile) away, r = 1 one-sided, 1/2 centred; `limit` = auto: up to the
-//      measured maximum. `all` accepts each. `sign` (Guertin et al. 2014): on each axis with an offset the displacement is not
-//      0; one-sided, all components bring the tile here; centred, all point here or all point away. `swept_box` accepts a tile if
-//      its box, swept along the displacement over the exposure, overlaps this tile: a subset of `sign`, exact for boxes at any
-//      distance. A tile with a curved path is swept along it under every rule. At equal length the first in raster order wins.
-// Fails: a tile is judged by its longest displacement: a slower pixel that reaches this tile is lost if the longest does not.
+//      `second`:   accepted displacement, longer than 1/2 px, that differs most from `dominant`; `dominant` if none differs
+// Method: test the tiles up to ceil(limit * width * r / tile) tiles away, where r is 1 for a one-sided and 1/2 for a centred
+//      exposure. With `limit` = auto, the measured maximum replaces limit * width. The parameter `rule` decides:
+//      - `all` accepts each tile.
+//      - `sign` (Guertin et al. 2014) requires that the displacement brings the other tile here along each axis that separates
+//      the two tiles. With a centred exposure, all components must point here, or all must point away.
+//      - `swept_box` requires that the box of the other tile, swept along its displacement over the exposure, overlaps this
+//      tile. It accepts a subset of the tiles that `sign` accepts. The test is exact for boxes at any distance.
+//      A tile with a curved path is swept along it under every rule. At equal length the first in raster order wins.
+// Fails: a tile is tested by its longest displacement alone. A slower pixel that reaches this tile is lost if the longest
+//      displacement does not reach it.
 #include "mixin/path.glsl"
 
-// Open interval of the times when a tile `offset` tiles away that moves by d (px along one axis) overlaps this tile
-// along that axis: |offset * tile + d * t| < tile.
+// Open interval of the times t when another tile overlaps this tile along one axis: |offset * tile_px + d * t| < tile_px.
+// `offset`: offset of the other tile, tiles; `d`: its displacement along the axis, px. An empty interval is (1, -1).
 vec2 overlapTimes(int offset, float d, float tile_px) {
   if (d == 0.0) return offset == 0 ? vec2(-1e30, 1e30) : vec2(1.0, -1.0);
   float a = (-tile_px - float(offset) * tile_px) / d;
@@ -32,8 +37,9 @@ bool reaches(ivec2 offset, vec2 d) {
   return first < last && first < frame.shutter.y && last > frame.shutter.x;
 }
 
-// Rule `sign`. With the anchor `end`, a surface at `offset` at the raster time that was here earlier moves along +offset.
-// With `start`, a surface that will be here later moves along -offset. A centred exposure accepts both.
+// True if the rule `sign` accepts a tile at `offset` with the displacement d. With the anchor `end`, a surface that was here
+// before the raster time moves along +offset. With `start`, a surface that will be here later moves along -offset. A centred
+// exposure accepts both directions.
 bool pointsHere(ivec2 offset, vec2 d) {
   ivec2 signs = ivec2(sign(vec2(offset)) * sign(d));
   int needed = abs(sign(offset.x)) + abs(sign(offset.y));
@@ -51,8 +57,8 @@ bool isCurved(ivec2 tile) {
   return curve_at(tile) != vec4(0);
 }
 
-// True if the tile's box, swept along its curve, overlaps this tile within the exposure. Tested in 4 to 64 steps of about
-// half a tile.
+// True if the box of the other tile, swept along its curve, overlaps this tile within the exposure. The curve is tested in 4 to
+// 64 steps of about half a tile.
 bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
   vec4 curve = curve_at(tile);
   vec2 at = vec2(offset * params.tile), side = vec2(params.tile);
@@ -74,7 +80,8 @@ bool accepts(ivec2 offset, vec2 d) {
 #endif
 }
 
-// The one of `second` and d that differs more from `dominant`. A static d, up to 1/2 px, is ignored.
+// Displacement that differs more from `dominant`: `second` or d. If d is static (up to 1/2 px) or not accepted, the result is
+// `second`.
 vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
   if (lengthOf(d) <= 0.5 || lengthOf(d - dominant) <= lengthOf(second - dominant)) return second;
   return accepts(offset, d) ? d : second;

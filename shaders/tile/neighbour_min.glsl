@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the length of the shortest displacement around it (Guertin et al. 2014; Jimenez 2014).
 // In:  `shortest`: length of the shortest displacement of each tile, px over the exposure
-// Out: `slowest`:  minimum over the tiles around, px over the exposure
+// Out: `slowest`:  minimum of `shortest` over the tiles around, px over the exposure
 // Method: minimum over the tiles as far away as for the dominant displacement (tile/neighbour_max.glsl). Every tile counts,
 //      since a surface that does not reach this tile may still lie on the path of a tap.
 // Fails: one static pixel makes the whole neighbourhood slow.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Scatters the length of each tile's displacement to all tiles on its path, as Unity's HDRP does; first of three steps.
 // In:  `longest`: longest displacement of each tile, px over the exposure
-// Out: `length`:  per tile, the largest length that arrived, px, as the bits of a float; 0: none
-// Method: walk over the tiles on the path (mixin/tile_walk.glsl) with an atomic maximum. Floats of at least 0 have the order of
-//      their bits.
-// Fails: the path of a tile is the line of its centre. One displacement stands for the tile.
+// Out: `length`:  per tile, the largest scattered length, px, as the bits of a float; 0: none
+// Method: walk over the tiles on the path (mixin/tile_walk.glsl) and write the length with an atomic maximum. The bits of
+//      floats of at least 0 have the order of the floats.
+// Fails: only the path of the tile's centre is walked. One displacement represents the tile.
 #include "mixin/tile_walk.glsl"
 
 void run(ivec2 pixel) {

@@ -2,10 +2,10 @@
 // Per tile, the longest displacement scattered to it or to one of the 8 tiles around, as Unity's HDRP does; last of three
 // steps.
 // In:  `longest`:  longest displacement of each tile, px over the exposure
-//      `source`:   per tile, number of the tile that the longest arrival comes from (tile/scatter_source.glsl)
-// Out: `dominant`: px over the exposure; at equal length, of the first neighbour in raster order
-// Method: maximum over the 3 x 3 tiles: a tile is wider than the line along which its centre was scattered.
-// Fails: one displacement stands for all that arrive, and it also dominates tiles one farther than it reaches.
+//      `source`:   per tile, code of the tile that scattered the longest displacement to it (tile/scatter_source.glsl)
+// Out: `dominant`: longest scattered displacement, px over the exposure; among equal lengths, of the first tile in raster order
+// Method: maximum over 3 x 3 tiles, because a tile is wider than the line along which its centre was scattered.
+// Fails: one displacement represents all that arrive. It also dominates tiles that are one tile farther than it reaches.
 #include "lib/blur.glsl"
 
 void run(ivec2 pixel) {

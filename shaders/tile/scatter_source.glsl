@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the tile that the longest scattered displacement comes from, as Unity's HDRP does; second of three steps.
 // In:  `longest`: longest displacement of each tile, px over the exposure
-//      `length`:  per tile, the largest length that arrived, bits of a float (tile/scatter_length.glsl)
-// Out: `source`:  number of tiles minus the source's number in raster order; 0: none
-// Method: walk as in tile/scatter_length.glsl. A tile with the length that a tile on its path has recorded writes its number
-//      there; the atomic maximum keeps the first tile in raster order.
-// Fails: of equally long displacements that cross at a tile, one source stands for all.
+//      `length`:  per tile, the largest scattered length, px, as the bits of a float (tile/scatter_length.glsl)
+// Out: `source`:  code of the source tile: number of all tiles minus the source's index in raster order; 0: none
+// Method: walk as in tile/scatter_length.glsl. Where the recorded length of a tile on the path equals the walking tile's
+//      length, write the walking tile's code. The atomic maximum keeps the first tile in raster order.
+// Fails: if equally long displacements cross at a tile, one source represents them all.
 #include "mixin/tile_walk.glsl"
 
 void run(ivec2 pixel) {

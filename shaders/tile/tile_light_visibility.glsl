@@ -2,12 +2,13 @@
 // Per tile, the lights that are visible from all its surface points and the lights that are blocked from all (Haines and
 // Wallace 1991, "Shaft Culling for Efficient Ray-Cast Radiosity").
 // In:  `hit`:  instance + 1 (0 = sky), geometry, primitive
-// Out: `light_visibility`: x: bit i is set if light i is visible from the whole tile; y: if it is blocked from the whole tile;
-//              first 32 lights
-// Method: bound the start points of the tile's shadow rays by a box, and by planes above which they start: one plane for each
-//      direction that surfaces of the tile face. Walk the runtime's tree with the volume between these and the light
-//      (`mixin/light_visibility.glsl`). Tiles at the right and bottom border may be partial.
-// Fails: never; conservative: lights in neither set are traced. Backends other than `bvh` cannot be walked and set no bit.
+// Out: `light_visibility`: bits of the first 32 lights; x: bit i is set if light i is visible from the whole tile; y: bit i is
+//              set if light i is blocked from the whole tile
+// Method: bound the start points of the tile's shadow rays by a box and by planes, one plane for each direction that surfaces
+//      of the tile face. The rays start above their plane. Walk the runtime's tree with the volume between these bounds and the
+//      light (`mixin/light_visibility.glsl`). Tiles at the right and bottom border may be partial.
+// Fails: never wrong, because shadow rays to a light with neither bit are traced. With backends other than `bvh`, whose trees
+//      shaders cannot walk, no bit is set.
 #include "mixin/shade.glsl"
 #include "mixin/light_visibility.glsl"
 
@@ -21,11 +22,12 @@ float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 struct TileHits {
   bool any, has_planes;
   vec3 low, high, one;
-  float near;  // minimum over the points of the largest absolute coordinate
+  float near;  // least value, over all points, of a point's largest absolute coordinate
   uint plane_count;
 };
 
-// Number of the plane with this normal; a new plane if none is within kSameFacing and the list has room.
+// Index of the plane with this normal. If no plane's normal is within kSameFacing, a new plane is added; if the list is full,
+// `has_planes` becomes false.
 uint planeOf(inout TileHits hits, vec3 normal_ws) {
   uint i = 0u;
   while (i < hits.plane_count && dot(start_planes[i].xyz, normal_ws) < kSameFacing) ++i;
@@ -40,7 +42,7 @@ uint planeOf(inout TileHits hits, vec3 normal_ws) {
 TileHits hitsIn(ivec2 first, ivec2 end) {
   TileHits hits = TileHits(false, true, vec3(3e38), vec3(-3e38), vec3(0), 3e38, 0u);
   uint current = 0u;
-  vec4 plane = vec4(0);  // copy of plane `current` while points are added to it
+  vec4 plane = vec4(0);  // working copy of plane `current`; points are added to the copy
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
       uvec4 hit = texelFetch(hit_tex, ivec2(x, y), 0);
@@ -65,8 +67,8 @@ TileHits hitsIn(ivec2 first, ivec2 end) {
   return hits;
 }
 
-// Result of all shadow rays from the tile to a light: kFree, kStopped or kUnsure; kUnsure also if all surfaces face
-// away, so that `shade` traces no ray.
+// Result of all shadow rays from the tile to a light: kVisible (all rays reach it), kBlocked (none does) or kMixed. Also kMixed
+// if all surfaces face away from the light, because `shade` then traces no ray.
 uint restTowards(TileHits hits, SceneLight light) {
   bool is_place = light.type != LIGHT_DIRECTIONAL;
   vec3 centre = 0.5 * (hits.low + hits.high), extent = 0.5 * (hits.high - hits.low);
@@ -76,8 +78,8 @@ uint restTowards(TileHits hits, SceneLight light) {
   if (!(reach < kFarthest)) return kMixed;
   vec4 at = is_place ? vec4(light.position, 1) : vec4(-light.direction * reach, 0);
 
-  // Start points as `shadowOrigin` lifts them off the surface, with 2 % more for the box and 10 % less above the planes.
-  // Normals within a plane differ by 1.8 degrees, which shortens a lift by 0.05 %; the rest is room for rounding.
+  // `shadowOrigin` lifts the start points off the surface. The box allows for 2 % more than this lift, and the planes for 10 %
+  // less. The normals of one plane differ by up to 1.8 degrees, which shortens a lift by 0.05 %; the rest covers rounding.
   float least = max(hits.near, is_place ? length(max(away - extent, vec3(0))) : 0.0);
   RayVolumeStart start = RayVolumeStart(centre, extent + reach * (1.02 * kShadowLift), hits.one, hits.plane_count, 0u,
                                 0.9 * kShadowLift * least);

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the longest displacement in it (McGuire 2012, TileMax), shortened to the limit.
+// Per tile, the longest displacement in it (McGuire 2012, TileMax), shortened to the displacement limit.
 // In:  `velocity`:    px over the exposure
-//      `valid`:       above 1/2 where the texel counts; absent: all count
+//      `valid`:       above 1/2 at texels to include; absent: all texels are included
 //      `curve`:       curves of the paths, px; absent: straight
 //      `extra_velocity`, `extra_valid`, `extra_curve`: velocity, valid and curve of a second layer over the same pixels;
 //                     absent: none
-// Out: `longest`:     px over the exposure, at most `limit` image widths; 0 if no texel counts
-//      `curve_of_it`: curve of its path, px; 0 if paths are straight
-//      `place_of_it`: texel that has it, px; 0 if paths are straight
-// Method: maximum over the texels of the tile in both layers, by a work group. A curved path is as long as the straight
-//      displacement that reaches as far. At equal length the first texel in raster order wins, and of two layers the first.
-//      Tiles at the right and bottom border may be partial.
-// Fails: one displacement stands for a tile: crossing motions in it are lost.
+// Out: `longest`:     px over the exposure, at most `limit` image widths; 0 if no texel is included
+//      `curve_of_it`: curve of the path of `longest`, px; 0 if paths are straight
+//      `place_of_it`: texel that has the displacement `longest`, px; 0 if paths are straight
+//      `max_displacement`: entry 0: maximum over the whole image, px over the exposure, as the bits of a float
+// Method: maximum over the texels of the tile in both layers, by one work group. The length of a curved path is the length of
+//      the straight displacement that reaches as far. At equal length the first texel in raster order wins, then the first
+//      layer. Tiles at the right and bottom border may be partial.
+// Fails: one displacement represents a tile: crossing motions in a tile are lost.
 #include "mixin/path.glsl"
 #include "lib/group.glsl"
 
@@ -23,7 +24,7 @@ struct Longest {
   uint layer;
 };
 
-uint clamped = 0u;  // texels longer than the limit
+uint clamped = 0u;  // number of texels with a displacement longer than the limit
 
 Longest longestOf(Longest so_far, vec2 d, vec4 curve, ivec2 place, uint layer, float limit_px) {
   float d_length = lengthOf(d);
@@ -55,14 +56,15 @@ void run(ivec2 tile) {
     }
   }
   if (clamped > 0u) count_clamped(clamped);
-  // Ties: the first texel in raster order, then the first layer.
+  // At equal length the first texel in raster order wins, then the first layer.
   uint place = 2u * placeInTile(longest.place, first, params.tile) + longest.layer;
   if (longest.d_length == 0.0) place = gl_LocalInvocationIndex;
   if (!isGreatest(longest.d_length, place)) return;
 
   Path path = limitedPath(vec4(longest.d, 0, 0), longest.curve);
   float length_px = max(lengthOf(path.d), reachOf(path));
-  atomicMax(max_displacement_buf.entries[0], floatBitsToUint(length_px));  // bits of floats from 0 on are in their order
+  // Bits of floats of at least 0 have the order of the floats.
+  atomicMax(max_displacement_buf.entries[0], floatBitsToUint(length_px));
   imageStore(longest_img, tile, vec4(path.d, 0, 0));
 #if HAS_curve
   imageStore(curve_of_it_img, tile, path.curve);

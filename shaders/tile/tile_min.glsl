@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the length of the shortest displacement in it (Guertin et al. 2014; Jimenez 2014).
 // In:  `velocity`: px over the exposure
-//      `valid`:    above 1/2 where the texel counts; absent: all count
-// Out: `shortest`: px over the exposure, at most `limit` image widths; exactly the limit if no texel counts
-// Method: minimum over the tile, by a work group. Tiles at the right and bottom border may be partial.
-// Fails: directions are not compared: a rotating tile looks as uniform as a translating one.
+//      `valid`:    above 1/2 at texels to include; absent: all texels are included
+// Out: `shortest`: px over the exposure, at most `limit` image widths; exactly the limit if no texel is included
+// Method: minimum over the tile, by one work group. Tiles at the right and bottom border may be partial.
+// Fails: directions are not compared, so a rotating tile appears as uniform as a translating one.
 #include "mixin/limit.glsl"
 #include "lib/group.glsl"
 #include "lib/sanitise.glsl"
 
-shared uint shortest_bits;  // bits of a float of at least 0, which have the order of the floats
+shared uint shortest_bits;  // length as the bits of a float; bits of floats of at least 0 have the order of the floats
 
 void run(ivec2 tile) {
   bool is_first = gl_LocalInvocationIndex == 0u;

@@ -6,33 +6,33 @@
 //      `id`:       instance + 1, geometry + 1; 0 for the sky
 //      `hit`:      instance + 1 (0 = sky), geometry, primitive
 //      `velocity`: px over the exposure
-//      `certain`:  per cell: 1 if a gather along the motion is right, 1/2 if the cell is static, otherwise 0
-//      `longest`:  per cell: longest displacement that reaches it, px over the exposure
+//      `certain`:  per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, otherwise 0
+//      `longest`:  per cell: longest displacement of the surfaces that reach the cell, px over the exposure
 // Out: `picture`:  linear radiance, alpha 1
-// Method: the first rays are a power of two of samples apart, so that `longest` moves by at most `pace` image widths between
-//      them. Two rays at times a < b of n are accepted if error * (b - a) / n <= `allowance`, by the largest channel.
-//      Otherwise, or if the raster image shows a third surface that arrives between them, a ray halfway is traced. If both rays
-//      hit one surface that the raster image shows, the times between take its texels along the way, and the error is the
-//      larger difference between ray and texel; otherwise they take the mean of both rays, and the error is the difference of
-//      their colours. With `allowance` = 0 the result is the mean of all n times. A certain cell takes the mean of `samples`
-//      texels along the motion, without a ray.
-// Fails: a surface that appears and disappears between two rays of equal colour, unless the raster image shows it.
+// Method: trace first rays at times a power of two of samples apart, so that `longest` moves by at most `pace` image widths
+//      between two rays. Two rays at the times a < b of n suffice if error * (b - a) / n <= `allowance`, in the channel with
+//      the largest error. Otherwise, or if the raster image shows a third surface that arrives between the two times, trace a
+//      ray half-way between. If both rays hit one surface that the raster image shows, the times between take that surface's
+//      texels along its path, and the error is the larger difference between ray and texel. Otherwise the times between take
+//      the mean of both rays, and the error is the difference of their colours. With `allowance` = 0 the result is the mean of
+//      all n times. In cells with `certain` = 1 the result is the mean of `samples` texels along the motion.
+// Fails: misses a surface that appears and disappears between two rays of equal colour, unless the raster image shows it.
 #include "lib/blur.glsl"
 #include "lib/moving_rect.glsl"
 #include "lib/times.glsl"
 #include "mixin/static_background.glsl"
 
-const int kLevels = 12;  // depth of the subdivision: enough for 2^12 times; `selective` has at most 256
+const int kLevels = 12;  // depth of the subdivision; enough for 2^12 times (the pipeline `selective` has at most 256)
 
 // Result of one ray. Colours are scaled by kSumScale (toSum of lib/sanitise.glsl).
 struct Sample {
   vec3 color;
   uvec2 id;     // instance + 1, geometry + 1; 0 for the sky
-  vec3 place;   // of the point at the raster time: texel, view depth
-  float apart;  // largest difference from the raster image's colour at `place`; kFar if that does not show the point
+  vec3 place;   // position of the hit point at the raster time: texel (xy), view depth (z)
+  float apart;  // largest difference from the raster image's colour at `place`; kFar if the raster image hides the point
 };
 
-// True if the raster image shows the surface at `place`; `color` is its texel there.
+// True if the raster image shows the surface `id` at `place`. `color`: colour of the raster texel there, in the scale of sums.
 bool isKept(vec3 place, uvec2 id, out vec3 color) {
   color = vec3(0);
   ivec2 at = ivec2(round(clamp(vec2(place), vec2(-2), vec2(frame.size) + 1.0)));
@@ -75,11 +75,12 @@ Sample sampleAt(ivec2 pixel, int part, inout StaticBackground static_background)
   return result;
 }
 
-// True if both samples hit one surface and the raster image shows both points.
+// True if both samples hit one surface and the raster image shows both hit points.
 bool isTold(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
 
-// True if the raster image shows a third surface, neither a nor b, that displacement d brings to the pixel in this part of the
-// exposure. Tolerance 3/4 px: tap and path are each rounded by up to 1/2 px, and 0.71 px is the diagonal of both.
+// True if the raster image shows a third surface, neither a nor b, that the displacement d brings to the pixel in this part of
+// the exposure. The tolerance is 3/4 px, because rounding the position to a texel moves it by up to 1/2 px along each axis,
+// and by 0.71 px diagonally.
 bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
   float t = sampleTime(part, count, 0.0);
   ivec2 now = pixel + roundSymmetric(tapOffset(d, t));
@@ -89,8 +90,8 @@ bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
   return isAt(pixel, now, finiteDisplacement(texelFetch(velocity_tex, now, 0)), t, 0.75);
 }
 
-// True if the times between two samples need no ray. `sum` is then the sum over these times: of raster texels along the way if
-// the raster image shows them, otherwise of the mean of both samples.
+// True if the times between the samples a and b need no ray. `sum` is then the sum of the colours at these times. The colours
+// are raster texels along the path if both samples hit one surface that the raster image shows, otherwise the mean of a and b.
 bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum) {
   bool told = isTold(a, b);
   sum = 0.5 * float(end - at - 1) * (a.color + b.color);
@@ -106,7 +107,7 @@ bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count
   return true;
 }
 
-// Distance between the first rays, in samples: a power of two.
+// Distance in time between two successive first rays of a pixel, in samples; a power of two.
 int firstStep(vec2 d, int count) {
   float longest = lengthOf(d);
   int step = 1;
@@ -114,7 +115,8 @@ int firstStep(vec2 d, int count) {
   return step;
 }
 
-// `from`, at time `at`: the last sample in the sum. `waiting`: stack of later samples, traced already; the earliest is on top.
+// Mean radiance of the pixel over the exposure. `from`: last sample in the sum, at the time with the index `at`. `waiting`:
+// stack of later samples that are already traced; the earliest is on top.
 vec3 meanOver(ivec2 pixel) {
   vec2 d = vec2(texelFetch(longest_tex, pixel / params.cell_side, 0));
   int count = int(frame.slice_count), step = firstStep(d, count);
@@ -142,7 +144,7 @@ vec3 meanOver(ivec2 pixel) {
   return fromSum(sum / float(count));
 }
 
-// Mean of the texels that pass over the pixel, for uniform motion.
+// Mean radiance of the texels that pass over the pixel, for uniform motion.
 vec3 gathered(ivec2 pixel) {
   vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
   ivec2 size = ivec2(frame.size);

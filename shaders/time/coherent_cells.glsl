@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Per cell, a flag that a gather along the motion is right, because the image around the cell shifts as a whole.
+// Per cell, a flag that a gather along the motion is reliable, because the image around the cell shifts as a whole.
 // In:  `bounds`:   displacements of each cell, px over the exposure
 //      `velocity`: px over the exposure, at the raster time
 //      `id`:       instance + 1 at the raster time; 0 for the sky
-// Out: `certain`:  1 if the gather is right, 1/2 if the cell is static, otherwise 0
+// Out: `certain`:  1 if the gather is reliable, 1/2 if the cell is static, otherwise 0
 //      `longest`:  longest displacement of the surfaces that reach the cell, px over the exposure
-// Method: join the bounds of all cells whose surfaces reach this cell. If the box has a diagonal of at most `apart_px`, test it
-//      with `validation_rays` rays in a loop over times: each, at a random pixel of the cell and in a part of the exposure of
-//      its own, must hit the instance that the motion brings there. The rays find surfaces that no displacement of the raster
-//      time
-//      describes: curved paths, disoccluded surfaces, and surfaces from outside the image.
-// Fails: a surface much smaller than a cell that the raster image does not show and no ray hits.
+// Method: join the bounds of all cells whose surfaces reach this cell. If the diagonal of the joined box is at most `apart_px`,
+//      trace `validation_rays` rays. Each ray has a random pixel of the cell and its own part of the exposure, and must hit the
+//      instance that the motion brings there. The rays detect surfaces that the displacements of the raster time do not
+//      describe: curved paths, disoccluded surfaces, and surfaces from outside the image.
+// Fails: misses a surface much smaller than a cell that the raster image does not show and no ray hits.
 #include "lib/bounds.glsl"
 #include "lib/random.glsl"
 #include "lib/sanitise.glsl"
@@ -18,11 +17,11 @@
 #include "mixin/limit.glsl"
 #include "mixin/trace.glsl"
 
-// Displacement assumed for a surface that only a ray has found, image widths. Its motion is unknown; half the image makes the
-// first rays dense in time. The value is not derived.
+// Displacement assumed for a surface of unknown motion that only a ray has found, image widths. Half the image makes the first
+// rays of `adaptive_times` dense in time. The value is not derived.
 const float kUnknown = 0.5;
 
-// True if a surface of the cell `way` cells away that moves within these bounds reaches this cell.
+// True if a surface of another cell, `way` cells away, may reach this cell. `bounds`: bounds of that cell's displacements.
 bool comes(vec4 bounds, ivec2 way) {
   vec4 path = travelled(bounds, frame.shutter);
   vec2 side = vec2(params.cell_side), off = vec2(way) * side;
@@ -31,7 +30,7 @@ bool comes(vec4 bounds, ivec2 way) {
 
 vec4 joined(vec4 a, vec4 b) { return vec4(min(lowOf(a), lowOf(b)), max(highOf(a), highOf(b))); }
 
-// Bounds of the displacements of all surfaces that reach the cell.
+// Bounds of the displacements of all surfaces that reach the cell, px over the exposure.
 vec4 boundsOfComing(ivec2 cell) {
   ivec2 last = pass_size() - 1;
   float reach_px = spreadFactor(frame.shutter) * reachPx();
@@ -47,7 +46,7 @@ vec4 boundsOfComing(ivec2 cell) {
   return all_of_it;
 }
 
-// True if the raster image shows the instance within a pixel of `at`.
+// True if the raster image shows the instance `id` (instance + 1) at most one pixel away from `at`.
 bool shows(ivec2 at, uint id) {
   ivec2 last = ivec2(frame.size) - 1;
   for (int k = 0; k < 9; ++k) {
@@ -57,7 +56,7 @@ bool shows(ivec2 at, uint id) {
   return false;
 }
 
-// True if a ray hits the instance that the motion brings to its pixel at its time.
+// True if validation ray `number` of the cell hits the instance that the motion brings to the ray's pixel at the ray's time.
 bool agrees(ivec2 cell, uint number) {
   uint index = uint(cell.y * pass_size().x + cell.x);
   uint drawn = randomUint(index, number, 3u);
@@ -72,7 +71,7 @@ bool agrees(ivec2 cell, uint number) {
   return shows(pixel + roundSymmetric(tapOffset(d, t)), isHit(hit) ? hit.instance + 1u : 0u);
 }
 
-// Corner of a box that is farthest from zero.
+// Corner of the box `bounds` that is farthest from zero.
 vec2 longestOf(vec4 bounds) {
   vec2 low = lowOf(bounds), high = highOf(bounds);
   return mix(low, high, greaterThan(abs(high), abs(low)));

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Moving surfaces that are visible at one end of the exposure but in no layer of the raster time, because they face away then,
-// lie outside the image or behind more than one surface.
-// In:  `hit`:            at that end: instance + 1, geometry, primitive; 0 for the sky and, for a static camera, for static
-//                        surfaces
+// Moving surfaces that are visible at one end of the exposure but in no layer of the raster time, because they face away at the
+// raster time, lie outside the image, or lie behind more than one surface.
+// In:  `hit`:            surface at that end of the exposure: instance + 1, geometry, primitive; 0 for the sky and, for a
+//                        static camera, for static surfaces
 //      `depth`, `revealed_depth`: view depth of the raster and the revealed layer, m; +inf for the sky
 //      `id`, `revealed_id`: instance + 1 of both layers; 0 for the sky
 //      `revealed_valid`: above 1/2 where the revealed layer has a surface
-// Out: `disoccluded`:         1 if neither layer has the surface
-//      `velocity`:       px over the exposure, of the surface at that end
-//      `path_deviation`:           path deviation in the middle of the exposure, px
-// Method: the node's time is that end, in a loop with one time, the middle. Project the point to the raster time and look for
-//      its id and depth (within `same_depth`) in the four texels around, in both layers. Points that do not move on the screen
-//      are skipped: only their own pixel shows them, and its samples are unresolved anyway if no layer shows them.
-// Fails: a surface that appears and disappears again between the ends of the exposure.
+// Out: `disoccluded`:         1 if neither layer has the surface that the pixel shows at that end
+//      `velocity`:       displacement of this surface, px over the exposure
+//      `path_deviation`:           path deviation of this surface in the middle of the exposure, px
+// Method: this pass runs at the time of that end, in a loop with one time, the middle of the exposure. Project the hit point to
+//      the raster time and search the four texels around in both layers for its id and depth (within `same_depth`). Points
+//      that do not move on the screen are skipped, because only their own pixel shows them, and the samples of that pixel are
+//      unresolved anyway if no layer has the point.
+// Fails: misses a surface that appears and disappears again between the ends of the exposure.
 #include "lib/blur.glsl"
 #include "mixin/quantised.glsl"
 #include "mixin/surface.glsl"
 
-// True if one of the four texels around a position shows a surface of this id and depth, in the raster or the revealed layer.
+// True if one of the four texels around a position shows a surface with this id and depth, in the raster or the revealed layer.
 bool hasSurface(vec2 position_px, uint id, float depth) {
   ivec2 size = ivec2(frame.size), first = ivec2(floor(position_px - 0.5));
   for (int k = 0; k < 4; ++k) {
@@ -34,12 +35,13 @@ bool hasSurface(vec2 position_px, uint id, float depth) {
 // Path deviation in the middle of the exposure, px. The arguments are paths from the raster time, px.
 vec2 deviationOf(vec2 to_open, vec2 to_middle, vec2 to_close) { return to_middle - 0.5 * (to_open + to_close); }
 
-// True if a static surface of this id is nearer than `depth`.
+// True if `id` is a static instance and its view depth at the pixel, `depth_there`, is less than `depth`.
 bool isHiding(ivec2 pixel, uint id, float depth_there, float depth) {
   return id != 0u && instanceAt(id - 1u).moves == 0u && depth_there < depth;
 }
 
-// True if a static surface is in front, for a static camera. The image of that end omits static surfaces; the layers have them.
+// True if a static surface hides the depth `depth` at the pixel, for a static camera. The image at that end of the exposure
+// omits static surfaces, so they are read from the layers.
 bool isHidden(ivec2 pixel, float depth) {
   if (frame.camera_rests == 0u) return false;
   if (isHiding(pixel, texelFetch(id_tex, pixel, 0).x, texelFetch(depth_tex, pixel, 0).x, depth)) return true;
@@ -47,9 +49,9 @@ bool isHidden(ivec2 pixel, float depth) {
          isHiding(pixel, texelFetch(revealed_id_tex, pixel, 0).x, texelFetch(revealed_depth_tex, pixel, 0).x, depth);
 }
 
-// Result for the surface that a pixel shows at that end.
+// Result for the surface that a pixel shows at the tested end of the exposure.
 struct Disoccluded {
-  bool is_so;  // in no layer
+  bool is_so;  // the surface is in no layer
   vec2 velocity, path_deviation;
 };
 

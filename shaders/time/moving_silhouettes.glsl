@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Texels next to a texel with a different displacement: a moving silhouette may lie between the two.
-// In:  velocity: displacement, px over the exposure.
-//      velocity_post: displacement after the raster time, px over the exposure (absent: velocity).
-// Out: near: 1 if one of the eight texels around, inside the image, has a different displacement; otherwise 0.
-// Method: two displacements are different as in movesOtherwise() (lib/blur.glsl), with `slowest`.
-// Fails: surfaces narrower than a pixel that lie between texels are not found.
+// Texels next to a texel with a different displacement; a moving silhouette may lie between the two texels.
+// In:  `velocity`: displacement, px over the exposure
+//      `velocity_post`: displacement after the raster time, px over the exposure; absent: `velocity`
+// Out: `near`: 1 if one of the eight texels around, inside the image, has a different displacement; otherwise 0
+// Method: compare the displacements with movesOtherwise() (lib/blur.glsl), with the parameter `slowest`.
+// Fails: misses surfaces narrower than a pixel that lie between texels.
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 

@@ -4,15 +4,17 @@
 //      `id`:       instance + 1; 0 for the sky
 //      `velocity`: px over the exposure
 //      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
-//      `normal`:   unit, world; absent: growth is not tested
-// Out: `curve`:    parabola: px; arc: px, logarithm of the growth factor and turn in radians, over the exposure
+//      `normal`:   unit normal in world space; absent: growth is not tested
+// Out: `curve`:    xy: path deviation in the middle, px; zw: for an arc, logarithm of the growth factor and turn in radians,
+//                  over the exposure
 //      `path_deviation`:     path deviation in the middle of the exposure, px
-//      `nonlinear`:     1 if the path is more than `max_deviation` px from the curve at a time of the loop, or if a pixel grows
-//                  to more than `max_stretch` px
+//      `nonlinear`:     1 if the path is more than `max_deviation` px from the curve at a time of the loop, or if two points
+//                  one pixel apart move more than `max_stretch` px apart
 // Method: the loop has three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs five, at 1/10, 3/10, 5/10, 7/10 and 9/10.
-//      Both curves meet the path in the middle. On an arc, the second differences of the positions turn and grow as the arc
-//      does, whatever its centre and the motion of the centre: the quotient of two second differences gives turn and growth.
-// Fails: parabolas beyond a sixth of a turn, arcs beyond one and a quarter turns; circles seen obliquely.
+//      Both curves meet the path in the middle of the exposure. On an arc, the second differences of the positions turn and
+//      grow as the arc does, for any centre and any linear motion of the centre. The quotient of two second differences
+//      therefore gives turn and growth.
+// Fails: parabolas fail beyond a sixth of a turn, arcs beyond one and a quarter turns. Circles seen obliquely are neither.
 #include "mixin/quantised.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"
@@ -22,13 +24,15 @@ const int kPoses = PARAM_trajectory == trajectory_arc ? 5 : 3;
 float timeOfPose(int k) { return (float(k) + 0.5) / float(kPoses); }
 
 #if ON_ARCS
-// Shortest second difference that is more than rounding, px: about four float spacings at 2048 to 4096 px.
-// Largest logarithm of a growth factor over the exposure: e^4 = 55, not derived. Beyond each limit the curve is a parabola.
-// Largest turn, radians. The two differences are 0.4 of the exposure apart, so turns are unique below pi / 0.4 = 7.85; 2 % less
-// keeps rounding from reversing the sign.
+// Limits of an arc; beyond each limit the curve is a parabola.
+// kLeastDifference: shortest second difference that exceeds rounding errors, px; about four float spacings at 2048 to 4096 px.
+// kMaxStretch: largest logarithm of a growth factor over the exposure (e^4 = 55); not derived.
+// kMostTurn: largest turn, radians. The two second differences are 0.4 of the exposure apart, so turns are unique below
+// pi / 0.4 = 7.85. The value is 2 % less, so that rounding cannot reverse the sign.
 const float kLeastDifference = 1e-3, kMaxStretch = 4.0, kMostTurn = 7.7;
 
-// Logarithm of the growth factor, and turn in radians, of a path over the exposure, from its positions at the five times.
+// Logarithm of the growth factor (x), and turn in radians (y), of a path over the exposure; 0 if it is not an arc. `places`:
+// positions at the five times, px.
 vec2 turnOf(vec2 places[kPoses]) {
   vec2 early = places[0] - 2.0 * places[1] + places[2], late = places[2] - 2.0 * places[3] + places[4];
   if (min(lengthOf(early), lengthOf(late)) < kLeastDifference) return vec2(0);

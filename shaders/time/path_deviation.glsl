@@ -4,17 +4,18 @@
 //      `id`:       instance + 1; 0 for the sky
 //      `velocity`: px over the exposure
 //      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
-//      `normal`:   unit, world; absent: growth is not tested
+//      `normal`:   unit normal in world space; absent: growth is not tested
 // Out: `path_deviation`:     path deviation, px: position in the middle of the exposure minus the midpoint of the path's ends
 //      `nonlinear`:     1 if `path_deviation` is longer than `max_deviation` px, or if a pixel grows to more than `max_stretch`
 //        px
-// Method: pose the point at shutter open, in the middle and at shutter close (a loop with one time, the middle). A pixel's
-//      growth is the largest distance, at either end, between two points that were one pixel apart at the raster time.
-// Fails: a path that leaves its line and returns within half of the exposure counts as straight.
+// Method: pose the point at shutter open, in the middle of the exposure and at shutter close. The loop has one time, the
+//      middle. A pixel's growth is the largest distance, at shutter open or close, of two points that are one pixel apart at
+//      the raster time.
+// Fails: a path that leaves its line and returns to it by the middle of the exposure counts as straight.
 #include "mixin/quantised.glsl"
 #include "mixin/texel_path.glsl"
 
-// Middle of the exposure, shutter open, shutter close.
+// Slices of the middle of the exposure, of shutter open and of shutter close.
 const uint kSlices[3] = uint[3](SLICE_SAMPLE, SLICE_SHUTTER_OPEN, SLICE_SHUTTER_CLOSE);
 
 // Path deviation of the surface at a texel, in the middle of the exposure, px. An end at the raster time adds 0.

@@ -8,7 +8,7 @@
 // Method: draw one of the loop's times by a hash of pixel, frame and seed, trace the scene as posed at that time, and shade the
 //      hit as at the raster time. The mean over seeds is the mean over the loop's times. If `dominant` moves no surface by more
 //      than half a pixel, copy `color` and `velocity`.
-// Fails: noise, since one time stands for all. A surface that enters the image where no tile has a displacement is missed.
+// Fails: noise, because one time represents all. A surface that enters the image where no tile has a displacement is missed.
 #include "lib/blur.glsl"
 #include "lib/noise.glsl"
 #include "mixin/shade.glsl"

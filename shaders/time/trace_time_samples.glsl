@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Traces the time samples that no layer resolves, each at the time of the sample.
-// In:  `partial`:           linear: sum of the resolved samples, divided by the number of all; alpha: share of resolved samples
+// In:  `partial`:           linear radiance: sum of the resolved samples, divided by the number of all samples; alpha: share of
+//        resolved samples
 //      `unresolved`:           bit i is set if time i of the loop is unresolved
 //      `hit`:            raster layer: instance + 1 (0 = sky), geometry, primitive
 //      `color`, `revealed_color`: linear radiance of the raster layer and of the revealed layer
@@ -9,11 +10,12 @@
 //      `revealed_valid`: above 1/2 where the revealed layer has a surface
 // Out: `picture`:        linear radiance, alpha 1
 // Method: trace the scene as posed at the sample's time. If a layer shows the hit point, take that layer's colour
-//      (mixin/raster_color.glsl); otherwise shade the point as at the raster time. The mean over the unresolved samples fills
-//      their share. In the share `validation_share` of the pixel blocks in the moving rectangle, the resolved samples are
-//      traced too: the counter `mismatched` counts pixels whose mean differs by more than the share `mismatch_tolerance`.
-// Fails: highlights and shadows do not move within the exposure. Silhouettes are aliased: the ray goes through the centre of
-//      the pixel.
+//      (mixin/raster_color.glsl). Otherwise shade the point as at the raster time. Add the mean of the traced samples with the
+//      weight of the unresolved samples. For validation, the resolved samples are traced too in the share `validation_share` of
+//      the pixel blocks in the moving rectangle. The counter `mismatched` counts pixels whose traced mean differs from the mean
+//      of the layers by more than the share `mismatch_tolerance`.
+// Fails: highlights and shadows do not move within the exposure. Silhouettes are aliased, because each ray goes through the
+//      centre of the pixel.
 #include "lib/validation.glsl"
 #include "lib/parts.glsl"
 #include "lib/moving_rect.glsl"
@@ -29,7 +31,7 @@ vec3 sampleAt(ivec2 pixel, uint slice, inout StaticBackground static_background)
   return color;
 }
 
-// Mean radiance over these times.
+// Mean radiance at the pixel over the times in the set `times`.
 vec3 meanOf(ivec2 pixel, uvec2 times, inout StaticBackground static_background) {
   int count = countParts(times);
   vec3 sum = vec3(0);
@@ -42,12 +44,13 @@ vec3 meanOf(ivec2 pixel, uvec2 times, inout StaticBackground static_background) 
     all_hit = withColor(all_hit, color);
   }
 #if PARAM_shades_contrast
-  if (isNarrow(all_hit, 0.0)) return all_hit.low;  // equal colours: exact
+  if (isNarrow(all_hit, 0.0)) return all_hit.low;  // the mean of equal colours is exact, without rounding
 #endif
   return fromSum(sum / float(count));
 }
 
-// Compares the mean of the resolved samples with traced ones. 1e-3 (linear radiance) keeps black pixels from mismatching.
+// Compares the mean of the resolved samples with the mean `is_so` of traced samples at the same times, and counts a mismatch.
+// The tolerance has the constant part 1e-3 (linear radiance), so that nearly black pixels do not mismatch.
 void validation_share(vec4 partial, vec3 is_so) {
   vec3 said = vec3(partial) / partial.a;
   vec3 apart = abs(said - is_so), larger = max(abs(said), abs(is_so));
@@ -64,8 +67,8 @@ void run(ivec2 pixel) {
                    isValidated(pixel / kValidationBlock, params.validation_share);
   if (hasParts(unresolved) || validated) {
     StaticBackground static_background = staticBackgroundAt(pixel);
-    // Round 0 audits the resolved samples, round 1 traces the unresolved ones. One loop: each copy of `sampleAt` takes seconds
-    // to compile.
+    // Round 0 validates the resolved samples, round 1 traces the unresolved samples. One loop serves both, because each inlined
+    // copy of `sampleAt` takes seconds to compile.
     for (int round = validated ? 0 : 1; round < (hasParts(unresolved) ? 2 : 1); ++round) {
       bool is_unresolved = round == 1;
       vec3 mean = meanOf(pixel, is_unresolved ? unresolved : all_times & ~unresolved, static_background);

@@ -3,12 +3,12 @@
 // In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
 //      `id`:       instance + 1; 0 for the sky
 //      `velocity`: px over the exposure
-// Out: `before`:   velocity before the raster time, scaled to the whole exposure, px
-//      `after`:    velocity after the raster time, scaled to the whole exposure, px
-// Method: pose the point at both ends of the exposure and divide each path by its part of the exposure. A point at y at the
-//      raster time is at y + before * t for t < 0 and at y + after * t for t > 0. Both outputs equal `velocity` if the exposure
-//      lies on one side of the raster time, or if joints or morph targets deform the instance: `id` does not identify the point
-//      then.
+// Out: `velocity_pre`:   velocity before the raster time, scaled to the whole exposure, px
+//      `velocity_post`:  velocity after the raster time, scaled to the whole exposure, px
+// Method: pose the point at both ends of the exposure and divide each path by its part of the exposure. A point that is at y at
+//      the raster time is at y + velocity_pre * t for t < 0 and at y + velocity_post * t for t > 0. Both outputs equal
+//      `velocity` if the exposure lies on one side of the raster time. They also do if joints or morph targets deform the
+//      instance, because `id` then does not identify the point.
 // Fails: motion that changes direction or speed at any time other than the raster time.
 #include "lib/blur.glsl"
 #include "mixin/quantised.glsl"

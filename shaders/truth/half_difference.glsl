@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Per block of pixels, the squared difference of the means of two halves of the samples; first step of the stop test.
-// In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
+// In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: number of samples
 // Out: `half_difference`: x: sum of (mean a - mean b)^2 over the block's pixels and channels; y: number of pixels, 0 if a half
 //                has no sample in one of the pixels
 // Method: sum over a block, whose side is `block` px. Blocks at the right and bottom border may be partial.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Mean of two independent halves of the samples, and its error.
-// In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
+// In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: number of samples
 // Out: `color`:      linear radiance, mean of all samples; alpha 1
-//      `error rgb:`: mean a - mean b| / 2; alpha: number of samples
+//      `error`:      rgb: |mean a - mean b| / 2, linear radiance; alpha: number of all samples
 // Method: the mean is weighted by the numbers of samples. The root mean square of `error` over the image is the standard error
 //      of `color`.
 // Fails: if a half has no samples, the error is 0 although it is unknown.

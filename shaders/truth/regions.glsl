@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Image regions for the report of errors, from the surfaces that the time samples hit.
-// In:  `regions`: bits of lib/regions.glsl, combined by or over all samples
-// Out: `inner`:   1 if a sample hits another, farther instance than the raster sample
+// In:  `regions`: region bits of all samples (lib/regions.glsl), combined by bitwise or
+// Out: `inner`:   1 if a sample hits another, farther instance than the raster layer shows at the pixel
 //      `hidden`:  1 if a sample hits a point that is occluded at the raster time
-//      `outer`:   1 if a sample hits another, nearer instance than the raster sample
-//      `self`:    1 if a sample hits a point of the raster sample's instance that is occluded at the raster time
-// Method: one image per bit.
+//      `outer`:   1 if a sample hits another, nearer instance than the raster layer shows at the pixel
+//      `self`:    1 if a sample hits an occluded point of the instance that the raster layer shows at the pixel
+// Method: write each bit to its own image.
 // Fails: never.
 #include "lib/regions.glsl"
 

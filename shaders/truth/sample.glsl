@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Adds one time sample to each pixel's mean, by distributed ray tracing in time (Cook, Porter, Carpenter 1984).
 // In:  `hit`:     raster layer: instance + 1 (0 = sky), geometry, primitive
-//      `pixel_list`:  pixels to run over; absent: all
-//      `light_visibility`:    per shadow tile: lights visible from all of the tile's surfaces, and blocked from all
-//        (`tile_light_visibility`)
+//      `pixel_list`:  pixels to sample; absent: all pixels
+//      `light_visibility`:    output of `tile_light_visibility`: per shadow tile, bits of the lights that are visible (x) and
+//                 blocked (y) from all surfaces of the tile
 //      `known_hit`, `known_shadows`, `even_color`: consensus of the first samples (truth/sample_consensus.glsl); absent: none
-//      `first_static`, `first_static_mean`, `first_regions`: `static_background`, `static_mean` and `regions` of the samples
-//                 before this loop; absent: none
-// Out: `mean_a`, `mean_b`: updated, like all outputs; rgb: mean linear radiance of each half of the samples; alpha: their
-//                 number
+//      `first_static`, `first_static_mean`, `first_regions`: outputs `static_background`, `static_mean` and `regions` of the
+//                 samples before this loop; absent: none
+// Out: (all outputs are updated) `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
 //      `regions`: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
-//      `static_background`:  surface that the static hits have in common, with its distance; for `pixel` = box, of the moving
-//                 hits if none is static (lib/consensus.glsl)
-//      `static_mean`:   rgb: mean linear radiance of the static hits; alpha: their number
+//      `static_background`:  common surface of the static hits, with its distance (lib/consensus.glsl). With `pixel` = box, the
+//                 common surface of the moving hits if no hit is static
+//      `static_mean`:   rgb: mean linear radiance of the static hits; alpha: number of static hits
 //      `contrast`:  largest difference of a static sample's radiance from the mean before it, as a share of that mean
 //      `shadows`: visible and blocked lights of two instances (lib/consensus.glsl)
-// Method: draw one of the iteration's times, trace the scene as posed then, shade the hit, add the radiance without clamping.
-//      Exact shortcuts: static surfaces are found once per ray; moving surfaces have a tree of their own. Assumed: a consensus
-//      of the first samples holds for the others (docs/truth.md lists the rays that each consensus saves).
-// Fails: a surface between all first samples is missed. The share `validation_share` of the pixel blocks traces every ray and
+// Method: draw one of the iteration's times, trace the scene as posed at that time, shade the hit, and add the radiance without
+//      clamping. Two shortcuts are exact: static surfaces are found once per ray, and moving surfaces have their own tree. One
+//      shortcut is an assumption: later samples agree with the consensus of the first samples (docs/truth.md).
+// Fails: misses a surface between all first samples. The share `validation_share` of the pixel blocks traces every ray and
 //      counts contradictions.
 #include "lib/validation.glsl"
 #include "lib/mean.glsl"
@@ -35,7 +34,8 @@ bool sameTransform(SceneTransform a, SceneTransform b) {
   return a.row_x == b.row_x && a.row_y == b.row_y && a.row_z == b.row_z;
 }
 
-// True if the instance has the pose of the raster time. False for deformed instances, whose vertices are not compared.
+// True if the instance has its pose of the raster time in this slice. False for deformed instances, because their vertices are
+// not compared.
 bool isPosedAlike(uint slice, uint instance) {
   return !deforms(instance) && sameTransform(transformOf(slice, instance), transformOf(SLICE_RASTER, instance));
 }
@@ -47,22 +47,22 @@ bool cameraIsStill(uint slice) {
          a.half_extent == b.half_extent;
 }
 
-// A hit in the form of lib/consensus.glsl.
+// The hit in the form of lib/consensus.glsl: instance + 2, geometry, triangle.
 uvec4 idsOf(Hit hit) {
   return isHit(hit) ? uvec4(hit.instance + 2u, hit.geometry, hit.primitive, 0u) : uvec4(kSkySurface, 0u, 0u, 0u);
 }
 
-// True if an audited sample contradicts the consensus or the known shadows.
+// True if a validated sample contradicts the consensus or the known shadows.
 bool misses = false;
 
-// True for a moving surface, with a static camera.
+// True if the camera is static and `ids` is one moving surface.
 bool isMoving(uvec4 ids) {
   return frame.camera_rests != 0u && isOneSurface(ids) && ids.x != kSkySurface && instanceAt(instanceOf(ids)).moves != 0u;
 }
 
-// True if the point was occluded at the raster time or behind the near plane. The last 2^-12 of the way is not tested: it holds
-// the point's own surface. With a static camera only moving surfaces occlude a static point, and nothing occludes a rigid
-// instance in front of everything.
+// True if the hit point is occluded at the raster time, or behind the near plane at that time. The last 2^-12 of the distance
+// to the point is not tested, because the point's own surface lies there. With a static camera, only moving surfaces occlude a
+// static point, and nothing occludes a rigid instance that is in front of everything.
 bool wasOccluded(ivec2 pixel, Hit hit) {
   bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
   if (by_moving && !isReachedAt(SLICE_RASTER, pixel)) return false;
@@ -77,7 +77,8 @@ bool wasOccluded(ivec2 pixel, Hit hit) {
   return isHidden(SLICE_RASTER, mask, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
 }
 
-// Pixel that shows the point at the raster time; false if the point is outside the image or the near plane.
+// True if the hit point is inside the image and beyond the near plane at the raster time. `place`: pixel at the point's
+// position at that time.
 bool isInRaster(Hit hit, out ivec2 place) {
   vec3 position_vs = viewFromWorld(SLICE_RASTER, positionOf(SLICE_RASTER, hit));
   vec2 place_px = pixelFromView(SLICE_RASTER, position_vs);
@@ -88,15 +89,17 @@ bool isInRaster(Hit hit, out ivec2 place) {
   return true;
 }
 
-// Regions of occluded points that this sample may add to the pixel; 0 if the pixel has them already.
+// Bits of the report regions that an occluded point at this hit would add to the pixel; 0 if the pixel has them all. `known`:
+// bits that the pixel has.
 uint wantedRegions(ivec2 pixel, Hit hit, uint known) {
   if (!isHit(hit)) return 0u;
   uint wanted = hit.instance + 1u == hit_at(pixel).x ? kRegionHidden | kRegionSelf : kRegionHidden;
   return (known & wanted) != wanted ? wanted : 0u;
 }
 
-// Regions of a sample. `is_static`: neither camera nor instance has moved, so a comparison with the depth of the raster sample
-// replaces the occlusion test. `hidden`: otherwise, the regions of an occluded point; 0 if it is visible at the raster time.
+// Bits of the report regions of a sample. `is_static`: neither camera nor instance has moved since the raster time, so a
+// comparison with the depth of the raster layer replaces the occlusion test. `hidden`: result of the occlusion test if
+// `is_static` is false: bits of the regions of an occluded point, or 0 if the point is visible at the raster time.
 uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_static, uint hidden) {
   uvec4 ids = hit_at(pixel);
   uint id = isHit(hit) ? hit.instance + 1u : 0u;
@@ -115,7 +118,7 @@ uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_static, uint h
   return found | hidden;
 }
 
-// True if some rays pass through the triangle, because alpha cuts holes into it.
+// True if rays may pass through the triangle, because its material has alpha cut-outs.
 bool hasHoles(uvec4 ids) {
 #if FACT_alpha
   if (ids.x == kSkySurface) return false;
@@ -125,20 +128,20 @@ bool hasHoles(uvec4 ids) {
 #endif
 }
 
-// Adds the sample to the mean of its half. The difference of the halves gives the error of their mean.
+// Adds the sample to the mean of its half of the samples. The difference of the two halves gives the error of their mean.
 void addSample(ivec2 pixel, uint number, vec3 color) {
   uint half_of = PARAM_pixel == pixel_box ? stratifiedHalf(number) : frame.iteration & 1u;
   if (half_of == 0u) imageStore(mean_a_img, pixel, withSample(imageLoad(mean_a_img, pixel), color));
   else imageStore(mean_b_img, pixel, withSample(imageLoad(mean_b_img, pixel), color));
 }
 
-// Sets all samples of the exposure at once, for pixels where no moving surface can be visible.
+// Sets both means as if all samples of the loop had this colour, for pixels where no moving surface can be visible.
 void setSamples(ivec2 pixel, vec3 color) {
   imageStore(mean_a_img, pixel, vec4(color, float((frame.iteration_count + 1u) / 2u)));
   imageStore(mean_b_img, pixel, vec4(color, float(frame.iteration_count / 2u)));
 }
 
-// Static surface that earlier samples hit, in this loop or in the one before it.
+// Static surface that earlier samples of the pixel hit, in this loop or in the loop before it (lib/consensus.glsl).
 uvec4 staticBefore(ivec2 pixel) {
   uvec4 static_background = imageLoad(static_background_img, pixel);
   return static_background.x == kNoSurface ? first_static_at(pixel) : static_background;
@@ -151,7 +154,8 @@ vec4 staticMeanBefore(ivec2 pixel) {
 
 uint regionsBefore(ivec2 pixel) { return imageLoad(regions_img, pixel).r | first_regions_at(pixel).r; }
 
-// Intersection of a ray with the surface of the consensus; a miss if the ray passes beside it or through a hole.
+// Intersection of a ray with the surface of the consensus; a miss if the ray passes beside the surface or through a hole in it.
+// `t`: distance along the ray.
 Hit hitOnConsensus(uint slice, Ray ray, uvec4 consensus, out float t) {
   uint instance = instanceOf(consensus);
   bool one_triangle = isOneTriangle(consensus) && !hasHoles(consensus) && !isMoving(consensus);
@@ -164,13 +168,13 @@ Hit hitOnConsensus(uint slice, Ray ray, uvec4 consensus, out float t) {
   return hit;
 }
 
-// Surface on a sample's ray that is known without tracing the whole scene.
+// Surface on a sample's ray that earlier samples have found, so that the ray need not test the whole scene.
 struct Known {
-  bool is_known, is_found;  // is_found: static, hit by an earlier sample on the same ray
+  bool is_known, is_found;  // is_found: the surface is static, and an earlier sample on the same ray hit it
   Hit hit;
-  float t;       // as the ray measures it
+  float t;       // distance along the ray, as traversal computes it
   uvec4 consensus;  // consensus of the first samples
-  Hit taken;     // intersection of this ray with `consensus`
+  Hit taken;     // intersection of this ray with the surface `consensus`
 };
 
 Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) {
@@ -193,7 +197,7 @@ Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) 
   return known;
 }
 
-// True if a fully traced sample hits another surface than the consensus predicts.
+// True if a fully traced sample, `hit`, is on another surface than the consensus predicts.
 bool contradicts(Known known, Hit hit) {
   if (!isOneSurface(known.consensus)) return false;
   uvec4 ids = idsOf(hit);
@@ -202,8 +206,8 @@ bool contradicts(Known known, Hit hit) {
   return isAtRest(hit) && known.consensus.xyz != ids.xyz;
 }
 
-// Known shadows of a point, in the form of lib/consensus.glsl. `is_shown`: the first samples hit its triangle at the raster
-// time.
+// Known shadows at the hit point, in the form of lib/consensus.glsl; 0 if unknown. `is_shown`: true if the camera moves and the
+// first samples hit only the point's triangle at the raster time.
 uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   is_shown = false;
   if (!kFrozen || !isHit(hit)) return 0u;
@@ -216,8 +220,8 @@ uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   return shadowsOf(known_shadows_at(place), hit.instance);
 }
 
-// Nearest hit on a sample's ray: the static hit `static_background` if it is known, or a moving surface in front. At equal
-// distance the first instance of the scene wins. `t`: distance as the ray computes it.
+// Nearest hit on a sample's ray. If the hit `static_background` is known, the ray tests only moving surfaces up to that hit. At
+// equal distance the first instance of the scene wins. `t`: distance along the ray, as traversal computes it.
 Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit static_background, inout float t) {
   if (is_known && (!isAtRest(static_background) || !isReachedAt(slice, pixel))) return static_background;
   uint mask = is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
@@ -225,17 +229,19 @@ Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit static_backg
   Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, end, NO_INSTANCE, NO_INSTANCE);
   if (is_known && (!isHit(hit) || (hit.t == t && hit.instance > static_background.instance))) return static_background;
   t = hit.t;
-  // Intersected again as for the raster layer: independent of the device, and bit for bit equal for static surfaces.
+  // Intersect the ray again by the function of the raster layer, so that the result does not depend on the device and is equal
+  // bit for bit for static surfaces.
   return isHit(hit) ? hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive) : hit;
 }
 
-// Sets the lights known to be visible (x) and blocked (y).
+// Sets the lights that `shade` takes as visible (bits x) and as blocked (bits y) without a shadow ray.
 void takeAsKnown(uvec2 lights) {
   known_free = found_free = lights.x;
   known_blocked = found_blocked = lights.y;
 }
 
-// `known`: lights that are visible (x) and blocked (y).
+// Linear radiance of a hit, or of the sky. `known`: bits of the lights known to be visible (x) and blocked (y). They replace
+// shadow rays only with `spares_rays`; otherwise a contradiction sets `misses`.
 vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   if (!isHit(hit)) return environment(ray.direction);
   takeAsKnown(spares_rays ? known : uvec2(0u));
@@ -244,7 +250,7 @@ vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   return color;
 }
 
-// The surfaces of earlier samples, combined with one more.
+// Summary of the surfaces of earlier samples and of one more surface, `ids` (lib/consensus.glsl).
 uvec4 withSurface(uvec4 before, uvec4 ids) {
   if (before.x == kNoSurface) return ids;
   if (before.xy != ids.xy) return uvec4(kSeveralSurfaces, 0u, 0u, 0u);
@@ -252,14 +258,14 @@ uvec4 withSurface(uvec4 before, uvec4 ids) {
   return before;
 }
 
-// Records a moving surface, unless a sample has hit a static one.
+// Records a moving surface, unless an earlier sample has hit a static surface.
 void noteMoving(ivec2 pixel, Hit hit) {
   uvec4 before = imageLoad(static_background_img, pixel);
   if (before.x == kNoSurface || isMoving(before)) imageStore(static_background_img, pixel, withSurface(before, idsOf(hit)));
 }
 
-// Records a static surface, or a surface at the raster time, and its shadows, for the consensus and for later samples. False
-// for the first such sample of the pixel.
+// Records a surface and its shadows for the consensus and for later samples. The surface is static, or the hit of a probe at
+// the raster time. Returns false for the first such sample of the pixel, otherwise true.
 bool noteSurface(ivec2 pixel, Hit hit, float background_t) {
   uvec4 before = imageLoad(static_background_img, pixel);
   bool is_first = before.x == kNoSurface || isMoving(before);
@@ -285,8 +291,9 @@ void note(ivec2 pixel, Hit hit, float background_t, vec3 color) {
 #endif
 }
 
-// Lights visible (x) and blocked (y) from the whole shadow tile, if the raster image shows the hit: its triangle at the pixel,
-// or for samples all over the pixel its surface at the pixel and at the eight around it.
+// Bits of the lights visible (x) and blocked (y) from the whole shadow tile; 0 if the raster image does not show the hit. With
+// pixel = centre, the pixel must show the hit's triangle. With pixel = box, the pixel and the eight pixels around it must show
+// the hit's surface.
 uvec2 knownShadows(ivec2 pixel, Hit hit) {
   if (!isHit(hit)) return uvec2(0u);
   uvec3 ids = uvec3(hit.instance + 1u, hit.geometry, hit.primitive);
@@ -304,8 +311,8 @@ uvec2 knownShadows(ivec2 pixel, Hit hit) {
 }
 
 #if PARAM_probes
-// Records the surface at the raster time at a position in the pixel, and its shadows. Its radiance is not used, because the
-// camera moves.
+// Traces a ray at the raster time through a position in the pixel, and records the surface hit and its shadows. The radiance is
+// not used, because the camera moves.
 void probe(ivec2 pixel, vec2 position_px) {
   Ray ray = cameraRay(SLICE_RASTER, position_px);
   float t = kFar;
@@ -340,7 +347,8 @@ void run(ivec2 pixel) {
   bool at_rest = isAtRest(hit);
   misses = !spares_rays && contradicts(known, hit);
 
-  // Occlusion at the raster time: tested for regions, and with a moving camera if the known shadows save more than one ray.
+  // Test the occlusion at the raster time if the regions need it. With a moving camera, also test it if the known shadows save
+  // more than one ray.
   uint regions = 0u, wanted = 0u;
   bool is_static = false, is_shown;
 #if PARAM_mark_regions

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Threshold of the priority that at most a given share of the pixels exceed.
+-- Priority threshold: at most a given share of the pixels have a higher priority.
 local pass = require "strobe.pass"
 
 return pass.compute {

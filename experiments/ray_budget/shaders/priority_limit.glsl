@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threshold of the priority (lib/priority.glsl) that at most a given share of the pixels exceed.
+// Priority threshold (lib/priority.glsl): at most a given share of the pixels have a higher priority.
 // In:  priority: priority of each pixel; only the size of the image is read.
 //      counts: histogram of priority_histogram.glsl: entry i is the number of pixels with priority i.
 // Out: limit: threshold, one texel: the largest priority that is not selected; 0 if all masked pixels fit in the share.

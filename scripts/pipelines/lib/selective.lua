@@ -16,13 +16,13 @@ local most_parts = 256   -- largest number of scene times in one iteration
 function selective.is_gather(effort) return effort == 0 end
 function selective.is_truth(effort) return effort >= truth_from end
 
--- Number of time samples of ground truth: 16 times `samples` at effort 1. The number halves with each tenth of effort below 1.
+-- Number of time samples of ground truth: 16 times `samples` at effort 1. The number halves if the effort falls by 0.1.
 function selective.truth_samples(effort, samples)
   return math.max(1, math.floor(16 * samples * 2 ^ (10 * (effort - 1)) + 0.5))
 end
 
--- Settings of an effort below ground truth. The allowed error halves with each tenth of effort. The displacement between the
--- first rays of a pixel (`pace`) halves with every second tenth.
+-- Settings for an effort above 0 and below `truth_from`. The allowed error halves if the effort rises by 0.1. The displacement
+-- between the first rays of a pixel (`pace`) halves if the effort rises by 0.2.
 function selective.settings(effort, samples)
   local tenths = 10 * effort - 1
   local finer = math.floor(math.max(0, math.min(2, tenths / 2)))

@@ -87,7 +87,7 @@ end
 
 -- ---- looks
 
--- Colours are multiples of 1/64, so that sums of their two terms are exact.
+-- Returns a colour as the weighted sum of two terms. Both terms are multiples of 1/64, so that the sum is exact.
 local function color_of(i, name)
   local color = {}
   for c = 1, 3 do
