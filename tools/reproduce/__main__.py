@@ -157,7 +157,7 @@ def report_stale(root, as_json):
     if as_json:
         print(json.dumps([one.data() for one in found], indent=1, ensure_ascii=False))
     else:
-        print("\n".join(one.text(root) for one in found) or "no input of a result or a picture changed")
+        print("\n".join(one.text() for one in found) or "no input of a result or a picture changed")
     return 1 if found else 0
 
 

@@ -3,8 +3,8 @@
 """Inputs of results and pictures: the scripts, shaders and scenes that they depend on, each with a hash of its content.
 
 Results of experiments have them in their field `inputs`, which the program writes. Committed pictures have them in
-docs/pictures/inputs.json, by picture. Names of inputs begin with "strobe:" (this repository) or "shared:" (the shared
-data).
+docs/pictures/inputs.json, by picture. Names of inputs begin with "strobe:" (this repository), "shared:" (the shared data)
+or "project:" (the folder of the result, if that is a project).
 
     tools/reproduce/inputs.py FILE PICTURE SOURCE...
 
@@ -21,7 +21,7 @@ from pathlib import Path
 HOME = Path(__file__).resolve().parent.parent.parent
 PICTURES = "docs/pictures/inputs.json"
 NOT_RECORDED = "inputs are not recorded"
-SHIPPED, SHARED = "strobe:", "shared:"
+SHIPPED, SHARED, PROJECT = "strobe:", "shared:", "project:"
 GLSL = re.compile(rb"()(?://[^\n]*|/\*.*?\*/)", re.DOTALL)
 LUA = re.compile(rb"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|\[(=*)\[.*?\]\2\])|--(?:\[(=*)\[.*?\]\3\]|[^\n]*)""", re.DOTALL)
 COMMENTS = {".glsl": GLSL, ".h": GLSL, ".lua": LUA}
@@ -43,9 +43,12 @@ def shared_folder(root):
     return Path(os.environ.get("STROBE_DATA", root.parent / "shared"))
 
 
-def path_of(root, name):
+def path_of(root, name, project=None):
+    """Where an input lies. `project`: the folder of the result or the picture."""
     if name.startswith(SHARED):
         return shared_folder(root) / name[len(SHARED):]
+    if name.startswith(PROJECT):
+        return (project or root) / name[len(PROJECT):]
     return root / name.removeprefix(SHIPPED)
 
 
@@ -71,10 +74,10 @@ def of_source(root, source):
     return {name: hash_of(file) for name, file in named.items() if file.is_file()}
 
 
-def changed(root, inputs):
+def changed(root, inputs, project):
     """Names of inputs whose content is another one now. Shared data that is not here is not looked at."""
     def is_changed(name, was):
-        file = path_of(root, name)
+        file = path_of(root, name, project)
         if name.startswith(SHARED) and not shared_folder(root).is_dir():
             return False
         return not file.is_file() or hash_of(file) != was

@@ -18,11 +18,10 @@ class Stale:
     pages: list    # pages that state numbers of the result or show the picture
     reason: str = ""  # why nothing is known about the inputs
 
-    def text(self, root):
-        missing = [name for name in self.changed if not inputs.path_of(root, name).is_file()]
-        files = [name.removeprefix(inputs.SHIPPED) + (" (removed)" if name in missing else "") for name in self.changed]
+    def text(self):
         pages = f" [{', '.join(self.pages)}]" if self.pages else ""
-        return f"{self.name}{pages}: {self.reason or ', '.join(files)}"
+        files = ", ".join(name.removeprefix(inputs.SHIPPED) for name in self.changed)
+        return f"{self.name}{pages}: {self.reason or files}"
 
     def data(self):
         return asdict(self)
@@ -64,7 +63,7 @@ def stale_files(root, pictures, marks):
         made_from[str(file.relative_to(root))] = json.loads(file.read_text()).get("inputs")
     pages, found = pages_by_file(root, marks), []
     for name, files in sorted(made_from.items()):
-        changed = inputs.changed(root, files or {})
+        changed = inputs.changed(root, files or {}, (root / name).parent)
         if files is None or changed:
             found.append(Stale(name, changed, sorted(pages.get(name, ())), inputs.NOT_RECORDED if files is None else ""))
     return found
