@@ -128,8 +128,8 @@ std::string Batch::contentOf(const Shot& wanted) {
   for (const plan::PlanNode& node : planned.plan->nodes)
     shaders += shadersOf(planned.plan->pipeline.passes[size_t(node.pass)], planned.backend);
   const Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
-  for (const auto* files : {&evaluated.evaluation->scripts, &scene->loaded.dependencies})
-    for (const script::Dependency& file : *files) inputs_.insert(file.path);
+  for (const script::Dependency& file : evaluated.evaluation->scripts) inputs_.insert(file.path);
+  for (const script::Dependency& file : scene->loaded.dependencies) inputs_.insert(file.path);
   shot.scene.clear();
   return hashText(fmt::format("{}|{}|{}|{}|{}|{}{}", frameIdentity(shot), sceneIdentity(shot), scene->loaded.hash,
                               planned.hash, int(planned.backend), shaders, shot.model_everything ? "|everything" : ""));
