@@ -7,7 +7,7 @@
 ---| "r8_unorm" | "rgba8_unorm" | "r32f" | "rg16f" | "rg32f" | "rgba16f" | "rgba32f" | "r32ui" | "rg32ui" | "rgba32ui"
 ---| "buffer32ui"
 
----@alias strobe.Time "capture" | "open" | "close" | "sample"
+---@alias strobe.Time "raster" | "shutter_open" | "shutter_close" | "sample"
 
 ---Properties that every blur should have (docs/invariants.md).
 ---@alias strobe.Invariant
@@ -17,7 +17,7 @@
 ---Role of a parameter: commands find it by its role, without its name. At most one of each in a pipeline.
 ---@alias strobe.Role
 ---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
----| "still_once" | "moving_alone" | "within_reach"
+---| "static_once"
 
 ---@class strobe.Param A declared parameter.
 
@@ -50,6 +50,7 @@
 ---@field doc string meaning, unit, range
 ---@field uint? boolean the texels are unsigned integers
 ---@field optional? boolean may be left unwired; then HAS_<name> is 0 in the shader
+---@field absent? number|number[]|string optional; each texel if it is unwired: a number, four numbers, or a read that stands in
 ---@field linear? boolean sampled with a linear filter instead of fetched
 ---@field pointwise? boolean fetched only at the pixel of the invocation
 ---@field buffer? boolean a buffer of unsigned integers instead of an image
@@ -82,24 +83,29 @@
 ---@field doc string counted event
 ---@field limit? string warning if the count is not 0: the change of the picture, and the remedy
 
----@alias strobe.Fact "motion"|"curves"|"covered"|"arrives"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"|"before"|"after"|"weighted"
+---@alias strobe.Runs "everywhere" | "moving_rect" | "moving_instances"
+
+---@alias strobe.Fact
+---| "motion" | "curves" | "may_be_occluded" | "may_appear" | "alpha" | "blend" | "one_sided" | "shadows" | "deforms" | "before"
+---| "after" | "weighted"
 
 ---@class strobe.PassTable
----@field name string unique; default name of its nodes
----@field shader string path below shaders/, without .glsl (for a raster pass without .vert.glsl and .frag.glsl)
+---@field name? string unique; default: path of its file below passes/, without .lua. Its last part is the default name of nodes
+---@field shader? string path below shaders/, without .glsl (for a raster pass without .vert.glsl and .frag.glsl)
 ---@field doc string result of the pass
 ---@field fails? string when its result is wrong, and how
 ---@field breaks? table<strobe.Invariant, string> invariants that do not hold in a pipeline that uses it, with reasons
 ---@field size? "frame"|strobe.Size size of its outputs; default "frame"
 ---@field scene? boolean (compute) the shader reads the scene; raster and trace passes always do
----@field over? string a buffer read whose entries are the pixels for which the pass runs
+---@field runs? strobe.Runs pixels or instances that it is restricted to; default: moving_rect where if_no has stand-ins for the rest
+---@field dispatch_over? string a buffer read whose entries are the pixels for which the pass runs
 ---@field group? boolean (compute) one work group per output pixel, instead of one invocation
 ---@field reads? table<string, strobe.Read> images it samples
 ---@field writes? table<string, strobe.Write> images it fills, every pixel
 ---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string|strobe.Counter> counters, each with its counted event
----@field without? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read 0
+---@field if_no? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read 0
 
 ---An image port of a node, to be wired to a read.
 ---@class strobe.Image
@@ -112,6 +118,7 @@
 ---@class strobe.CallTable
 ---@field as? string name of the node
 ---@field time? strobe.Time time at which it poses the scene
+---@field runs? strobe.Runs in place of the restriction that the pass declares
 ---@field [string] strobe.Image|strobe.Parameter|boolean|number|string
 
 ---@class strobe.Pass
@@ -200,12 +207,8 @@ local pipeline = {}
 function pipeline.loop(t) end
 ---@param what string names the records in messages
 ---@param optional? string[] fields that a record may lack
----@return fun(t: table): table makes a table a record: reading a field that it lacks is an error
+---@return fun(t: table): table makes a table a record: reading a field that it lacks is an error, except by t:get(name)
 function pipeline.record(what, optional) end
----@param t strobe.Ports|table
----@param name string
----@return any the field of that name; nil if it is absent
-function pipeline.optional(t, name) end
 ---Runs `body` and returns its result. The names of its nodes start with `prefix`, so that a part of a graph can be made twice.
 ---@generic T
 ---@param prefix string

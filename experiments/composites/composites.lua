@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- How raster and revealed layer become one picture, and how taps are weighed.
+-- Composites of the raster layer and the revealed layer, and weights of taps.
 local experiment = require "strobe.experiment"
 
--- Why a failed expectation fails.
-local better = "the other way round: over a background at rest alpha-over errs a little less"
-local cheap = "of pictures that are drawn in no time the composite is most of the frame"
+-- Reasons of failed expectations.
+local better = "over a background at rest the error of alpha-over is slightly smaller than the error of layered"
+local cheap = "in scenes that are cheap to draw the composite is most of the frame time"
 
 local shots = { "still", "slower", "against", "two_ways", "vase", "tracking" }
 local names = { mcguire2012 = "over, McGuire", guertin2014 = "over, Guertin", jimenez2014 = "over, Jimenez",
@@ -26,9 +26,9 @@ end
 
 return experiment {
   title    = "Composites and weights",
-  question = "How do two layers become one picture, and how do taps count? The paper says neither.",
-  note     = "All arms are hybrid_layered but for composite and weights: \"over\" lays the blurred raster " ..
-             "layer over the blurred revealed one. Times are ratios to over, McGuire with 8 samples.",
+  question = "The paper states neither the composite of the two layers nor the weights of taps. Which have the smallest error?",
+  note     = "All arms are hybrid_layered with other composites and weights: \"over\" composites the blurred raster " ..
+             "layer over the blurred revealed layer. Times are ratios to over, McGuire with 8 samples.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -53,28 +53,29 @@ return experiment {
   regions  = { "whole", "inner", "outer" },
   measures = { "rmse", "flip", "ms_ratio" },
   expect   = {
-    { "over a background at rest even weights make alpha-over as good as the layered composite, within a tenth",
+    { "over a background at rest the errors of alpha-over with even weights and of layered are within a tenth of each other",
       known = better, function(r)
       local ratio = error_of(r, "still", names.uniform) / error_of(r, "still", "layered")
       return ratio <= 1.1 and ratio >= 1 / 1.1, ("%.2f times"):format(ratio)
     end },
-    { "where the background moves under a moving silhouette alpha-over errs at least twice as much as layered", function(r)
+    { "where the background moves under a moving silhouette alpha-over has at least twice the error of layered", function(r)
       local slower = error_of(r, "slower", names.uniform) / error_of(r, "slower", "layered")
       local against = error_of(r, "against", names.uniform) / error_of(r, "against", "layered")
       return slower >= 2 and against >= 2, ("%.1f times slower, %.1f times against"):format(slower, against)
     end },
-    { "McGuire's weights waste what rays reveal: at least 3 times the error of even weights over a background at rest",
+    { "McGuire's weights hide the revealed background: at least 3 times the error of even weights over a background at rest",
       function(r)
         local bar_ratio = error_of(r, "still", names.mcguire2012) / error_of(r, "still", names.uniform)
         local vase_ratio = error_of(r, "vase", names.mcguire2012) / error_of(r, "vase", names.uniform)
         return bar_ratio >= 3 and vase_ratio >= 3, ("%.1f times on the bar, %.1f in the living room"):format(bar_ratio,
                                                                                                              vase_ratio)
       end },
-    { "Jimenez' weights are straight ramps: at most 1.5 times the error of even ones over a background at rest", function(r)
+    { "Jimenez' weights are linear ramps: at most 1.5 times the error of even weights over a background at rest", function(r)
       local ratio = error_of(r, "still", names.jimenez2014) / error_of(r, "still", names.uniform)
       return ratio <= 1.5, ("%.2f times"):format(ratio)
     end },
-    { "layered is nowhere more than a tenth worse than the best of the others, with 16 samples", known = better, function(r)
+    { "with 16 samples the error of layered is at most 1.1 times the smallest error of the others, in every shot",
+      known = better, function(r)
       local most, where = 0, ""
       for _, shot in ipairs(shots) do
         local least = error_of(r, shot, "in gather")
@@ -84,7 +85,8 @@ return experiment {
       end
       return most <= 1.1, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "more samples do not repair a composite: with 32 alpha-over and McGuire's weights err more than layered with 8",
+    { "more samples do not repair a composite: alpha-over with McGuire's weights and 32 samples has a larger error than " ..
+      "layered with 8",
       function(r)
         local least = math.huge
         for _, shot in ipairs(shots) do
@@ -92,21 +94,22 @@ return experiment {
         end
         return least > 1, ("at least %.1f times"):format(least)
       end },
-    { "found afterwards: where there is much to draw, in the living room, it costs at most a quarter more", shot = "vase",
+    { "found afterwards: in the living room, which takes long to draw, layered takes at most 1.25 times the time of " ..
+      "alpha-over", shot = "vase",
       function(r)
         local function cost(name) return r.at { arm = name, samples = 16, shot = "vase" }.ms_ratio end
         local ratio = cost "layered" / cost(names.uniform)
         return ratio <= 1.25, ("%.2f times"):format(ratio)
       end },
-    { "found afterwards: over the whole living room layered errs least, and even weights under alpha-over more than " ..
-      "Jimenez', whose ramps are as straight", shot = "vase", function(r)
+    { "found afterwards: over the whole living room layered has the smallest error, and alpha-over has a larger error with " ..
+      "even weights than with Jimenez' weights, which are linear ramps too", shot = "vase", function(r)
         local function whole(name) return r.at { arm = name, samples = 16, shot = "vase", region = "whole" }.rmse end
         local even, jimenez = whole(names.uniform), whole(names.jimenez2014)
         return even > jimenez and whole "layered" < math.min(jimenez, whole "in gather"),
           ("RMSE %.4f, Jimenez' %.4f, in gather %.4f, layered %.4f"):format(even, jimenez, whole "in gather",
                                                                            whole "layered")
       end },
-    { "layered costs at most a quarter more than alpha-over with 16 samples", known = cheap, function(r)
+    { "layered takes at most 1.25 times the time of alpha-over, with 16 samples", known = cheap, function(r)
       local function cost(name) return r.at { arm = name, samples = 16 }.ms_ratio end
       local ratio = cost "layered" / cost(names.uniform)
       return ratio <= 1.25, ("%.2f times, over all shots"):format(ratio)

@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- What a frame costs as it has more of one thing: pixels, masked pixels, motion, samples, triangles, instances, lights.
+-- Time of a frame against pixels, masked pixels, motion, samples, triangles, instances and lights, one at a time.
 --   strobe bench slopes experiments/costs/costs.lua -o out/slopes
 local experiment = require "strobe.experiment"
 
 local height, displacement = 180, 16
 local seed, best = "hybrid (as published)", "hybrid (best)"
 
--- An entry of costs for each of the parts, which are separated by spaces.
+-- Returns a function that makes a cost for each of `parts`, which are separated by spaces.
 local function grow(how)
   return function(parts, why, arm)
     local list = {}
@@ -16,7 +16,7 @@ local function grow(how)
 end
 local constant, linear, logarithmic = grow "constant", grow "linear", grow "logarithmic"
 
--- An axis along which the scene of cards varies alone; its costs are lists.
+-- An axis of the shot `cards`. `costs` is a list of lists, which this function joins.
 local function axis(fields)
   local costs = {}
   for _, list in ipairs(fields.costs) do table.move(list, 1, #list, #costs + 1, costs) end
@@ -38,16 +38,16 @@ local pixels = axis {
     return { size = { h * 16 // 9, h }, ["scene.shift"] = displacement / h }
   end,
   costs = {
-    linear("frame", "each pass does something at every pixel"),
-    linear("gbuffer shade composite " .. gathers, "the same at every pixel"),
+    linear("frame", "each pass runs at every pixel"),
+    linear("gbuffer shade composite " .. gathers, "constant work at every pixel"),
   },
 }
 
 local masked = axis {
-  name = "cover", title = "Masked pixels, by the size of what moves", unit = "px", against = "masked",
+  name = "cover", title = "Masked pixels, by the size of the moving cards", unit = "px", against = "masked",
   values = { 0.1, 0.2, 0.4, 0.6, 0.8 }, at = sets "cover",
   costs = {
-    constant("frame", "it masks nothing", "no blur"),
+    constant("frame", "it has no mask", "no blur"),
     linear("reveal", "a ray for each masked pixel"),
     constant("shade", "every pixel shows a surface, masked or not"),
   },
@@ -58,10 +58,10 @@ local moved = axis {
   values = { 2, 4, 8, 16, 32 },
   at = sets("shift", function(value) return value / height end),
   costs = {
-    constant("frame", "it knows nothing of motion", "no blur"),
+    constant("frame", "independent of motion", "no blur"),
     linear("reveal", "the mask is as wide as the displacement"),
-    constant(gathers, "as many taps, however far apart"),
-    constant("shade", "it knows nothing of motion"),
+    constant(gathers, "the number of taps is constant, only their distance grows"),
+    constant("shade", "independent of motion"),
   },
 }
 
@@ -70,7 +70,7 @@ local samples = axis {
   costs = {
     linear(gathers, "a tap for each sample"),
     linear("composite", "a tap for each sample", best),
-    constant("shade reveal", "they know nothing of samples"),
+    constant("shade reveal", "independent of samples"),
   },
 }
 
@@ -78,18 +78,18 @@ local triangles = axis {
   name = "triangles", title = "Triangles of the wall", unit = "triangle", values = { 2, 512, 8192, 32768, 131072 },
   at = sets("cells", function(count) return math.floor(math.sqrt(count / 2) + 0.5) end),
   costs = {
-    logarithmic("shade reveal", "rays walk down a tree"),
+    logarithmic("shade reveal", "rays descend a tree"),
     linear("visibility", "raster reads each vertex"),
-    constant("composite " .. gathers, "pixels alone"),
+    constant("composite " .. gathers, "depends on pixels alone"),
   },
 }
 
 local instances = axis {
   name = "instances", title = "Instances", unit = "instance", values = { 1, 16, 64, 256, 1024 }, at = sets "instances",
   costs = {
-    linear("visibility", "each is drawn for itself"),
-    logarithmic("shade reveal", "rays walk down a tree"),
-    constant("composite " .. gathers, "pixels alone"),
+    linear("visibility", "a draw for each instance"),
+    logarithmic("shade reveal", "rays descend a tree"),
+    constant("composite " .. gathers, "depends on pixels alone"),
   },
 }
 
@@ -97,19 +97,19 @@ local lights = axis {
   name = "lights", title = "Lights", unit = "light", values = { 1, 2, 4, 8, 16 }, at = sets "lights",
   costs = {
     linear("frame shade", "a shadow ray for each light and pixel"),
-    linear("reveal", "what is revealed is shaded too"),
-    constant("composite " .. gathers, "they blur what is shaded"),
+    linear("reveal", "the revealed background is shaded too"),
+    constant("composite " .. gathers, "independent of lights: they blur shaded images"),
   },
 }
 
--- Of their living room, whose model this one is not.
+-- Published for another model of a living room.
 local function published(fps)
   return { fps = fps, shot = "living room", by = "Tan, Cui and Bhojan 2020, figure 1: GeForce RTX 2080 Ti, size not stated" }
 end
 
 return experiment {
-  title    = "What a frame costs",
-  question = "How does the time of a frame and of its passes grow with what the frame has?",
+  title    = "Cost of a frame",
+  question = "How does the time of a frame and of its passes grow with pixels, motion, samples, geometry and lights?",
   size     = { 320, height },
   shots    = {
     { name = "cards", scene = "cards" },

@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- Error of lines, parabolas and arcs as paths of objects that turn or come nearer.
+-- Errors of straight, parabolic and circular paths for objects that turn or approach.
 --   strobe sweep experiments/curves/curves.lua -o out/curves
 local experiment = require "strobe.experiment"
 
-local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" } -- that turn by less than a fifth of a turn
+local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" } -- all turn by less than a fifth of a turn
 local curves = { "line", "quadratic", "arc" }
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
 local function layers(curve) return "layers, " .. curve end
 
--- Error beyond that of truth with as many samples: squares add up.
+-- Error beyond truth with as many samples, sqrt(e^2 - floor^2): the squares of independent errors add up.
 local function beyond(r, shot, arm, region)
   local own, floor = at(r, shot, arm, region).rmse, at(r, shot, "truth, 16 samples", region).rmse
   return math.sqrt(math.max(own * own - floor * floor, 0))
@@ -26,7 +26,7 @@ add("own times", "hybrid_traced")
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
   set = { samples = 16, times = "midpoint" } }
 
--- The largest ratio of two numbers over all shots, with its shot.
+-- Largest value over all shots, and its shot.
 local function largest(of)
   local most, where = 0, ""
   for _, shot in ipairs(shots) do
@@ -38,18 +38,18 @@ end
 
 return experiment {
   title    = "Curved paths",
-  question = "How much error do curved paths save where objects turn or come nearer?",
-  note     = "Layers of the capture alone, revealed behind all that moves, along lines, parabolas and arcs; rays at their " ..
-             "own time.",
+  question = "How much error do curved paths save where objects turn or approach?",
+  note     = "\"layers\": layers at the raster time alone, with a background revealed behind all moving surfaces and " ..
+             "paths that are lines, parabolas or arcs. \"own times\": with rays at the sample times.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "wheel", title = "A wheel rolls by 45 degrees", scene = "objects/spoked_wheel" },
     { name = "fan", title = "A fan behind its cage", scene = "objects/caged_fan" },
-    { name = "fan_200", title = "The fan, by more than half a turn", scene = "objects/caged_fan", ["scene.degrees"] = 200,
+    { name = "fan_200", title = "The fan turns by more than half a turn", scene = "objects/caged_fan", ["scene.degrees"] = 200,
       ["scene.pixels"] = 260 },
     { name = "pendulum", title = "A pendulum", scene = "objects/pendulum" },
-    { name = "nearer", title = "A box comes nearer by half its distance", scene = "objects/nearer" },
+    { name = "nearer", title = "A box approaches by half its distance", scene = "objects/nearer" },
     { name = "telescope", title = "A telescope turns to the camera", scene = "objects/telescope" },
   },
   arms     = arms,
@@ -57,8 +57,8 @@ return experiment {
   regions  = { "whole", "inner", "hidden", "outer", "self" },
   measures = { "rmse", "flip", "rays", "pixels" },
   expect   = {
-    { "wheel, fan, pendulum and what comes nearer: arcs leave at most half of what lines leave beyond truth with as many " ..
-      "samples", function(r)
+    { "for wheel, fan, pendulum and the approaching box, the error of arcs beyond truth with as many samples is at most " ..
+      "half of the error of lines", function(r)
       local most, where = 0, ""
       for _, shot in ipairs { "wheel", "fan", "pendulum", "nearer" } do
         local ratio = beyond(r, shot, layers "arc") / beyond(r, shot, layers "line")
@@ -66,21 +66,21 @@ return experiment {
       end
       return most <= 0.5, ("at most %.2f (%s)"):format(most, where)
     end },
-    { "an arc is at least as good as a parabola, but for a fiftieth", function(r)
+    { "the error of arcs is at most 1.02 times the error of parabolas", function(r)
       local most, where = largest(function(shot)
         return at(r, shot, layers "arc").rmse / at(r, shot, layers "quadratic").rmse
       end)
-      return most <= 1.02, ("at most %.3f of its error (%s)"):format(most, where)
+      return most <= 1.02, ("at most %.3f times the error (%s)"):format(most, where)
     end },
-    { "found afterwards: beyond half a turn arcs leave at most three quarters of what parabolas leave beyond truth with as " ..
-      "many samples", function(r)
+    { "found afterwards: beyond half a turn, the error of arcs beyond truth with as many samples is at most three quarters " ..
+      "of the error of parabolas", function(r)
       local ratio = beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "quadratic")
-      return ratio <= 0.75, ("%.2f of it; of what lines leave, %.2f"):format(ratio,
+      return ratio <= 0.75, ("%.2f of the error of parabolas, %.2f of the error of lines"):format(ratio,
         beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "line"))
     end },
-    { "rays at their own time leave less than curves, in every shot", function(r)
+    { "rays at the sample times have a smaller error than arcs, in every shot", function(r)
       local most, where = largest(function(shot) return at(r, shot, "own times").rmse / at(r, shot, layers "arc").rmse end)
-      return most < 1, ("at most %.2f of it (%s)"):format(most, where)
+      return most < 1, ("at most %.2f of the error (%s)"):format(most, where)
     end },
   },
   layout   = { table = {} },

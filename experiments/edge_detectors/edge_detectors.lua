@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Every edge detector under the published mask, and what their thresholds change.
+-- Compares the edge detectors in the published ray mask, and their thresholds.
 local experiment = require "strobe.experiment"
 
--- Why a failed expectation fails.
-local thinned = "thinning edges to lines of one pixel marks fewer pixels than there are to reveal"
-local creases = "they do say something: a low threshold of normals marks silhouettes whose step of depth is small"
+-- Reasons of failed expectations.
+local thinned = "edges thinned to lines of one pixel mark fewer pixels than need a ray"
+local creases = "normals do add edges: a low threshold of normals marks silhouettes with a small step in depth"
 
 local list = experiment.list
 local gradients = { "sobel", "scharr", "prewitt", "roberts" }
@@ -14,7 +14,7 @@ local canny_normal = "edge_gradient.normal_threshold"
 
 local steps = "experiments/pipelines/hybrid_steps.lua"
 
--- Thresholds of a detector that does not have them.
+-- An arm with the edge detector `name`. `lacks`: thresholds that the detector does not have.
 local function arm(name, lacks)
   return { name = name, pipeline = steps, set = { mask = "paper", edge = name }, lacks = lacks }
 end
@@ -41,9 +41,9 @@ arms[#arms + 1] = arm("id", { of_depth, of_normal, of_canny, canny_normal })
 return experiment {
   title    = "Edge detectors",
   question = "Which edge detector does the published mask need, and which thresholds?",
-  note     = "All arms are hybrid_layered but for the mask, which is the published one with each detector: " ..
-             "a detector only looks at pixels whose displaced position is farther and of another instance. One shot is the " ..
-             "living room, the others a panel before a wall at 1.5 and at 1.03 times its depth. Times are ratios to no rays.",
+  note     = "All arms are hybrid_layered with the published mask and one edge detector each. A detector only tests " ..
+             "pixels whose displaced position is farther away and on another instance. One shot is the living room. In " ..
+             "the others a panel moves before a wall at 1.5 and at 1.03 times its depth. Times are ratios to no rays.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -63,7 +63,7 @@ return experiment {
       region = "inner", values = normals, shots = { "vase" },
       at = function(value) return { [of_normal] = value, [canny_normal] = value } end },
   } },
-  -- What has no such threshold is drawn once.
+  -- Arms without the threshold are drawn once.
   skip     = function(point)
     if point.normal then return not has_normals[point.arm] end
     return point.depth ~= 0.05 and (point.arm == "id" or point.arm == "no rays")
@@ -71,7 +71,7 @@ return experiment {
   regions  = { "whole", "inner" },
   measures = { "rmse", "flip", "ms_ratio", "masked" },
   expect   = {
-    { "gradients differ little before a far background: errors of Sobel, Scharr, Prewitt and Roberts within a tenth",
+    { "gradients differ little before a far background: the errors of Sobel, Scharr, Prewitt and Roberts are within a tenth",
       function(r)
         local least, most = math.huge, 0
         for _, name in ipairs(gradients) do
@@ -80,7 +80,7 @@ return experiment {
         end
         return most <= 1.1 * least, ("RMSE %.4f to %.4f"):format(least, most)
       end },
-    { "what knows instances is never more than a tenth worse than the best gradient at any threshold", function(r)
+    { "the error of id is at most 1.1 times the smallest error of the gradients at any threshold, in every shot", function(r)
       local worst, where = 0, ""
       for _, shot in ipairs { "vase", "far", "near" } do
         local least = math.huge
@@ -92,16 +92,18 @@ return experiment {
       end
       return worst <= 1.1, ("at most %.2f times, in the shot %s"):format(worst, where)
     end },
-    { "a background nearer than the threshold is missed: there Sobel at 0.05 errs at least 3 times as much as id", function(r)
+    { "gradients miss a background whose step in depth is below the threshold: Sobel at 0.05 has at least 3 times the " ..
+      "error of id", function(r)
       local sobel, id = error_of(r, "near", "sobel"), error_of(r, "near", "id")
       return sobel >= 3 * id, ("RMSE %.4f and %.4f"):format(sobel, id)
     end },
-    { "a high threshold, as the paper has it, costs: Sobel's error at 1 is at least twice that at 0.005, living room",
+    { "a high threshold, as in the paper, increases the error: Sobel's at 1 is at least twice Sobel's at 0.005, living room",
       function(r)
         local high, low = error_of(r, "vase", "sobel", { depth = 1 }), error_of(r, "vase", "sobel", { depth = 0.005 })
         return high >= 2 * low, ("RMSE %.4f and %.4f"):format(high, low)
       end },
-    { "a low threshold costs no error, since only candidates are looked at: Sobel's at 0.005 is at most 1.05 of its least",
+    { "a low threshold does not increase the error, since only candidates are tested: Sobel's at 0.005 is at most 1.05 " ..
+      "times its least",
       function(r)
         local most = 0
         for _, shot in ipairs { "vase", "far", "near" } do
@@ -113,14 +115,14 @@ return experiment {
       end },
     { "a low threshold costs little time: at 0.005 Sobel's frame takes at most a tenth longer than at 0.05", function(r)
       local function cost(depth) return r.at { arm = "sobel", shot = "vase", depth = depth }.ms_ratio end
-      return cost(0.005) <= 1.1 * cost(0.05), ("%.2f and %.2f times no rays"):format(cost(0.005), cost(0.05))
+      return cost(0.005) <= 1.1 * cost(0.05), ("%.2f and %.2f times the time without rays"):format(cost(0.005), cost(0.05))
     end },
-    { "a low threshold marks few more pixels: at 0.005 Sobel's mask has at most a fifth more than at 0.05, living room",
+    { "a low threshold marks few more pixels: Sobel's mask at 0.005 has at most 1.2 times the pixels at 0.05, living room",
       function(r)
         local function marked(depth) return r.at { arm = "sobel", shot = "vase", depth = depth }.masked end
         return marked(0.005) <= 1.2 * marked(0.05), ("%d and %d pixels, at 1 %d"):format(marked(0.005), marked(0.05), marked(1))
       end },
-    { "Canny's thin edges lose nothing: its error is at most a tenth above Sobel's in every shot",
+    { "Canny's thin edges do not increase the error: it is at most 1.1 times Sobel's in every shot",
       known = thinned, function(r)
       local most, where = 0, ""
       for _, shot in ipairs { "vase", "far", "near" } do
@@ -129,8 +131,8 @@ return experiment {
       end
       return most <= 1.1, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "normals say little that depth does not: over all of their thresholds Sobel's error in the living room changes by " ..
-      "at most a tenth", known = creases, function(r)
+    { "normals add few edges to the edges of depth: over all thresholds of normals Sobel's error in the living room changes " ..
+      "by at most a tenth", known = creases, function(r)
         local least, most = math.huge, 0
         for _, normal in ipairs(normals) do
           local error = error_of(r, "vase", "sobel", { normal = normal })

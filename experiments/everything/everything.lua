@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- All knobs of the hybrid at once: which settings are on the front of error against time, and what does a knob change?
--- The points are those of the Sobol sequence, so that each value of a knob meets those of the others evenly.
+-- Varies 11 parameters of the hybrid at once and reports the front of error against time and the effect of each parameter.
+-- The points follow the Sobol sequence, so that each value of a parameter meets all values of the others evenly.
 local experiment = require "strobe.experiment"
 local sequences = require "strobe.sequences"
 
--- Why a failed expectation fails.
-local gather = "in one gather is as good here, where nothing but the vase moves"
+-- Reasons of failed expectations.
+local gather = "in_gather is as good in this shot, because only the vase moves"
 
 local count = 64
 local knobs = {
@@ -22,10 +22,11 @@ local knobs = {
   { "jitter", { "none", "ign" } },
 }
 
--- Lists of one length, as zip takes them: the value of each knob at each point.
+-- Value of each knob at each point: lists of equal length, as experiment.zip takes them.
 local values, names = {}, {}
 for k, knob in ipairs(knobs) do values[knob[1]], names[k] = {}, knob[1] end
--- Half of a sequence in one dimension more: the points below 1/2 in the eighth are as evenly spread in the others.
+-- Takes the points of a sequence with one more dimension that are below 1/2 in its eighth: they are as evenly spread in
+-- the other dimensions.
 for _, point in ipairs(sequences.sobol(2 * count, #knobs + 1)) do
   if table.remove(point, 8) < 0.5 then
     for k, knob in ipairs(knobs) do table.insert(values[knob[1]], knob[2][1 + math.floor(point[k] * #knob[2])]) end
@@ -45,7 +46,7 @@ local function point(i)
   return wanted
 end
 
--- Points than which no other is as good in both error and time.
+-- Points on the front: no other point is at least as good in error and in time and better in one. Also all points.
 local function front(r)
   local all, on = {}, {}
   for i = 1, count do all[i] = r.at(point(i)) end
@@ -60,7 +61,7 @@ local function front(r)
   return on, all
 end
 
--- How many points of the front have each value of a knob, of how many.
+-- Number of points on the front by value of a knob, and a text with these numbers.
 local function on_front(r, name)
   local on, counts, texts, order = front(r), {}, {}, {}
   for _, knob in ipairs(knobs) do if knob[1] == name then order = knob[2] end end
@@ -69,7 +70,8 @@ local function on_front(r, name)
   return counts, ("of %d points on the front: %s"):format(#on, table.concat(texts, ", "))
 end
 
--- Means over all points with each value of a knob: geometric of the error inside the silhouette, and of the time.
+-- Effect of a knob: geometric mean of the inner error and mean of the time, over all points with each value. Returns the
+-- largest mean error over the least, and a text.
 local function effect(r, name, order)
   local texts, least, most = {}, math.huge, 0
   for n, value in ipairs(order) do
@@ -88,7 +90,7 @@ local function effect(r, name, order)
 end
 
 local expected = {
-  { "no setting without rays errs less than the worst half of those with a disocclusion mask", function(r)
+  { "no setting without rays has a smaller error than the median of the settings with a disocclusion mask", function(r)
     local none, relative = math.huge, {}
     for i = 1, count do
       local error = r.at(point(i)).rmse
@@ -99,13 +101,14 @@ local expected = {
     local median = relative[#relative // 2 + 1]
     return none > median, ("the least without rays is %.4f, the median with the disocclusion mask %.4f"):format(none, median)
   end },
-  { "on the front, beyond what is fastest, rays are used: at most a third of it is without rays", function(r)
+  { "most settings on the front use rays: at most a third are without rays", function(r)
     local counts, text = on_front(r, "mask")
     local sum = 0
     for _, number in pairs(counts) do sum = sum + number end
     return (counts.none or 0) <= sum / 3, text
   end },
-  { "no point on the front with rays stops them by luminance and hit by hit, as published", function(r)
+  { "no setting on the front combines rays with the published termination, luminance, and an advance from hit to hit",
+    function(r)
     local found = 0
     for _, i in ipairs((front(r))) do
       if values.mask[i] ~= "none" and values.termination[i] == "luminance" and values.advance[i] ~= "instance_filter" then
@@ -115,7 +118,7 @@ local expected = {
     local _, text = on_front(r, "termination")
     return found == 0, ("%d; %s"):format(found, text)
   end },
-  { "the least error of all has the composite layered and a termination other than luminance", known = gather,
+  { "the setting with the least error has the composite layered and a termination other than luminance", known = gather,
     function(r)
     local least, who = math.huge, 1
     for i = 1, count do
@@ -127,7 +130,8 @@ local expected = {
     return values.composite[who] == "layered" and values.termination[who] ~= "luminance",
       ("RMSE %.4f with %s"):format(least, table.concat(parts, ", "))
   end },
-  { "a ratio of time buys most at first: within a tenth of time from its start the front halves its error",
+  { "the first increase of time gains most: the front halves its error within 0.1 times McGuire's time from its fastest " ..
+    "setting",
     function(r)
       local on, all = front(r)
       table.sort(on, function(a, b) return all[a].ms_ratio < all[b].ms_ratio end)
@@ -140,7 +144,7 @@ local expected = {
     end },
 }
 
--- What is expected of a knob by itself: that it changes the mean error by more, or by less, than a factor.
+-- Adds the expectation that a knob changes the mean error by at least a factor; hardly_matters, by less than a factor.
 local function matters(name, factor)
   for _, knob in ipairs(knobs) do
     if knob[1] == name then
@@ -172,15 +176,16 @@ matters("composite", 1.3)
 matters("weights", 1.1)
 matters("samples", 1.1)
 matters("advance", 1.1)
-hardly_matters("tile", 1.15, "64 points do not quite cancel the other knobs: by itself it changes less (samples)")
+hardly_matters("tile", 1.15, "64 points do not fully average out the other knobs: alone, the tile size changes less " ..
+  "(experiment samples)")
 for _, name in ipairs { "edge", "on_cap", "tiles", "jitter" } do hardly_matters(name, 1.15) end
 
 return experiment {
   title    = "Everything",
-  question = "Which knobs of the hybrid are on the front, and what does a millisecond buy?",
+  question = "Which settings of the hybrid are on the front of error against time, and which parameters matter?",
   note     = ("%d settings of 11 parameters of the hybrid, spread evenly by the Sobol sequence, and the post-process "):format(
              count) .. "methods. The living room's vase slides past the cushions by 24 px. Times are ratios to McGuire 2012 " ..
-             "with 16 samples. A knob's mean error is the geometric mean over all settings with that value.",
+             "with 16 samples. The mean error of a parameter's value is the geometric mean over all settings with this value.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = { { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24 } },

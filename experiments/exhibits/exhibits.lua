@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- An exhibit for each of the complaints that users of motion blur make most: what goes wrong, by how much, what mends it.
+-- One exhibit for each of the most frequent complaints about motion blur: the artefact, its error and its remedy.
 --   strobe sweep experiments/exhibits/exhibits.lua -o out/exhibits
 local experiment = require "strobe.experiment"
 
@@ -9,7 +9,7 @@ local steps = "experiments/pipelines/hybrid_steps.lua"
 local straight, curved = "layers, straight paths", "layers, curved paths"
 local frozen = "truth, light of the capture"
 
--- What is drawn in each exhibit: what goes wrong first, to which times are ratios; then what mends it.
+-- Arms of each exhibit: first the arms with the artefact, then the arms that mend it. Times are ratios to the first.
 local drawn = {
   wheel      = { { straight }, { curved, best } },
   silhouette = { { bevy }, { mcguire, best } },
@@ -35,12 +35,13 @@ local function is_drawn(shot, arm)
   return false
 end
 
--- Shots say which is which.
+-- Adds to the note of each shot the arms with the artefact and the arms that mend it.
 local function labelled(shots)
   for _, shot in ipairs(shots) do
     local wrong, mended = drawn[shot.name][1], drawn[shot.name][2]
     if #mended > 0 and #wrong > 0 then
-      shot.note = ("%s Wrong: %s. Mended: %s."):format(shot.note, table.concat(wrong, "; "), table.concat(mended, "; "))
+      shot.note = ("%s With the artefact: %s. Without: %s."):format(shot.note, table.concat(wrong, "; "),
+        table.concat(mended, "; "))
     end
   end
   return shots
@@ -52,14 +53,14 @@ local function at(r, shot, arm, more)
   return r.at(wanted)
 end
 
--- What mends leaves at most `share` of the error of what goes wrong; what it costs.
+-- Expects the error of the arm `mended` to be at most `share` of the error of `wrong`, and reports the ratio of their times.
 local function mends(shot, wrong, mended, share, more)
   local where = more and more.region and ", " .. more.region or ""
-  return { ("%s%s: %s: at most %g of the error of %s"):format(shot, where, mended, share, wrong), shot = shot,
+  return { ("%s%s: %s has at most %g times the error of %s"):format(shot, where, mended, share, wrong), shot = shot,
     function(r)
       local before, after = at(r, shot, wrong, more).rmse, at(r, shot, mended, more).rmse
       local times = at(r, shot, mended).ms_ratio / at(r, shot, wrong).ms_ratio
-      return after <= share * before, ("RMSE %.4f of %.4f, %.2f of it, in %.1f times the time"):format(after, before,
+      return after <= share * before, ("RMSE %.4f and %.4f, %.2f times the error, in %.1f times the time"):format(after, before,
         after / before, times)
     end }
 end
@@ -73,64 +74,68 @@ local function changed(r, shot, rate)
 end
 
 return experiment {
-  title    = "An exhibit for each complaint",
-  question = "What do users of motion blur complain about most, how large is the error, and what mends it?",
-  note     = "Thirteen complaints (the sixth and the eighth have two shots). In each, what goes wrong is first and times " ..
-             "are ratios to it, alternately in one run; then what mends it, if anything does. Errors are against truth, " ..
-             "which is shaded as at the capture but in the tenth.",
+  title    = "Complaints about motion blur",
+  question = "Which artefacts do users of motion blur report most, how large are their errors, and what reduces them?",
+  note     = "Thirteen complaints; the sixth and the eighth have two shots. In each shot the arms with the artefact are " ..
+             "first, then the arms that mend it, if any. Times are ratios to the first arm, measured in turn in one run. " ..
+             "Errors are against truth with the shading of the raster time. In the tenth, truth is shaded at each time " ..
+             "sample.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = labelled {
     { name = "wheel", title = "1 Wheels blur in straight lines", scene = "objects/spoked_wheel", ["scene.pixels"] = 40,
-      note = "A displacement is a straight line, on which a spoke that turns by 45 degrees grows and shrinks. Mended by " ..
-             "curved paths (trajectory=arc) where layers are composed, or by rays at their own time." },
+      note = "A displacement is a straight line, along which a spoke that turns by 45 degrees changes its length. Mended by " ..
+             "curved paths (trajectory=arc) in the layered composite, or by rays at the sample times." },
     { name = "silhouette", title = "2 Blur stops at the silhouette", scene = "living_room", camera = "main",
       ["scene.pixels"] = 26,
-      note = "Each pixel gathers along its own displacement, and beside the vase that is zero. Dominant displacements of " ..
-             "tiles spread the blur beyond it; what shows through inside it takes rays." },
-    { name = "halo", title = "3 Halos around what is near", scene = "objects/car_and_road", ["scene.follow"] = 1,
+      note = "Each pixel gathers along its own displacement, which is zero beside the vase. Dominant displacements of tiles " ..
+             "spread the blur outside the silhouette. The background inside the silhouette needs rays." },
+    { name = "halo", title = "3 Halos around near objects", scene = "objects/car_and_road", ["scene.follow"] = 1,
       ["scene.pixels"] = 60,
-      note = "The camera goes with the car. Behind it the road has been where the car hides it at the capture, and taps " ..
-             "that meet the car are rejected: a border of what is left stands around it. Mended by rays behind it." },
-    { name = "glass", title = "4 Transparent things", scene = "objects/glass",
-      note = "A pixel has one displacement, of the pane or of the wall behind it. Blended materials are drawn as a share " ..
-             "of points, of which each has its own; rays find what is behind those." },
+      note = "The blur of the road beside the car needs road that the car hides at the raster time, and taps that meet " ..
+             "the car are rejected: the remaining taps leave a border around the car. Mended by rays behind the car." },
+    { name = "glass", title = "4 Transparent objects", scene = "objects/glass",
+      note = "A pixel has one displacement, of the pane or of the wall behind the pane. Blended materials are drawn in a " ..
+             "random share of the pixels, and each pixel has its own displacement. Rays find the background of the pane's " ..
+             "pixels." },
     { name = "sky", title = "5 The sky is not blurred", scene = "objects/panorama",
-      note = "No displacement is stored where nothing was drawn, or the dome is drawn without: it stays as it is without " ..
-             "vectors. Here the sky and domes have the displacement that the camera gives them, in every method." },
+      note = "A renderer that stores no motion vectors for the sky, or draws the sky's dome without them, leaves the sky " ..
+             "sharp. Here the sky and domes have the displacement of the camera's motion, in every method." },
     { name = "share", title = "6 Strength depends on the frame rate: exposure as a share of the frame",
       scene = "objects/car_and_road", ["scene.follow"] = 0, ["scene.pixels"] = 40, exposure = 0.5,
       note = "Half a frame at 144 frames per second is a sixth of half a frame at 24, and so is the blur." },
-    { name = "seconds", title = "6 The same in seconds", scene = "objects/car_and_road", ["scene.follow"] = 0,
+    { name = "seconds", title = "6 Exposure in seconds", scene = "objects/car_and_road", ["scene.follow"] = 0,
       ["scene.pixels"] = 40, exposure_time = 1 / 48,
-      note = "Mended by exposure_time: the window is that of 24 frames per second." },
+      note = "Mended by exposure_time: the exposure is as long as at 24 frames per second." },
     { name = "jump", title = "7 First frame, cut, teleport: a streak over the screen", scene = "objects/jump", frame = 12,
-      anchor = "open",
-      note = "A renderer that keeps the poses of the last frame alone takes the jump for motion. Mended by the poses of " ..
-             "the exposure (displacement=window), which is after the jump; by a cut where the jump is within it." },
-    { name = "followed", title = "8 What the camera follows is blurred", scene = "objects/car_and_road", ["scene.follow"] = 1,
-      ["scene.pixels"] = 60, camera_blur = 0.3,
-      note = "The camera's motion is to count for less, as games offer: then the car, which moves with it, is left with " ..
-             "the rest. Mended by --follow car: it has the camera's share." },
-    { name = "follow", title = "8 The same with --follow", scene = "objects/car_and_road", ["scene.follow"] = 1,
-      ["scene.pixels"] = 60, camera_blur = 0.3, follow = "car",
-      note = "The car is sharp; what goes by is blurred by three tenths of the way." },
+      anchor = "start",
+      note = "A renderer that keeps only the poses of the last frame treats the jump as motion. Mended by the poses of the " ..
+             "exposure (displacement=window), which is after the jump, or by a cut if the jump is within the exposure." },
+    { name = "followed", title = "8 The object that the camera follows is blurred", scene = "objects/car_and_road",
+      ["scene.follow"] = 1, ["scene.pixels"] = 60, camera_blur = 0.3,
+      note = "Many games let the player reduce the blur of the camera's motion. Then the car, which moves with the " ..
+             "camera, keeps the remaining blur. Mended by --follow car, which reduces the car's motion by the same share." },
+    { name = "follow", title = "8 Blur of the camera reduced, with --follow", scene = "objects/car_and_road",
+      ["scene.follow"] = 1, ["scene.pixels"] = 60, camera_blur = 0.3, follow = "car",
+      note = "The car is sharp. The road is blurred over three tenths of its displacement." },
     { name = "short", title = "9 The blur is too short", scene = "objects/car_and_road", ["scene.follow"] = 0,
       ["scene.pixels"] = 60,
-      note = "A limit of 5 % of the width holds 16 px, of 60. Mended by limit=auto, the default." },
+      note = "A limit of 5 % of the width shortens the displacement from 60 px to 16 px. Mended by limit=auto, the default." },
     { name = "shadow", title = "10 Shadows and reflections do not blur", scene = "objects/shadow",
       truth = { shading = "full" },
-      note = "The floor under the shadow does not move, so it has no displacement, and light is that of the capture. " ..
-             "Nothing mends it but truth (shading=full). Surfaces mirror the sky alone: there are no other reflections." },
+      note = "The floor under the shadow does not move, so it has no displacement, and its light is computed at the raster " ..
+             "time. Only truth (shading=full) mends it. Surfaces reflect only the sky." },
     { name = "chase", title = "11 The road under a racing car appears on the car", scene = "objects/chase",
-      note = "Filters compare depths of the capture: the mark before the bumper is nearer then, and was under the car " ..
-             "when it was where the car is. Mended where the depth is that of the sample's own time." },
-    { name = "drive", title = "12 Vectors flip behind the near plane", scene = "objects/drive", anchor = "open",
-      note = "A post that the camera passes has no place in the picture any more: divided by a depth below zero its path " ..
-             "turns back. Here it is extrapolated from the part before the near plane, and rays have no such limit." },
-    { name = "skin", title = "13 Skinned and instanced things", scene = "skin.gltf", fps = 2, frame = 1,
-      note = "A skin that has the vectors of its node alone, and instances that have none, stand still. Here vectors are " ..
-             "differences of where vertices are at both ends, so every method blurs them; rays find the rest." },
+      note = "Filters compare depths at the raster time. The road mark before the bumper is nearer than the car then, but " ..
+             "when it is at a pixel of the car it is under the car. Mended by depths at the time of the sample." },
+    { name = "drive", title = "12 Vectors flip behind the near plane", scene = "objects/drive", anchor = "start",
+      note = "A post that the camera passes leaves the view frustum through the near plane. The perspective division by a " ..
+             "negative depth reverses its path. Here the path is extrapolated from its part before the near plane, and rays " ..
+             "have no such limit." },
+    { name = "skin", title = "13 Skinned and instanced objects", scene = "skin.gltf", fps = 2, frame = 1,
+      note = "A skin that has only its node's motion vectors stays sharp, and so do instances without motion vectors. Here " ..
+             "motion vectors are differences of vertex positions at shutter open and close, so every method blurs these " ..
+             "objects. Rays find the disoccluded background." },
   },
   arms     = {
     { name = none, pipeline = "none" },
@@ -167,19 +172,19 @@ return experiment {
     mends("halo", mcguire, best, 0.5), mends("halo", ue4, best, 0.5),
     mends("glass", mcguire, best, 0.5),
     mends("sky", none, mcguire, 0.5), mends("sky", none, best, 0.2),
-    { "share: at 144 frames per second the blur is a sixth of that at 24, in truth too", shot = "share", function(r)
+    { "share: at 144 frames per second the blur is a sixth of the blur at 24, in truth too", shot = "share", function(r)
       local fast, slow = at(r, "share", best, { rate = 144 }), at(r, "share", best, { rate = 24 })
       local ratio = fast.displacement / slow.displacement
       return math.abs(ratio * 6 - 1) < 0.02 and fast.change_rms > 5 * slow.rmse,
-        ("%.1f and %.1f px; the picture changes by %.4f, the hybrid (best) errs by %.4f"):format(fast.displacement,
+        ("%.1f and %.1f px; the picture changes by %.4f, the error of the hybrid (best) is %.4f"):format(fast.displacement,
           slow.displacement, fast.change_rms, slow.rmse)
     end },
-    { "seconds: no picture changes with the frame rate, truth's neither", shot = "seconds", function(r)
+    { "seconds: no picture changes with the frame rate, truth included", shot = "seconds", function(r)
       return changed(r, "seconds", 144) == 0, ("by %g; as a share by up to %.4f"):format(changed(r, "seconds", 144),
         changed(r, "share", 144))
     end },
     mends("jump", last_frame, mcguire, 0.5, { cut = false }), mends("jump", last_frame, best, 0.2, { cut = false }),
-    { "found afterwards: jump: a cut takes the streak away, not what the first frame lacks: nothing is displaced in it",
+    { "found afterwards: jump: a cut removes the streak, but the first frame after the cut has no displacements",
       shot = "jump", function(r)
         local streak = at(r, "jump", last_frame, { cut = false, region = "whole" })
         local cut = at(r, "jump", last_frame, { cut = true, region = "whole" })
@@ -187,33 +192,37 @@ return experiment {
           cut.flip < streak.flip, ("displacements %.1f and %.1f px, FLIP %.4f and %.4f"):format(streak.displacement,
           cut.displacement, streak.flip, cut.flip)
       end },
-    { "followed: what --follow mends is at least five times the hybrid's own error", shot = "followed", function(r)
+    { "followed: the change by --follow is at least five times the hybrid's error", shot = "followed", function(r)
       local wrong, own = at(r, "followed", best, { follow = "nothing" }).change_rms, at(r, "followed", best,
         { follow = "car" }).rmse
       return wrong >= 5 * own, ("%.4f and %.4f"):format(wrong, own)
     end },
-    { "short: a limit of 5 % shortens displacements, auto none", shot = "short", function(r)
+    { "short: a limit of 5 % shortens displacements, auto does not", shot = "short", function(r)
       local clamped, free = at(r, "short", short).clamped, at(r, "short", ue4).clamped + at(r, "short", best).clamped
       return clamped > 0 and free == 0, ("%d pixels"):format(clamped)
     end },
-    { "found afterwards: short: length alone mends little where what is behind is made up", shot = "short", function(r)
+    { "found afterwards: short: unshortened displacements alone reduce the error little if the background is estimated",
+      shot = "short", function(r)
       local ratio = at(r, "short", ue4).rmse / at(r, "short", short).rmse
       return ratio > 0.8, ("%.2f of the error"):format(ratio)
     end },
     mends("short", short, best, 0.2),
-    { "shadow: no parameter mends it: of the hybrid's error nine tenths are light of the capture", shot = "shadow", function(r)
+    { "shadow: no parameter mends it: nine tenths of the hybrid's error come from the light at the raster time",
+      shot = "shadow", function(r)
       local own, light = at(r, "shadow", best).rmse, at(r, "shadow", frozen).rmse
-      return light >= 0.9 * own, ("RMSE %.4f, truth with light of the capture %.4f"):format(own, light)
+      return light >= 0.9 * own, ("RMSE %.4f, truth with light at the raster time %.4f"):format(own, light)
     end },
     mends("chase", mcguire, best, 0.2),
-    { "found afterwards: chase: layers of the capture do not mend it: what comes in at the border is in none", shot = "chase",
+    { "found afterwards: chase: layers at the raster time do not mend it, because they lack surfaces that enter at the " ..
+      "border", shot = "chase",
       function(r)
         local ratio = at(r, "chase", straight).rmse / at(r, "chase", mcguire).rmse
         return ratio > 0.8, ("%.2f of the error"):format(ratio)
       end },
     mends("drive", mcguire, best, 0.2),
     mends("skin", none, mcguire, 0.9), mends("skin", none, best, 0.2),
-    { "in every exhibit but that of the shadow the hybrid (best) leaves at most three tenths of the error of what goes wrong",
+    { "in every exhibit except the shadow, the hybrid (best) has at most 0.3 times the error of the first arm with the " ..
+      "artefact",
       function(r)
         local most, where = 0, ""
         for shot, arms in pairs(drawn) do
@@ -223,7 +232,7 @@ return experiment {
             if ratio > most then most, where = ratio, shot end
           end
         end
-        return most <= 0.3, ("at most %.2f of it (%s)"):format(most, where)
+        return most <= 0.3, ("at most %.2f times the error (%s)"):format(most, where)
       end },
   },
   layout   = { pictures = { crop_size = { 120, 68 } }, table = {} },

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- Post-process against hybrid against truth, across exposure and speed.
+-- Errors of post-process blurs and of the hybrid across exposures and speeds.
 local experiment = require "strobe.experiment"
 
--- Why a failed expectation fails.
-local all_moves = "rays at their own time find what the capture does not see: in a tracking shot that is most of the picture"
+-- Reasons of failed expectations.
+local all_moves = "in a tracking shot most of the picture is traced by rays at the sample times"
 
 local best, published = "hybrid (best)", "hybrid (as published)"
 local baselines = { "McGuire 2012", "Guertin 2014", "Jimenez 2014", "UE4-style" }
@@ -13,7 +13,7 @@ local function at(r, arm, shot, speed, exposure, region)
   return r.at { arm = arm, shot = shot, speed = speed, exposure = exposure, region = region or "inner" }
 end
 
--- The largest of `of(shot, speed, exposure)` over all points, and where.
+-- Largest value of `of(shot, speed, exposure)` over all points, and its point.
 local function most(shots, of)
   local largest, where = -math.huge, ""
   for _, shot in ipairs(shots) do
@@ -35,7 +35,7 @@ local function best_baseline(r, ...)
   return least
 end
 
--- `arm` errs less than `factor` times the best post-process at every point of these shots.
+-- Expects the error of `arm` to be below `factor` times the error of the best post-process, at every point of `shots`.
 local function less(arm, factor, shots, text, known)
   return { text, known = known, function(r)
     local ratio, where = most(shots, function(...) return at(r, arm, ...).rmse / best_baseline(r, ...) end)
@@ -43,7 +43,7 @@ local function less(arm, factor, shots, text, known)
   end }
 end
 
--- Nothing is clamped: the longest displacement is 52 px of 320.
+-- No displacement is clamped: the longest is 52 px of 320, 0.16 of the width.
 local limit = 0.4
 local arms = { { name = "no blur", pipeline = "none" } }
 for i, pipeline in ipairs { "mcguire2012", "guertin2014", "jimenez2014", "ue4" } do
@@ -56,10 +56,10 @@ arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role 
 
 return experiment {
   title    = "Exposure and speed",
-  question = "How far are post-process blurs and the hybrid from truth, at which exposures and speeds, and at what cost?",
-  note     = "The vase of the living room slides past the cushions, before a camera at rest and before one that goes " ..
-             "with it. Its displacement is speed times exposure, 3 to 52 px; nothing is clamped. 16 samples for every " ..
-             "method. Times are ratios to McGuire 2012.",
+  question = "How large are the errors and the costs of post-process blurs and of the hybrid, over exposures and speeds?",
+  note     = "The vase of the living room slides past the cushions, before a camera at rest and before a camera that " ..
+             "follows it. Its displacement is speed times exposure, 3 to 52 px, and is not clamped. Every method has 16 " ..
+             "samples. Times are ratios to McGuire 2012.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -71,7 +71,7 @@ return experiment {
   base     = "McGuire 2012",
   rounds   = 5,
   vary     = {
-    -- The scene is told the path over its own exposure of half a frame.
+    -- The scene takes the displacement over half a frame.
     experiment.list { name = "speed", title = "Speed", unit = "px a frame", scale = "log", benign = 13, region = "inner",
       values = speeds, at = function(speed) return { ["scene.pixels"] = speed / 2 } end },
     experiment.list { name = "exposure", title = "Exposure", unit = "frames", scale = "log", benign = 0.25,
@@ -81,20 +81,21 @@ return experiment {
   measures = { "rmse", "flip", "ms_ratio", "displacement", "clamped" },
   expect   = {
     less(best, 0.5, { "object" },
-      "inside what moves, before a camera at rest, hybrid (best) errs less than half as much as the best post-process, " ..
-      "at every speed and exposure"),
+      "before a camera at rest, the inner error of hybrid (best) is less than half of the best post-process's, at every " ..
+      "speed and exposure"),
     less(best, 1, { "tracking" },
-      "in the tracking shot hybrid (best) errs less than the best post-process, at every speed and exposure"),
+      "in the tracking shot the inner error of hybrid (best) is below the best post-process's, at every speed and exposure"),
     less(published, 1, { "object" },
-      "as the paper claims, the hybrid as published errs less inside what moves than the best post-process"),
-    { "hybrid (best) stays within twice the floor of its own 16 samples inside what moves, camera at rest",
+      "as the paper claims, the inner error of the hybrid as published is below the best post-process's"),
+    { "before a camera at rest, the inner error of hybrid (best) is at most twice the floor of its own 16 samples",
       function(r)
         local ratio, where = most({ "object" }, function(...)
           return at(r, best, ...).rmse / at(r, "truth, 16 samples", ...).rmse
         end)
         return ratio <= 2, ("at most %.2f times (%s)"):format(ratio, where)
       end },
-    { "found afterwards: from 6 px on hybrid (best) errs less than the best post-process in the tracking shot too",
+    { "found afterwards: from 6 px on the inner error of hybrid (best) is below the best post-process's in the tracking " ..
+      "shot too",
       function(r)
         local ratio, where = most({ "tracking" }, function(shot, speed, exposure)
           if speed * exposure < 6 then return 0 end
@@ -102,12 +103,12 @@ return experiment {
         end)
         return ratio < 1, ("at most %.2f of the best post-process's (%s)"):format(ratio, where)
       end },
-    { "what post-process lacks grows with the displacement: its best inner error at 52 px is at least twice that at 3 px",
+    { "the error of post-process grows with the displacement: its best inner error at 52 px is at least twice its best at 3 px",
       function(r)
         local short, long = best_baseline(r, "object", 13, 0.25), best_baseline(r, "object", 52, 1)
         return long >= 2 * short, ("%.4f at 3 px, %.4f at 52 px"):format(short, long)
       end },
-    { "only the product of speed and exposure matters: errors of equal displacements differ by less than a hundredth",
+    { "only the product of speed and exposure matters: errors at equal displacements differ by less than a hundredth",
       function(r)
         local difference = 0
         for _, arm in ipairs { best, published, table.unpack(baselines) } do
@@ -121,13 +122,13 @@ return experiment {
       local mean = r.at { arm = best }.ms_ratio
       return cost <= 2, ("%.2f on average, at most %.2f (%s)"):format(mean, cost, where)
     end },
-    { "nothing is clamped", function(r)
+    { "no displacement is clamped", function(r)
       local clamped = 0
       for _, arm in ipairs { best, published, table.unpack(baselines) } do clamped = clamped + r.at { arm = arm }.clamped end
       return clamped == 0, ("%d pixels"):format(clamped)
     end },
   },
   layout   = { front = { x = "ms_ratio", y = "rmse", region = "inner",
-                         note = "Pictures of other displacements are other tasks: only marks of equal values compare." },
+                         note = "Compare only marks with equal speed and exposure: other displacements are other pictures." },
                table = {} },
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Where each method stops being trustworthy: error against truth along axes that each grow to an extreme.
+-- Reliable range of each method: errors against truth along axes that reach extremes.
 --   strobe sweep experiments/extremes/extremes.lua -o out/extremes
 local experiment = require "strobe.experiment"
 
@@ -13,18 +13,18 @@ local arms = { "no blur", "McGuire 2012", "UE4-style", "Guertin 2014", "Jimenez 
 local scales = { 1e-6, 1e-4, 0.01, 1, 100, 1e4, 1e6 }
 local offsets = { 0, 1, 100, 1e4, 1e6, 1e7 }
 
--- The error of an arm at a value of an axis.
+-- Error of an arm at a value of an axis.
 local function error_at(r, axis, value, arm, region) return r.at { [axis] = value, arm = arm, region = region }.rmse end
 
--- `of(r)` is how much of what is allowed is reached: 1 is all of it.
+-- `of(r)` is a deviation as a share of the allowed one; the expectation holds up to 1.
 local function expectation(axis, text, of)
   return { text, axis = axis, function(r)
     local most = of(r)
-    return most <= 1, ("%.3f of what is allowed"):format(most)
+    return most <= 1, ("%.3f of the allowed deviation"):format(most)
   end }
 end
 
--- The largest relative difference of `arm`'s errors along an axis from that at `benign`, in units of `allowed`.
+-- Largest relative difference of `arm`'s errors along an axis from its error at `benign`, in units of `allowed`.
 local function drift(r, axis, values, benign, arm, region, allowed)
   local base, most = error_at(r, axis, benign, arm, region), 0
   for _, value in ipairs(values) do
@@ -41,7 +41,7 @@ local function all_drift(axis, values, benign, allowed)
   end
 end
 
--- The same for a format against its benign value, over every case and blur; `except` (arm, case) says what is left out.
+-- Largest drift of a format from its benign value, over all cases and blurs; leaves out pairs with `except(arm, case)`.
 local function format_drift(axis, values, benign, allowed, except)
   return function(r)
     local most = 0
@@ -65,7 +65,7 @@ local speeds = { 0.01, 0.03, 0.1, 0.3, 0.6, 1, 2, 4, 8, 12.8, 15.5, 20, 31, 40, 
 local samples = { 1, 2, 4, 6, 8, 12, 16, 24, 32, 64, 128, 256 }
 
 local expected = {
-  expectation("speed", "up to 0.3 px every other method errs as much as no blur does", function(r)
+  expectation("speed", "up to 0.3 px every method except hybrid (best) has the error of no blur, to a thousandth", function(r)
     local most = 0
     for _, speed in ipairs { 0.03, 0.1, 0.3 } do
       local base = error_at(r, "speed", speed, "no blur", "whole")
@@ -75,7 +75,7 @@ local expected = {
     end
     return most
   end),
-  expectation("speed", "at every speed hybrid (best) errs by at most 1.3 times the floor", function(r)
+  expectation("speed", "at every speed the error of hybrid (best) is at most 1.3 times the floor", function(r)
     local most = 0
     for _, speed in ipairs(speeds) do
       local floor = error_at(r, "speed", speed, "floor", "whole")
@@ -83,12 +83,12 @@ local expected = {
     end
     return most
   end),
-  expectation("speed", "at 12.8 px every other method errs at least five times as much", function(r)
+  expectation("speed", "at 12.8 px every other method has at least five times the error of hybrid (best)", function(r)
     local most, own = 0, error_at(r, "speed", 12.8, best, "whole")
     for i = 1, #arms - 1 do most = math.max(most, 5 * own / error_at(r, "speed", 12.8, arms[i], "whole")) end
     return most
   end),
-  expectation("samples", "up to 64 samples hybrid (best) errs by at most 1.3 times the floor", function(r)
+  expectation("samples", "up to 64 samples the error of hybrid (best) is at most 1.3 times the floor", function(r)
     local most = 0
     for _, count in ipairs(samples) do
       local floor = error_at(r, "samples", count, "floor", "inner")
@@ -96,10 +96,10 @@ local expected = {
     end
     return most
   end),
-  expectation("samples", "beyond 64 samples hybrid (best) gains less than a hundredth", function(r)
+  expectation("samples", "beyond 64 samples the error of hybrid (best) falls by less than a hundredth", function(r)
     return 0.99 * error_at(r, "samples", 64, best, "inner") / error_at(r, "samples", 256, best, "inner")
   end),
-  expectation("samples", "from 16 to 256 samples the other methods gain less than a hundredth", function(r)
+  expectation("samples", "from 16 to 256 samples the errors of the other methods fall by less than a hundredth", function(r)
     local most = 0
     for i = 1, #arms - 1 do
       local few, many = error_at(r, "samples", 16, arms[i], "inner"), error_at(r, "samples", 256, arms[i], "inner")
@@ -109,10 +109,11 @@ local expected = {
   end),
   expectation("scale", "no method's error changes by a thousandth", all_drift("scale", scales, 1, 1e-3)),
   expectation("offset", "no method's error changes by a thousandth", all_drift("offset", offsets, 0, 1e-3)),
-  expectation("gap", "hybrid (best) does not change by a thousandth, from a millionth to 9999 times", function(r)
+  expectation("gap", "the error of hybrid (best) does not change by a thousandth, from a millionth to 9999 times the depth",
+    function(r)
     return drift(r, "gap", { 1e-6, 1e-4, 0.01, 10, 9999 }, 0.5, best, "inner", 1e-3)
   end),
-  expectation("gap", "below a thirtieth of the depth hybrid (to the letter) is McGuire 2012", function(r)
+  expectation("gap", "below a thirtieth of the depth hybrid (to the letter) has the error of McGuire 2012", function(r)
     local most = 0
     for _, gap in ipairs { 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03 } do
       local base = error_at(r, "gap", gap, "McGuire 2012", "inner")
@@ -120,7 +121,8 @@ local expected = {
     end
     return most
   end),
-  expectation("gap", "a ten-thousandth behind Jimenez 2014 and UE4-style err a tenth more than at half the depth", function(r)
+  expectation("gap", "at a ten-thousandth of the depth the errors of Jimenez 2014 and UE4-style are a tenth larger than " ..
+    "at half the depth", function(r)
     local most = 0
     for _, arm in ipairs { "Jimenez 2014", "UE4-style" } do
       most = math.max(most, 1.1 * error_at(r, "gap", 0.5, arm, "inner") / error_at(r, "gap", 1e-4, arm, "inner"))
@@ -139,17 +141,17 @@ local expected = {
   end),
   expectation("velocity_format", "half floats change no error by a thousandth",
     format_drift("velocity_format", { "fp16" }, "fp32", 1e-3, nothing)),
-  expectation("color_format", "half floats change no error by a five-hundredth, but hybrid (best) at 1 px",
+  expectation("color_format", "half floats change no error by a five-hundredth, except hybrid (best) at 1 px",
     format_drift("color_format", { "fp16" }, "fp32", 2e-3, slow_best)),
   expectation("depth_encoding", "no encoding changes an error by a ten-thousandth",
     format_drift("depth_encoding", { "reversed", "inverse", "unorm24" }, "linear", 1e-4, nothing)),
 }
 
 return experiment {
-  title = "Where each method stops being trustworthy",
-  note = "Every method against ground truth of the same anchor and the same pixel centres, while one thing grows " ..
-         "to an extreme and all else stays. 16 samples per pixel for every method unless the axis says " ..
-         "otherwise; one sample per pixel.",
+  title = "Reliable range of each method",
+  note = "Every method against ground truth with the same anchor and pixel centres. One quantity varies to an " ..
+         "extreme, all others are constant. Every method has 16 time samples, except along the axis of samples, and all " ..
+         "pictures go through pixel centres.",
   size = { 320, 180 },
   size_params = { "width", "height" },
   measures = { "rmse" },
@@ -181,37 +183,36 @@ return experiment {
       values = speeds,
       shots = { "passage" },
       fixed = "A panel of 96 x 72 px moves to the right before a wall at 1.5 times its depth.",
-      reading = "Up to half a pixel filters copy what the capture saw: at 0.3 px UE4-style errs by {UE4-style @ 0.3} of the " ..
-                "contrast, as no blur does. The capture has one sample per pixel, so no filter knows where in its pixel " ..
-                "an edge lies, and edges move in steps of a whole pixel: {UE4-style @ 1} at 1 px. Rays do: hybrid " ..
-                "(best) errs by {hybrid (best) @ 0.3} at 0.3 px, {hybrid (best) @ 1} at 1 px and {hybrid (best) @ " ..
-                "12.8} at 12.8 px, with floors of {floor @ 0.3}, {floor @ 1} and {floor @ 12.8}: it is as good as its " ..
-                "samples allow. The others err by {Jimenez 2014 @ 12.8} to {McGuire 2012 @ 12.8} there, nearly all of " ..
-                "it inside the leading edge: Jimenez 2014 and UE4-style show what is mirrored from beside it, " ..
-                "McGuire 2012, Guertin 2014 and hybrid (to the letter) leave the panel nearly opaque there. " ..
-                "Nothing is shortened: at 40 px hybrid (best) errs by {hybrid (best) @ 40}, at 128 px by {hybrid (best) @ " ..
-                "128}, where no blur errs by {no blur @ 128}.",
+      reading = "Up to half a pixel filters copy the rasterised image: at 0.3 px the error of UE4-style is {UE4-style @ " ..
+                "0.3} of the contrast, equal to no blur. The rasterised image has one sample per pixel, so a filter " ..
+                "cannot locate an edge within its pixel, and edges move in steps of a whole pixel: {UE4-style @ 1} at 1 " ..
+                "px. Rays locate it: the error of hybrid (best) is {hybrid (best) @ 0.3} at 0.3 px, {hybrid (best) @ 1} " ..
+                "at 1 px and {hybrid (best) @ 12.8} at 12.8 px, with floors of {floor @ 0.3}, {floor @ 1} and {floor @ " ..
+                "12.8}, so it is close to the limit of 16 samples. The errors of the others are {Jimenez 2014 @ " ..
+                "12.8} to {McGuire 2012 @ 12.8} there, nearly all inside the leading edge: Jimenez 2014 and UE4-style " ..
+                "mirror colours from outside the edge, and McGuire 2012, Guertin 2014 and hybrid (to the letter) leave " ..
+                "the panel nearly opaque. No displacement is shortened: the error of hybrid (best) is {hybrid (best) @ " ..
+                "40} at 40 px and {hybrid (best) @ 128} at 128 px, where the error of no blur is {no blur @ 128}.",
       at = function(value) return { ["scene.speed"] = value } end,
     },
     list {
       name = "samples", title = "Samples", unit = "per pixel", scale = "log", benign = 16, region = "inner",
       values = samples,
       shots = { "passage" },
-      fixed = "The panel moves by 12.8 px. Truth at a method's own samples has as many as the method.",
-      reading = "hybrid (best) follows the floor up to 64 samples ({hybrid (best) @ 64}, floor {floor @ 64}) and " ..
-                "gains nothing beyond: at 256 it errs by {hybrid (best) @ 256} where the floor is {floor @ " ..
-                "256} and truth's own error {truth @ 256}, as rays at their own time have 64 times at most. The others " ..
-                "do not get better with samples, since " ..
-                "their error is what they show and not how often they look: Jimenez 2014 has {Jimenez 2014 @ 16} " ..
-                "with 16 and {Jimenez 2014 @ 256} with 256.",
+      fixed = "The panel moves by 12.8 px. The floor has as many samples as the methods.",
+      reading = "hybrid (best) follows the floor up to 64 samples ({hybrid (best) @ 64}, floor {floor @ 64}) and does not " ..
+                "improve beyond: at 256 its error is {hybrid (best) @ 256}, the floor {floor @ 256} and truth's own error " ..
+                "{truth @ 256}, because rays at the sample times use at most 64 times. The others do not improve with " ..
+                "more samples, since their error is a wrong background and not noise: Jimenez 2014 has {Jimenez 2014 @ " ..
+                "16} with 16 and {Jimenez 2014 @ 256} with 256.",
       at = function(value) return { samples = value, truth = { samples = 1024 } } end,
     },
     list {
       name = "scale", title = "Scale of the scene", unit = "times all lengths", scale = "log", benign = 1,
       region = "inner", same_picture = true, values = { 1e-6, 1e-4, 0.01, 1, 100, 1e4, 1e6 }, shots = { "passage" },
-      fixed = "The panel moves by 12.8 px. At 1 it is 10 m away.",
-      reading = "hybrid (best) errs by {hybrid (best) @ 1e-06}, {hybrid (best) @ 1} and {hybrid (best) @ " ..
-                "1000000}. Depths are compared as shares of each other and transforms are relative to the " ..
+      fixed = "The panel moves by 12.8 px. Its distance is 10 m at a scale of 1.",
+      reading = "The error of hybrid (best) is {hybrid (best) @ 1e-06}, {hybrid (best) @ 1} and {hybrid (best) @ 1000000} " ..
+                "at scales of 1e-6, 1 and 1e6. Methods compare ratios of depths and transforms are relative to the " ..
                 "camera, so no constant of a method is a length.",
       at = function(value) return { ["scene.scale"] = value } end,
     },
@@ -220,10 +221,10 @@ return experiment {
       region = "inner", same_picture = true,
       values = { 0, 1, 100, 1e4, 1e6, 1e7 }, shots = { "passage" },
       fixed = "Camera and scene are moved together. The panel moves by 12.8 px.",
-      reading = "hybrid (best) errs by {hybrid (best) @ 0} at the origin and {hybrid (best) @ 10000000} 10 000 " ..
-                "km from it. Transforms are made in double precision and relative to the camera before they " ..
-                "become single. This is about where things are placed, not about vertices that are themselves " ..
-                "written far from their node: these are rounded in the file.",
+      reading = "The error of hybrid (best) is {hybrid (best) @ 0} at the origin and {hybrid (best) @ 10000000} at 10 000 " ..
+                "km. Transforms are computed in double precision, relative to the camera, and then converted to single " ..
+                "precision. This is true for the positions of nodes. Vertices that are far from their node are rounded in " ..
+                "the file.",
       at = function(value) return { ["scene.offset"] = value } end,
     },
     list {
@@ -231,13 +232,13 @@ return experiment {
       benign = 0.5, region = "inner", same_picture = true,
       values = { 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.5, 10, 100, 9999 },
       shots = { "passage" },
-      fixed = "The panel moves by 12.8 px, 10 m away. The wall grows with its depth, so that it looks the same.",
-      reading = "hybrid (best) asks depths only which of two surfaces is nearer, and instances for the rest: " ..
-                "{hybrid (best) @ 1e-06} at a millionth, {hybrid (best) @ 9999} at ten thousand times. Jimenez " ..
-                "2014 and UE4-style mirror the background only from what is clearly behind: below a hundredth of " ..
-                "the depth (depth_extent) they no longer do, and err by {Jimenez 2014 @ 0.0001} instead of " ..
-                "{Jimenez 2014 @ 0.5}. hybrid (to the letter) wants an edge of a twentieth of the depth before it " ..
-                "reveals anything; below it reveals nothing and is McGuire 2012 bit for bit ({hybrid (to " ..
+      fixed = "The panel moves by 12.8 px, 10 m away. The wall grows with its depth, so that the picture stays the same.",
+      reading = "hybrid (best) uses depths only to decide which of two surfaces is nearer, and otherwise compares " ..
+                "instances: its error is {hybrid (best) @ 1e-06} at a millionth and {hybrid (best) @ 9999} at ten " ..
+                "thousand times the depth. Jimenez 2014 and UE4-style mirror only a background that is behind by more " ..
+                "than a hundredth of the depth (depth_extent): for a nearer one their error is {Jimenez 2014 @ 0.0001} " ..
+                "instead of {Jimenez 2014 @ 0.5}. hybrid (to the letter) reveals a background only at edges with a step " ..
+                "of at least a twentieth of the depth; below this step it equals McGuire 2012 bit for bit ({hybrid (to " ..
                 "the letter) @ 0.03}, {McGuire 2012 @ 0.03}).",
       at = function(value) return { ["scene.gap"] = value } end,
     },
@@ -245,9 +246,9 @@ return experiment {
       name = "angle", title = "Direction of motion", unit = "degrees from the horizontal", scale = "linear", benign = 0,
       region = "inner", values = { 0, 15, 30, 45, 60, 75, 90 },
       shots = { "passage" }, fixed = "The panel moves by 12.8 px.",
-      reading = "hybrid (best) errs by {hybrid (best) @ 0} along the rows, {hybrid (best) @ 45} along the " ..
-                "diagonal and {hybrid (best) @ 90} along the columns, with floors of {floor @ 0}, {floor @ 45} " ..
-                "and {floor @ 90}. What changes is which cells of wall and panel are hidden and shown.",
+      reading = "The error of hybrid (best) is {hybrid (best) @ 0} along the rows, {hybrid (best) @ 45} along the diagonal " ..
+                "and {hybrid (best) @ 90} along the columns, with floors of {floor @ 0}, {floor @ 45} and {floor @ 90}. " ..
+                "The errors differ because other cells of wall and panel are occluded and disoccluded.",
       at = function(value) return { ["scene.angle"] = value } end,
     },
     list {
@@ -256,10 +257,10 @@ return experiment {
       values = { 0, 30, 60, 75, 85, 88, 89.5, 89.9 },
       shots = { "grazing" },
       fixed = "A panel of 96 x 72 px turns about the eye by 8 px.",
-      reading = "A panel that is seen nearly edge on, whose depth changes by up to a tenth of itself from pixel " ..
-                "to pixel, is blurred as well as one that faces the camera: hybrid (best) errs by {hybrid (best) " ..
-                "@ 0} facing and by {hybrid (best) @ 89.9} at 89.9 degrees, McGuire 2012 by {McGuire 2012 @ 0} " ..
-                "and {McGuire 2012 @ 89.9}.",
+      reading = "A panel that is nearly edge-on changes its depth by up to a tenth from pixel to pixel. It is blurred as " ..
+                "accurately as a panel that faces the camera: the error of hybrid (best) is {hybrid (best) @ 0} at 0 and " ..
+                "{hybrid (best) @ 89.9} at 89.9 degrees, the error of McGuire 2012 {McGuire 2012 @ 0} and " ..
+                "{McGuire 2012 @ 89.9}.",
       at = function(value) return { ["scene.tilt"] = value } end,
     },
     list { name = "velocity_format", title = "Displacements", shots = cases, benign = "fp32",
@@ -268,14 +269,14 @@ return experiment {
                 "fp32." },
     list { name = "color_format", title = "Colours", shots = cases, benign = "fp32",
       values = { "fp32", "fp16" },
-      reading = "Pixels of hybrid (to the letter) change by up to {change hybrid (to the letter), fp16 @ 12.8 px}, " ..
-                "those of hybrid (best) by {change hybrid (best), fp16 @ 12.8 px}. At 1 px its error is so small that half " ..
-                "floats show in it: {hybrid (best), fp16 @ 1 px} instead of {hybrid (best), fp32 @ 1 px}. The default is " ..
-                "fp32, since " ..
-                "pictures are measured here; where memory counts, this is the first to give up." },
+      reading = "At 12.8 px, pixels of hybrid (to the letter) change by up to {change hybrid (to the letter), fp16 @ 12.8 " ..
+                "px}, pixels of hybrid (best) by up to {change hybrid (best), fp16 @ 12.8 px}. At 1 px the error of " ..
+                "hybrid (best) is so small that half floats increase it: {hybrid (best), fp16 @ 1 px} instead of {hybrid " ..
+                "(best), fp32 @ 1 px}. The default is fp32 for exact measurements. Half floats for colours are the first " ..
+                "choice to save memory." },
     list { name = "depth_encoding", title = "Depths", shots = cases, benign = "linear",
       values = { "linear", "reversed", "inverse", "unorm24" },
-      reading = "All four are 4 bytes per pixel. The default is linear, which rounds nothing." },
+      reading = "All four encodings have 4 bytes per pixel. The default is linear, which adds no rounding." },
   } },
   skip = function(point)
     local varies_format = point.velocity_format or point.color_format or point.depth_encoding
@@ -284,7 +285,7 @@ return experiment {
   expect = expected,
   layout = {
     curves = { factor = 2 },
-    table = { title = "Numbers between passes", axes = formats, cells = { "rmse", "change" },
+    table = { title = "Formats of images between passes", axes = formats, cells = { "rmse", "change" },
               once = { "memory", "ms", "ms_least" }, share = true },
   },
 }

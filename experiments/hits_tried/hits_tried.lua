@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- The number of hits that a ray may try.
+-- Effect of the largest number of hits that a ray may test (`max_layers`).
 --   strobe sweep experiments/hits_tried/hits_tried.lua -o out/hits_tried
 local experiment = require "strobe.experiment"
 
--- Why an expectation fails.
-local target = "the hit that ends the ray is one that was tried: four walls take a cap of 4, twigs and leaves up to 16"
+-- Reasons of failed expectations.
+local target = "the hit that ends the ray counts as tested: four walls need a cap of 4, twigs and leaves up to 16"
 
 local list = experiment.list
 local caps = { 1, 2, 3, 4, 8, 16 }
@@ -17,18 +17,18 @@ local function hits(name, set)
 end
 
 return experiment {
-  title    = "Hits that a ray may try",
-  question = "How many hits must a ray be allowed to try?",
-  note     = "All arms are hybrid_layered. \"one ray\" ignores the instance in front and needs no cap; the " ..
-             "others go from hit to hit until one is another instance, or another luminance, and at the cap reveal " ..
-             "nothing, or the last hit as the paper has it. Times are ratios to one ray.",
+  title    = "Hits that a ray may test",
+  question = "How many hits must a ray be allowed to test?",
+  note     = "All arms are hybrid_layered. \"one ray\" ignores the instance in front and needs no cap. The other arms " ..
+             "advance from hit to hit until one has another instance or luminance. At the cap they reveal nothing, or the " ..
+             "last hit, as in the paper. Times are ratios to one ray.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24,
-      note = "A ray through the hollow vase meets up to three of its own walls before the cushion." },
+      note = "A ray through the hollow vase meets up to three further walls of the vase before the cushion." },
     { name = "cells_9", title = "Cells of 9 px", scene = "behind", ["scene.cell"] = 9,
-      note = "A closed box of one colour slides past cells of so many pixels." },
+      note = "A closed box of one colour slides past cells of 9 px." },
   },
   arms     = {
     { name = "one ray", pipeline = "hybrid_layered", lacks = { "max_layers" } },
@@ -39,35 +39,35 @@ return experiment {
   truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
   base     = "one ray",
   rounds   = 7,
-  vary     = { list { name = "cap", title = "Hits tried", scale = "log", benign = 8, region = "inner", values = caps,
+  vary     = { list { name = "cap", title = "Hits tested", scale = "log", benign = 8, region = "inner", values = caps,
     at = function(value) return { max_layers = value } end } },
   skip     = function(point) return point.arm == "one ray" and point.cap ~= 8 end,
   regions  = { "whole", "inner" },
   measures = { "rmse", "flip", "ms_ratio", "rays" },
   expect   = {
-    { "the vase has four walls: a cap of 3 hits loses nothing, errors with 3 and 16 are within a hundredth", shot = "vase",
+    { "the vase has four walls: a cap of 3 hits suffices, the errors with 3 and 16 are within a hundredth", shot = "vase",
       known = target, function(r)
         local three = at(r, "vase", "instance, nothing at the cap", 3).rmse
         local many = at(r, "vase", "instance, nothing at the cap", 16).rmse
         return three <= 1.01 * many, ("RMSE %.4f and %.4f"):format(three, many)
       end },
-    { "found afterwards: the living room needs more than the default cap of 8: it errs at least twice as much as 16",
+    { "found afterwards: the living room needs more than the default cap of 8: the error is at least twice the error with 16",
       shot = "vase", function(r)
         local eight = at(r, "vase", "instance, nothing at the cap", 8).rmse
         local many = at(r, "vase", "instance, nothing at the cap", 16).rmse
         return eight >= 2 * many, ("RMSE %.4f and %.4f"):format(eight, many)
       end },
-    { "a cap of 1 hit loses most of it: at least 3 times the error of 16, living room", shot = "vase", function(r)
+    { "a cap of 1 hit reveals too little: at least 3 times the error with 16, living room", shot = "vase", function(r)
       local one = at(r, "vase", "instance, nothing at the cap", 1).rmse
       local many = at(r, "vase", "instance, nothing at the cap", 16).rmse
       return one >= 3 * many, ("RMSE %.4f and %.4f"):format(one, many)
     end },
-    { "with a cap that is too low nothing is better than the last hit", shot = "vase", function(r)
+    { "if the cap is too low, revealing nothing is better than revealing the last hit", shot = "vase", function(r)
       local nothing = at(r, "vase", "instance, nothing at the cap", 2).rmse
       local last = at(r, "vase", "instance, last hit at the cap", 2).rmse
       return nothing < last, ("RMSE %.4f and %.4f"):format(nothing, last)
     end },
-    { "under luminance the cap hardly matters in the living room, since rays end at the vase's own walls: within a tenth",
+    { "under luminance the cap hardly matters in the living room, since rays end at the vase's walls: errors within a tenth",
       shot = "vase", function(r)
         local least, most = math.huge, 0
         for _, cap in ipairs(caps) do
@@ -76,13 +76,13 @@ return experiment {
         end
         return most <= 1.1 * least, ("RMSE %.4f to %.4f"):format(least, most)
       end },
-    { "going from hit to hit with a cap of 16 finds what one ray finds: errors within a hundredth", function(r)
+    { "an advance from hit to hit with a cap of 16 finds the same surfaces as one ray: errors within a hundredth", function(r)
       local most = 0
       for _, shot in ipairs { "vase", "cells_9" } do
         local one = at(r, shot, "one ray", 8).rmse
         most = math.max(most, math.abs(at(r, shot, "instance, nothing at the cap", 16).rmse / one - 1))
       end
-      return most <= 0.01, ("at most %.2f %% apart"):format(100 * most)
+      return most <= 0.01, ("errors differ by at most %.2f %%"):format(100 * most)
     end },
   },
   layout   = { front = { x = "ms_ratio", y = "rmse", region = "inner" },

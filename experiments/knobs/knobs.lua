@@ -1,20 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- What each knob of cost saves, what it costs in error, and which scenes require what it leaves out.
+-- Time that each parameter of cost saves, the error that it adds, and the scenes that require it.
 --   strobe sweep experiments/knobs/knobs.lua -o out/knobs
 local experiment = require "strobe.experiment"
 
-local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots in which something does
+local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots with motion
 
--- A knob has another pipeline, parameters (`set`) or options of the shot (`run`). `needed`: the shots in which the knob
--- raises the error by more than a twentieth.
+-- A knob replaces the pipeline, parameters (`set`) or options of the shot (`run`). `needed`: shots whose error
+-- the knob increases by more than a twentieth.
 local knobs = {
   { name = "arcs", set = { trajectory = "arc" }, needed = {} },
   { name = "no rays at own times", pipeline = "hybrid_layered", needed = moving },
-  { name = "every hit shaded", set = { ["own_time.same_depth"] = 0 }, needed = { "fan", "stacked" } },
+  { name = "every hit shaded", set = { ["trace_time_samples.same_depth"] = 0 }, needed = { "fan", "stacked" } },
   { name = "four samples", set = { samples = 4 }, needed = moving },
   { name = "64 samples", set = { samples = 64 }, needed = {} },
   { name = "tiles of 20 px", set = { tile = 20 }, needed = {} },
-  { name = "each shadow ray traced", set = { ["shadow_shafts.shafts"] = false }, needed = {} },
+  { name = "each shadow ray traced", set = { ["tile_light_visibility.per_tile"] = false }, needed = {} },
   { name = "half floats", set = { color_format = "fp16", velocity_format = "fp16" }, needed = {} },
   { name = "no omission", run = { model_everything = true }, needed = {} },
   { name = "ray queries", run = { backend = "query" }, needed = {} },
@@ -35,12 +35,12 @@ for _, knob in ipairs(knobs) do
 end
 
 local shots = {
-  { name = "still", title = "Living room, nothing moves", scene = "living_room", camera = "main", ["scene.pixels"] = 0 },
+  { name = "still", title = "Living room without motion", scene = "living_room", camera = "main", ["scene.pixels"] = 0 },
   { name = "vase", title = "Living room, the vase slides", scene = "living_room", camera = "main", ["scene.pixels"] = 24 },
   { name = "panel", title = "A panel slides, unlit", scene = "stability/passage", ["scene.speed"] = 40,
     ["scene.angle"] = 17 },
   { name = "fan", title = "A fan behind its cage", scene = "objects/caged_fan" },
-  { name = "stacked", title = "Four things one behind another", scene = "objects/stacked" },
+  { name = "stacked", title = "Four boxes, one behind another", scene = "objects/stacked" },
   { name = "tracking", title = "A camera follows a car", scene = "objects/tracking_parallax" },
 }
 
@@ -48,7 +48,7 @@ local function at(r, shot, knob)
   return r.at { shot = shot, arm = (knob == plain or ways[knob]) and best or knob, run = ways[knob] and knob or plain }
 end
 
--- Of a measure, its ratio to the hybrid as it is; 1 where both are nothing.
+-- Ratio of a measure to its value for the unchanged hybrid; 1 if both are 0.
 local function ratio(r, shot, knob, measure)
   local own, other = at(r, shot, knob)[measure], at(r, shot, plain)[measure]
   if other == 0 then return own == 0 and 1 or math.huge end
@@ -84,9 +84,10 @@ end
 
 return experiment {
   title    = "Knobs of cost",
-  question = "What does each knob save, what does it cost in error, and which scenes require it?",
-  note     = "One knob at a time away from the hybrid (best). Times are ratios to McGuire 2012 with 16 samples in the same " ..
-             "shot, alternately in one run; those of the sentences to the hybrid as it is.",
+  question = "How much time does each parameter save, how much error does it add, and which scenes require it?",
+  note     = "Each arm or run changes one parameter of the hybrid (best). Times are ratios to McGuire 2012 with 16 " ..
+             "samples in the same shot, measured in turn in one run. In the expectations, times and errors are ratios to " ..
+             "the unchanged hybrid (best).",
   size     = { 320, 180 },
   shots    = shots,
   arms     = arms,

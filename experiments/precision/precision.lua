@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What the formats of numbers between passes change in a picture, and what they save.
+-- Effect of the number formats of images between passes on error and memory.
 -- Expected: half floats for colours change no error by a hundredth, and no depth encoding changes one by a thousandth.
 --   strobe sweep experiments/precision/precision.lua -o out/precision
 local experiment = require "strobe.experiment"
@@ -9,7 +9,7 @@ local formats = { "velocity_format", "color_format", "both", "depth_encoding" }
 local arms = { "hybrid", "McGuire 2012", "Guertin 2014", "Jimenez 2014" }
 local shots = { "living_room", "textured_bar", "quad_2d", "wedge" }
 
--- No arm's error in any shot changes by `allowed` of itself between the first of `values` and the others.
+-- Expects that no arm's error in any shot changes by the share `allowed` from the first of `values` to another.
 local function steady(axis, values, allowed)
   return function(r)
     local most = 0
@@ -21,15 +21,15 @@ local function steady(axis, values, allowed)
         end
       end
     end
-    return most < allowed, ("at most %.2g of an error"):format(most)
+    return most < allowed, ("at most by a share of %.2g"):format(most)
   end
 end
 
 local two, encodings = { "fp32", "fp16" }, { "linear", "reversed", "inverse", "unorm24" }
 
 return experiment {
-  title = "Precision of what is kept between passes",
-  question = "What do half floats and depth encodings change, and what do they save?",
+  title = "Precision of images between passes",
+  question = "How much do half floats and depth encodings change errors, and how much memory do they save?",
   size = { 320, 180 },
   regions = { "whole" },
   measures = { "rmse", "change_rms", "change", "bytes" },

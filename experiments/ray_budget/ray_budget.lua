@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Rays for a share of the pixels, chosen by what they promise, against full layers drawn everywhere.
+-- Compares the hybrid with rays for a share of the pixels, chosen by priority, with full layers drawn everywhere.
 --   cd experiments/ray_budget; strobe sweep ray_budget.lua -o out/ray_budget
 local experiment = require "strobe.experiment"
 
@@ -20,7 +20,7 @@ local shots = {
   shot("behind", "Behind", "behind"),
   shot("cards", "Cards", "cards"),
 }
--- How far things go, px: as shares of the picture what the scenes have at their own sizes.
+-- Displacements, px: the same shares of the picture as in the scenes at their own sizes.
 local objects = { { "tracking_parallax", 17 }, { "stacked", 27 }, { "enters", 33 }, { "car_and_road", 33 }, { "caged_fan", 27 },
   { "door", 33 }, { "leaves", 20 }, { "nearer" }, { "pendulum", 33 }, { "spoked_wheel", 20 }, { "telescope", 33 },
   { "chase" }, { "drive" }, { "glass", 13 }, { "gloss", 13 }, { "jump", 13 }, { "panorama", 13 }, { "shadow", 17 } }
@@ -41,9 +41,9 @@ shots[#shots + 1] = shot("planes", "Planes", "stability/planes", { ["scene.kind"
 
 local layers = "layers 2024"
 local most = 0.15
-local arms = { { name = layers, pipeline = "layers2024" } }
+local arms = { { name = layers, pipeline = "lee2024" } }
 
--- The curve, in these shots alone: from no ray to all that are asked for.
+-- Shots for a curve of error against the share of pixels with rays, from none to all that the hybrid traces.
 local curve_shots = { "room", "room_tracking", "tracking_parallax", "stacked", "enters", "car_and_road" }
 local curve, only_there, has_curve = {}, {}, {}
 for _, name in ipairs(curve_shots) do has_curve[name] = true end
@@ -52,19 +52,20 @@ for _, share in ipairs { 0, 0.05, most, 0.3, 1 } do
   curve[#curve + 1] = name
   only_there[name] = share ~= most
   arms[#arms + 1] = share == 1 and { name = name, pipeline = "hybrid_traced" } or
-    { name = name, pipeline = "ray_budget", set = { most_rays = share } }
+    { name = name, pipeline = "ray_budget", set = { ray_budget = share } }
 end
 local limited = curve[3]
 
--- Why a failed expectation fails.
-local grain = "what is blended by its alpha is drawn as a share of points, whose grain is most of the error there: a layer " ..
-              "carries its points along, rays at their own time draw others each"
+-- Reasons of failed expectations.
+local grain = "alpha-blended surfaces are drawn in a random share of the pixels, and this grain is most of the error: a " ..
+              "layer moves one pattern along its path, rays at the sample times draw a new pattern for each sample"
 local blended = "glass"
 
--- In a region of every shot that has one, but for the one named `but`.
+-- Expects at most the error of full layers in a region of every shot with such pixels, except the shot named `but`.
 local function below(region, but)
-  local text = ("in the region %s of every scene%s the hybrid with rays for %g %% errs no more than full layers")
-    :format(region, but and " but that of blended glass" or "", 100 * most)
+  local text = ("in the region %s of every scene%s the hybrid with rays for %g %% of the pixels has at most the error of " ..
+    "full layers")
+    :format(region, but and " except blended glass" or "", 100 * most)
   return { but and "found afterwards: " .. text or text, known = not but and grain or nil, function(r)
     local worst, where, count, above = 0, "", 0, {}
     for _, one in ipairs(shots) do
@@ -79,12 +80,12 @@ local function below(region, but)
       end
       ::next::
     end
-    local which = #above > 0 and "; more in " .. table.concat(above, ", ") or ""
-    return #above == 0, ("%d scenes; at most %.2f of it (%s)%s"):format(count, worst, where, which)
+    local which = #above > 0 and "; larger in " .. table.concat(above, ", ") or ""
+    return #above == 0, ("%d scenes; at most %.2f times the error (%s)%s"):format(count, worst, where, which)
   end }
 end
 
--- The geometric mean over the shots of the curve of an arm's error as a share of that without rays.
+-- Geometric mean over `curve_shots` of an arm's error as a share of the error without rays.
 local function over_curve(r, name)
   local sum = 0
   for _, shot_name in ipairs(curve_shots) do
@@ -96,10 +97,11 @@ end
 
 return experiment {
   title    = "Rays for a share of the pixels",
-  question = "With rays for at most 15 % of the pixels, does the hybrid err no more than full layers drawn everywhere?",
-  note     = "All scenes of the repository in which something is uncovered, displacements as shares of the picture as at " ..
-             "their own sizes; 16 samples. `traced`: pixels that have rays of the hybrid's own, which reveal or are at " ..
-             "their own time; rays that shade are not among them, which both methods have.",
+  question = "With rays for at most 15 % of the pixels, is the error of the hybrid at most the error of full layers drawn " ..
+    "everywhere?",
+  note     = "All scenes of the repository with disocclusions, with the same displacements as shares of the picture as at " ..
+             "their own sizes. Every method has 16 samples. `traced`: pixels with rays of the hybrid, which reveal the " ..
+             "background or trace time samples. Shadow rays do not count, since both methods have them.",
   size     = { width, height },
   shots    = shots,
   arms     = arms,
@@ -113,7 +115,7 @@ return experiment {
   expect   = {
     below("inner"),
     below("hidden"),
-    { ("and never are there rays for more than %g %% of the pixels"):format(100 * most), function(r)
+    { ("in no scene more than %g %% of the pixels have rays"):format(100 * most), function(r)
       local largest, where = 0, ""
       for _, one in ipairs(shots) do
         local share = r.at { shot = one.name, arm = limited, region = "whole" }.traced / (width * height)
@@ -121,7 +123,7 @@ return experiment {
       end
       return largest <= most, ("at most %.2f %% (%s)"):format(100 * largest, where)
     end },
-    { "over the shots of the curve error falls with the share", function(r)
+    { "over the shots with several shares the error falls with the share", function(r)
       local falls, before, texts = true, 2, {}
       for _, name in ipairs(curve) do
         local error = over_curve(r, name)
@@ -130,16 +132,16 @@ return experiment {
       end
       return falls, table.concat(texts, "; ")
     end },
-    { ("and rays for %g %% of the pixels are worth more than half of what all are"):format(100 * most), function(r)
+    { ("rays for %g %% of the pixels achieve more than half of the error reduction of all rays"):format(100 * most), function(r)
       local all, some = 1 - over_curve(r, curve[#curve]), 1 - over_curve(r, limited)
-      return some > 0.5 * all, ("%.2f of it"):format(some / all)
+      return some > 0.5 * all, ("%.2f of the reduction"):format(some / all)
     end },
     below("inner", blended),
     below("hidden", blended),
-    { "found afterwards: before blended glass all rays that are asked for err more than full layers too", function(r)
+    { "found afterwards: for blended glass the hybrid with all its rays has a larger error than full layers too", function(r)
       local own = r.at { shot = blended, arm = curve[#curve], region = "inner" }.rmse
       local ratio = own / r.at { shot = blended, arm = layers, region = "inner" }.rmse
-      return ratio > 1, ("%.2f of it"):format(ratio)
+      return ratio > 1, ("%.2f times the error"):format(ratio)
     end },
   },
   layout   = { front = { x = "traced", y = "rmse", region = "inner" }, table = {} },

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- What the paper leaves open, read in each way that a value exists for: which readings bear its claims out?
+-- Tests the paper's claims under different readings of the points that the paper leaves open.
 local experiment = require "strobe.experiment"
 
 local shots = { "plain", "patterned", "solid", "vase" }
 local mcguire, ue4 = "McGuire 2012", "UE4-style"
 
--- Readings one after the other: each keeps those before it (the paper as written, then a change at a time).
+-- Cumulative readings: the paper as written, then one change at a time; each keeps the changes before it.
 local steps = {
   { "as written", {} },
   { "passes over its own instance", { advance = "instance_filter" } },
@@ -15,7 +15,7 @@ local steps = {
   { "instance ends the ray", { termination = "instance", on_cap = "fallback" } },
 }
 
--- Readings one at a time: all else as written.
+-- Single readings: each changes one thing of the paper as written.
 local alone = {
   { "geometry ends the ray", { termination = "geometry", advance = "origin_kept" } },
   { "luminance of base colour", { luminance_of = "base_color" } },
@@ -38,12 +38,12 @@ local arms = {
   { name = ue4, pipeline = "ue4", set = { limit = 0.1 } },
 }
 
--- Steps with alternatives in experiments/pipelines/hybrid_steps.lua.
+-- Parameters that need experiments/pipelines/hybrid_steps.lua.
 local is_step = { mask = true, composite = true, tiles = true }
 local as_written = { mask = "paper", composite = "alpha_over", tiles = "separate", own_edge = false,
                      termination = "luminance", advance = "restart", on_cap = "last_hit", weights = "mcguire2012" }
 
--- An arm: the text of the paper but for `set`.
+-- An arm with the paper as written, changed by `set`.
 local function reading_of(name, set)
   for key in pairs(set) do
     if is_step[key] then
@@ -79,9 +79,9 @@ arms[#arms + 1] = reading_of(material, { luminance_of = "material", weights = "u
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
--- `arm` has a smaller FLIP over the picture than both post-processes, in `shot`: what figure 1 of the paper shows.
+-- Expects a smaller FLIP over the picture with `arm` than with both post-processes: the claim of figure 1 of the paper.
 local function bears_out(arm, shot, known)
-  return { ("the paper's claim, closer to truth than McGuire and UE4, holds with: %s"):format(arm), shot = shot,
+  return { ("the paper's claim, a smaller error than McGuire's and UE4's, holds with the reading: %s"):format(arm), shot = shot,
     known = known, function(r)
       local own, first, second = at(r, shot, arm).flip, at(r, shot, mcguire).flip, at(r, shot, ue4).flip
       return own < math.min(first, second), ("mean FLIP %.4f, McGuire %.4f, UE4-style %.4f"):format(own, first, second)
@@ -90,11 +90,12 @@ end
 
 return experiment {
   title    = "Readings of the paper",
-  question = "Which readings of what the paper leaves open bear its claims out, that the hybrid corresponds to ground " ..
-             "truth where post-process does not?",
+  question = "The paper claims that the hybrid corresponds to ground truth and post-process does not. Which readings of the " ..
+             "paper support this claim?",
   note     = "\"as written\" is the preset text of hybrid, \"+ even weights\" its preset paper. Arms with + change one " ..
-             "thing and keep what came before; the others change one thing of as written. A vase slides past a striped " ..
-             "cushion: hollow and of one colour, as the paper's is; hollow and patterned; solid; and the living room's.",
+             "thing and keep the changes of the arms with + before them. The other arms change one thing of as written. In " ..
+             "three shots a vase slides past a striped cushion: hollow and of one colour, as in the paper; hollow and " ..
+             "patterned; solid. The fourth shot is the living room.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -110,25 +111,25 @@ return experiment {
   regions  = { "whole", "inner" },
   measures = { "rmse", "flip", "ms_ratio" },
   expect   = {
-    bears_out("as written", "plain", "its rays end at the vase's own far wall, which is lit otherwise"),
-    bears_out("+ passes over its own instance", "plain", "closer than McGuire, and as far as UE4-style: the published " ..
-              "weights are too opaque inside silhouettes"),
+    bears_out("as written", "plain", "its rays end at the vase's far wall, which has other lighting"),
+    bears_out("+ passes over its own instance", "plain", "its error is below McGuire's but not below UE4-style's: the " ..
+              "published weights are too opaque inside silhouettes"),
     bears_out("+ even weights", "plain"),
     bears_out("+ relative mask", "plain"),
     bears_out("+ layered composite", "plain"),
     bears_out("+ instance ends the ray", "plain"),
-    { "found afterwards: two readings suffice, to pass over its own instance and even weights: with both the claim holds in " ..
-      "every shot", function(r)
+    { "found afterwards: two readings suffice: if rays pass over the pixel's own instance and weights are even, the claim " ..
+      "holds in every shot", function(r)
         local texts, good = {}, true
         for i, shot in ipairs(shots) do
           local own = at(r, shot, "+ even weights").flip
           local other = math.min(at(r, shot, mcguire).flip, at(r, shot, ue4).flip)
           good, texts[i] = good and own < other, ("%s %.4f and %.4f"):format(shot, own, other)
         end
-        return good, "mean FLIP and the better post-process's: " .. table.concat(texts, ", ")
+        return good, "mean FLIP, and of the better post-process: " .. table.concat(texts, ", ")
       end },
-    { "found afterwards: luminance of the material, the same wherever light falls on it, serves as well: with even weights " ..
-      "the claim holds in every shot with it",
+    { "found afterwards: luminance of the material, which does not depend on the light, suffices too: with it and even " ..
+      "weights the claim holds in every shot",
       function(r)
         local texts, good = {}, true
         for i, shot in ipairs(shots) do
@@ -136,9 +137,10 @@ return experiment {
           local other = math.min(at(r, shot, mcguire).flip, at(r, shot, ue4).flip)
           good, texts[i] = good and own < other, ("%s %.4f and %.4f"):format(shot, own, other)
         end
-        return good, "mean FLIP and the better post-process's: " .. table.concat(texts, ", ")
+        return good, "mean FLIP, and of the better post-process: " .. table.concat(texts, ", ")
       end },
-    { "each reading on the way from as written to best lowers the error inside the silhouette, over all shots",
+    { "each cumulative reading from as written to the last lowers the inner error, averaged over all shots, or keeps it " ..
+      "within a hundredth",
       function(r)
       local before, good, list = math.huge, true, {}
       for i, step in ipairs(steps) do
@@ -149,9 +151,9 @@ return experiment {
       end
       return good, "RMSE " .. table.concat(list, ", ")
     end },
-    { "the reading that matters most is to pass over its own instance: no other single one halves the error of as " ..
-      "written in the plain hollow vase", shot = "plain", known = "with the published weights it leaves a little more than " ..
-      "half, and geometry passes over the same walls", function(r)
+    { "the most important reading is to pass over the own instance: it halves the error of as written for the plain hollow " ..
+      "vase, and no other single reading does", shot = "plain", known = "with the published weights slightly more than half " ..
+      "of the error remains, and termination by geometry passes over the same walls", function(r)
         local written = at(r, "plain", "as written", "inner").rmse
         local own = at(r, "plain", "+ passes over its own instance", "inner").rmse
         local least, who = math.huge, ""
@@ -162,7 +164,7 @@ return experiment {
         return own <= 0.5 * written and least > 0.5 * written,
           ("RMSE %.4f as written, %.4f with it, %.4f with the best other (%s)"):format(written, own, least, who)
       end },
-    { "no tolerance of luminance helps: errors of as written with 0, 0.01 and 0.1 are within a fifth, plain hollow vase",
+    { "no tolerance of luminance helps: for the plain hollow vase the errors with 0, 0.01 and 0.1 are within a fifth",
       shot = "plain", function(r)
         local least, most = math.huge, 0
         for _, name in ipairs { "as written", "tolerance 0", "tolerance 0.1" } do

@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- What samples and tiles buy, of methods that know what is behind and of methods that do not.
+-- Effect of the number of samples and of the tile size on error and time, for methods with and without a traced background.
 local experiment = require "strobe.experiment"
 
 local function inner(r, arm, samples, tile)
   return r.at { arm = arm, samples = samples, tile = tile, region = "inner" }.rmse
 end
 
-local few_left = "with 64 samples a twenty-fifth is left of what 4 leave, and a tenth of that is little"
+local few_left = "with 64 samples the error is a twenty-fifth of the error with 4, so that a tenth is a small difference"
 
 return experiment {
   title    = "Samples and tiles",
-  question = "What does a sample buy, does the tile size matter, and what does time buy?",
+  question = "How do samples, tile size and time change the error?",
   note     = "The vase of the living room slides past the cushions. Times are ratios to McGuire 2012 with 4 samples and " ..
              "tiles of 10 px.",
   size     = { 320, 180 },
@@ -32,7 +32,8 @@ return experiment {
       for _, arm in ipairs { "McGuire 2012", "UE4-style" } do best = math.min(best, inner(r, arm, 64, 40)) end
       return own < best, ("%.4f and %.4f"):format(own, best)
     end },
-    { "samples do not help where the background is invented: from 4 to 64 a baseline's inner error falls by less than a fifth",
+    { "samples do not help methods that estimate the background: from 4 to 64 a baseline's inner error falls by less than " ..
+      "a fifth",
       function(r)
         local worst = 0
         for _, arm in ipairs { "McGuire 2012", "UE4-style" } do
@@ -40,9 +41,9 @@ return experiment {
         end
         return worst < 0.2, ("at most %.0f %%"):format(100 * worst)
       end },
-    { "samples help the hybrid: from 4 to 64 its inner error halves at least", function(r)
+    { "samples help the hybrid: from 4 to 64 its inner error falls at least by half", function(r)
       local ratio = inner(r, "hybrid (best)", 64, 40) / inner(r, "hybrid (best)", 4, 40)
-      return ratio <= 0.5, ("to %.2f"):format(ratio)
+      return ratio <= 0.5, ("to %.2f of the error"):format(ratio)
     end },
     { "the tile size changes the hybrid's inner error by at most a tenth", known = few_left, function(r)
       local most = 0

@@ -1,14 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Where the range of samples lies relative to the capture (figure 2 of Tan, Cui and Bhojan 2020), each against truth of its
--- own exposure; and one displacement over the exposure against one on each side of the capture.
+-- Position of the exposure relative to the raster time (figure 2 of Tan, Cui and Bhojan 2020), with truth of the same
+-- exposure; and one displacement over the exposure against one displacement before and one after the raster time.
 local experiment = require "strobe.experiment"
 
--- Why a failed expectation fails.
-local sides = "the card's left edge is lighter than its right one, and the anchor says which of them lies inside: floors " ..
-              "of 16 samples differ as much"
+-- Reasons of failed expectations.
+local sides = "the card's left edge is lighter than its right edge, and the anchor decides which of the two lies inside: " ..
+              "the floors of 16 samples differ by the same factor"
 
 local best = "hybrid (best)"
-local anchors = { "close", "centre", "open" }
+local anchors = { "end", "centre", "start" }
 
 local function error_of(r, shot, arm, anchor, region)
   return r.at { shot = shot, arm = arm, anchor = anchor, region = region or "inner" }.rmse
@@ -16,20 +16,21 @@ end
 
 return experiment {
   title    = "Sampling range and anchor",
-  question = "What does a range of samples that ends at the pixel gain over one centred on it, as the paper has it?",
-  note     = "The exposure ends at the capture (close), surrounds it (centre) or begins at it (open), and a method's range " ..
-             "of samples with it; each is measured against truth of its own exposure. \"split\" has one displacement " ..
-             "before the capture and one after it, which only matters to centre. Times are ratios to McGuire 2012, close.",
+  question = "How much does a range of samples that ends at the pixel, as in the paper, gain over a centred range?",
+  note     = "The exposure, and with it the range of samples, ends at the raster time (end), surrounds it (centre) or " ..
+             "begins at it (start). Each is measured against truth with the same exposure. \"split\" has one displacement " ..
+             "before and one after the raster time, which makes a difference only with centre. Times are ratios to " ..
+             "McGuire 2012, close.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24 },
     { name = "thin", title = "Thin bar", scene = "oracles/textured_bar", frame = 0, ["scene.left"] = 156,
-      ["scene.right"] = 164, ["scene.period_f"] = 4, note = "8 px wide, moves by 20." },
+      ["scene.right"] = 164, ["scene.period_f"] = 4, note = "The bar is 8 px wide and moves by 20 px." },
     { name = "straight", title = "Straight on", scene = "turns_back", frame = 1, ["scene.before"] = 12,
-      ["scene.after"] = 12, note = "A card goes on by 12 px on either side of the capture." },
+      ["scene.after"] = 12, note = "A card moves by 12 px before and 12 px after the raster time, in one direction." },
     { name = "back", title = "Turns back", scene = "turns_back", frame = 1, ["scene.before"] = 12, ["scene.after"] = -12,
-      note = "The card turns back at the capture." },
+      note = "The card moves back from the raster time on." },
   },
   arms     = {
     { name = "no blur", pipeline = "none" },
@@ -47,7 +48,7 @@ return experiment {
   regions  = { "whole", "inner", "outer" },
   measures = { "rmse", "flip", "ms_ratio", "pixels" },
   expect   = {
-    { "hybrid (best) errs less inside the silhouette than either post-process in every anchor, where motion is straight",
+    { "under straight motion hybrid (best) has a smaller inner error than both post-processes, with every anchor",
       function(r)
         local most, where = 0, ""
         for _, shot in ipairs { "vase", "thin", "straight" } do
@@ -59,29 +60,31 @@ return experiment {
         end
         return most < 1, ("at most %.2f of the better one's (%s)"):format(most, where)
       end },
-    { "time may run backwards: errors over the whole picture of close and open are within a quarter, for every method, " ..
-      "on the card that goes straight on", known = sides, function(r)
+    { "the direction of time does not matter: for the card that moves straight on, the errors over the whole picture with " ..
+      "close and open are within a quarter of each other, for every method", known = sides, function(r)
         local most, who = 1, ""
         for _, arm in ipairs { "McGuire 2012", "Jimenez 2014", best } do
-          local a, b = error_of(r, "straight", arm, "close", "whole"), error_of(r, "straight", arm, "open", "whole")
+          local a, b = error_of(r, "straight", arm, "end", "whole"), error_of(r, "straight", arm, "start", "whole")
           local ratio = math.max(a / b, b / a)
           if ratio > most then most, who = ratio, arm end
         end
         return most <= 1.25, ("at most %.2f times (%s)"):format(most, who)
       end },
-    { "as the paper says, centred blur suits thin things: McGuire's error over the picture is less in centre than in close",
+    { "as the paper says, centred blur suits thin objects: McGuire's error over the picture is smaller with centre than " ..
+      "with close",
       shot = "thin", function(r)
-        local close = error_of(r, "thin", "McGuire 2012", "close", "whole")
+        local close = error_of(r, "thin", "McGuire 2012", "end", "whole")
         local centre = error_of(r, "thin", "McGuire 2012", "centre", "whole")
         return centre < close, ("RMSE %.4f and %.4f"):format(centre, close)
       end },
-    { "a range that ends at the pixel makes the hybrid as published no worse inside the silhouette than a centred one",
+    { "for the hybrid as published, a range that ends at the pixel has at most the inner error of a centred range",
       shot = "vase", function(r)
-        local close = error_of(r, "vase", "hybrid (as published)", "close")
+        local close = error_of(r, "vase", "hybrid (as published)", "end")
         local centre = error_of(r, "vase", "hybrid (as published)", "centre")
         return close <= centre, ("RMSE %.4f and %.4f"):format(close, centre)
       end },
-    { "hybrid (best) does not care: its error inside the silhouette differs by at most a half between anchors",
+    { "the anchor matters little to hybrid (best): its inner error with one anchor is at most 1.5 times its inner error " ..
+      "with another",
       known = sides, function(r)
       local most, where = 0, ""
       for _, shot in ipairs { "vase", "straight" } do
@@ -94,7 +97,8 @@ return experiment {
       end
       return most <= 1.5, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "found afterwards: in every anchor hybrid (best) stays within twice the floor of its 16 samples where motion is straight",
+    { "found afterwards: under straight motion the inner error of hybrid (best) is at most twice the floor of its 16 " ..
+      "samples, with every anchor",
       function(r)
         local most, where = 0, ""
         for _, shot in ipairs { "vase", "thin", "straight" } do
@@ -105,13 +109,14 @@ return experiment {
         end
         return most <= 2, ("at most %.2f times (%s)"):format(most, where)
       end },
-    { "what turns back at the capture needs two displacements: without them hybrid (best) errs at least 3 times as much",
+    { "an object that turns back at the raster time needs two displacements: with one, hybrid (best) has at least 3 times " ..
+      "the error",
       shot = "back", function(r)
         local one = error_of(r, "back", best, "centre", "whole")
         local two = error_of(r, "back", "hybrid (best), split", "centre", "whole")
         return one >= 3 * two, ("RMSE over the picture %.4f and %.4f"):format(one, two)
       end },
-    { "two displacements change nothing where motion is straight: errors within a twentieth", function(r)
+    { "two displacements do not matter under straight motion: errors within a twentieth", function(r)
       local most = 0
       for _, shot in ipairs { "vase", "straight" } do
         local one, two = error_of(r, shot, best, "centre"), error_of(r, shot, "hybrid (best), split", "centre")
@@ -119,7 +124,7 @@ return experiment {
       end
       return most <= 0.05, ("at most %.1f %%"):format(100 * most)
     end },
-    { "two displacements cost at most a half more in centre", function(r)
+    { "two displacements take at most 1.5 times the time, with centre", function(r)
       local one, two = r.at { arm = best, anchor = "centre" }.ms_ratio,
                        r.at { arm = "hybrid (best), split", anchor = "centre" }.ms_ratio
       return two <= 1.5 * one, ("%.2f and %.2f times McGuire 2012"):format(one, two)

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- One number from a post-process blur to truth: is its curve of error against cost the front of everything else?
+-- Compares the pipeline `selective`, whose parameter `effort` leads from a post-process blur to truth, with all other pipelines
+-- by error against cost.
 --   strobe sweep experiments/selective/selective.lua -o out/selective
 local experiment = require "strobe.experiment"
 
@@ -20,7 +21,7 @@ local shots = {
   shot("behind", "Behind", "behind"),
   shot("cards", "Cards", "cards"),
 }
--- How far things go, px: as shares of the picture what the scenes have at 480x270.
+-- Displacements, px: the same shares of the picture as in the scenes at 480x270.
 local objects = { { "caged_fan", 27 }, { "car_and_road", 33 }, { "door", 33 }, { "enters", 33 }, { "leaves", 20 }, { "nearer" },
   { "pendulum", 33 }, { "spoked_wheel", 20 }, { "stacked", 27 }, { "telescope", 33 }, { "tracking_parallax", 17 } }
 local oracles = { "bar", "half_plane", "hidden_white", "quad_2d", "textured_bar", "wedge" }
@@ -38,9 +39,9 @@ add("oracles", oracles)
 add("stability", properties)
 shots[#shots + 1] = shot("planes", "Planes", "stability/planes", { ["scene.kind"] = 2, ["scene.velocity_x"] = 0.83 })
 
-local arms, others, own = {}, {}, {}  -- all; names of other pipelines, of settings of this one
+local arms, others, own = {}, {}, {}  -- all arms; names of arms with other pipelines and with selective
 local base = "McGuire 2012"
-local postprocess = "UE4-style"  -- what it is at its lower end
+local postprocess = "UE4-style"  -- equals selective with effort = 0
 local function arm(list, name, pipeline, set)
   arms[#arms + 1] = { name = name, pipeline = pipeline, set = set or {} }
   list[#list + 1] = name
@@ -55,9 +56,9 @@ arm(others, "Jimenez 2014", "jimenez2014")
 arm(others, postprocess, "ue4")
 arm(others, "Bevy", "bevy")
 arm(others, "HDRP", "hdrp")
-arm(others, "layers 2024", "layers2024")
-arm(others, "temporal1", "temporal1")
--- Truth is not timed as such. The upper part of the dial is truth, by the same plan: 4 times `samples` at 0.8.
+arm(others, "layers 2024", "lee2024")
+arm(others, "oberberger2022", "oberberger2022")
+-- Timed truth: from an effort of 0.75 on selective has the plan of ground_truth, at 0.8 with 4 times `samples`.
 for _, samples in ipairs { 4, 8, 16, 32 } do
   arm(others, ("truth, %d"):format(samples), "selective", { effort = 0.8, samples = samples // 4 })
 end
@@ -69,14 +70,15 @@ arms[#arms + 1] = { name = exact, pipeline = "ground_truth", timed = true, set =
 
 -- ---- curves
 
--- Cost and error of an arm in a shot: time and error as multiples of those of the base, rays per pixel.
+-- Cost and error of an arm in a shot: time as a multiple of the base's or rays per pixel, and error as a multiple of the
+-- base's.
 local function in_shot(r, one, name, cost)
   local here, unit = r.at { shot = one.name, arm = name }, r.at { shot = one.name, arm = base }
   local of = cost == "rays" and here.rays / (width * height) or here.ms_ratio
   return of, math.max(here.rmse, 1e-6) / math.max(unit.rmse, 1e-6)
 end
 
--- The same over all shots, geometric means; of rays, which may be 0, the mean.
+-- Geometric means of cost and error over all shots; for rays, which may be 0, the arithmetic mean.
 local function over_all(r, name, cost)
   local costs, errors = 0, 0
   for _, one in ipairs(shots) do
@@ -96,7 +98,7 @@ local function points(names, at)
   return list
 end
 
--- Straight lines between its points, in logarithms; nothing left of the first, the last error right of the last.
+-- Least error of the curve up to a cost: linear between its points in logarithms, nil below the cost of the first point.
 local function on_curve(curve, cost)
   if cost < curve[1].cost then return nil end
   local least = curve[1].error
@@ -111,7 +113,7 @@ local function on_curve(curve, cost)
   return least
 end
 
--- What lies below the curve, by more than a part in fifty.
+-- Names of the points that lie below the curve by more than a fiftieth.
 local function below(curve, list)
   local found = {}
   for _, one in ipairs(list) do
@@ -121,7 +123,7 @@ local function below(curve, list)
   return found
 end
 
--- The settings than which nothing else is as good in both.
+-- Settings on the front: no other point is at least as good in cost and in error.
 local function on_front(curve, list)
   local names = {}
   for _, own_one in ipairs(curve) do
@@ -139,19 +141,19 @@ end
 
 local function of_curve(cost, words, known)
   return {
-    { ("over all scenes no other pipeline's point lies below the curve of %s"):format(words), function(r)
+    { ("over all scenes no point of another pipeline lies below the curve of selective, %s"):format(words), function(r)
       local curve, list = fronts(r, cost)
       local found = below(curve, list)
       return #found == 0, #found == 0 and "none of " .. #list or table.concat(found, ", ")
     end, known = known },
-    { ("over all scenes at least five settings are on the front of %s"):format(words), function(r)
+    { ("over all scenes at least five settings of selective are on the front, %s"):format(words), function(r)
       local names = on_front(fronts(r, cost))
       return #names >= 5, ("%d: %s"):format(#names, table.concat(names, ", "))
     end },
   }
 end
 
--- One scene after the other: how many have no point below the curve, and what lies below elsewhere.
+-- Number of scenes without a point below their curve, and the points below the curve in the other scenes.
 local function scene_by_scene(r, cost)
   local good, texts = 0, {}
   for _, one in ipairs(shots) do
@@ -163,17 +165,17 @@ local function scene_by_scene(r, cost)
 end
 
 local expect = {}
-local few_rays = "layers of the capture are made by raster passes and few rays; they are cheap in rays and dear in time"
+local few_rays = "layers at the raster time are drawn by raster passes and few rays: they need few rays but much time"
 for _, part in ipairs { of_curve("ms", "error against time"), of_curve("rays", "error against rays", few_rays) } do
   for _, one in ipairs(part) do expect[#expect + 1] = one end
 end
 local function also(text, holds, known) expect[#expect + 1] = { text, holds, known = known } end
 
-also("nor in any scene by itself, against time", function(r)
+also("in no single scene does a point of another pipeline lie below the curve of selective, error against time", function(r)
   local good, texts = scene_by_scene(r, "ms")
   return good == #shots, ("in %d of %d; %s"):format(good, #shots, table.concat(texts, "; "))
-end, "where layers of the capture hold all that is seen, they err less for as much time; some scenes are such")
-also("the first setting, which is that post-process, is on the front too", function(r)
+end, "in some scenes layers at the raster time contain all visible surfaces, and have a smaller error for the same time")
+also("the first setting, an effort of 0, is on the front, apart from the post-process that it equals", function(r)
   local curve, list = fronts(r, "ms")
   local names = {}
   for _, one in ipairs(list) do
@@ -183,21 +185,22 @@ also("the first setting, which is that post-process, is on the front too", funct
   end
   return #names == 0, table.concat(names, ", ")
 end)
-also("at one end it is the UE4-style post-process: the same error in every scene, at most 1.05 of the base's time", function(r)
+also("an effort of 0 equals UE4-style: the same error in every scene, in at most 1.05 times the time of McGuire 2012",
+  function(r)
   local same, cost = true, over_all(r, own[1], "ms")
   for _, one in ipairs(shots) do
     same = same and r.at { shot = one.name, arm = own[1] }.rmse == r.at { shot = one.name, arm = postprocess }.rmse
   end
-  return same and cost <= 1.05, ("%.3f of its time"):format(cost)
+  return same and cost <= 1.05, ("%.3f times the time"):format(cost)
 end)
-also("towards the other it is truth: at 0.8 the error of 64 samples in every scene", function(r)
+also("an effort of 0.8 equals truth: the error of ground truth with 64 samples in every scene", function(r)
   local same = true
   for _, one in ipairs(shots) do
     same = same and r.at { shot = one.name, arm = own[#own] }.rmse == r.at { shot = one.name, arm = exact }.rmse
   end
   return same, ("%d scenes"):format(#shots)
 end)
-also("over all scenes each step costs more and errs less", function(r)
+also("over all scenes each step of effort takes more time and has a smaller error", function(r)
   local curve, good, texts = fronts(r, "ms"), true, {}
   for i = 2, #curve do
     good = good and curve[i].cost > curve[i - 1].cost and curve[i].error < curve[i - 1].error
@@ -208,12 +211,12 @@ end)
 
 return experiment {
   title    = "Selective",
-  question = "Is one number from a post-process blur to truth, which traces where a gather is not certain, the front of " ..
-             "speed against accuracy?",
-  note     = "All scenes of the repository but those of the exhibits, displacements as shares of the picture as at their " ..
-             "own sizes. Errors and times are ratios to McGuire 2012 of the same scene; over all scenes, geometric means. " ..
-             "Between two settings the curve is straight in logarithms. What costs less than its first setting is not " ..
-             "asked for. Pairs are (cost, error).",
+  question = "The pipeline selective gathers in cells where a gather is certain and traces all other pixels; one parameter, " ..
+             "effort, leads from a post-process blur to truth. Is it the front of error against time?",
+  note     = "All scenes of the repository except the exhibits, with the same displacements as shares of the picture as " ..
+             "at their own sizes. Errors and times are ratios to McGuire 2012 in the same scene; over all scenes, " ..
+             "geometric means. Between two settings the curve is linear in logarithms. Points that cost less than its " ..
+             "first setting are not compared with it. Pairs are (cost, error).",
   size     = { width, height },
   shots    = shots,
   arms     = arms,

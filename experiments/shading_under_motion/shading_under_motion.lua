@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What methods freeze: light, shadows and highlights are those of the capture in all but truth.
+-- Error of frozen shading: all methods except truth have light, shadows and highlights of the raster time.
 --   strobe sweep experiments/shading_under_motion/shading_under_motion.lua -o out/shading_under_motion
 local experiment = require "strobe.experiment"
 
@@ -9,16 +9,16 @@ local in_pictures = { lamp = true, shadow = true, gloss = true }
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
--- RMS by which truth changes where its light moves too.
+-- RMS difference between truth with frozen shading and truth with shading at each time sample.
 local function freezing(r, shot, region) return at(r, shot, "ground truth", region).rmse_full end
 
--- The part of a method's squared error against full truth that is left where its error against frozen truth is taken away.
+-- Share of frozen shading in a method's squared error against full truth: 1 - (error against frozen truth / error)^2.
 local function share(r, shot, arm, region)
   local full, frozen = at(r, shot, arm, region).rmse_full, at(r, shot, arm, region).rmse
   return 1 - frozen * frozen / (full * full)
 end
 
--- In every one of `shots`, the share of frozen shading in an arm's squared error is at least, or at most, so much.
+-- Expects the share of frozen shading in an arm's squared error to be between `least` and `most`, in all `shots`.
 local function of_shading(arm, shots, least, most, text)
   return { text, function(r)
     local low, high, where_low, where_high = math.huge, -math.huge, "", ""
@@ -33,23 +33,23 @@ end
 
 return experiment {
   title    = "Shading under motion",
-  question = "What do methods freeze, and how much of their error is that?",
-  note     = "`RMSE` is against truth that is shaded as at the capture, `RMSE, full` against truth in which light, shadows " ..
-             "and highlights move too; the truth's own row has the difference of the two. Surfaces mirror the sky alone, so " ..
-             "that there are no reflections of things to freeze.",
+  question = "How much of the methods' error is frozen shading?",
+  note     = "`RMSE` is against truth with the shading of the raster time (frozen), `RMSE, full` against truth with " ..
+             "moving light, shadows and highlights. The row of truth has the difference of the two. Surfaces reflect " ..
+             "only the sky, so reflections of objects are not measured.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
-    { name = "lamp", title = "A lamp goes by things at rest", scene = "objects/lamp",
-      note = "Nothing that is seen moves: frozen truth is the picture of the capture, and so is every method's." },
-    { name = "shadow", title = "A mover's shadow", scene = "objects/shadow",
-      note = "The ball blurs, its shadow does not." },
+    { name = "lamp", title = "A lamp passes objects at rest", scene = "objects/lamp",
+      note = "No visible surface moves: frozen truth and every method give the rasterised image." },
+    { name = "shadow", title = "The shadow of a moving ball", scene = "objects/shadow",
+      note = "The ball is blurred, its shadow is not." },
     { name = "gloss", title = "A glazed vase turns", scene = "objects/gloss",
-      note = "Light is carried along with the surface: highlights are smeared that stand, and sides are lit as they were " ..
-             "when they faced elsewhere." },
+      note = "Shading moves with the surface: highlights that are at rest are blurred, and each side keeps the light of its " ..
+             "direction at the raster time." },
     { name = "telescope", title = "A telescope turns to the camera", scene = "objects/telescope" },
     { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 26,
-      note = "The vase slides: shadows on the table and highlights on the glaze go with it or not." },
+      note = "The vase slides. Truth with full shading moves its shadow on the table and the highlights on its glaze." },
     { name = "car", title = "A tracking shot", scene = "objects/car_and_road", ["scene.pixels"] = 60 },
   },
   arms     = {
@@ -66,24 +66,27 @@ return experiment {
   regions  = { "whole", "inner", "outer", "moving" },
   measures = { "rmse", "rmse_full", "flip" },
   expect   = {
-    { "a lamp that goes by is frozen whole: all methods leave one picture, and of its squared error against full truth all " ..
-      "but a fiftieth is frozen shading", shot = "lamp", function(r)
+    { "the passing lamp is frozen entirely: all methods give one picture, and at least 0.98 of its squared error against " ..
+      "full truth is frozen shading", shot = "lamp", function(r)
         local same, least = true, 1
         for _, arm in ipairs { none, mcguire, ue4, best } do
           same = same and at(r, "lamp", arm).rmse == at(r, "lamp", none).rmse
           least = math.min(least, share(r, "lamp", arm))
         end
-        return same and least >= 0.98, ("%.3f; the rest are silhouettes that raster and rays place otherwise; RMSE %.4f " ..
+        return same and least >= 0.98, ("%.3f; the rest is at silhouettes, where raster and rays differ; RMSE %.4f " ..
           "against full truth"):format(least, at(r, "lamp", none).rmse_full)
       end },
     of_shading(best, { "shadow", "gloss" }, 0.8, 1,
-      "of the hybrid's squared error, at least four fifths is frozen shading where a shadow or a highlight moves"),
+      "if a shadow or a highlight moves, at least four fifths of the hybrid's squared error are frozen shading"),
     of_shading(mcguire, { "telescope", "vase", "car" }, -1, 0.5,
-      "of McGuire's, at most half wherever things move in light that stands"),
-    of_shading(mcguire, { "telescope", "vase", "car" }, -1, 0.05, "found afterwards: at most a twentieth there"),
+      "if objects move in constant light, at most half of McGuire's squared error is frozen shading"),
+    of_shading(mcguire, { "telescope", "vase", "car" }, -1, 0.05, "found afterwards: if objects move in constant light, " ..
+      "at most a twentieth of McGuire's squared error is frozen shading"),
     of_shading(best, { "telescope", "vase", "car" }, 0.25, 1,
-      "found afterwards: of the hybrid's at least a quarter there: with visibility mended, light is what is left"),
-    { "found afterwards: a glazed vase that turns is nearer to truth sharp than blurred rightly with frozen light",
+      "found afterwards: if objects move in constant light, at least a quarter of the hybrid's squared error is frozen " ..
+      "shading: with correct visibility the error of light remains"),
+    { "found afterwards: for the glazed vase that turns, the sharp picture has a smaller error than exact blur with " ..
+      "frozen light",
       shot = "gloss", function(r)
         local sharp, frozen = at(r, "gloss", none).rmse_full, freezing(r, "gloss")
         return sharp < frozen, ("RMSE %.4f, frozen truth %.4f"):format(sharp, frozen)

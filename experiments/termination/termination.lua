@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- What tells the object in front from what is behind it: luminance (as published), geometry (what the paper hopes to
--- switch to), instance or motion.
+-- Compares the terminations of a ray, which decide that a hit belongs to the background: luminance (as published), geometry
+-- (proposed by the paper), instance and motion.
 local experiment = require "strobe.experiment"
 
--- Why a failed expectation fails.
-local turns = "termination by motion takes one instance for one thing: only other instances are asked how they move"
+-- Reasons of failed expectations.
+local turns = "termination by motion treats an instance as one object: it compares motions only between instances"
 
 local ways = { "luminance", "geometry", "instance", "motion" }
 
@@ -12,7 +12,7 @@ local function error_of(r, shot, arm, region)
   return r.at { shot = shot, arm = arm, region = region or "inner" }.rmse
 end
 
--- In `shot` the error of `arm` is at least `factor` times that of `other`.
+-- Expects the error of `arm` to be at least `factor` times the error of `other`.
 local function worse(shot, arm, other, factor, text, region, known)
   return { text, shot = shot, known = known, function(r)
     local a, b = error_of(r, shot, arm, region), error_of(r, shot, other, region)
@@ -20,7 +20,7 @@ local function worse(shot, arm, other, factor, text, region, known)
   end }
 end
 
--- In `shot` the errors of two are within a tenth of each other.
+-- Expects the errors of two arms to be within a tenth of each other.
 local function alike(shot, arm, other, text, known)
   return { text, shot = shot, known = known, function(r)
     local a, b = error_of(r, shot, arm), error_of(r, shot, other)
@@ -43,24 +43,25 @@ local function panels(name, title, front, behind, note)
 end
 
 return experiment {
-  title    = "What counts as another object",
-  question = "What does GeometryIndex gain over luminance as the sign of another object, and where? The paper asks this.",
-  note     = "All arms are hybrid_layered, but with a ray behind everything that moves; they differ in " ..
-             "what ends the ray. It goes from hit to hit, up to 8, but under \"instance, one ray\", which ignores the " ..
-             "instance in front. Where no hit ends it the pixel is blurred as without rays. Times are ratios to no rays.",
+  title    = "Termination of rays",
+  question = "When does termination by GeometryIndex, proposed by the paper, gain over termination by luminance?",
+  note     = "All arms are hybrid_layered with the mask moving: a ray behind every moving surface. They differ in the " ..
+             "rule that ends the ray. Rays advance from hit to hit, up to 8 hits; under \"instance, one ray\" one " ..
+             "traversal ignores the instance in front. If no hit ends the ray, the pixel is blurred as without rays. " ..
+             "Times are ratios to no rays.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24,
-      note = "A hollow glazed vase, which holds twigs, slides past a striped cushion." },
-    panels("plain", "One colour", "plain", "varied", "A closed box of one colour before cells of other luminances."),
+      note = "A hollow glazed vase with twigs in it slides past a striped cushion." },
+    panels("plain", "One colour", "plain", "varied", "A closed box of one colour moves before cells of other luminances."),
     panels("equal", "Equal luminance behind", "plain", "alike",
-           "The box before cells as bright as itself, and those before a wall."),
+           "The box moves before cells of its own luminance, which are before a wall."),
     panels("textured", "Textured front", "textured", "varied", "The box is checkered in two luminances."),
-    panels("parts", "Two parts", "parts", "varied", "One object of two parts: a box in a box, of different luminance."),
-    panels("alike", "Two parts alike", "alike", "varied", "The same, both as bright as each other."),
-    panels("nodes", "Two objects as one", "nodes", "varied", "The same box in a box as two objects that move as one."),
-    panels("posts", "Covers itself", "posts", "varied", "A turning ring of posts: one object, whose far side moves " ..
+    panels("parts", "Two parts", "parts", "varied", "One object of two parts with different luminance: a box in a box."),
+    panels("alike", "Two parts alike", "alike", "varied", "One object of two parts with equal luminance: a box in a box."),
+    panels("nodes", "Two objects as one", "nodes", "varied", "A box in a box, as two objects that move together."),
+    panels("posts", "Covers itself", "posts", "varied", "A turning ring of posts is one object. Its far side moves " ..
            "against its near side."),
   },
   arms     = arms,
@@ -71,25 +72,27 @@ return experiment {
   measures = { "rmse", "flip", "ms_ratio", "pixels" },
   expect   = {
     alike("plain", "luminance", "geometry",
-          "in front of something of another luminance a box of one colour needs no more than luminance"),
+          "for a box of one colour before a background of another luminance, luminance suffices: errors within a tenth of " ..
+            "geometry"),
     worse("equal", "luminance", "geometry", 3,
-          "before a background of equal luminance the error under luminance is at least 3 times that under geometry"),
+          "before a background of equal luminance the error under luminance is at least 3 times the error under geometry"),
     worse("textured", "luminance", "geometry", 3,
-          "with a textured front the error under luminance is at least 3 times that under geometry"),
+          "with a textured foreground the error under luminance is at least 3 times the error under geometry"),
     worse("vase", "luminance", "geometry", 3,
-          "the vase's own far wall is lit otherwise: the error under luminance is at least 3 times that under geometry"),
-    alike("vase", "geometry", "instance", "the vase needs no more than geometry",
-          "twigs and leaves in and behind the vase are geometries of their own: rays end at them"),
+          "the vase's far wall has other lighting: the error under luminance is at least 3 times the error under geometry"),
+    alike("vase", "geometry", "instance", "for the vase geometry suffices: errors within a tenth of instance",
+          "twigs and leaves in and behind the vase are separate geometries, at which rays end"),
     worse("parts", "geometry", "instance", 3,
           "an object of two parts needs the instance: the error under geometry is at least 3 times as large"),
     worse("alike", "geometry", "luminance", 3,
-          "geometry loses to luminance where the parts of an object are equally bright: 3 times the error"),
+          "geometry is worse than luminance if the parts of an object are equally bright: at least 3 times the error"),
     worse("nodes", "instance", "motion", 3,
           "two objects that move as one need motion: the error under instance is at least 3 times as large"),
     worse("posts", "instance", "motion", 1.25,
-          "what covers itself needs motion: in hidden the error under instance is at least 1.25 times as large", "hidden",
-          turns),
-    { "motion is nowhere more than a tenth worse than the best of the others", known = turns, function(r)
+          "an object that covers itself needs motion: in hidden the error under instance is at least 1.25 times as large",
+          "hidden", turns),
+    { "the error under motion in hidden is at most 1.1 times the smallest error of the others, in every shot",
+      known = turns, function(r)
       local most, where = 0, ""
       for _, shot in ipairs { "vase", "plain", "equal", "textured", "parts", "alike", "nodes", "posts" } do
         local least = math.huge
@@ -101,7 +104,8 @@ return experiment {
       end
       return most <= 1.1, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "geometry gains where fronts are textured or hollow, or backgrounds as bright, and loses where objects have parts",
+    { "geometry gains for a textured or hollow foreground and a background of equal luminance, and loses for an object of " ..
+      "parts",
       function(r)
         local gains, losses = {}, {}
         for _, shot in ipairs { "vase", "plain", "equal", "textured", "parts", "alike", "nodes" } do
@@ -109,12 +113,13 @@ return experiment {
           if ratio >= 1.5 then gains[#gains + 1] = ("%s %.1f"):format(shot, ratio) end
           if ratio <= 1 / 1.5 then losses[#losses + 1] = ("%s %.2f"):format(shot, ratio) end
         end
-        return #gains == 3 and #losses == 1, ("error under luminance over that under geometry: gains %s; losses %s"):format(
+        return #gains == 3 and #losses == 1, ("error under luminance over error under geometry: gains %s; losses %s"):format(
           table.concat(gains, ", "), #losses > 0 and table.concat(losses, ", ") or "none")
       end },
     worse("vase", "instance", "instance, one ray", 1.5,
-          "found afterwards: rays through vase and twigs meet the cap of 8 hits, which one traversal does not"),
-    { "one traversal that ignores the instance costs no more than going from hit to hit", function(r)
+          "found afterwards: rays through vase and twigs reach the cap of 8 hits, which one traversal does not have: at " ..
+          "least 1.5 times the error"),
+    { "one traversal that ignores the instance takes at most 1.02 times the time of an advance from hit to hit", function(r)
       local one, many = r.at { arm = "instance, one ray" }.ms_ratio, r.at { arm = "instance" }.ms_ratio
       return one <= 1.02 * many, ("%.2f and %.2f times the time without rays, over all shots"):format(one, many)
     end },

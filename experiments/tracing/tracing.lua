@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The cost of rays, by backend.
+-- Compares the backends that trace rays by frame time and error.
 local experiment = require "strobe.experiment"
 
 local list = experiment.list
@@ -12,7 +12,7 @@ local function at(r, shot, arm, wanted)
   return r.at(key)
 end
 
--- Of the time of ray queries.
+-- Time with the runtime's own tree over the time with ray queries.
 local function share(r, shot, arm)
   return at(r, shot, arm, { backend = "bvh" }).ms_ratio / at(r, shot, arm, { backend = "query" }).ms_ratio
 end
@@ -33,22 +33,22 @@ local function most_apart(r, groups)
   return most
 end
 
--- Why an expectation fails.
-local borders = "of truth's tens of millions of rays some pass a triangle within rounding of its border, and fall to either " ..
-                "side; the methods' own pictures are the same bit for bit"
+-- Reasons of failed expectations.
+local borders = "of truth's tens of millions of rays some pass the border of a triangle within rounding, and backends " ..
+                "place them on different sides; the pictures of methods are equal bit for bit"
 
 return experiment {
   title    = "Rays: backends",
-  question = "What does the runtime's own tree save?",
-  note     = "Backends are three ways to trace one set of rays. Truth sees whole pixels, at times drawn in strata. Errors " ..
-             "are held against truth with 1024 samples. Times are ratios to McGuire 2012 with ray queries in the same shot; " ..
-             "of truth, which is not timed, rays count.",
+  question = "How much time does the runtime's own tree (bvh) save?",
+  note     = "The three backends trace the same rays. Samples of truth cover whole pixels, at stratified times. Errors are " ..
+             "against truth with 1024 samples. Times are ratios to McGuire 2012 with ray queries in the same shot. Truth is " ..
+             "not timed; its rays are counted.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "room", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24,
-      note = "Three lights that cast shadows: most rays are theirs." },
-    { name = "cells", title = "Cells", scene = "behind", ["scene.cell"] = 9, note = "Unlit: no ray but those that look." },
+      note = "Three lights cast shadows: most rays are shadow rays." },
+    { name = "cells", title = "Cells", scene = "behind", ["scene.cell"] = 9, note = "Unlit: no shadow rays." },
   },
   arms     = {
     { name = "no blur", pipeline = "none" },
@@ -63,18 +63,20 @@ return experiment {
   regions  = { "whole", "inner" },
   measures = { "rmse", "ms_ratio", "rays" },
   expect   = {
-    { "every backend gives one picture: the same error to the last digit kept", known = borders, function(r)
+    { "all backends give the same picture: errors are equal to the last digit", known = borders, function(r)
       local most = most_apart(r, { blurred, truths })
       return most == 0, ("relative difference of up to %.1e"):format(most)
     end },
-    { "found afterwards: errors of methods agree to a part in 50,000, those of truths to one in 500", function(r)
+    { "found afterwards: between backends errors of methods differ by at most 1 in 50,000, errors of truth by at most 1 " ..
+      "in 500", function(r)
       local methods, means = most_apart(r, { blurred }), most_apart(r, { truths })
       return methods <= 2e-5 and means <= 2e-3, ("%.1e and %.1e"):format(methods, means)
     end },
-    { "where rays are most of a frame no method takes longer by the own tree", shot = "room", function(r)
+    { "if rays take most of a frame, no method takes longer with the runtime's own tree than with ray queries", shot = "room",
+      function(r)
       local most = 0
       for _, arm in ipairs(blurred) do most = math.max(most, share(r, "room", arm)) end
-      return most <= 1, ("%.2f of the time by ray queries, at most"):format(most)
+      return most <= 1, ("at most %.2f of the time with ray queries"):format(most)
     end },
   },
   layout   = { table = { axes = { "backend" }, cells = { "rmse", "ms_ratio", "rays" } } },

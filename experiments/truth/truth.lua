@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The cost of truth through whole pixels for an error: every ray traced, or known ones spared.
+-- Time of truth through whole pixels for a given error, with every ray traced and with rays skipped if their result is known.
 --   strobe sweep experiments/truth/truth.lua -o out/truth
 local experiment = require "strobe.experiment"
 
@@ -17,8 +17,8 @@ end
 
 local function at(r, shot, name, samples) return r.at { shot = shot.name, arm = name, samples = samples } end
 
--- Time for the error that an arm has with so many samples, as a part of that of another arm for the same error: in logarithms
--- straight between its points, and beyond.
+-- Time of an arm with `samples`, as a share of the time that the arm `of` needs for the same error: interpolated and
+-- extrapolated linearly in logarithms between the points of `of`.
 local function share(r, shot, name, samples, of)
   local own, k = at(r, shot, name, samples), 1
   while k < #counts - 1 and at(r, shot, of, counts[k + 1]).rmse > own.rmse do k = k + 1 end
@@ -28,10 +28,10 @@ local function share(r, shot, name, samples, of)
 end
 
 return experiment {
-  title    = "What truth costs",
-  question = "How much of the time for an error does truth save by what it knows?",
-  note     = "Samples anywhere in the pixel. Times are ratios to 8 samples of every ray in the same shot; the reference has " ..
-             "its own noise, which is in all errors alike.",
+  title    = "Cost of truth",
+  question = "How much of the time for a given error does truth save by skipping rays with a known result?",
+  note     = "Samples cover the whole pixel. Times are ratios to every ray with 8 samples in the same shot. The reference " ..
+             "has noise too, which adds to all errors equally.",
   size     = { 320, 180 },
   shots    = shots,
   arms     = { arm(brute, "brute"), arm(spared, "rays") },
@@ -42,7 +42,7 @@ return experiment {
   regions  = { "whole" },
   measures = { "rmse", "ms_ratio", "rays" },
   expect   = {
-    { "what is spared changes the error by at most a fiftieth", function(r)
+    { "skipping rays changes the error by at most a fiftieth", function(r)
       local most = 0
       for _, shot in ipairs(shots) do
         for _, samples in ipairs(counts) do
@@ -51,14 +51,15 @@ return experiment {
       end
       return most <= 0.02, ("at most %.2f %%"):format(100 * most)
     end },
-    { "where the camera rests in a lit room, sparing takes at most .8 of the time of every ray, from 64 samples on", function(r)
+    { "in a lit room before a camera at rest, skipping rays takes at most 0.8 times the time for the same error, from 64 " ..
+      "samples on", function(r)
       local most = 0
       for _, samples in ipairs(counts) do
         if samples >= 64 then most = math.max(most, share(r, shots[2], spared, samples, brute)) end
       end
       return most <= 0.8, ("at most %.2f"):format(most)
     end },
-    { "twice the samples leave less of the error than the .71 that independent ones would", function(r)
+    { "twice the samples leave less than 0.71 of the error, the share of independent samples", function(r)
       local most = 0
       for _, shot in ipairs(shots) do
         for i = 2, #counts do

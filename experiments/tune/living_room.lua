@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Written by `strobe tune`; taken by `--set preset=` and the name of this file.
+-- Written by `strobe tune`. Use it with `--set preset=` and the name of this file.
 local preset = require "strobe.preset"
 
 return preset {
-  doc = "hybrid tuned on living_room, 320x180: 0.01362, " ..
-    "the least rmse (inner) within 0.5 times the own cost of hybrid as it is",
+  doc = "hybrid tuned on living_room, 320x180: the least inner RMSE, 0.01362, " ..
+    "at up to 0.5 times the own cost of unchanged hybrid",
   set = {
     composite = "in_gather",
     depth_extent = 0.005,

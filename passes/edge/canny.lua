@@ -4,8 +4,6 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_canny",
-  shader = "edge/canny",
   doc    = "Thin edges: strong ridges of the smoothed gradient, and weak ridges connected to strong ones",
   fails  = "Edges are one pixel wide, so a range check with steps of more than a pixel misses them. A weak part of " ..
            "an edge is kept only up to `reach` pixels along x or y from a strong part. Edges closer together than " ..
@@ -13,10 +11,10 @@ return pass.compute {
   size   = { of = "ridge" },
   reads  = {
     ridge = { doc = "class of the ridge: 1 strong, 1/2 weak, 0 none" },
-    where = { optional = true, doc = "mask, above 1/2 where edges are marked; absent: everywhere" },
+    where = { absent = 1, doc = "mask, above 1/2 where edges are marked" },
   },
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
   params = {
     reach = pass.int { 15, min = 0, max = 15, unit = "px", doc = "largest distance between a weak and a strong ridge" },
   },

@@ -4,13 +4,11 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_id",
-  shader = "edge/id",
   doc    = "Pixels beside a farther pixel of another instance",
   fails  = "Misses self-occlusion of one instance. Marks the contact where static parts touch or intersect, which " ..
            "costs rays without an error.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "id"),
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
 }

@@ -4,15 +4,13 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_laplacian",
-  shader = "edge/laplacian",
   doc    = "Edges where the second difference of inverse depth or of the normal is large",
   fails  = "Responds on both sides of a step, and to noise more than gradients do. The step is measured in 1/z as " ..
            "1 - near / far, which is smaller than the depth step of the gradients where the gap is large.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
   params = edge_ports.steps {
     kernel = pass.choice { "four", "eight", "log", default = "four", doc = "kernel of the second difference",
       values = {

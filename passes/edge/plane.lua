@@ -4,15 +4,13 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_plane",
-  shader = "edge/plane",
   doc    = "Edges where neighbouring pixels are off the plane of the surface, or the normal changes abruptly",
   fails  = "Misses farther surfaces that lie in the same plane. By second differences, misses pixels if one neighbour " ..
            "is as much nearer as the opposite one is farther. Coarsely quantised depths produce false edges.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
   scene  = true,
   params = edge_ports.steps {
     depth_threshold = edge_ports.depth_threshold(0.02, "smallest distance of an edge from the plane, divided by the depth"),

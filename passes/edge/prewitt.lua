@@ -4,14 +4,12 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_prewitt",
-  shader = "edge/prewitt",
   doc    = "Edges from gradients of depth and normal, with equal weights across the gradient",
   fails  = "Marks planes at grazing angles and curved surfaces, as sobel does. Its response depends more on direction: " ..
            "for waves of 7 px it is 7 % smaller along a diagonal.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
   params = edge_ports.gradients(),
 }

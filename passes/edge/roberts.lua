@@ -4,8 +4,6 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_roberts",
-  shader = "edge/roberts",
   doc    = "Edges from two diagonal differences of 2 x 2 pixels, one pixel wide",
   fails  = "The response is centred half a pixel to the right and below. Silhouettes with the nearer side to the right or " ..
            "below are marked on the farther pixel, where the mask does not search: objects that move left or up get no " ..
@@ -14,6 +12,6 @@ return pass.compute {
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
   params = edge_ports.gradients(),
 }

@@ -4,14 +4,12 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_scharr",
-  shader = "edge/scharr",
   doc    = "Edges from gradients of depth and normal, with the weights whose response depends least on direction",
   fails  = "Marks planes at grazing angles and curved surfaces, as sobel does. The response is isotropic only for " ..
            "smooth changes: it is 15 % larger for a hard step along a diagonal than for one along an axis.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
   params = edge_ports.gradients(),
 }

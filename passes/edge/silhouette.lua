@@ -4,15 +4,13 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_silhouette",
-  shader = "edge/silhouette",
   doc    = "Pixels beside a farther pixel of another instance that is off their own plane",
   fails  = "Misses self-occlusion of one instance, and background in the same plane. An object that rests on another " ..
            "has no silhouette at the contact, which is right only while neither moves.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "id", "normal"),
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
   scene  = true,
   params = {
     depth_threshold = edge_ports.depth_threshold(0.02, "smallest distance of an edge from the plane, divided by the depth"),

@@ -4,14 +4,12 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  name   = "edge_sobel",
-  shader = "edge/sobel",
   doc    = "Edges from gradients of depth and normal",
   fails  = "Marks whole planes at grazing angles, such as floors, because their depth gradient is as large as at an edge. " ..
            "Marks curved surfaces at grazing angles. Edges are two pixels wide.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
-  without = edge_ports.nowhere,
+  if_no = edge_ports.nowhere,
   params = edge_ports.gradients(),
 }

@@ -4,8 +4,6 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  name   = "along_motion",
-  shader = "filter/along_motion",
   doc    = "Mean of five pixels along the dominant displacement, 2^octave px apart, weighted by luminance and variance",
   fails  = "Adds bias: where motions differ, everything is blurred along the longest one. Textures and silhouettes along it "
     .. "are blurred if their contrast is within the noise. Noise that the levels do not reach remains.",
@@ -20,7 +18,7 @@ return pass.compute {
     blurred = { format = "rgba32f", doc = "filtered image, linear radiance; alpha 1" },
     less    = { format = "r32f", doc = "remaining variance of luminance / (1 + luminance)" },
   },
-  without = { motion = { blurred = "noisy", less = "variance" } },
+  if_no = { motion = { blurred = "noisy", less = "variance" } },
   params = {
     tile  = blur.tile,
     octave = pass.int { 0, min = 0, max = 8, doc = "level of the filter; its pixels are 2^octave px apart" },

@@ -6,8 +6,6 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
 return pass.compute {
-  name   = "bevy",
-  shader = "filter/bevy",
   doc    = "Blur of each pixel along its own displacement; nearer taps count if they move at least as far as their distance",
   fails  = "Nothing blurs beyond its silhouette: a static pixel stays unchanged even if a surface passes over it. Inside a "
     .. "silhouette, the background is copied from outside. Nearer surfaces that move along the same line count even if they "
@@ -15,7 +13,7 @@ return pass.compute {
   size   = { of = "color" },
   reads  = ports.of { "color", "depth", "velocity" },
   writes = ports.picture,
-  without = ports.still,
+  if_no = ports.no_motion,
   params = {
     samples      = blur.samples { doc = "number of taps along the displacement" },
     limit        = blur.limit,

@@ -4,8 +4,6 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  name   = "motion_variance",
-  shader = "filter/motion_variance",
   doc    = "Variance of luminance along the dominant displacement; 0 where no pixel along it hit a moving surface",
   fails  = "A texture that varies along the motion is treated as noise.",
   size   = { of = "noisy" },
@@ -15,6 +13,6 @@ return pass.compute {
     dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
   },
   writes = { variance = { format = "r32f", doc = "variance of luminance / (1 + luminance)" } },
-  without = { motion = { variance = 0 } },
+  if_no = { motion = { variance = 0 } },
   params = { tile = blur.tile },
 }

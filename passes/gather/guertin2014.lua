@@ -1,18 +1,16 @@
 -- SPDX-License-Identifier: MIT
 -- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter", for any anchor.
-local pass   = require "strobe.pass"
-local blur   = require "passes.lib.blur"
-local ports  = require "passes.lib.blur_ports"
-local jitter = require "passes.lib.jitter"
-local stored = require "passes.lib.stored"
+local pass      = require "strobe.pass"
+local blur      = require "passes.lib.blur"
+local ports     = require "passes.lib.blur_ports"
+local jitter    = require "passes.lib.jitter"
+local quantised = require "passes.lib.quantised"
 
 local every_other = "an even number of samples around the pixel alternates between the directions from one end on, as " ..
   "published, so that reversal swaps the directions"
 local stands = "the choice of the tile depends on the screen position: it is not mirrored or moved with the scene"
 
 return pass.compute {
-  name   = "gather_guertin2014",
-  shader = "gather/guertin2014",
   doc    = "Blur along the dominant displacement and a second direction, weighted by the alignment of motions with both",
   fails  = "Too opaque inside silhouettes, like McGuire's filter; coverage ramps are not straight lines, and the background "
     .. "inside a silhouette is copied from outside. Surfaces that move along neither direction stay sharp or leave noise. Each "
@@ -24,7 +22,7 @@ return pass.compute {
             "direction" },
   }),
   writes = ports.layer,
-  without = ports.still,
+  if_no = ports.no_motion,
   params = {
     samples      = blur.samples { doc = "number of taps, both directions together" },
     directions   = blur.directions { default = "two",
@@ -57,10 +55,10 @@ return pass.compute {
       } },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
-    color_format = stored.color_format,
+    color_format = quantised.color_format,
   },
   counters = {
-    color_clamped = stored.counters.color_clamped,
+    color_clamped = quantised.counters.color_clamped,
     copied  = "pixels copied because no surface around moves",
     uniform = "pixels treated as surrounded by uniform motion",
   },

@@ -1,14 +1,12 @@
 -- SPDX-License-Identifier: MIT
 -- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any anchor.
-local pass   = require "strobe.pass"
-local blur   = require "passes.lib.blur"
-local ports  = require "passes.lib.blur_ports"
-local jitter = require "passes.lib.jitter"
-local stored = require "passes.lib.stored"
+local pass      = require "strobe.pass"
+local blur      = require "passes.lib.blur"
+local ports     = require "passes.lib.blur_ports"
+local jitter    = require "passes.lib.jitter"
+local quantised = require "passes.lib.quantised"
 
 return pass.compute {
-  name   = "gather_jimenez2014",
-  shader = "gather/jimenez2014",
   doc    = "Blur by pairs of taps; the nearer and faster tap of a pair sets the weight of both",
   fails  = "Inside a silhouette the background is copied from outside, so that edges there appear twice. Outside, the "
     .. "background under a blurred object is copied from the opposite side. Motions that cross the dominant one are blurred "
@@ -16,7 +14,7 @@ return pass.compute {
   size   = { of = "color" },
   reads  = ports.of_layer { "slowest" },
   writes = ports.layer,
-  without = ports.still,
+  if_no = ports.no_motion,
   params = {
     samples      = blur.samples { doc = "largest number of taps along the displacement" },
     count        = pass.choice { "fixed", "adaptive", default = "fixed", doc = "number of taps per pixel",
@@ -45,10 +43,10 @@ return pass.compute {
       doc = "ratio of the shortest to the dominant displacement; above it taps are averaged without weights" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
-    color_format = stored.color_format,
+    color_format = quantised.color_format,
   },
   counters = {
-    color_clamped = stored.counters.color_clamped,
+    color_clamped = quantised.counters.color_clamped,
     copied = "pixels copied because no surface around moves",
     cheap  = "pixels that are the plain mean of their taps, because all motion around is similar",
     full   = "pixels with weighted taps",

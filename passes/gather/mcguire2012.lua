@@ -1,17 +1,15 @@
 -- SPDX-License-Identifier: MIT
 -- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", for any anchor.
-local pass   = require "strobe.pass"
-local blur   = require "passes.lib.blur"
-local ports  = require "passes.lib.blur_ports"
-local jitter = require "passes.lib.jitter"
-local stored = require "passes.lib.stored"
+local pass      = require "strobe.pass"
+local blur      = require "passes.lib.blur"
+local ports     = require "passes.lib.blur_ports"
+local jitter    = require "passes.lib.jitter"
+local quantised = require "passes.lib.quantised"
 
 local every_other = "an even number of samples around the pixel alternates between the directions from one end on, so that " ..
   "reversal swaps the directions"
 
 return pass.compute {
-  name   = "gather_mcguire2012",
-  shader = "gather/mcguire2012",
   doc    = "Blur along the dominant displacement, weighted by cones and cylinders",
   fails  = "Too opaque inside silhouettes (6/7 instead of 1/2), with a step at them; coverage ramps are not straight lines, "
     .. "and opacity grows with the number of samples. The background inside a silhouette is copied from outside. Motions that "
@@ -22,7 +20,7 @@ return pass.compute {
   size   = { of = "color" },
   reads  = ports.of_layer { "second" },
   writes = ports.layer,
-  without = ports.still,
+  if_no = ports.no_motion,
   params = {
     samples      = blur.samples { doc = "number of taps along the displacement" },
     directions   = blur.directions {
@@ -37,7 +35,7 @@ return pass.compute {
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
-    color_format = stored.color_format,
+    color_format = quantised.color_format,
   },
-  counters = { color_clamped = stored.counters.color_clamped },
+  counters = { color_clamped = quantised.counters.color_clamped },
 }

@@ -1,22 +1,20 @@
 -- SPDX-License-Identifier: MIT
 -- Time-uniform gather: a tap counts as 1/N of the exposure if its own motion passes over the pixel, otherwise as 0.
-local pass   = require "strobe.pass"
-local blur   = require "passes.lib.blur"
-local ports  = require "passes.lib.blur_ports"
-local jitter = require "passes.lib.jitter"
-local stored = require "passes.lib.stored"
+local pass      = require "strobe.pass"
+local blur      = require "passes.lib.blur"
+local ports     = require "passes.lib.blur_ports"
+local jitter    = require "passes.lib.jitter"
+local quantised = require "passes.lib.quantised"
 
 return pass.compute {
-  name   = "gather_uniform",
-  shader = "gather/uniform",
   doc    = "Blur along the dominant displacement; each tap stands for an equal fraction of the exposure",
   fails  = "Without a revealed layer the background inside a silhouette is copied from outside. Where the background moves "
     .. "under a moving silhouette, the product of two means differs from the mean of the product. Surfaces whose motion leaves "
     .. "the line of the dominant one by more than 3/4 px are not found.",
   size   = { of = "color" },
-  reads  = ports.of_layer { "after_velocity", "after_dominant" },
+  reads  = ports.of_layer { "velocity_post", "dominant_post" },
   writes = ports.layer,
-  without = ports.still,
+  if_no = ports.no_motion,
   params = {
     samples      = blur.samples { doc = "number of taps along the displacement" },
     tile         = blur.tile,
@@ -24,7 +22,7 @@ return pass.compute {
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
-    color_format = stored.color_format,
+    color_format = quantised.color_format,
   },
-  counters = { color_clamped = stored.counters.color_clamped },
+  counters = { color_clamped = quantised.counters.color_clamped },
 }

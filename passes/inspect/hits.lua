@@ -3,8 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.trace {
-  name   = "hits",
-  shader = "inspect/hits",
   doc    = "First 16 hits of the camera ray through one pixel at the raster time, nearest first, one per texel",
   fails  = "Lists only one of two surfaces whose depths differ by at most 4 units in the last place.",
   size   = { 16, 1 },

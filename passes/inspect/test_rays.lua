@@ -3,8 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.trace {
-  name   = "test_rays",
-  shader = "inspect/test_rays",
   doc    = "Hits of one random ray per pixel through the scene at the raster time, with rays that are hard to trace exactly",
   writes = {
     origin    = { format = "rgba32f", doc = "origin of the ray relative to the camera at the raster time, world axes, metres" },

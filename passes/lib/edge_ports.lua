@@ -8,7 +8,7 @@ local docs = {
   depth  = { doc = "linear view depth, metres; +inf for the sky" },
   normal = { doc = "unit normal, world space; 0 for the sky" },
   id     = { uint = true, doc = "instance + 1; 0 for the sky" },
-  where  = { optional = true, doc = "mask, above 1/2 where edges are detected; absent: everywhere" },
+  where  = { absent = 1, doc = "mask, above 1/2 where edges are detected" },
 }
 
 -- Reads of a detector: the named images and the mask `where`.

@@ -3,8 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  name   = "mask_constant",
-  shader = "mask/constant",
   doc    = "Constant mask: all pixels or none",
   fails  = "All pixels cost a ray each; without masked pixels, disoccluded surfaces are missing at every silhouette.",
   writes = { mask = { format = "r8_unorm", doc = "mask of the ray reveal, 1 where a ray is traced" } },

@@ -4,8 +4,6 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  name   = "mask_moving",
-  shader = "mask/moving",
   doc    = "Pixels that move, or whose tile a moving surface may reach",
   fails  = "Wastes rays: it marks whole tiles around every moving surface, although most of their pixels disocclude " ..
            "nothing. Never misses a surface that moves by less than the limit. At the border of the image, revealed " ..
@@ -16,7 +14,7 @@ return pass.compute {
     dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
   },
   writes = { mask = { format = "r8_unorm", doc = "mask of the ray reveal, 1 where a ray is traced" } },
-  without = { motion = { mask = 0 } },
+  if_no = { motion = { mask = 0 } },
   params = {
     tile             = blur.tile,
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "smallest displacement of a moving pixel" },

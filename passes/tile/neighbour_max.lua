@@ -2,23 +2,20 @@
 -- Longest displacement that can reach each tile. McGuire et al. 2012, section 2.2; off-axis rule: Guertin et al. 2014.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
-local reach = require "passes.lib.reach"
+local max_displacement = require "passes.lib.max_displacement"
 
 return pass.compute {
-  name   = "neighbour_max",
-  shader = "tile/neighbour_max",
   doc    = "Longest displacement of the tiles around each tile that can reach it within the exposure",
   fails  = "A tile is represented by its longest displacement: a slower pixel that reaches this tile is lost if the longest "
     .. "displacement does not reach it. Tile borders show where the dominant displacement changes.",
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "longest displacement of each tile, px over the exposure" },
-    motions = { optional = true,
-      doc = "two displacements that represent each tile, px over the exposure; absent: `longest` alone" },
-    curve = { optional = true, needs = "curve",
-      doc = "curve of the path of each tile's longest displacement, px; absent: paths are straight lines" },
-    place = { optional = true, needs = "curve", doc = "texel that has the longest displacement of each tile, px" },
-    reach = reach,
+    velocities = { absent = 0, doc = "two displacements that represent each tile besides `longest`, px over the exposure" },
+    curve = { absent = 0, needs = "curve",
+      doc = "curve of the path of each tile's longest displacement, px; 0 for a straight line" },
+    place = { absent = 0, needs = "curve", doc = "texel that has the longest displacement of each tile, px" },
+    max_displacement = max_displacement,
   },
   writes = {
     dominant = { format = "rg32f", doc = "longest displacement that reaches each tile, px over the exposure" },
@@ -27,14 +24,15 @@ return pass.compute {
     second   = { format = "rg32f",
       doc = "displacement that differs most from the dominant one, px over the exposure; equal to it if none differs" },
   },
-  without = { motion = { dominant = 0, dominant_curve = 0, dominant_place = 0, second = 0 } },
+  if_no = { motion = { dominant = 0, dominant_curve = 0, dominant_place = 0, second = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,
     trajectory = blur.trajectory { wired = true },
-    rule  = pass.choice { "reach", "sign", "all", default = "reach", doc = "test for the tiles around that can reach a tile",
+    rule  = pass.choice { "swept_box", "sign", "all", default = "swept_box",
+      doc = "test for the tiles around that can reach a tile",
       values = {
-        reach = "Tiles whose box passes over this tile within the exposure. Fails for a slow pixel of a tile whose longest "
+        swept_box = "Tiles whose box passes over this tile within the exposure. Fails for a slow pixel of a tile whose longest "
           .. "displacement misses this tile.",
         sign = "Tiles whose displacement points to this tile on every axis that separates the two (Guertin et al. 2014). Fails "
           .. "as reach does, and lets distant tiles dominate that stop short of this tile.",

@@ -2,15 +2,16 @@
 -- Length of the shortest displacement around each tile. Guertin et al. 2014; Jimenez 2014.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
-local reach = require "passes.lib.reach"
+local max_displacement = require "passes.lib.max_displacement"
 
 return pass.compute {
-  name   = "neighbour_min",
-  shader = "tile/neighbour_min",
   doc    = "Length of the shortest displacement of the tiles in range, including tiles that do not reach this one",
   fails  = "One static pixel in range makes the whole neighbourhood count as static.",
   size   = { of = "shortest" },
-  reads  = { shortest = { doc = "length of the shortest displacement of each tile, px over the exposure" }, reach = reach },
+  reads  = {
+    shortest = { doc = "length of the shortest displacement of each tile, px over the exposure" },
+    max_displacement = max_displacement,
+  },
   writes = { slowest = { format = "r32f",
     doc = "length of the shortest displacement around each tile, px over the exposure" } },
   params = {

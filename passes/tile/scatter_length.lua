@@ -4,8 +4,6 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  name   = "scatter_length",
-  shader = "tile/scatter_length",
   doc    = "Length of the longest displacement whose tile passes over each tile within the exposure",
   fails  = "A tile is represented by its longest displacement, and its path by the line of its centre: of two motions that " ..
            "cross in a tile, one is lost.",

@@ -3,8 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  name   = "scatter_max",
-  shader = "tile/scatter_max",
   doc    = "Longest displacement scattered to each tile or its eight neighbours",
   fails  = "One displacement represents all that reach a tile: crossing motions are lost. It also dominates one tile " ..
            "beyond its end.",
@@ -14,5 +12,5 @@ return pass.compute {
     source  = { uint = true, doc = "tile of origin of the longest displacement that reaches each tile, from `scatter_source`" },
   },
   writes = { dominant = { format = "rg32f", doc = "longest displacement that reaches each tile, px over the exposure" } },
-  without = { motion = { dominant = 0 } },
+  if_no = { motion = { dominant = 0 } },
 }

@@ -4,8 +4,6 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  name   = "scatter_source",
-  shader = "tile/scatter_source",
   doc    = "Tile of origin of the longest displacement whose tile passes over each tile within the exposure",
   fails  = "If equally long displacements cross at a tile, only the one from the first tile in raster order is kept.",
   size   = { of = "longest" },

@@ -4,15 +4,13 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  name   = "tile_min",
-  shader = "tile/tile_min",
   doc    = "Length of the shortest displacement of each tile",
   fails  = "Directions are not compared: a rotating tile counts as uniform, like a sliding tile.",
   size   = { of = "velocity", divide = "tile" },
   group  = true,
   reads  = {
     velocity = { doc = "displacement of the surface, px over the exposure" },
-    valid    = { optional = true, doc = "mask, above 1/2 at texels that count; absent: all texels" },
+    valid    = { absent = 1, doc = "mask, above 1/2 at texels that count" },
   },
   writes = { shortest = { format = "r32f",
     doc = "length of the shortest displacement, px over the exposure; the limit in a tile where no texel counts" } },

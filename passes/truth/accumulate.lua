@@ -8,8 +8,6 @@ local function half(which)
 end
 
 return pass.compute {
-  name    = "truth_accumulate",
-  shader  = "truth/accumulate",
   doc     = "Add an image to one of two half buffers of time samples",
   size    = { of = "color" },
   reads   = { color = { doc = "image of one time sample, linear radiance" } },

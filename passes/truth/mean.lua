@@ -5,8 +5,6 @@ local pass = require "strobe.pass"
 local half = { doc = "mean of one half of the samples, linear radiance; alpha: number of samples in that half" }
 
 return pass.compute {
-  name   = "truth_mean",
-  shader = "truth/mean",
   doc    = "Mean of both half buffers, and half of their difference as its error",
   size   = { of = "mean_a" },
   reads  = { mean_a = half, mean_b = half },

@@ -3,8 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  name   = "truth_regions",
-  shader = "truth/regions",
   doc    = "Pixels whose exposure contains farther, disoccluded or nearer surfaces than the surface at the raster time",
   size   = { of = "regions" },
   reads  = { regions = { uint = true,

@@ -3,8 +3,6 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  name   = "smear",
-  shader = "smear",
   doc    = "Average of the colours along the pixel's own displacement over the exposure",
   fails  = "Moving surfaces are not blurred over static ones, and disoccluded background is missing.",
   size   = { of = "color" },

@@ -8,7 +8,7 @@ return pipeline {
   doc = "Raster image, averaged along each pixel's own displacement",
   params = { taps = smear.params.taps },
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     return scene.outputs(seen, { color = smear { color = seen.color, velocity = seen.velocity, taps = p.taps }.color })
   end,
 }

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of project/ in the shipped folder, and what they are called in a project.
+// Files of project/ in the shipped folder, and their names in a project.
 constexpr std::pair<const char*, const char*> kFiles[] = {{"strobe.project.lua", Home::kProjectFile},
                                                           {"README.md", "README.md"},
                                                           {"gitignore", ".gitignore"},
@@ -34,7 +34,25 @@ void requireName(const std::string& name, const Path& folder) {
     throw Error(fmt::format("'{}' is not the name of a project (letters, digits, _ and -)", folder.string()), {}, 2);
 }
 
-void makeProject(const Home& home, const Path& given) {
+// Copies a file of project/ in the shipped folder.
+void copyTo(const Path& target, const Home& home, const Path& from, const std::string& name) {
+  std::string text = readText(home.shipped() / "project" / from);
+  replaceAll(text, "PROJECT", name);
+  replaceAll(text, "SHIPPED", home.shipped().string());
+  writeFileAtomically(target, text);
+}
+
+// Copies the files of project/examples, in folders as they are there.
+void addExamples(const Home& home, const Path& folder, const std::string& name) {
+  const Path project = home.shipped() / "project", examples = project / "examples";
+  for (const auto& entry : fs::recursive_directory_iterator(examples)) {
+    const Path target = folder / fs::relative(entry.path(), examples);
+    if (entry.is_directory()) fs::create_directories(target);
+    else copyTo(target, home, fs::relative(entry.path(), project), name);
+  }
+}
+
+void makeProject(const Home& home, const Path& given, bool has_examples) {
   Path folder = fs::absolute(given).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();
   std::string name = folder.filename().string();
@@ -45,12 +63,8 @@ void makeProject(const Home& home, const Path& given) {
   requireWritable(folder, "new");
   for (const char* part : {"passes", "shaders", "pipelines", "scenes", "experiments", "captures"})
     fs::create_directories(folder / part);
-  for (const auto& [from, to] : kFiles) {
-    std::string text = readText(home.shipped() / "project" / from);
-    replaceAll(text, "PROJECT", name);
-    replaceAll(text, "SHIPPED", home.shipped().string());
-    writeFileAtomically(folder / to, text);
-  }
+  for (const auto& [from, to] : kFiles) copyTo(folder / to, home, from, name);
+  if (has_examples) addExamples(home, folder, name);
   std::printf("%s\nNext: cd %s && strobe render smear -o out/smear.png\n", folder.c_str(), given.c_str());
 }
 
@@ -62,7 +76,10 @@ void registerNew(CLI::App& program, const Home& home) {
   command->add_option("folder", *folder, "its folder, new or empty; its name is the project's")
       ->required()
       ->type_name("DIR");
-  command->callback([folder, &home] { makeProject(home, *folder); });
+  auto has_examples = std::make_shared<bool>(false);
+  command->add_flag("--examples", *has_examples,
+                    "adds an edge detector, a ray, a loop, a family and an extended pipeline");
+  command->callback([folder, has_examples, &home] { makeProject(home, *folder, *has_examples); });
 }
 
 }  // namespace strobe::app

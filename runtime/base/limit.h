@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What Strobe cannot do with any pipeline. Each room declares its own limits in its limits.h; messages and the
-// reference page quote them. The limits of passes are declared with their counters (docs/writing-passes.md).
+// reference page quote them. The limits of passes are declared with their counters (docs/writing-a-pass.md).
 #pragma once
 
 #include <string>

@@ -151,10 +151,10 @@ class Drawer {
   std::optional<dvec2> windowOf(const Range& range) {
     const Json& record = taken_.picture->record;
     std::string anchor = range.anchor;
-    if (anchor.empty() && record.contains("shot")) anchor = record["shot"].value("anchor", "close");
-    if (anchor == "close" || anchor.empty()) return dvec2(-1, 0);
+    if (anchor.empty() && record.contains("shot")) anchor = record["shot"].value("anchor", "end");
+    if (anchor == "end" || anchor.empty()) return dvec2(-1, 0);
     if (anchor == "centre") return dvec2(-0.5, 0.5);
-    if (anchor == "open") return dvec2(0, 1);
+    if (anchor == "start") return dvec2(0, 1);
     problems_.add(range.place, fmt::format("there is no anchor '{}'", anchor));
     return {};
   }

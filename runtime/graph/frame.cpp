@@ -30,9 +30,9 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   shared::FrameData frame{};
   frame.size = uvec2(plan.width, plan.height);
   frame.subpixel = setup.subpixel;
-  frame.shutter = setup.anchor == ANCHOR_CLOSE  ? vec2(-1, 0)
-                  : setup.anchor == ANCHOR_OPEN ? vec2(0, 1)
-                                                : vec2(-0.5f, 0.5f);
+  frame.shutter = setup.anchor == ANCHOR_END     ? vec2(-1, 0)
+                  : setup.anchor == ANCHOR_START ? vec2(0, 1)
+                                                 : vec2(-0.5f, 0.5f);
   frame.anchor = setup.anchor;
   frame.frame = setup.frame;
   frame.seed = setup.seed;
@@ -41,7 +41,7 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   frame.light_count = scene.lightCount();
   frame.sky = setup.environment.sky;
   frame.ground = setup.environment.ground;
-  frame.reach = vectorOf(setup.reach);
+  frame.moving_rect = vectorOf(setup.reach);
   frame.crossing = vectorOf(setup.crossing.area);
   const double exposure_s = setup.close_s - setup.open_s;
   if (exposure_s > 0)
@@ -68,7 +68,7 @@ void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const Plan& 
   dvec3 origin = frameOrigin(setup);
   scene.setMotion(staging, setup.moves, setup.paths);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
-  for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
+  for (uint32_t slice : {SLICE_RASTER, SLICE_SHUTTER_OPEN, SLICE_SHUTTER_CLOSE, SLICE_PREVIOUS})
     setPose(scene, staging, slice, plan, setup, times[slice], origin);
 }
 

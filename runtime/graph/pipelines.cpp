@@ -35,10 +35,10 @@ static bool decidesAFormat(const PassDesc& pass, const std::string& param) {
 }
 
 static uint32_t timeSlice(const std::string& time) {
-  if (time == "open") return SLICE_OPEN;
-  if (time == "close") return SLICE_CLOSE;
+  if (time == "shutter_open") return SLICE_SHUTTER_OPEN;
+  if (time == "shutter_close") return SLICE_SHUTTER_CLOSE;
   if (time == "sample") return SLICE_SAMPLE;
-  return SLICE_CAPTURE;
+  return SLICE_RASTER;
 }
 
 bool hasStages(const shader::Interface& in) {
@@ -46,6 +46,14 @@ bool hasStages(const shader::Interface& in) {
 }
 
 using Settings = std::vector<std::pair<std::string, plan::Value>>;
+
+// GLSL of a texel of a read that is not wired; "" if the read declares none.
+static std::string absentText(const plan::PortDesc& read) {
+  if (!read.absent_read.empty()) return read.absent_read + "_at(at)";
+  if (read.absent.empty()) return "";
+  const auto& v = read.absent;
+  return fmt::format("{}vec4({}, {}, {}, {})", read.uint ? "u" : "", v[0], v[1], v[2], v[3]);
+}
 
 // `wired`: which reads are; `values`: of its parameters; both in the order of the declaration.
 static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, const std::vector<bool>& wired,
@@ -62,7 +70,7 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
   in.backend = pass.kind == PassDesc::Kind::Trace ? backend : Backend::None;
   for (size_t i = 0; i < pass.reads.size(); ++i) {
     const plan::PortDesc& read = pass.reads[i];
-    in.reads.push_back({read.name, read.uint, wired[i], read.buffer, read.name == pass.over});
+    in.reads.push_back({read.name, read.uint, wired[i], read.buffer, read.name == pass.over, absentText(read)});
   }
   auto add_write = [&](const plan::PortDesc& port, bool update) {
     const std::string& name = formatOf(port, values);
@@ -73,7 +81,6 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
   for (const auto& port : pass.updates) add_write(port, true);
   for (size_t i = 0; i < pass.params.size(); ++i) {
     const ParamDesc& param = pass.params[i];
-    if (plan::isOfRuntime(param)) continue;
     if (!isCompiledIn(param)) {
       in.params.push_back({param.name, param.type == ParamDesc::Type::Int});
       continue;
@@ -92,8 +99,8 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   for (int resource : node.reads) wired.push_back(resource >= 0);
   shader::Interface in = interfaceOf(pass, backend, wired, node.params, plan.absent);
   in.slices = slices;
-  in.still_once = node.still_once;
-  in.within_reach = node.within_reach;
+  in.static_once = node.static_once;
+  in.in_moving_rect = node.in_moving_rect;
   in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
   return in;
 }
@@ -131,7 +138,7 @@ std::vector<shader::Interface> interfacesOf(const PassDesc& pass, Backend backen
   auto add = [&](const std::vector<bool>& wired, const Settings& values) {
     shader::Interface in = interfaceOf(pass, backend, wired, values);
     in.slices = SLICE_SAMPLE + 1;
-    in.time_slice = SLICE_CLOSE;  // no other name stands for it
+    in.time_slice = SLICE_SHUTTER_CLOSE;  // no other name stands for it
     if (seen.insert(textOf(in)).second) interfaces.push_back(in);
   };
   for (size_t a = 0; a < decisions.size(); ++a)
@@ -310,7 +317,7 @@ std::set<std::string> ShaderCheck::problemsOf(const std::vector<Job>& jobs) cons
       compile(ownStages(home_, in, pass));
       const std::vector<Path> files = shaderFiles(home_, pass);
       if (!used) used = shader::namesUsed(home_, files, &sources_);
-      for (const std::string& problem : unusedNames(home_, in, files, *used)) problems.insert(problem);
+      for (const std::string& problem : nameProblems(home_, in, files, *used)) problems.insert(problem);
     });
     if (with_shared) note([&] { compile(sharedStages(home_)); });
   }
@@ -511,7 +518,7 @@ void PipelineCache::compile(Making& one) const {
   const auto& [in, pass] = *one.request;
   one.stages = compileStages(home_, in, *pass);
   const std::vector<Path> shaders = shaderFiles(home_, *pass);
-  throwIfAny(unusedNames(home_, in, shaders, shader::namesUsed(home_, shaders)));
+  throwIfAny(nameProblems(home_, in, shaders, shader::namesUsed(home_, shaders)));
   one.pipeline = std::make_shared<NodePipeline>();
   one.pipeline->interface = in;
   for (const auto& stage : one.stages)

@@ -186,8 +186,8 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
   const bool in_stages = hasStages(node.pipeline->interface);
   if (node.pipeline->interface.raster) raster(commands, node, planned, iteration);
   else if (planned.over >= 0 && !in_stages) vk.CmdDispatchIndirect(commands, images_.buffer(planned.over).handle(), 0);
-  else if (planned.within_reach) workWithinReach(commands, node, planned);
-  else if (planned.still_once && plan_->loops[size_t(planned.loop)].first + iteration > 0)
+  else if (planned.in_moving_rect) workWithinReach(commands, node, planned);
+  else if (planned.static_once && plan_->loops[size_t(planned.loop)].first + iteration > 0)
     work(commands, node, widthOf(reach_), heightOf(reach_));
   else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
   int end = stamps ? stamps->timer.recordStamp(commands) : -1;
@@ -229,11 +229,11 @@ void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNod
   vk.CmdSetScissor(commands, 0, 1, &info.renderArea);
   const bool indexed = !node.pipeline->interface.separate_triangles;
   if (indexed) vk.CmdBindIndexBuffer(commands, scene_.indexBuffer(), 0, VK_INDEX_TYPE_UINT32);
-  const bool moving_alone = isOfMoving(planned);
+  const bool moving_only = isOfMoving(planned);
   const auto& draws = scene_.draws();
   for (uint32_t i = 0; i < draws.size(); ++i) {
     const auto& draw = draws[i];
-    if (draw.index_count == 0 || (moving_alone && !scene_.mayMove(draw.instance))) continue;
+    if (draw.index_count == 0 || (moving_only && !scene_.mayMove(draw.instance))) continue;
     if (indexed) vk.CmdDrawIndexed(commands, draw.index_count, 1, draw.first_index, draw.first_vertex, i);
     else vk.CmdDraw(commands, draw.index_count, 1, draw.first_index, i);
   }

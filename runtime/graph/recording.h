@@ -46,7 +46,7 @@ class Recording {
   void pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps* stamps) const;
   void bind(VkCommandBuffer commands, const Node& node) const;
   void work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const;
-  bool isOfMoving(const plan::PlanNode& planned) const { return planned.moving_alone && camera_rests_; }
+  bool isOfMoving(const plan::PlanNode& planned) const { return planned.moving_only && camera_rests_; }
   void workWithinReach(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned) const;
   VkRect2D drawnArea(const plan::PlanNode& planned, int iteration) const;
   void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned, int iteration) const;

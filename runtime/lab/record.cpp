@@ -46,8 +46,6 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   for (const auto& node : plan.nodes) {
     const auto& declared = plan.pipeline.passes[size_t(node.pass)].params;
     for (size_t i = 0; i < declared.size(); ++i) {
-      // It changes no picture, and a node that runs for a tap alone has it: looking must not change the record.
-      if (plan::isOfRuntime(declared[i])) continue;
       const auto& [name, value] = node.params[i];
       pipeline["nodes"][plan.pipeline.nodes[size_t(node.node)].name][name] = plan::toJson(value);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/reference.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -11,6 +13,7 @@
 #include "lab/limits.h"
 #include "lab/shot.h"
 #include "page/table.h"
+#include "plan/formats.h"
 #include "script/evaluate.h"
 
 namespace strobe::lab {
@@ -74,7 +77,6 @@ std::string rangeOf(const ParamDesc& param) {
 }
 
 std::string paramInGlsl(const ParamDesc& param) {
-  if (plan::isOfRuntime(param)) return "";
   if (!plan::isCompiledIn(param)) return code("params." + param.name);
   if (param.type != ParamDesc::Type::Choice) return code("PARAM_" + param.name);
   return code(fmt::format("PARAM_{0} == {0}_{1}", param.name, param.choices.front()));
@@ -164,6 +166,12 @@ std::string filesText(const PassDesc& pass) {
   return fmt::format("`{}`, {}", file, files);
 }
 
+// "absent: 0" for four equal numbers.
+std::string absentText(const std::vector<double>& texel) {
+  const bool equal = std::all_of(texel.begin(), texel.end(), [&](double one) { return one == texel[0]; });
+  return equal ? fmt::format("absent: {}", texel[0]) : fmt::format("absent: {}", fmt::join(texel, ", "));
+}
+
 std::string readsText(const PassDesc& pass) {
   Table table{"", {"name", "what it is", "", "in GLSL"}};
   for (const PortDesc& read : pass.reads) {
@@ -172,8 +180,10 @@ std::string readsText(const PassDesc& pass) {
     if (read.linear) notes.push_back("filtered");
     if (read.pointwise) notes.push_back("at its own pixel alone");
     if (read.optional) notes.push_back(fmt::format("optional: `HAS_{}`", read.name));
+    if (!read.absent_read.empty()) notes.push_back(fmt::format("absent: `{}`", read.absent_read));
+    if (!read.absent.empty()) notes.push_back(absentText(read.absent));
     if (!read.needs.empty()) notes.push_back(fmt::format("of use with `{}`", fmt::join(read.needs, "` or `")));
-    std::string texel = read.linear ? "textureLod({}_tex, uv, 0)" : "texelFetch({}_tex, p, 0)";
+    std::string texel = read.buffer ? "{}_buf.entries[i]" : read.linear ? "textureLod({}_tex, uv, 0)" : "{}_at(p)";
     table.add({code(read.name), read.doc, fmt::format("{}", fmt::join(notes, "; ")),
                code(fmt::format(fmt::runtime(texel), read.name))});
   }
@@ -182,6 +192,7 @@ std::string readsText(const PassDesc& pass) {
 
 std::string outputInGlsl(const PassDesc& pass, const PortDesc& port, bool updated) {
   if (pass.kind == PassDesc::Kind::Raster) return code(port.name + "_out");
+  if (plan::isBuffer(port.format)) return code(port.name + "_buf.entries[i]");
   std::string store = code(fmt::format("imageStore({}_img, p, v)", port.name));
   return updated ? code(fmt::format("imageLoad({}_img, p)", port.name)) + ", " + store : store;
 }

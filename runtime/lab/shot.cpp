@@ -11,13 +11,13 @@ namespace strobe::lab {
 
 std::array<double, 2> Shot::window() const {
   double length_s = exposureSeconds();
-  double before = anchor == "close" ? 1 : anchor == "centre" ? 0.5 : 0;
+  double before = anchor == "end" ? 1 : anchor == "centre" ? 0.5 : 0;
   return {captureTime() - before * length_s, captureTime() + (1 - before) * length_s};
 }
 
 uint32_t anchorCode(const std::string& anchor) {
-  if (anchor == "close") return ANCHOR_CLOSE;
-  return anchor == "centre" ? ANCHOR_CENTRE : ANCHOR_OPEN;
+  if (anchor == "end") return ANCHOR_END;
+  return anchor == "centre" ? ANCHOR_CENTRE : ANCHOR_START;
 }
 
 void fillShot(Shot& shot, const Json& description) {

@@ -23,7 +23,7 @@ struct Shot {
   int frame = -1;             // the capture is at frame / fps seconds
   double exposure = -1;       // shutter open time in frame intervals
   double exposure_time = -1;  // the same in seconds, where that was asked for: `exposure` follows from it
-  std::string anchor = "close";
+  std::string anchor = "end";
   std::string shutter_curve = "box";        // how much the times of the exposure count (math/shutter_curve.h)
   double camera_blur = 1, object_blur = 1;  // shares of their motion that blur
   std::string follow;                       // a node that blurs as the camera does

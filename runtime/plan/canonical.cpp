@@ -112,7 +112,7 @@ Json plannedNodeJson(const Plan& plan, int index) {
   for (const auto& [name, value] : node.params) json["params"][name] = toJson(value);
   if (node.over >= 0) json["over"] = plan.images[node.over].name;
   if (pass.group) json["group"] = true;
-  if (node.within_reach) json["within_reach"] = true;
+  if (node.in_moving_rect) json["in_moving_rect"] = true;
   json["reads"] = portsJson(plan, pass.reads, node.reads);
   json["writes"] = portsJson(plan, pass.writes, node.writes);
   json["updates"] = portsJson(plan, pass.updates, node.updates);
@@ -215,8 +215,8 @@ std::string nodeText(const Plan& plan, int index, const std::string& indent) {
   if (desc.name != pass.name) text += "  pass " + pass.name;
   if (node.over >= 0) text += "  over " + plan.images[node.over].name;
   if (pass.group) text += "  a group for each pixel";
-  if (node.within_reach) text += "  where motion reaches";
-  if (desc.time != "capture") text += "  time " + desc.time;
+  if (node.in_moving_rect) text += "  where motion reaches";
+  if (desc.time != "raster") text += "  time " + desc.time;
   text += "\n";
   auto line = [&](const char* what, const std::string& rest) {
     text += fmt::format("{}    {:<8}{}\n", indent, what, rest);

@@ -29,9 +29,8 @@ const std::vector<std::string>& invariantNames() {
 }
 
 const std::vector<std::string>& roleNames() {
-  static const std::vector<std::string> names = {"tile",       "sample_count", "reach",        "depth_tolerance",
-                                                 "jitter",     "shading",      "sample_times", "regions",
-                                                 "still_once", "moving_alone", "within_reach"};
+  static const std::vector<std::string> names = {"tile",    "sample_count", "reach",   "depth_tolerance", "jitter",
+                                                 "shading", "sample_times", "regions", "static_once"};
   return names;
 }
 
@@ -213,6 +212,8 @@ Value checkValue(const ParamDesc& param, const Value& value, const Place& where)
 
 // ---- formats
 
+bool hasAbsent(const PortDesc& read) { return !read.absent.empty() || !read.absent_read.empty(); }
+
 bool isCleared(const PortDesc& port) { return port.cleared || isBuffer(port.format); }
 
 const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params) {
@@ -274,6 +275,8 @@ static Json readJson(const PortDesc& port) {
   if (port.buffer) json["buffer"] = true;
   if (port.pointwise) json["pointwise"] = true;
   if (!port.needs.empty()) json["needs"] = port.needs;
+  if (!port.absent.empty()) json["absent"] = port.absent;
+  if (!port.absent_read.empty()) json["absent"] = port.absent_read;
   return json;
 }
 
@@ -337,6 +340,7 @@ static Json nodeJson(const NodeDesc& node) {
   for (const auto& [name, binding] : node.params) json["params"][name] = bindingJson(binding);
   json["time"] = node.time;
   json["loop"] = node.loop;
+  if (node.runs != Runs::MovingRect) json["runs"] = kNodeRuns[static_cast<size_t>(node.runs)];
   json["place"] = placeJson(node.place);
   return json;
 }

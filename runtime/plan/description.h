@@ -42,8 +42,6 @@ enum class Role {
   SampleTimes,     // where in the exposure samples are: "midpoint" or "stratified"
   Regions,         // bool: find the regions in which errors are measured
   StillOnce,       // bool of a pass: iterations of a loop after the first do only what something in motion reaches
-  MovingAlone,     // bool of a raster pass: before a camera at rest it draws what moves alone
-  WithinReach,     // bool of a pass: what stands in for it where nothing in motion reaches (kReached) may
 };
 
 // Their names, but for None, in that order.
@@ -74,11 +72,6 @@ struct ParamDesc {
   Place place;
 };
 
-// Does it say how the runtime runs a pass, and nothing to the shader?
-inline bool isOfRuntime(const ParamDesc& param) {
-  return param.role == Role::MovingAlone || param.role == Role::WithinReach;
-}
-
 // Whether a value of it makes another shader.
 inline bool isCompiledIn(const ParamDesc& param) {
   return param.variant || param.type == ParamDesc::Type::Bool || param.type == ParamDesc::Type::Choice;
@@ -105,11 +98,18 @@ struct PortDesc {
   // Reads that are optional: reads, it itself perhaps among them, of which one at least must be wired, and to more than
   // nothing but zeros, for it to be of use; otherwise it is not wired either. Empty: it is of use alone.
   std::vector<std::string> needs;
+  // Optional reads of images: value of every texel if the read is not wired. Four numbers, or the name of another read
+  // whose texels stand in; both empty: shaders test HAS_<name> instead.
+  std::vector<double> absent;
+  std::string absent_read;
   int each = 1;          // writes and updates, of a buffer: entries for each pixel of the pass's size
   bool cleared = false;  // writes: zero when the pass begins, which writes only where it has something
   bool history = false;  // updates: kept from frame to frame instead of zero at the start of each
   Place place;
 };
+
+// True if shaders can read the texels of an optional read that is not wired.
+bool hasAbsent(const PortDesc& read);
 
 // Is a write zero when the pass begins? Of buffers each is.
 bool isCleared(const PortDesc& port);
@@ -134,7 +134,7 @@ struct CounterDesc {
 };
 
 // The name of what stands in at each pixel in which nothing that moves is seen at any time.
-inline const char* const kReached = "reached";
+inline const char* const kReached = "moving_rect";
 
 // What stands in for a pass where a fact of the frame does not hold (plan/facts.h), or where a read is nothing but
 // zeros: bit for bit what it would write. It does not run then; of `kReached`, it may run on the other pixels alone.
@@ -174,14 +174,23 @@ struct Binding {
   Place place;
 };
 
+// Pixels or instances that a node may be restricted to.
+enum class Runs {
+  Everywhere,       // all pixels, all instances
+  MovingRect,       // pixels of the moving rectangle; elsewhere the stand-in kReached of its pass holds
+  MovingInstances,  // raster: instances that move, if the camera is static
+};
+
 // One use of a pass.
 struct NodeDesc {
   std::string name;  // unique: the pass's name, or what `as` gave it
   std::string pass;
   std::vector<std::pair<std::string, std::string>> inputs;  // read port -> "node.port"
   std::vector<std::pair<std::string, Binding>> params;
-  std::string time = "capture";  // pose of the scene it sees: "capture", "open", "close" or "sample" (its loop's)
-  std::string loop;              // name of the loop it is repeated in, or ""
+  std::string time =
+      "raster";      // pose of the scene it sees: "raster", "shutter_open", "shutter_close" or "sample" (its loop's)
+  std::string loop;  // name of the loop it is repeated in, or ""
+  Runs runs = Runs::MovingRect;
   Place place;
 };
 

@@ -18,6 +18,15 @@ bool isName(const std::string& name) {
   return starts && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
 }
 
+bool isPath(const std::string& name) {
+  for (size_t start = 0;;) {
+    size_t slash = name.find('/', start);
+    if (!isName(name.substr(start, slash - start))) return false;
+    if (slash == std::string::npos) return true;
+    start = slash + 1;
+  }
+}
+
 std::string nameOf(Reader& reader) {
   std::string name = reader.text("name", std::nullopt);
   if (!isName(name)) reader.fail(fmt::format("'{}' is not a name (a-z, then a-z, 0-9 and _)", name));

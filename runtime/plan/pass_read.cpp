@@ -27,8 +27,22 @@ PortDesc readRead(const Json& json) {
   port.buffer = reader.boolean("buffer", false);
   port.pointwise = reader.boolean("pointwise", false);
   port.needs = reader.texts("needs");
+  if (reader.has("absent") && reader.at("absent").is_string()) port.absent_read = reader.text("absent");
+  else if (reader.has("absent")) port.absent = reader.at("absent").get<std::vector<double>>();
   reader.finish();
   return port;
+}
+
+void checkAbsent(const PortDesc& read, const PassDesc& pass, const Reader& reader) {
+  const bool is_given = !read.absent.empty() || !read.absent_read.empty();
+  if (is_given && (!read.optional || read.buffer))
+    reader.fail(fmt::format("read '{}' has a value for its absence, but is not an optional image", read.name));
+  if (!read.absent.empty() && read.absent.size() != 4)
+    reader.fail(fmt::format("absent of read '{}' is not four numbers", read.name));
+  const PortDesc* other = find(pass.reads, read.absent_read);
+  if (read.absent_read.empty()) return;
+  if (!other || other == &read || other->buffer || other->uint != read.uint || (other->optional && !hasAbsent(*other)))
+    reader.fail(fmt::format("absent of read '{}' is '{}', which cannot stand in for it", read.name, read.absent_read));
 }
 
 void checkNeeds(const PortDesc& read, const PassDesc& pass, const Reader& reader) {
@@ -124,7 +138,7 @@ void checkGroup(const Reader& reader, const PassDesc& pass) {
   if (pass.kind != PassDesc::Kind::Compute) reader.fail("compute passes alone have a group for each pixel");
   if (!pass.over.empty()) reader.fail(fmt::format("it has a group for each pixel and runs over '{}'", pass.over));
   for (const ParamDesc& param : pass.params)
-    if (param.role == Role::StillOnce) reader.fail("it has a group for each pixel and a parameter that is still_once");
+    if (param.role == Role::StillOnce) reader.fail("it has a group for each pixel and a parameter that is static_once");
 }
 
 // Buffers are of compute and trace passes, and of one frame.
@@ -157,7 +171,8 @@ PassDesc passFromJson(const Json& json) {
   Reader reader(json, "pass");
   PassDesc pass;
   pass.place = reader.place();
-  pass.name = nameOf(reader);
+  pass.name = reader.text("name", std::nullopt);
+  if (!isPath(pass.name)) reader.fail(fmt::format("'{}' is not the name of a pass", pass.name));
   pass.kind = static_cast<PassDesc::Kind>(reader.oneOf("kind", kPassKinds));
   pass.shader = reader.text("shader", std::nullopt);
   checkShaderPath(reader, pass.shader);
@@ -166,7 +181,7 @@ PassDesc passFromJson(const Json& json) {
   if (reader.has("breaks")) pass.breaks = breaksOf(reader, reader.table("breaks"));
   pass.scene = reader.boolean("scene", false);
   pass.reads = itemsOf(reader.list("reads"), readRead);
-  for (const PortDesc& read : pass.reads) checkNeeds(read, pass, reader);
+  for (const PortDesc& read : pass.reads) checkNeeds(read, pass, reader), checkAbsent(read, pass, reader);
   pass.writes = itemsOf(reader.list("writes"), readWrite);
   pass.updates = itemsOf(reader.list("updates"), readWrite);
   bool cleared = std::any_of(pass.writes.begin(), pass.writes.end(), [](const PortDesc& port) { return port.cleared; });

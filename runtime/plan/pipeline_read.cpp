@@ -95,6 +95,9 @@ NodeDesc readNode(const Json& json, const PipelineDesc& pipeline) {
   readNodeParams(reader.table("params"), pipeline, *pass, node);
   node.time = kNodeTimes[reader.oneOf("time", kNodeTimes)];
   node.loop = reader.text("loop");
+  if (reader.has("runs")) node.runs = static_cast<Runs>(reader.oneOf("runs", kNodeRuns));
+  if (node.runs == Runs::MovingInstances && pass->kind != PassDesc::Kind::Raster)
+    reader.fail("only raster passes run for moving instances");
   bool in_loop = !node.loop.empty();
   if (in_loop && !find(pipeline.loops, node.loop)) reader.fail(fmt::format("there is no loop '{}'", node.loop));
   if (node.time == "sample" && !in_loop) reader.fail("time 'sample' exists inside a loop only");

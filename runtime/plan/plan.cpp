@@ -97,8 +97,9 @@ class Compiler {
     node.loop = loop;
     node.params = wired.params;
     bool raster = pass.kind == PassDesc::Kind::Raster;
-    node.still_once = loop >= 0 && !raster && isSet(Role::StillOnce, pass, node.params);
-    node.moving_alone = raster && isSet(Role::MovingAlone, pass, node.params);
+    node.static_once = loop >= 0 && !raster && isSet(Role::StillOnce, pass, node.params);
+    const Runs runs = plan_.pipeline.nodes[size_t(index)].runs;
+    node.moving_only = runs == Runs::MovingInstances;
     node.counters = !pass.counters.empty();
     for (const Source& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
     const NodeSize& size = sizes_.of(index);
@@ -121,20 +122,13 @@ class Compiler {
     }
     for (size_t i = 0; i < pass.reads.size(); ++i)
       if (pass.reads[i].name == pass.over) node.over = node.reads[i];
-    if (node.over >= 0) node.still_once = false;
-    node.within_reach = !raster && !node.still_once && keepsWithinReach(node, pass);
+    if (node.over >= 0) node.static_once = false;
+    node.in_moving_rect = runs == Runs::MovingRect && !raster && !node.static_once && keepsWithinReach(node, pass);
     if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
     for (int image : node.reads) markRead(image);
 
     of_desc_[index] = static_cast<int>(plan_.nodes.size());
     plan_.nodes.push_back(std::move(node));
-  }
-
-  // It may be, unless a parameter says otherwise.
-  static bool isWithinReach(const PassDesc& pass, const std::vector<std::pair<std::string, Value>>& params) {
-    for (const ParamDesc& param : pass.params)
-      if (param.role == Role::WithinReach) return isSet(Role::WithinReach, pass, params);
-    return true;
   }
 
   // Where a pass says what stands in for it at pixels that nothing in motion reaches, these need not run. They do where
@@ -144,12 +138,12 @@ class Compiler {
     const WithoutDesc* outside = nullptr;
     for (const WithoutDesc& without : pass.without)
       if (without.name == kReached) outside = &without;
-    if (!outside || !isWithinReach(pass, node.params) || node.over >= 0 || stopsLoop(node)) return false;
+    if (!outside || node.over >= 0 || stopsLoop(node)) return false;
     std::vector<int> stand_ins;
     for (size_t i = 0; i < node.writes.size(); ++i) {
       const VirtualImage& image = plan_.images[node.writes[i]];
       const int stand_in = readNamed(node, pass, outside->writes[i].second);
-      if (isBuffer(image.format)) return false;
+      if (isBuffer(image.format) && stand_in >= 0) return false;
       if (stand_in >= 0) {
         if (runsOutside(stand_in)) return false;
         const VirtualImage& other = plan_.images[stand_in];
@@ -159,6 +153,7 @@ class Compiler {
     }
     for (size_t i = 0; i < stand_ins.size(); ++i) {
       VirtualImage& image = plan_.images[node.writes[i]];
+      if (isBuffer(image.format)) continue;  // zero before the pass, as its stand-in
       image.outside = stand_ins[i];
       if (image.outside < 0) {
         image.cleared = image.zero_outside = true;
@@ -183,7 +178,7 @@ class Compiler {
       if (std::find(node.writes.begin(), node.writes.end(), image) == node.writes.end()) continue;
       const std::vector<WithoutDesc>& without = plan_.pipeline.passes[node.pass].without;
       auto of_pixels = [](const WithoutDesc& one) { return one.name == kReached; };
-      return !node.within_reach && std::any_of(without.begin(), without.end(), of_pixels);
+      return !node.in_moving_rect && std::any_of(without.begin(), without.end(), of_pixels);
     }
     return false;
   }
@@ -197,7 +192,7 @@ class Compiler {
       for (size_t i = 0; i < reads.size(); ++i) {
         if (node.reads[i] < 0) continue;
         const bool same_pixel = reads[i].pointwise && is_whole(node) && is_whole(plan_.images[node.reads[i]]);
-        if (!node.within_reach || !same_pixel) looked_at[node.reads[i]] = true;
+        if (!node.in_moving_rect || !same_pixel) looked_at[node.reads[i]] = true;
       }
     }
     for (size_t i = 0; i < plan_.images.size(); ++i)

@@ -69,11 +69,11 @@ struct PlanNode {
   int depth = -1;  // image of a raster node's depth attachment
   // In a loop, after its first iteration, it works on the pixels that something in motion reaches, and the others keep
   // what they have (Role::StillOnce).
-  bool still_once = false;
-  bool moving_alone = false;  // before a camera at rest it draws what moves alone (Role::MovingAlone)
+  bool static_once = false;
+  bool moving_only = false;  // before a camera at rest it draws what moves alone (Runs::MovingInstances)
   // It works on the pixels that something in motion reaches; the others have what stands in for it there: zeros, or a
   // copy of VirtualImage::outside, or nothing where nobody looks.
-  bool within_reach = false;
+  bool in_moving_rect = false;
   bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
 };
 

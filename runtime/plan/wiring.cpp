@@ -187,7 +187,7 @@ class Wirer {
         problem(node.place, "node '{}' is in unknown loop '{}'{}", node.name, node.loop,
                 didYouMean(node.loop, namesOf(pipeline_.loops)));
       }
-      static const std::vector<std::string> times = {"capture", "open", "close", "sample"};
+      static const std::vector<std::string> times = {"raster", "shutter_open", "shutter_close", "sample"};
       if (std::find(times.begin(), times.end(), node.time) == times.end()) {
         problem(node.place, "node '{}' has unknown time '{}'{}", node.name, node.time, didYouMean(node.time, times));
       }
@@ -195,9 +195,10 @@ class Wirer {
         problem(node.place, "node '{}' has time 'sample' but is in no loop", node.name);
       }
       bool traces = wired.pass >= 0 && pipeline_.passes[wired.pass].kind == PassDesc::Kind::Trace;
-      if (traces && (node.time == "open" || node.time == "close")) {
-        problem(node.place, "trace node '{}' has time '{}'; rays see the capture or, in a loop, the sample", node.name,
-                node.time);
+      if (traces && (node.time == "shutter_open" || node.time == "shutter_close")) {
+        problem(node.place,
+                "trace node '{}' has time '{}'; rays trace the scene at the raster time or, in a loop, at the sample",
+                node.name, node.time);
       }
       wiring_.nodes.push_back(std::move(wired));
     }

@@ -17,7 +17,7 @@ const PortDesc* portNamed(const std::vector<PortDesc>& ports, const std::string&
 }
 
 [[noreturn]] void fail(const PassDesc& pass, const Place& place, const std::string& message) {
-  throw Error(fmt::format("pass '{}' without: {}", pass.name, message), place);
+  throw Error(fmt::format("pass '{}' if_no: {}", pass.name, message), place);
 }
 
 // The read that stands in for a write; "" for zeros.
@@ -34,7 +34,7 @@ std::string standInOf(const Json& given, const PortDesc& write, const PassDesc& 
 
 WithoutDesc readOne(const Json& json, const PassDesc& pass) {
   Problems problems(Problems::When::at_once);
-  Fields fields(json, fmt::format("pass '{}' without", pass.name), pass.place, problems);
+  Fields fields(json, fmt::format("pass '{}' if_no", pass.name), pass.place, problems);
   WithoutDesc without;
   without.place = fields.place();
   without.name = fields.text("name", std::nullopt);

@@ -129,6 +129,24 @@ struct Sandbox::Callbacks::Native {
     return 1;
   }
 
+  // native.conditions_on(name): places in the user's files that use `p.name` as a condition without calling it.
+  static int conditionsOn(lua_State* lua) {
+    const char* name = luaL_checkstring(lua, 1);
+    std::vector<std::pair<std::string, int>> places;
+    Sandbox& sandbox = self(lua);
+    sandbox.guarded([&] {
+      for (const auto& [shown, source] : sandbox.sources_)
+        if (!sandbox.isLibrary(shown))
+          for (int line : source.conditionsOn(name)) places.push_back({shown, line});
+    });
+    lua_createtable(lua, int(places.size()), 0);
+    for (size_t i = 0; i < places.size(); ++i) {
+      pushPlace(lua, places[i].first.c_str(), places[i].second);
+      lua_rawseti(lua, -2, lua_Integer(i) + 1);
+    }
+    return 1;
+  }
+
   // native.has_other_keys(t, names): whether a table has a key that is not in a list.
   static int hasOtherKeys(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
@@ -392,6 +410,7 @@ const luaL_Reg* Sandbox::Callbacks::native() {
                                        {"key_place", Native::keyPlace},
                                        {"return_place", Native::returnPlace},
                                        {"reads_field", Native::readsFieldAnywhere},
+                                       {"conditions_on", Native::conditionsOn},
                                        {"has_other_keys", Native::hasOtherKeys},
                                        {"pairs", orderedPairs},
                                        {"next", firstPair},

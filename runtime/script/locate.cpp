@@ -196,4 +196,19 @@ int Source::lineOfReturn(int first, int last, const std::vector<std::string>& pa
 
 bool Source::readsField(std::string_view name) const { return read().fields.count(name) > 0; }
 
+std::vector<int> Source::conditionsOn(std::string_view name) const {
+  static const std::set<std::string_view> before = {"if", "elseif", "while", "until", "not", "and", "or", "==", "~="};
+  static const std::set<std::string_view> after = {"then", "do", "and", "or", "==", "~="};
+  std::vector<int> lines;
+  const std::vector<Token>& tokens = read().tokens;
+  for (size_t i = 1; i + 3 < tokens.size(); ++i) {
+    bool is_it = tokens[i].text == "p" && tokens[i + 1].text == "." && tokens[i + 2].text == name;
+    if (!is_it || tokens[i - 1].text == ".") continue;
+    const std::string_view next = tokens[i + 3].text;
+    bool continues = next == "(" || next == "." || next == ":" || next == "[";
+    if (!continues && (before.count(tokens[i - 1].text) || after.count(next))) lines.push_back(tokens[i].line);
+  }
+  return lines;
+}
+
 }  // namespace strobe::script

@@ -31,6 +31,10 @@ class Source {
   // Whether it reads a field `name` of anything: x.name.
   bool readsField(std::string_view name) const;
 
+  // Lines that use `p.name` as a condition or compare it, without a call: `if p.name then`, `not p.name`, `p.name ==
+  // 1`.
+  std::vector<int> conditionsOn(std::string_view name) const;
+
  private:
   struct Read;
   const Read& read() const;

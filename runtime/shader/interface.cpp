@@ -67,6 +67,19 @@ static std::string bufferText(const char* access, uint32_t binding, const std::s
       binding, access, block, name);
 }
 
+// `vec4 <name>_at(ivec2 at)` for each image: its texel, or the declared value if the read is not wired.
+static std::string accessorText(const Interface& in) {
+  std::string declared, defined;
+  for (const auto& read : in.reads) {
+    if (read.buffer || (!read.wired && read.absent.empty())) continue;
+    std::string head = fmt::format("{}vec4 {}_at(ivec2 at)", read.uint ? "u" : "", read.name);
+    std::string texel = read.wired ? fmt::format("texelFetch({}_tex, at, 0)", read.name) : read.absent;
+    declared += head + ";\n";
+    defined += fmt::format("{} {{ return {}; }}\n", head, texel);
+  }
+  return declared + defined;
+}
+
 static std::string resourceText(const Interface& in, Stage stage) {
   std::string text;
   if (in.hasParams()) {
@@ -88,6 +101,7 @@ static std::string resourceText(const Interface& in, Stage stage) {
       text += fmt::format("layout(set = 1, binding = {}) uniform {}sampler2D {}_tex;\n", in.readBinding(i),
                           read.uint ? "u" : "", read.name);
   }
+  text += accessorText(in);
   for (size_t i = 0; i < in.writes.size(); ++i) {
     const auto& write = in.writes[i];
     if (in.raster && stage == Stage::Fragment)
@@ -147,7 +161,7 @@ std::string epilogue(const Interface& in, Stage stage) {
   if (dealt) pixel = "pixel_of_(uvec2(gl_WorkGroupID.x, dealt_(gl_WorkGroupID.y, gl_NumWorkGroups.y)))";
   const Interface::Read* over = in.over();
   if (over) pixel = "0";
-  const bool in_blocks = in.backend != Backend::None || in.within_reach;
+  const bool in_blocks = in.backend != Backend::None || in.in_moving_rect;
   const char* pixel_of = in.group ? kGroupItself : in_blocks ? kInBlocks : kInRows;
   std::string text = dealt ? std::string(over ? "" : pixel_of) + kDealt : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
@@ -160,16 +174,16 @@ std::string epilogue(const Interface& in, Stage stage) {
         "  pixel_ = ivec2({1}_buf.entries[index_] & 0xffffu, {1}_buf.entries[index_] >> 16);\n",
         index, over->name);
   }
-  if (in.still_once)
+  if (in.static_once)
     text +=
-        "  if (frame.iteration > 0u) {\n    pixel_ += frame.reach.xy;\n"
-        "    if (any(greaterThanEqual(pixel_, frame.reach.zw))) return;\n  }\n";
+        "  if (frame.iteration > 0u) {\n    pixel_ += frame.moving_rect.xy;\n"
+        "    if (any(greaterThanEqual(pixel_, frame.moving_rect.zw))) return;\n  }\n";
   // Of fewer texels than the picture has pixels, from no farther than the one that the reach begins in.
-  if (in.within_reach)
+  if (in.in_moving_rect)
     text +=
         "  bool whole_ = pass_size() == ivec2(frame.size);\n"
-        "  pixel_ += whole_ ? frame.reach.xy : frame.reach.xy * (pass_size() - 1) / ivec2(frame.size);\n"
-        "  if (whole_ && any(greaterThanEqual(pixel_, frame.reach.zw))) return;\n";
+        "  pixel_ += whole_ ? frame.moving_rect.xy : frame.moving_rect.xy * (pass_size() - 1) / ivec2(frame.size);\n"
+        "  if (whole_ && any(greaterThanEqual(pixel_, frame.moving_rect.zw))) return;\n";
   text += "  if (any(greaterThanEqual(pixel_, pass_size()))) return;\n  run(pixel_);\n";
   if (in.backend != Backend::None) {
     text += "#ifdef STROBE_TRACE_GLSL\n";
@@ -178,11 +192,20 @@ std::string epilogue(const Interface& in, Stage stage) {
   return text + "}\n";
 }
 
-// Every name in the code; of members also "params.x" where "x" follows "params.".
+// True if `text` is == or != between blanks.
+static bool isComparison(std::string_view text) {
+  size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+  if (first == std::string_view::npos) return false;
+  text = text.substr(first, last - first + 1);
+  return text == "==" || text == "!=";
+}
+
+// Every name in the code. Members also as "params.x"; a name that a parameter is compared with also as "PARAM_x==name".
 static std::unordered_set<std::string> namesIn(const std::string& code) {
   auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
   std::unordered_set<std::string> names;
   std::string last;
+  size_t last_end = 0;
   bool after_dot = false;
   for (size_t at = 0; at < code.size();) {
     size_t end = at;
@@ -190,7 +213,9 @@ static std::unordered_set<std::string> namesIn(const std::string& code) {
     if (end > at) {
       std::string name = code.substr(at, end - at);
       names.insert(after_dot ? last + "." + name : name);
-      last = name;
+      std::string_view between = std::string_view(code).substr(last_end, at - last_end);
+      if (last.starts_with("PARAM_") && isComparison(between)) names.insert(last + "==" + name);
+      last = name, last_end = end;
       after_dot = false;
       at = end;
     } else if (char c = code[at++]; !std::isspace(static_cast<unsigned char>(c))) {
@@ -214,16 +239,40 @@ static std::string spelled(const Interface& in, const Interface::Write& write) {
   return write.name + (write.buffer ? "_buf" : in.raster ? "_out" : "_img");
 }
 
-std::vector<std::string> unusedNames(const Home& home, const Interface& in, const std::vector<Path>& shader_files,
-                                     const std::unordered_set<std::string>& used) {
+// Comparisons of a parameter with a name that is not one of its choices: the preprocessor takes such a name as 0,
+// silently.
+static std::vector<std::string> unknownChoices(const Interface& in, const std::string& file,
+                                               const std::unordered_set<std::string>& used) {
   std::vector<std::string> problems;
+  for (const auto& variant : in.variants) {
+    if (variant.choices.empty()) continue;
+    std::vector<std::string> known;
+    for (const std::string& choice : variant.choices) known.push_back(variant.name + "_" + choice);
+    const std::string compared = "PARAM_" + variant.name + "==";
+    for (const std::string& name : used) {
+      if (!name.starts_with(compared)) continue;
+      std::string given = name.substr(compared.size());
+      bool is_known = std::find(known.begin(), known.end(), given) != known.end();
+      if (is_known || given.find_first_not_of("0123456789u") == std::string::npos) continue;
+      problems.push_back(fmt::format("{}: pass '{}' compares PARAM_{} with {} in {}, which is not a choice of '{}'{}",
+                                     in.place, in.pass, variant.name, given, file, variant.name,
+                                     didYouMean(given, known)));
+    }
+  }
+  std::sort(problems.begin(), problems.end());
+  return problems;
+}
+
+std::vector<std::string> nameProblems(const Home& home, const Interface& in, const std::vector<Path>& shader_files,
+                                      const std::unordered_set<std::string>& used) {
+  std::vector<std::string> problems = unknownChoices(in, home.shown(shader_files.front()), used);
   auto expect = [&](const std::string& spelled, const char* kind, const std::string& name) {
     if (used.count(spelled)) return;
     problems.push_back(fmt::format("{}: pass '{}' declares the {} '{}', but {} never uses {}", in.place, in.pass, kind,
                                    name, home.shown(shader_files.front()), spelled));
   };
   for (const auto& read : in.reads)
-    if (!read.over) expect(spelled(read), "read", read.name);
+    if (!read.over && !used.count(read.name + "_at")) expect(spelled(read), "read", read.name);
   for (const auto& write : in.writes) expect(spelled(in, write), write.update ? "update" : "write", write.name);
   for (const auto& param : in.params) expect("params." + param.name, "parameter", param.name);
   for (const auto& variant : in.variants)
@@ -236,6 +285,8 @@ std::vector<std::string> unusedNames(const Home& home, const Interface& in, cons
 static std::vector<std::string> declaredNames(const Interface& in) {
   std::vector<std::string> names;
   for (const auto& read : in.reads) names.push_back(spelled(read));
+  for (const auto& read : in.reads)
+    if (!read.buffer) names.push_back(read.name + "_at");
   for (const auto& write : in.writes) names.push_back(spelled(in, write));
   for (const std::string& counter : in.counters) names.push_back("count_" + counter);
   for (const auto& variant : in.variants) names.push_back("PARAM_" + variant.name);
@@ -259,7 +310,7 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
       if (place == last_unknown_place && match[2] != "undeclared identifier") continue;
       last_unknown_place = place;
       bool generated = name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_buf") ||
-                       name.ends_with("_out") || name.starts_with("count_");
+                       name.ends_with("_at") || name.ends_with("_out") || name.starts_with("count_");
       if (generated)
         line += fmt::format(": pass '{}' ({}) declares no such name{}", in.pass, in.place,
                             didYouMean(name, declaredNames(in)));

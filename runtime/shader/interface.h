@@ -20,7 +20,8 @@ struct Interface {
     bool uint = false;
     bool wired = true;  // false: an optional read left open; HAS_<name> is 0 and nothing may be fetched
     bool buffer = false;
-    bool over = false;  // where it is wired, the pass runs for the pixels that are its entries
+    bool over = false;        // where it is wired, the pass runs for the pixels that are its entries
+    std::string absent = {};  // GLSL of a texel if it is not wired; "": there is no function <name>_at then
   };
   struct Write {
     std::string name;
@@ -51,8 +52,8 @@ struct Interface {
   bool doubles = false;             // trace: the device computes at double precision
   bool deal_rows = false;           // compute: groups next to each other are not dispatched one after the other
   bool group = false;               // compute: a work group for each pixel
-  bool still_once = false;          // in iterations after the first: on the pixels of frame.reach alone
-  bool within_reach = false;        // on these in every iteration
+  bool static_once = false;         // in iterations after the first: on the pixels of frame.moving_rect alone
+  bool in_moving_rect = false;      // on these in every iteration
   bool separate_triangles = false;  // raster: vertices are not indexed, and number the triangles
   uint32_t slices = 1;              // poses the scene's arrays hold
   uint32_t time_slice = 0;          // the one this node sees
@@ -83,10 +84,11 @@ std::string epilogue(const Interface& interface, Stage stage);
 std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files,
                                           Sources* sources = nullptr);
 
-// Names declared in Lua that are not among `used`, those of `shader_files`; each with both places.
-std::vector<std::string> unusedNames(const Home& home, const Interface& interface,
-                                     const std::vector<Path>& shader_files,
-                                     const std::unordered_set<std::string>& used);
+// Declared names that are not among `used`, the names in `shader_files`, and names in `used` that parameters are
+// compared with although they are not their choices. Each with both places.
+std::vector<std::string> nameProblems(const Home& home, const Interface& interface,
+                                      const std::vector<Path>& shader_files,
+                                      const std::unordered_set<std::string>& used);
 
 // Compiles `file` as `stage` of the pass; errors about unknown names say what the pass declares.
 Compiled compilePass(const Home& home, const Interface& interface, const Path& file, Stage stage,

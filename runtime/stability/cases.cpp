@@ -111,7 +111,7 @@ lab::Shot generated(const Variant& variant, uint64_t seed, int index) {
   const plan::PipelineDesc& pipeline = *variant.description;
   Random random(seed * 1000003 + uint64_t(index), variant.pipeline + variant.name());
   shot.pipeline = variant.pipeline;
-  shot.anchor = std::vector<std::string>{"close", "close", "centre", "open"}[size_t(random.whole(0, 3))];
+  shot.anchor = std::vector<std::string>{"end", "end", "centre", "start"}[size_t(random.whole(0, 3))];
   script::Settings of_scene = shot.sets;
   shot.sets = variant.sets;
   for (const auto& set : of_scene) shot.sets.push_back(set);

@@ -125,7 +125,7 @@ lab::Shot readShot(const Json& json, const std::string& what, const Place& place
   if (std::vector<double> size = fields.numbers("size", 2, 2); size.size() == 2)
     shot.width = int(size[0]), shot.height = int(size[1]);
   shot.frame = fields.integer("frame", 0, 0, std::numeric_limits<int>::max());
-  shot.anchor = fields.choice("anchor", shot.anchor, {"close", "centre", "open"});
+  shot.anchor = fields.choice("anchor", shot.anchor, {"end", "centre", "start"});
   if (fields.has("exposure")) shot.exposure = fields.number("exposure", 0, 0);
   shot.shutter_curve = fields.text("shutter_curve", shot.shutter_curve);
   shot.camera_blur = fields.number("camera_blur", shot.camera_blur, 0, 1);

@@ -195,9 +195,9 @@ std::string pageOf(const std::vector<ExtremeOutcome>& outcomes) {
   }
   return "<!-- Written by `strobe stability --extremes --write docs/extreme-cases.md`; do not edit. -->\n\n"
          "# Extreme cases\n\n"
-         "Each case runs by every pipeline and every preset of it, on pictures of at most 64 x 64 px. What must come "
-         "out is known from a closed form, from truth or from a picture that must be the same; finite it must be "
-         "always.\n\n" +
+         "Every pipeline runs each case with each of its presets, on pictures of at most 64 x 64 px. The expected "
+         "picture follows from a closed form, from truth, or from another picture that must be equal. Every picture "
+         "must be finite.\n\n" +
          page::markdownOf(countsOf(outcomes)) + failuresOf(outcomes) + "\n## The cases\n\n" + page::markdownOf(cases);
 }
 

@@ -37,7 +37,7 @@ namespace {
 
 Window windowOf(const lab::Shot& shot) {
   if (shot.anchor == "centre") return {-.5, .5};
-  return shot.anchor == "open" ? Window{0, 1} : Window{-1, 0};
+  return shot.anchor == "start" ? Window{0, 1} : Window{-1, 0};
 }
 
 lab::Shot without(lab::Shot shot, std::initializer_list<const char*> knobs) {
@@ -194,7 +194,7 @@ Finding shifted(const Subject& subject) {
 
 Finding reversed(const Subject& subject) {
   lab::Shot shot = subject.shot, other = with(subject.shot, "scene.speed", -1);
-  other.anchor = shot.anchor == "close" ? "open" : shot.anchor == "open" ? "close" : "centre";
+  other.anchor = shot.anchor == "end" ? "start" : shot.anchor == "start" ? "end" : "centre";
   Picture right = subject.batch.color(other);
   return same(subject, shot, other, 1e-5 * std::max(1.0, image::largestColour(*right)));
 }

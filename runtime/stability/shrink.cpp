@@ -38,7 +38,7 @@ static lab::Shot without(lab::Shot shot, const std::string& name) {
 static std::vector<lab::Shot> simpler(const lab::Shot& shot, const plan::PipelineDesc& pipeline,
                                       const script::Settings& kept) {
   std::vector<lab::Shot> list;
-  if (shot.anchor != "close") list.push_back(shot), list.back().anchor = "close";
+  if (shot.anchor != "end") list.push_back(shot), list.back().anchor = "end";
   for (const auto& [name, value] : shot.sets) {
     bool drawn = !name.starts_with("scene.") && !contains(kept, name);
     const plan::ParamDesc* param = plan::paramNamed(pipeline, name);

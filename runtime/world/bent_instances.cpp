@@ -6,7 +6,7 @@
 
 namespace strobe::world {
 
-using shared::SceneBentVertex;
+using shared::SceneDeformedVertex;
 
 BentInstances::BentInstances(const gpu::Device& device, const scene::Scene& scene, const SceneMeshes& meshes,
                              uint32_t slices)
@@ -21,8 +21,8 @@ BentInstances::BentInstances(const gpu::Device& device, const scene::Scene& scen
   VkBufferUsageFlags usage = gpu::kReadByAddress;
   if (device.info().has("accelerationStructure"))
     usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
-  buffer_ = gpu::Buffer(device, "scene.bent_vertices", size_t(slices) * vertex_count_ * sizeof(SceneBentVertex), usage,
-                        gpu::Buffer::Memory::Device);
+  buffer_ = gpu::Buffer(device, "scene.bent_vertices", size_t(slices) * vertex_count_ * sizeof(SceneDeformedVertex),
+                        usage, gpu::Buffer::Memory::Device);
 }
 
 size_t BentInstances::firstVertex(uint32_t slice, size_t item) const {
@@ -30,7 +30,7 @@ size_t BentInstances::firstVertex(uint32_t slice, size_t item) const {
 }
 
 VkDeviceAddress BentInstances::address(uint32_t slice, size_t item) const {
-  return buffer_.address() + firstVertex(slice, item) * sizeof(SceneBentVertex);
+  return buffer_.address() + firstVertex(slice, item) * sizeof(SceneDeformedVertex);
 }
 
 void BentInstances::pose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, const dvec3& origin) {
@@ -51,7 +51,7 @@ void BentInstances::pose(gpu::Staging& staging, uint32_t slice, const scene::Pos
 }
 
 void BentInstances::bend(size_t item, Posed& posed) {
-  std::vector<SceneBentVertex>& bent = bent_[item];
+  std::vector<SceneDeformedVertex>& bent = bent_[item];
   bent.clear();
   posed.bounds = {};
   dvec3 sum(0);  // not finite where one of them is not
@@ -63,7 +63,7 @@ void BentInstances::bend(size_t item, Posed& posed) {
   if (!std::isfinite(sum.x + sum.y + sum.z)) posed.bounds.high = dvec3(HUGE_VAL);
 }
 
-const std::vector<SceneBentVertex>& BentInstances::vertices(uint32_t slice, size_t item) {
+const std::vector<SceneDeformedVertex>& BentInstances::vertices(uint32_t slice, size_t item) {
   if (bent_at_[item] != slice) bend(item, posed_[slice * items_.size() + item]);
   bent_at_[item] = slice;
   return bent_[item];

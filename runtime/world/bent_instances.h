@@ -29,7 +29,7 @@ class BentInstances {
   // World from item, as its vertices are at the slice.
   const dmat4& world(uint32_t slice, size_t item) const { return at(slice, item).world; }
   // As they are at a slice that is posed, until the next call; and around them. Not finite where a joint is nowhere.
-  const std::vector<shared::SceneBentVertex>& vertices(uint32_t slice, size_t item);
+  const std::vector<shared::SceneDeformedVertex>& vertices(uint32_t slice, size_t item);
   const Bounds& bounds(uint32_t slice, size_t item) const { return at(slice, item).bounds; }
   // Another number whenever they change.
   uint64_t version(uint32_t slice, size_t item) const { return at(slice, item).version; }
@@ -50,9 +50,9 @@ class BentInstances {
   std::vector<scene::Instance> instances_;
   std::vector<SceneMeshes::Bending> items_;
   uint32_t first_vertex_ = 0, vertex_count_ = 0;
-  std::vector<Posed> posed_;                                // by slice, then item
-  std::vector<std::vector<shared::SceneBentVertex>> bent_;  // by item, those that were asked for last
-  std::vector<uint32_t> bent_at_;                           // and at which slice
+  std::vector<Posed> posed_;                                    // by slice, then item
+  std::vector<std::vector<shared::SceneDeformedVertex>> bent_;  // by item, those that were asked for last
+  std::vector<uint32_t> bent_at_;                               // and at which slice
   gpu::Buffer buffer_;
 };
 

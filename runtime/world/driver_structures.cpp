@@ -117,7 +117,7 @@ class DriverStructures : public Structures {
     uint64_t triangles = 0;
     for (gpu::TriangleGeometry& geometry : geometries) {
       geometry.vertices = at;
-      geometry.vertex_stride = sizeof(shared::SceneBentVertex);
+      geometry.vertex_stride = sizeof(shared::SceneDeformedVertex);
       at += VkDeviceAddress(geometry.vertex_count) * geometry.vertex_stride;
       triangles += geometry.triangle_count;
     }

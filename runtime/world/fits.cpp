@@ -65,7 +65,7 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   };
   requireBytes("vertices", counts.vertices * sizeof(shared::SceneVertex), limits.array_bytes);
   requireBytes("indices", counts.indices * sizeof(uint32_t), limits.array_bytes);
-  requireBytes("bent vertices", counts.bending * slices * sizeof(shared::SceneBentVertex), limits.array_bytes);
+  requireBytes("bent vertices", counts.bending * slices * sizeof(shared::SceneDeformedVertex), limits.array_bytes);
   requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform), limits.array_bytes);
   for (const Texture& texture : scene.textures)
     beyond.require(gpu::kImageLimit, fmt::format("texture '{}'", texture.name),
@@ -82,7 +82,7 @@ uint64_t unposedBytes(const Scene& scene, shader::StructureKind structures) {
 }
 
 uint64_t posedBytes(const Scene& scene, uint32_t slices) {
-  return slices * (Counts(scene).bending * sizeof(shared::SceneBentVertex) +
+  return slices * (Counts(scene).bending * sizeof(shared::SceneDeformedVertex) +
                    instancesOf(scene).size() * sizeof(shared::SceneTransform));
 }
 

@@ -17,7 +17,7 @@ using shader::StructureKind;
 struct SceneAddresses {
   VkDeviceAddress vertices, tangents, indices, geometries, instances, draws, materials, lights, transforms, cameras,
       bent;
-  uint32_t first_bending, bending_count;
+  uint32_t first_deformed, deformed_count;
 };
 
 GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices,
@@ -223,8 +223,8 @@ void GpuScene::setPose(gpu::Staging& staging, uint32_t slice, const Pose& pose, 
 }
 
 static uint32_t bitsOf(const scene::ScreenPath& path) {
-  return (path.curved ? PATH_CURVED : 0) | (path.turns ? PATH_TURNS : 0) | (path.covered ? PATH_COVERED : 0) |
-         (path.arrives ? PATH_ARRIVES : 0);
+  return (path.curved ? PATH_CURVED : 0) | (path.turns ? PATH_TURNS : 0) | (path.covered ? PATH_MAY_BE_OCCLUDED : 0) |
+         (path.arrives ? PATH_MAY_APPEAR : 0);
 }
 
 void GpuScene::setMotion(gpu::Staging& staging, const std::vector<bool>& moves,

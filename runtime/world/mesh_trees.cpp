@@ -103,8 +103,8 @@ BendingTree::BendingTree(const scene::Scene& scene, const scene::Mesh& mesh) {
   }
 }
 
-void BendingTree::fit(std::span<const shared::SceneBentVertex> vertices, uint32_t first_node, uint32_t first_triangle,
-                      BvhNode* nodes, BvhTriangle* triangles) {
+void BendingTree::fit(std::span<const shared::SceneDeformedVertex> vertices, uint32_t first_node,
+                      uint32_t first_triangle, BvhNode* nodes, BvhTriangle* triangles) {
   bounds_ = {};
   for (size_t i = 0; i < triangles_.size(); ++i) {
     for (size_t c = 0; c < 3; ++c) triangles_[i].corner[c] = vertices[vertices_[i][c]].position;

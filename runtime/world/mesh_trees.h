@@ -31,7 +31,7 @@ class BendingTree {
   size_t triangles() const { return triangles_.size(); }
   // `vertices`: of all geometries of the mesh, one after the other. Nodes and triangles go to these places, where they
   // are numbered from `first_node` and `first_triangle`.
-  void fit(std::span<const shared::SceneBentVertex> vertices, uint32_t first_node, uint32_t first_triangle,
+  void fit(std::span<const shared::SceneDeformedVertex> vertices, uint32_t first_node, uint32_t first_triangle,
            shared::BvhNode* nodes, shared::BvhTriangle* triangles);
   // Around the vertices of the last fit, and the farthest that a plane is.
   const Box& bounds() const { return bounds_; }

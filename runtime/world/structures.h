@@ -45,8 +45,8 @@ std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const s
                                               uint32_t slices);
 
 // Whose level a slice's pose is; slices between the capture and the samples are never traced.
-inline bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }
+inline bool isTraced(uint32_t slice) { return slice == SLICE_RASTER || slice >= SLICE_SAMPLE; }
 inline uint32_t levelOf(uint32_t slice) { return slice < SLICE_SAMPLE ? 0 : slice - SLICE_SAMPLE + 1; }
-inline uint32_t sliceOf(uint32_t level) { return level == 0 ? SLICE_CAPTURE : level - 1 + SLICE_SAMPLE; }
+inline uint32_t sliceOf(uint32_t level) { return level == 0 ? SLICE_RASTER : level - 1 + SLICE_SAMPLE; }
 
 }  // namespace strobe::world

@@ -16,15 +16,15 @@ return capture {
   title = "Range of samples for each pixel",
   size = { 960, 540 },
   layers = { "depth", "velocity", "shade.color", "neighbour_max.dominant" },
-  shots = { shot "centre", shot "close", shot "open" },
+  shots = { shot "centre", shot "end", shot "start" },
   arms = { { name = "gather", pipeline = "mcguire2012" } },
   figures = {
     {
       name = "figure2", width_mm = 178, text_size = 15, arm = "gather", crop = { 420, 200, 200, 130 }, zoom = 2,
       columns = {
         { shot = "centre", label = "centre: the pixel in the middle (McGuire et al.)" },
-        { shot = "close", label = "close: the pixel at the end (the paper)" },
-        { shot = "open", label = "open: the pixel at the start" },
+        { shot = "end", label = "end: raster time at the end of the exposure (the paper)" },
+        { shot = "start", label = "start: raster time at the start of the exposure" },
       },
       rows = {
         { label = "what is sampled", view = "shade.color", ranges = ranges },

@@ -10,7 +10,7 @@ local passes = {
   { "normal", "gbuffer: normals" },
   { "velocity", "gbuffer: displacement over the exposure", 25 },
   { "shade.color", "shade: colour at the capture" },
-  { "mask_tile_motions.motions", "mask_tile_motions: displacements of a tile", 25 },
+  { "tile_velocities.velocities", "tile_velocities: displacements of a tile", 25 },
   { "mask", "mask: pixels to look behind" },
   { "revealed", "reveal: colour behind them" },
   { "revealed_depth", "reveal: depth behind them" },

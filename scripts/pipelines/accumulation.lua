@@ -2,11 +2,11 @@
 -- The accumulation buffer: the mean of the scene drawn at many times. Haeberli and Akeley 1990.
 local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
-local captured_color = require "passes.lib.captured_color"
-local accumulated  = require "passes.scene.accumulated"
-local over_ground  = require "passes.scene.over_ground"
-local still_ground = require "passes.scene.still_ground"
-local visibility_moving = require "passes.scene.visibility_moving"
+local raster_color = require "passes.lib.raster_color"
+local accumulated       = require "passes.accumulation.accumulate_moving"
+local over_background   = require "passes.accumulation.over_background"
+local static_background = require "passes.accumulation.static_background"
+local visibility_moving = require "passes.gbuffer.visibility_moving"
 local scene    = require "scripts.pipelines.lib.scene"
 
 local snapped = "vertices are snapped to 1/256 px, so a silhouette this close to a pixel's centre may fall to either side"
@@ -22,26 +22,27 @@ return pipeline {
         none = "Shading, in the pose of the raster time, of every sample. Costs a shadow ray per sample and light.",
         blended = "Blend of the four nearest texels of the raster image if they show the surface, otherwise shading. Fails " ..
                   "by smoothing textures.",
-        detailed = "The blend, except where the four texels differ by more than `unlike` and the surface moves by at most " ..
+        detailed = "The blend, except where the four texels differ by more than `contrast` and the surface moves by at most " ..
                    "`detail_below` from sample to sample: there shading.",
       } },
-    unlike = captured_color.unlike {
+    contrast = raster_color.contrast {
       doc = "with reuse = detailed: largest difference of the four texels that are blended, share of their colour" },
-    detail_below = captured_color.detail_below {
+    detail_below = raster_color.detail_below {
       doc = "with reuse = detailed: motion from sample to sample above which the four texels are always blended" },
   },
   build = function(p)
-    local seen = scene.captured()
-    local ground = still_ground { hit = seen.hit }.ground
+    local raster = scene.raster()
+    local background = static_background { hit = raster.hit }.static_background
     local moving = pipeline.loop { name = "shutter", count = p.samples, times = "midpoint", body = function()
       local hit = visibility_moving { time = "sample", as = "sample_visibility" }.hit
       return { moving = accumulated {
-        hit = hit, color = seen.color, depth = seen.depth, id = seen.id, ground = ground, time = "sample",
-        reused = p.reuse() ~= "none", shades_unlike = p.reuse() == "detailed",
+        hit = hit, color = raster.color, depth = raster.depth, id = raster.id,
+        static_background = background, time = "sample", reused = p.reuse() ~= "none",
+        shades_contrast = p.reuse() == "detailed",
       }.moving }
     end }.moving
-    return scene.outputs(seen, {
-      color = over_ground { moving = moving, ground = ground, color = seen.color }.picture,
+    return scene.outputs(raster, {
+      color = over_background { moving = moving, static_background = background, color = raster.color }.picture,
     })
   end,
 }

@@ -7,11 +7,11 @@ local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc = "Bevy engine: blur of each pixel along its own displacement, without tiles; no surface blurs beyond its silhouette",
-  params = options.of_picture { copy_below = filter.params.copy_below },
+  params = { options.picture, copy_below = filter.params.copy_below },
   build = function()
-    local seen = scene.captured()
-    return scene.outputs(seen, {
-      color = filter { color = seen.color, depth = seen.depth, velocity = seen.velocity, as = "gather" }.blurred,
+    local raster = scene.raster()
+    return scene.outputs(raster, {
+      color = filter { color = raster.color, depth = raster.depth, velocity = raster.velocity, as = "gather" }.blurred,
     })
   end,
 }

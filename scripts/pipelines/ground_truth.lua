@@ -2,14 +2,14 @@
 -- Ground truth: the mean of the scene in its true poses at many times of the exposure. Displacements, limits, tiles and layers
 -- are not used.
 local pipeline   = require "strobe.pipeline"
-local shade      = require "passes.scene.shade"
-local visibility = require "passes.scene.visibility"
-local traced     = require "passes.scene.visibility_traced"
+local shade      = require "passes.gbuffer.shade"
+local visibility = require "passes.gbuffer.visibility"
+local traced     = require "passes.gbuffer.visibility_traced"
 local accumulate = require "passes.truth.accumulate"
-local agreement  = require "passes.truth.agreement"
+local agreement  = require "passes.truth.sample_consensus"
 local mean       = require "passes.truth.mean"
 local regions    = require "passes.truth.regions"
-local trace      = require "passes.truth.trace"
+local trace      = require "passes.truth.sample"
 local scene      = require "scripts.pipelines.lib.scene"
 local truth      = require "scripts.pipelines.lib.truth"
 
@@ -92,16 +92,16 @@ return pipeline {
     even_within  = agreement.params.even_within,
     mark_regions = bool { true, role = "regions",
       doc = "find the error regions; costs one more ray per sample" },
-    audit        = trace.params.audit,
-    tolerance    = float { 0, min = 0, max = 1e6, doc = "standard error of the mean that stops sampling; 0 = never" },
+    validation_share = trace.params.validation_share,
+    tolerance        = float { 0, min = 0, max = 1e6, doc = "standard error of the mean that stops sampling; 0 = never" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"
-    local seen = scene.captured(rays and traced or visibility)
-    local means = (rays and truth.everywhere or rastered)(p, seen)
+    local raster = scene.raster(rays and traced or visibility)
+    local means = (rays and truth.everywhere or rastered)(p, raster)
     local result = mean { mean_a = means.mean_a, mean_b = means.mean_b }
     local where = rays and regions { regions = means.regions } or {}
-    return scene.outputs(seen, {
+    return scene.outputs(raster, {
       color = result.color, error = result.error,
       inner = where.inner, hidden = where.hidden, outer = where.outer, self = where.self,
     })

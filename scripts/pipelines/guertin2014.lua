@@ -9,7 +9,8 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
   doc = "Guertin et al. 2014: a gather along the dominant displacement and a second direction",
-  params = options.with(options.blur(40), {
+  params = {
+    options.blur(40),
     directions   = gather.params.directions,
     second_share = pipeline.choice { "half", "variance", default = "half",
       doc = "share of the samples that follow the second direction",
@@ -23,15 +24,15 @@ return pipeline {
     tile_jitter  = gather.params.tile_jitter,
     uniform_path = pipeline.bool { true,
       doc = "use the dominant displacement for all surfaces where the shortest one around is at least 0.65 as long" },
-  }),
+  },
   build = function(p)
-    local seen = scene.captured()
+    local raster = scene.raster()
     local two = p.directions() == "two"
-    local around = tiles.dominant(p, seen, { second = two })
-    local images = gathers.images(seen, around)
-    if p.uniform_path() then images.slowest = tiles.slowest(seen, around) end
+    local around = tiles.dominant(p, raster, { second = two })
+    local images = gathers.images(raster, around)
+    if p.uniform_path() then images.slowest = tiles.slowest(raster, around) end
     if p.second_share() == "variance" then images.variance = tiles.variance(around) end
-    return scene.outputs(seen, {
+    return scene.outputs(raster, {
       color = gathers.blurred("guertin2014", images, "gather"),
     })
   end,

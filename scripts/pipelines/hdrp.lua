@@ -4,30 +4,31 @@ local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
 local jitter   = require "passes.lib.jitter"
 local gather   = require "passes.gather.jimenez2014"
-local scatter_length = require "passes.tile.scatter_length"
-local scatter_source = require "passes.tile.scatter_source"
-local scatter_max    = require "passes.tile.scatter_max"
-local longest_motion = require "passes.tile.longest_motion"
-local tile_max       = require "passes.tile.tile_max"
+local scatter_length   = require "passes.tile.scatter_length"
+local scatter_source   = require "passes.tile.scatter_source"
+local scatter_max      = require "passes.tile.scatter_max"
+local tile_max         = require "passes.tile.tile_max"
 local gathers  = require "scripts.pipelines.lib.gathers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 -- Dominant displacement per tile, like tiles.dominant, but scattered: each tile writes to the tiles along its displacement.
-local function dominant(seen)
-  local longest = tile_max { velocity = seen.velocity }.longest
+local function dominant(raster)
+  local tile = tile_max { velocity = raster.velocity }
+  local longest = tile.longest
   local length = scatter_length { longest = longest }.length
   local source = scatter_source { longest = longest, length = length }.source
   return {
     dominant = scatter_max { longest = longest, source = source }.dominant,
-    reach = longest_motion { longest = longest }.reach,
+    max_displacement = tile.max_displacement,
   }
 end
 
 return pipeline {
   doc = "Unity HDRP: pairs of taps as in Jimenez 2014, tiles scattered along their motion, weights by the alignment of motions",
-  params = options.of_picture {
+  params = {
+    options.picture,
     tile         = blur.tile { 16 },
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
@@ -39,10 +40,10 @@ return pipeline {
     cheap        = pipeline.bool { true, doc = "average the taps without weights where all surfaces around move alike" },
   },
   build = function(p)
-    local seen = scene.captured()
-    local around = dominant(seen)
-    local images = gathers.images(seen, around)
-    if p.cheap() then images.slowest = tiles.slowest(seen, around) end
-    return scene.outputs(seen, { color = gathers.blurred("jimenez2014", images, "gather") })
+    local raster = scene.raster()
+    local around = dominant(raster)
+    local images = gathers.images(raster, around)
+    if p.cheap() then images.slowest = tiles.slowest(raster, around) end
+    return scene.outputs(raster, { color = gathers.blurred("jimenez2014", images, "gather") })
   end,
 }

@@ -2,10 +2,10 @@
 -- Tan, Cui and Bhojan 2020, "Hybrid MBlur: Using Ray Tracing to Solve the Partial Occlusion Artifacts in Real-Time
 -- Rendering of Motion Blur Effect", SIGGRAPH '20 Posters. One function per section of the paper.
 local pipeline    = require "strobe.pipeline"
-local candidate   = require "passes.mask.candidate"
-local range_check = require "passes.mask.range_check"
-local reveal      = require "passes.scene.reveal"
-local alpha_over  = require "passes.composite.alpha_over"
+local candidate   = require "passes.hybrid.displaced_position"
+local range_check = require "passes.hybrid.range_check"
+local reveal      = require "passes.hybrid.ray_reveal"
+local alpha_over  = require "passes.hybrid.alpha_over"
 local mcguire2012 = require "passes.gather.mcguire2012"
 local edges       = require "scripts.pipelines.lib.edges"
 local gathers     = require "scripts.pipelines.lib.gathers"
@@ -29,10 +29,10 @@ local function ray_reveal(raster, mask)
   }
 end
 
--- Post-Process: tile-dilate and gather of one layer. `behind`: the background layer that its silhouettes disocclude.
-local function blurred(p, layer, name, behind)
+-- Post-Process: tile-dilate and gather of one layer. `background`: the background layer that its silhouettes disocclude.
+local function blurred(p, layer, name, background)
   local dominant = tiles.dominant(p, layer, { prefix = name .. "_" })
-  return gathers.blurred(p.weights(), gathers.images(layer, dominant, behind), "gather_" .. name, p.color_format)
+  return gathers.blurred(p.weights(), gathers.images(layer, dominant, background), "gather_" .. name, p.color_format)
 end
 
 local edge_choice = { default = "sobel", doc = "edge detector of the ray mask", values = edges.texts(),
@@ -44,11 +44,12 @@ local text = {
 }
 -- Two readings of the paper, where its text is silent or contradicts its claims: rays pass the object in front at once, and
 -- each tap is an equal share of the exposure.
-local paper = options.with(options.with({}, text), { advance = "instance_filter", weights = "uniform" })
+local paper = { text, advance = "instance_filter", weights = "uniform" }
 
 return pipeline {
   doc = "The published method: raster and ray-revealed background, blurred and composited (Tan, Cui and Bhojan 2020)",
-  params = options.with(options.blur(40), {
+  params = {
+    options.blur(40),
     mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "positions along the displacement that the ray mask tests" },
     edge         = pipeline.choice(edge_choice),
     own_edge     = pipeline.bool { true, doc = "require that the edge in range belongs to the instance of the pixel" },
@@ -61,18 +62,18 @@ return pipeline {
     on_cap       = reveal.params.on_cap,
     weights      = pipeline.choice(gathers.choice("uniform", "weights of the taps")),
     directions   = mcguire2012.params.directions,
-  }),
+  },
   presets = {
     paper = { doc = "the paper, read so that its claims hold: rays pass the object in front at once, taps have equal weight",
               set = paper },
     text = { doc = "the paper to the letter", set = text },
     geometry_index = { doc = "the paper with its proposed termination: another geometry, instead of another luminance",
-                       set = options.with(options.with({}, paper), { termination = "geometry" }) },
+                       set = { paper, termination = "geometry" } },
   },
   default_preset = "paper",
   compare_with = "mcguire2012",
   build = function(p)
-    local raster = scene.captured()
+    local raster = scene.raster()
     local mask = ray_mask(p, raster)
     local revealed = ray_reveal(raster, mask)
     local front, back = blurred(p, raster, "raster", revealed), blurred(p, revealed, "revealed")

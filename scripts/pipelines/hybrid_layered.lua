@@ -2,16 +2,16 @@
 -- Extension of the hybrid: rays where relative motion disoccludes a background, a composite of both layers per time sample.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
-local layered  = require "passes.composite.layered"
-local reveal   = require "passes.scene.reveal"
-local curves   = require "scripts.pipelines.lib.curves"
+local layered  = require "passes.layered.layered_composite"
+local reveal   = require "passes.hybrid.ray_reveal"
 local layers   = require "scripts.pipelines.lib.layers"
 local options  = require "scripts.pipelines.lib.options"
-local ranges   = require "scripts.pipelines.lib.ranges"
+local paths    = require "scripts.pipelines.lib.paths"
 
 return pipeline {
   doc = "Hybrid with a disocclusion mask by relative motion and a composite of its layers per time sample",
-  params = options.by_tiles(40, {
+  params = {
+    options.tiles(40),
     termination  = reveal.params.termination,
     tolerance    = reveal.params.tolerance,
     luminance_of = reveal.params.luminance_of,
@@ -19,12 +19,12 @@ return pipeline {
     advance      = reveal.params.advance,
     max_layers   = reveal.params.max_layers,
     on_cap       = reveal.params.on_cap,
-    range        = ranges.param,
+    range        = paths.range,
     trajectory   = layered.params.trajectory,
-  }),
+  },
   compare_with = "mcguire2012",
   build = function(p)
-    curves.require(p, layered, "hybrid_layered")
+    paths.require_curves(p, layered, "hybrid_layered")
     local both = layers.both(p)
     local images = layers.images(p, both.raster, both.revealed, layered)
     return layers.outputs(p, both, layered(pass.wired(layered, images, { as = "composite" })).blurred)

@@ -2,11 +2,10 @@
 -- Extension of hybrid_layered: rays resolve the time samples that the layers leave unresolved.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
-local layered  = require "passes.composite.layered"
-local curves   = require "scripts.pipelines.lib.curves"
+local layered  = require "passes.layered.layered_composite"
 local layers   = require "scripts.pipelines.lib.layers"
 local options  = require "scripts.pipelines.lib.options"
-local ranges   = require "scripts.pipelines.lib.ranges"
+local paths    = require "scripts.pipelines.lib.paths"
 local time_samples = require "scripts.pipelines.lib.time_samples"
 
 local by_cell = "cells decide which samples are traced, and the grid of cells starts at the corner of the picture"
@@ -15,18 +14,18 @@ local slowest = 0.02  -- px over the exposure; a slower silhouette changes the c
 
 return pipeline {
   doc = "hybrid_layered with a ray for each time sample that the layers do not resolve",
-  params = options.by_tiles(40, { range = ranges.param, trajectory = layered.params.trajectory }),
+  params = { options.tiles(40), range = paths.range, trajectory = layered.params.trajectory },
   breaks = { mirrored = by_cell, shifted = by_cell, scaled = by_threshold },
   compare_with = "mcguire2012",
   build = function(p)
-    curves.require(p, layered, "hybrid_traced")
+    paths.require_curves(p, layered, "hybrid_traced")
     local both = layers.both(p)
     local raster, revealed = both.raster, both.revealed
     local images = layers.images(p, raster, revealed, layered, slowest)
-    images.doubtful = time_samples.unreliable(p, raster, revealed)
+    images.unreliable = time_samples.unreliable(p, raster, revealed)
     images.silhouettes = time_samples.silhouettes(raster, slowest)
     local made = layered(pass.wired(layered, images, {
-      as = "composite", taps = "linear", leaves_open = true, leaves_unlike = true, slowest = slowest,
+      as = "composite", taps = "linear", marks_unresolved = true, marks_contrast = true, slowest = slowest,
     }))
     return layers.outputs(p, both, time_samples.traced(p, raster, revealed, made))
   end,

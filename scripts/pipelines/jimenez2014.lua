@@ -9,20 +9,21 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
   doc = "Jimenez 2014: pairs of taps along the dominant displacement, linear ramps, mirrored background",
-  params = options.with(options.blur(20), {
+  params = {
+    options.blur(20),
     mirror      = gather.params.mirror,
     count       = gather.params.count,
     direction   = gather.params.direction,
     copy_below  = gather.params.copy_below,
     cheap_ratio = gather.params.cheap_ratio,
     cheap       = pipeline.bool { true, doc = "average the taps without weights where all surfaces around move alike" },
-  }),
+  },
   build = function(p)
-    local seen = scene.captured()
-    local around = tiles.dominant(p, seen)
-    local images = gathers.images(seen, around)
-    if p.cheap() then images.slowest = tiles.slowest(seen, around) end
-    return scene.outputs(seen, {
+    local raster = scene.raster()
+    local around = tiles.dominant(p, raster)
+    local images = gathers.images(raster, around)
+    if p.cheap() then images.slowest = tiles.slowest(raster, around) end
+    return scene.outputs(raster, {
       color = gathers.blurred("jimenez2014", images, "gather"),
     })
   end,

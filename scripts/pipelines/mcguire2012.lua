@@ -4,23 +4,24 @@ local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.mcguire2012"
 local scene    = require "scripts.pipelines.lib.scene"
 local options  = require "scripts.pipelines.lib.options"
-local ranges   = require "scripts.pipelines.lib.ranges"
+local paths    = require "scripts.pipelines.lib.paths"
 local tiles    = require "scripts.pipelines.lib.tiles"
 local gathers  = require "scripts.pipelines.lib.gathers"
 
 return pipeline {
   doc = "McGuire et al. 2012: a gather along the dominant displacement of the surrounding tiles",
-  params = options.with(options.blur(40), {
+  params = {
+    options.blur(40),
     weights = pipeline.choice(gathers.choice("mcguire2012",
       "weights of the taps: as published, or each tap an equal share of the exposure", { "mcguire2012", "uniform" })),
     directions = gather.params.directions,
-    range = ranges.param,
-  }),
+    range = paths.range,
+  },
   build = function(p)
-    local seen = scene.captured()
-    local moving = ranges.divided(p, seen, "halves")
+    local raster = scene.raster()
+    local moving = paths.split(p, raster, "segments")
     local images = gathers.images(moving, tiles.dominant(p, moving))
-    return scene.outputs(seen, {
+    return scene.outputs(raster, {
       color = gathers.blurred(p.weights(), images, "gather"),
     })
   end,

@@ -8,7 +8,7 @@ return pipeline {
   kind = "sharp",
   breaks = { uniform = "it does not blur" },
   build = function()
-    local seen = scene.captured()
-    return scene.outputs(seen, { color = seen.color })
+    local raster = scene.raster()
+    return scene.outputs(raster, { color = raster.color })
   end,
 }

@@ -1,13 +1,12 @@
 -- SPDX-License-Identifier: MIT
 -- One parameter from a post-process blur to ground truth: a gather where it is certain, rays at several times elsewhere.
 local pipeline = require "strobe.pipeline"
-local motion_bounds  = require "passes.tile.motion_bounds"
-local tile_max       = require "passes.tile.tile_max"
-local longest_motion = require "passes.tile.longest_motion"
-local uniform_motion = require "passes.tile.uniform_motion"
-local refined_time   = require "passes.scene.refined_time"
-local traced         = require "passes.scene.visibility_traced"
-local mean           = require "passes.truth.mean"
+local velocity_bounds  = require "passes.cell.velocity_bounds"
+local tile_max         = require "passes.tile.tile_max"
+local coherent_cells   = require "passes.time.coherent_cells"
+local adaptive_times   = require "passes.time.adaptive_times"
+local traced           = require "passes.gbuffer.visibility_traced"
+local mean             = require "passes.truth.mean"
 local gathers   = require "scripts.pipelines.lib.gathers"
 local options   = require "scripts.pipelines.lib.options"
 local scene     = require "scripts.pipelines.lib.scene"
@@ -18,44 +17,47 @@ local truth     = require "scripts.pipelines.lib.truth"
 local weights = "jimenez2014"
 
 local function gathered(p)
-  local seen = scene.captured()
-  local images = gathers.images(seen, tiles.dominant(p, seen))
-  return scene.outputs(seen, { color = gathers.blurred(weights, images, "gather") })
+  local raster = scene.raster()
+  local images = gathers.images(raster, tiles.dominant(p, raster))
+  return scene.outputs(raster, { color = gathers.blurred(weights, images, "gather") })
 end
 
 local function refined(p)
   local set = selective.settings(p.effort(), p.samples())
-  local seen = scene.captured()
-  local bounds = motion_bounds { velocity = seen.velocity, all_count = true }.bounds
-  local reach = longest_motion { longest = tile_max { velocity = seen.velocity }.longest }.reach
+  local raster = scene.raster()
+  local bounds = velocity_bounds { velocity = raster.velocity, runs = "moving_rect" }.bounds
+  local max_displacement = tile_max { velocity = raster.velocity }.max_displacement
   local color = pipeline.loop { name = "times", count = 1, times = "midpoint", slices = set.parts + 1, body = function()
-    local cells = uniform_motion {
-      bounds = bounds, velocity = seen.velocity, id = seen.id, reach = reach, apart_px = set.apart_px, time = "sample",
+    local cells = coherent_cells {
+      bounds = bounds, velocity = raster.velocity, id = raster.id, max_displacement = max_displacement,
+      apart_px = set.apart_px, time = "sample",
     }
-    return { picture = refined_time {
-      color = seen.color, depth = seen.depth, id = seen.id, hit = seen.hit, velocity = seen.velocity, certain = cells.certain,
-      longest = cells.longest, pace = set.pace, allowance = set.allowance, hit_color = set.hit_color, time = "sample",
+    return { picture = adaptive_times {
+      color = raster.color, depth = raster.depth, id = raster.id, hit = raster.hit, velocity = raster.velocity,
+      certain = cells.certain, longest = cells.longest, pace = set.pace, allowance = set.allowance, hit_color = set.hit_color,
+      time = "sample",
     }.picture }
   end }.picture
-  return scene.outputs(seen, { color = color })
+  return scene.outputs(raster, { color = color })
 end
 
 local function true_times(p)
-  local seen = scene.captured(traced)
+  local raster = scene.raster(traced)
   local means = truth.everywhere({
     mode = "rays", samples = selective.truth_samples(p.effort(), p.samples()), times = "midpoint", slices = 1, pixel = "centre",
     shading = "frozen", mark_regions = false, tolerance = 0, first_samples = 0,
-  }, seen)
-  return scene.outputs(seen, { color = mean { mean_a = means.mean_a, mean_b = means.mean_b }.color })
+  }, raster)
+  return scene.outputs(raster, { color = mean { mean_a = means.mean_a, mean_b = means.mean_b }.color })
 end
 
 return pipeline {
   doc = "One parameter from post-process to ground truth: gather where it is certain, rays at several times elsewhere",
-  params = options.with(options.blur(16), {
+  params = {
+    options.blur(16),
     effort = pipeline.float { 0.4, min = 0, max = 1,
       doc = "0, or any value with limit = 0: the gather of ue4; below 0.75: rays at several times where a gather is not " ..
             "certain; from 0.75: ground truth, at 1 with 16 times `samples` time samples" },
-  }),
+  },
   presets = {
     post_process = { doc = "a post-process blur without rays", set = { effort = 0 } },
     few_rays     = { doc = "rays where a gather is not certain, as few as possible", set = { effort = 0.1 } },

@@ -9,13 +9,14 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
   doc = "Stand-in for engines' post-process blur: Jimenez 2014 with mirrored background, 16 px tiles, 5 % of the width",
-  params = options.with(options.blur(16), {
+  params = {
+    options.blur(16),
     mirror = gather.params.mirror,
-  }),
+  },
   build = function(p)
-    local seen = scene.captured()
-    local images = gathers.images(seen, tiles.dominant(p, seen))
-    return scene.outputs(seen, {
+    local raster = scene.raster()
+    local images = gathers.images(raster, tiles.dominant(p, raster))
+    return scene.outputs(raster, {
       color = gathers.blurred("jimenez2014", images, "gather"),
     })
   end,

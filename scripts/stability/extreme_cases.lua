@@ -89,7 +89,7 @@ local function shot(scene, width, height, scene_set, set, more)
   return merged({ scene = scene, size = { width, height }, frame = 0, scene_set = numbers, set = set }, more or {})
 end
 
-local anchors = { "close", "centre", "open" }
+local anchors = { "end", "centre", "start" }
 
 -- ---- a bar over a static background
 
@@ -133,7 +133,7 @@ for _, v in ipairs { { "zero", 0 }, { "1e_8", 1e-8 }, { "0_49", 0.49 }, { "half"
 end
 
 for _, anchor in ipairs(anchors) do
-  case("displacement_0_51_px_" .. anchor, "displacement", "colours stay between those of bar and background",
+  case("displacement_0_51_px_" .. anchor, "displacement", "colours stay between the colours of bar and background",
        function() return { between(bar(0.51, { limit = 10 }, { anchor = anchor })) } end)
 end
 
@@ -226,14 +226,14 @@ end)
 
 -- ---- exposure and samples
 
-local window_start = { close = -1, centre = -0.5, open = 0 }
+local window_start = { ["end"] = -1, centre = -0.5, start = 0 }
 
 for _, anchor in ipairs(anchors) do
   case("exposure_0_" .. anchor, "exposure", "an exposure of 0 is the raster image, bit for bit", function()
     return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, { anchor = anchor, exposure = 0 })) }
   end)
   case("exposure_3_" .. anchor, "exposure",
-       "longer than a frame: displacements are those of the window, and truth is the exact coverage", function()
+       "longer than a frame: displacements span the window, and truth is the exact coverage", function()
     -- 4 px over an exposure of 0.5 are 24 px over an exposure of 3.
     local long, from = bar(4, { limit = 10, tile = 8 }, { anchor = anchor, exposure = 3 }), window_start[anchor]
     return {
@@ -368,8 +368,8 @@ end
 -- exposure).
 local function displacement_of(point, step, anchor)
   local back, ahead = anchor == "centre" and 0.5 or 1, anchor == "centre" and 0.5 or 1
-  if anchor == "open" then back = 0 end
-  if anchor == "close" then ahead = 0 end
+  if anchor == "start" then back = 0 end
+  if anchor == "end" then ahead = 0 end
   local open, close = {}, {}
   for i = 1, 3 do open[i], close[i] = point[i] - step[i] * back, point[i] + step[i] * ahead end
   local near = near_m * 1.001
@@ -409,7 +409,7 @@ local function moving_card(name, away, anchor)
       return displacement_of({ (x - wide / 2) / focal * 4, (y - high / 2) / focal * 4, 4 }, { 0.5, 0, away }, anchor)
     end
     local share, near = anchor == "centre" and 0.5 or 1, 1.001 * near_m
-    local crosses = anchor ~= "open" and 4 - away * share < near or anchor ~= "close" and 4 + away * share < near
+    local crosses = anchor ~= "start" and 4 - away * share < near or anchor ~= "end" and 4 + away * share < near
     return {
       displacement(card, path, path_share, path_px), (crosses and warns or silent)(card, "behind the near plane"),
       within(card, 0.2, 1),
@@ -429,7 +429,7 @@ end
 
 for _, turn in ipairs { 10, 45, 85, 100, 170, -170 } do
   case(("turn_%s%d"):format(turn < 0 and "minus_" or "", math.abs(turn)), "all sky",
-       "displacements of the sky are those of directions, and its colour stays", function()
+       "displacements of the sky follow its directions, and its colour stays", function()
     local function path(x, y)
       local dx, dy = path_of(turned_sky(x, y, 0), turned_sky(x, y, -turn * math.pi / 180), 1 / 64)
       return -dx, -dy
@@ -468,7 +468,7 @@ for _, v in ipairs { { "2e4", 2e4 }, { "2e7", 2e7 } } do
     local flight = planes(1, { camera_x = 0.5, camera_z = -1, depth = 1.5, extent = v[2] })
     local function path(x, y)
       local point = floor_at(x, y, 1.5)
-      if point then return displacement_of(point, { -0.5, 0, -1 }, "close") end
+      if point then return displacement_of(point, { -0.5, 0, -1 }, "end") end
     end
     return { displacement(flight, path, 1e-3, 1e-2) }
   end)

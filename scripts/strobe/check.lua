@@ -33,6 +33,42 @@ function check.is_name(value)
   return type(value) == "string" and #value <= 64 and value:find("^[a-z][a-z0-9_]*$") ~= nil
 end
 
+-- True if `value` is names separated by slashes.
+function check.is_path(value)
+  if type(value) ~= "string" or value:find("^/") or value:find("/$") then return false end
+  for part in value:gmatch("[^/]+") do
+    if not check.is_name(part) then return false end
+  end
+  return not value:find("//", 1, true)
+end
+
+-- `t` and the tables in its list part as one table: `{ options.blur, { a = 1 } }`, `{ options.blur, a = 1 }`. Later ones
+-- win, named fields last.
+function check.merged(t)
+  if t[1] == nil then return t end
+  local result = {}
+  for i, part in ipairs(t) do
+    if check.is_plain(part) then
+      for key, value in pairs(check.merged(part)) do result[key] = value end
+    else
+      result[i] = part  -- not a table of declarations: reported with its key
+    end
+  end
+  for key, value in pairs(t) do
+    if type(key) ~= "number" then result[key] = value end
+  end
+  return result
+end
+
+-- `t`, or a copy that has one table instead of a list of tables as its field `key`.
+function check.with_merged(t, key)
+  if type(t[key]) ~= "table" or t[key][1] == nil then return t end
+  local copy = {}
+  for name, value in pairs(t) do copy[name] = value end
+  copy[key] = check.merged(t[key])
+  return copy
+end
+
 -- True if the format holds unsigned integers.
 function check.is_uint(format)
   return format:find("ui$") ~= nil
@@ -144,6 +180,7 @@ function check.index_of_records(meta, what, optional)
   for _, name in ipairs(optional or {}) do may_lack[name] = true end
   function meta.__index(t, key)
     if type(key) ~= "string" or may_lack[key] then return nil end
+    if key == "get" and meta.is_record then return rawget end
     local known = check.names(t)
     for name in pairs(may_lack) do
       if rawget(t, name) == nil then known[#known + 1] = name end

@@ -62,7 +62,7 @@ figure.colors = {
 figure.measures = { "rmse", "mse", "relmse", "smape", "psnr", "ssim", "flip", "standard_error", "displacement" }
 figure.kinds = { "auto", "colour", "depth", "normal", "velocity", "arrows", "id", "mask", "scalar" }
 figure.differences = { "mean", "channels", "flip" }
-figure.anchors = { "close", "centre", "open" }
+figure.anchors = { "end", "centre", "start" }
 figure.places = { "top left", "top right", "bottom left", "bottom right", "below" }
 figure.formats = { "mp4", "mkv" }
 

@@ -6,7 +6,7 @@ local param  = require "strobe.param"
 
 local node = {}
 
-node.times = { "capture", "open", "close", "sample" }
+node.times = { "raster", "shutter_open", "shutter_close", "sample" }
 
 -- The pipeline being built: { nodes, passes, loop = name or nil, params = its declarations, p = the build's `p` }. Nil
 -- outside of a `build`.
@@ -51,6 +51,7 @@ node.not_a_value = not_a_value
 
 Ports.__index = native.at_caller(function(place, ports, key)
   local values, name = rawget(ports, "values"), rawget(ports, "node")
+  if key == "get" then return node.optional end
   rawget(ports, "record").used = true
   if values[key] then return values[key] end
   local names = check.names(values)
@@ -153,7 +154,7 @@ local argument_names = setmetatable({}, { __mode = "k" })  -- by pass
 local function argument_names_of(pass)
   local known = argument_names[pass]
   if known then return known end
-  known = { "as", "time" }
+  known = { "as", "time", "runs" }
   for _, list in ipairs { pass.reads, pass.params } do
     for _, one in ipairs(list) do known[#known + 1] = one.name end
   end
@@ -210,7 +211,7 @@ end
 
 local function choose_name(problems, pass, arguments, place)
   local given = rawget(arguments, "as")
-  local name = given == nil and pass.name or given
+  local name = given == nil and pass.name:match("[^/]+$") or given
   local at = given == nil and place or native.key_place(place, "as")
   if type(name) == "string" then name = (node.graph.prefix or "") .. name end
   if not check.is_name(name) or name == "scene" then
@@ -226,9 +227,18 @@ local function choose_name(problems, pass, arguments, place)
   return name
 end
 
+local function choose_runs(problems, pass, arguments, place)
+  local passes = require "strobe.pass"
+  local runs = rawget(arguments, "runs")
+  if runs == nil then return passes.restriction_of(pass) end
+  local owner = ("pass '%s'"):format(pass.name)
+  passes.check_runs(problems, runs, pass, native.key_place(place, "runs"), owner)
+  return runs
+end
+
 local function choose_time(problems, pass, arguments, place)
   local time = rawget(arguments, "time")
-  if time == nil then return "capture" end
+  if time == nil then return "raster" end
   local at = native.key_place(place, "time")
   if not check.contains(node.times, time) then
     local near = type(time) == "string" and native.nearest(time, node.times) or ""
@@ -263,6 +273,7 @@ function node.create(place, pass, arguments)
   local made = { pass = pass.name, place = place, params = {}, loop = node.graph.loop or "" }
   made.name = choose_name(problems, pass, arguments, place)
   made.time = choose_time(problems, pass, arguments, place)
+  made.runs = choose_runs(problems, pass, arguments, place)
   made.inputs = wire_reads(problems, pass, arguments, place)
   local owner = ("pass '%s'"):format(pass.name)
   for _, wanted in ipairs(pass.params) do

@@ -4,21 +4,22 @@
 local check   = require "strobe.check"
 local native  = require "strobe.native"
 local param   = require "strobe.param"
-local without = require "strobe.without"
+local stand_in = require "strobe.stand_in"
 
 local pass = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
 pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
-  "without", "over", "group",
+  "if_no", "dispatch_over", "group", "runs",
 }
-pass.read_keys  = { "doc", "uint", "optional", "linear", "needs", "buffer", "pointwise" }
+pass.read_keys  = { "doc", "uint", "optional", "absent", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
 pass.update_keys = { "doc", "format", "history", "each" }
 pass.format_keys = { "by" }  -- and one key for each choice of the parameter that `by` names
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
-pass.call_keys  = { "as", "time" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
+pass.runs       = { "everywhere", "moving_rect", "moving_instances" }  -- pixels or instances that a pass is restricted to
+pass.call_keys  = { "as", "time", "runs", "get" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
 
 local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
@@ -51,13 +52,52 @@ local function check_needs(problems, reads, port, at, what)
     problems:add(at, "%s needs %s, which is neither the name of a read nor a list of names", what, check.quoted(port.needs))
     return {}
   end
-  if #needs > 0 and not port.optional then problems:add(at, "%s has 'needs' but is not optional", what) end
+  if #needs > 0 and not (port.optional or port.absent ~= nil) then
+    problems:add(at, "%s has 'needs' but is not optional", what)
+  end
   for _, needed in ipairs(needs) do
     if reads[needed] == nil then
       problems:add(at, "%s needs %s, which is not a read of the pass", what, check.quoted(needed))
     end
   end
   return needs
+end
+
+local function is_texel(value, uint)
+  if type(value) ~= "table" or #value ~= 4 then return false end
+  for i = 1, 4 do
+    local n = value[i]
+    local fits = type(n) == "number" and n == n and math.abs(n) < 1e38
+    if not fits or (uint and (math.type(n) ~= "integer" or n < 0 or n > 4294967295)) then return false end
+  end
+  return true
+end
+
+-- The value `absent` of a read that may be left unwired: four numbers, or the name of the read that stands in. A number stands
+-- for four.
+local function check_absent(problems, reads, name, at, what)
+  local port = reads[name]
+  local given = port.absent
+  if given == nil then return nil end
+  if port.buffer then problems:add(at, "%s is a buffer; only images have a value for their absence", what) end
+  if type(given) ~= "string" then
+    local texel = type(given) == "number" and { given, given, given, given } or given
+    if is_texel(texel, port.uint) then return texel end
+    problems:add(at, "absent of %s is %s; it is a number, four numbers, or the name of a read", what, check.quoted(given))
+    return nil
+  end
+  local other = reads[given]
+  if type(other) ~= "table" or given == name then
+    problems:add(at, "absent of %s is %s, which is not another read of the pass%s", what, check.quoted(given),
+                 native.nearest(given, check.names(reads)))
+  elseif other.buffer or (other.uint or false) ~= (port.uint or false) then
+    problems:add(at, "absent of %s is '%s', which has other texels", what, given)
+  elseif other.optional and other.absent == nil then
+    problems:add(at, "absent of %s is '%s', which may be absent too", what, given)
+  else
+    return given
+  end
+  return nil
 end
 
 local function declare_reads(problems, t, place, owner)
@@ -77,6 +117,8 @@ local function declare_reads(problems, t, place, owner)
         problems:add(at, "%s cannot be both pointwise and %s", what, port.buffer and "buffer" or "linear")
       end
       if port.buffer then result.uint = true end
+      result.absent = check_absent(problems, t.reads, name, at, what)
+      result.optional = result.optional or port.absent ~= nil
       result.needs = check_needs(problems, t.reads, port, at, what)
       if port.uint and port.linear then problems:add(at, "%s cannot be both uint and linear", what) end
       list[#list + 1] = result
@@ -211,26 +253,27 @@ local function declare_counters(problems, t, place, owner)
   return list
 end
 
--- `over`: name of a buffer read. The pass runs once for each entry, which is a pixel.
+-- `dispatch_over`: name of a buffer read. The pass runs once for each entry, which is a pixel.
 local function declare_over(problems, t, kind, result, place, owner)
-  if t.over == nil then return "" end
-  local at = native.key_place(place, "over")
+  if t.dispatch_over == nil then return "" end
+  local at = native.key_place(place, "dispatch_over")
   local read
   for _, port in ipairs(result.reads) do
-    if port.name == t.over then read = port end
+    if port.name == t.dispatch_over then read = port end
   end
   if not read or not read.buffer then
-    local near = type(t.over) == "string" and not read and native.nearest(t.over, port_names(result.reads)) or ""
-    problems:add(at, "%s runs over %s, which is not a buffer read of the pass%s", owner, check.quoted(t.over), near)
+    local is_unknown = type(t.dispatch_over) == "string" and not read
+    local near = is_unknown and native.nearest(t.dispatch_over, port_names(result.reads)) or ""
+    problems:add(at, "%s runs over %s, which is not a buffer read of the pass%s", owner, check.quoted(t.dispatch_over), near)
   end
   if kind == "raster" then problems:add(at, "%s is a raster pass, which runs over triangles", owner) end
   for _, write in ipairs(result.writes) do
     if not write.cleared and not check.is_buffer(write.format or "") then
       problems:add(write.place, "'%s' of %s, which runs over '%s', wants cleared = true: the other pixels are zero",
-                   write.name, owner, t.over)
+                   write.name, owner, t.dispatch_over)
     end
   end
-  return t.over
+  return t.dispatch_over
 end
 
 -- `group`: one work group per pixel, instead of one invocation.
@@ -242,11 +285,36 @@ local function declare_group(problems, t, kind, result, place, owner)
     problems:add(at, "%s runs over '%s', which takes one invocation per entry, not a group", owner, result.over)
   end
   for _, one in ipairs(result.params) do
-    if one.role == "still_once" then
-      problems:add(one.place, "'%s' of %s, which has a group for each pixel, cannot be still_once", one.name, owner)
+    if one.role == "static_once" then
+      problems:add(one.place, "'%s' of %s, which has a group for each pixel, cannot be static_once", one.name, owner)
     end
   end
   return true
+end
+
+-- True if `runs` is one of pass.runs and suits the pass `result`.
+function pass.check_runs(problems, runs, result, at, owner)
+  if not check.contains(pass.runs, runs) then
+    local near = type(runs) == "string" and native.nearest(runs, pass.runs) or ""
+    problems:add(at, "runs = %s of %s is not one of %s%s", check.quoted(runs), owner, table.concat(pass.runs, ", "), near)
+  elseif runs == "moving_instances" and result.kind ~= "raster" then
+    problems:add(at, "%s is a %s pass; only raster passes run for moving instances", owner, result.kind)
+  else
+    return true
+  end
+  return false
+end
+
+local restrictions = setmetatable({}, { __mode = "k" })  -- by description
+
+-- The restriction of a pass, by its description.
+function pass.restriction_of(description) return restrictions[description] end
+
+-- `runs`: restriction of the pass; a call may give another. By default the moving rectangle, if `if_no` has stand-ins for the
+-- other pixels.
+local function declare_runs(problems, t, result, place, owner)
+  if t.runs == nil then return "moving_rect" end
+  return pass.check_runs(problems, t.runs, result, native.key_place(place, "runs"), owner) and t.runs or "moving_rect"
 end
 
 local function check_divide(problems, size, params, declared, at, owner)
@@ -320,14 +388,35 @@ local function check_twins(problems, result, owner)
   end
 end
 
-local function check_shader(problems, t, place, owner)
-  if not check.field(problems, t, "shader", "string", place, owner) then return end
-  local plain = t.shader:find("^[%w_][%w_%-./]*$") and not t.shader:find("..", 1, true)
-  local at = native.key_place(place, "shader")
-  if not plain then problems:add(at, "shader '%s' of %s is not a path below shaders/", t.shader, owner) end
-  if t.shader:find("%.glsl$") then
-    problems:add(at, "shader '%s' of %s is written without its ending .glsl", t.shader, owner)
+-- Path below passes/ of the file at `place`, without its ending; nil for a file outside of passes/ and for libraries.
+local function path_of(place)
+  local path = ("/" .. place.file):match(".*[/:]passes/(.+)%.lua$")  -- a colon after the name of a root
+  return path and not path:find("^lib/") and path or nil
+end
+
+-- Name and shader of a pass. Both default to the path of the file that declares it; the shader also defaults to the name.
+local function named_by_file(problems, t, place)
+  local name = t.name or path_of(place)
+  if name == nil then
+    problems:add(place, "the pass needs a name: it is not in a file of passes/, which would name it")
+    return nil, t.shader
   end
+  if not check.is_path(name) then
+    problems:add(native.key_place(place, "name"), "%s is not a name of a pass (parts of a-z, 0-9 and _, separated by /)",
+                 check.quoted(name))
+  end
+  return name, t.shader or path_of(place) or name
+end
+
+local function check_shader(problems, shader, place, owner)
+  local at = native.key_place(place, "shader")
+  if type(shader) ~= "string" then
+    problems:add(at, "shader of %s is a %s instead of a string", owner, type(shader))
+    return
+  end
+  local plain = shader:find("^[%w_][%w_%-./]*$") and not shader:find("..", 1, true)
+  if not plain then problems:add(at, "shader '%s' of %s is not a path below shaders/", shader, owner) end
+  if shader:find("%.glsl$") then problems:add(at, "shader '%s' of %s is written without its ending .glsl", shader, owner) end
 end
 
 -- Descriptions of the passes that files declare. Passes that a `build` declares are left out: they may differ each time.
@@ -342,16 +431,16 @@ end
 
 local Pass = check.index_of_records({}, "a pass")
 
+
 local function declare(kind, place, t)
   if type(t) ~= "table" then check.fail(place, "pass.%s wants a table: pass.%s { ... }", kind, kind) end
+  t = check.with_merged(t, "params")
   local problems = check.problems()
-  local owner = ("pass '%s'"):format(tostring(t.name))
+  local owner = ("pass '%s'"):format(tostring(t.name or path_of(place)))
   check.keys(problems, t, pass.keys, place, owner)
-  if check.field(problems, t, "name", "string", place, "the pass") and not check.is_name(t.name) then
-    problems:add(native.key_place(place, "name"), "'%s' is not a name (a-z, then a-z, 0-9 and _)", t.name)
-  end
-  check_shader(problems, t, place, owner)
-  for _, key in ipairs { "reads", "writes", "updates", "params", "counters", "without" } do
+  local name, shader = named_by_file(problems, t, place)
+  check_shader(problems, shader, place, owner)
+  for _, key in ipairs { "reads", "writes", "updates", "params", "counters", "if_no" } do
     if t[key] ~= nil then check.field(problems, t, key, "table", place, owner) end
   end
   if t.scene ~= nil then check.field(problems, t, "scene", "boolean", place, owner) end
@@ -362,7 +451,7 @@ local function declare(kind, place, t)
   if t.fails ~= nil then check.field(problems, t, "fails", "string", place, owner) end
   problems:raise()
 
-  local result = { name = t.name, kind = kind, shader = t.shader, doc = doc, fails = t.fails or "", place = place }
+  local result = { name = name, kind = kind, shader = shader, doc = doc, fails = t.fails or "", place = place }
   result.scene    = kind ~= "compute" or t.scene == true
   result.params   = param.declare_all(problems, t.params or {}, place, owner)
   result.reads    = declare_reads(problems, t, place, owner)
@@ -373,7 +462,8 @@ local function declare(kind, place, t)
   result.size     = declare_size(problems, t, place, result, owner)
   result.over     = declare_over(problems, t, kind, result, place, owner)
   result.group    = declare_group(problems, t, kind, result, place, owner)
-  result.without  = without.declare(problems, t.without, result, place, owner)
+  restrictions[result] = declare_runs(problems, t, result, place, owner)
+  result.without  = stand_in.declare(problems, t.if_no, result, place, owner)
   check_twins(problems, result, owner)
   problems:raise()
   param.note_pass(result.params)

@@ -9,8 +9,8 @@ local preset = require "strobe.preset"
 
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
--- `record` makes reading an unknown field of a table an error. `optional` reads a field that may be absent.
-pipeline.record, pipeline.optional = check.record, node.optional
+-- Makes reading an unknown field of a table an error. `t:get(name)` reads a field that may be absent.
+pipeline.record = check.record
 
 pipeline.keys = {
   "doc", "kind", "params", "presets", "default_preset", "build", "breaks", "compare_with", "equals", "regions",
@@ -86,6 +86,7 @@ end
 
 local function declare(place, t)
   if type(t) ~= "table" then check.fail(place, "pipeline wants a table: pipeline { ... }") end
+  t = check.with_merged(t, "params")
   local problems = check.problems()
   check.keys(problems, t, pipeline.keys, place, "the pipeline")
   check.field(problems, t, "build", "function", place, "the pipeline")
@@ -330,6 +331,9 @@ end
 -- also counts as used if a loaded file contains `p.name`, in any branch, or if a loaded pass has the parameter.
 local function check_unused(problems, self, graph, used)
   for _, one in ipairs(self.params) do
+    for _, place in ipairs(native.conditions_on(one.name)) do
+      problems:add(place, "p.%s is the parameter itself, which is always true; its value is p.%s()", one.name, one.name)
+    end
     if not (used[one.name] or param.is_of_a_pass(one) or native.reads_field(one.name)) then
       problems:add(one.place, "parameter '%s' of the pipeline is not used by its build", one.name)
     end

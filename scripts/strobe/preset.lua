@@ -41,7 +41,7 @@ local function declared_by(problems, name, given, params, place, path)
   check.keys(problems, given, preset.keys, place, what, path)
   local result = { name = name, default = false, values = {}, doc = check.doc(problems, given, place, what, path) }
   if check.field(problems, given, "set", "table", place, what, path) then
-    result.values = values_of(problems, what, given.set, params, place, check.joined(path, "set"))
+    result.values = values_of(problems, what, check.merged(given.set), params, place, check.joined(path, "set"))
   end
   return result
 end

@@ -5,12 +5,12 @@
 layout(location = 0) rayPayloadInEXT TracePayload payload;
 hitAttributeEXT vec2 barycentrics;
 void main() {
-  bool unseen = false;
+  bool is_back_face = false;
 #if FACT_one_sided
   bool sees_fronts = (gl_IncomingRayFlagsEXT & gl_RayFlagsCullBackFacingTrianglesEXT) != 0u;
-  unseen = sees_fronts && gl_HitKindEXT != gl_HitKindFrontFacingTriangleEXT;
+  is_back_face = sees_fronts && gl_HitKindEXT != gl_HitKindFrontFacingTriangleEXT;
 #endif
   if (!acceptsHit(uint(gl_InstanceID), uint(gl_GeometryIndexEXT), uint(gl_PrimitiveID), barycentrics,
-                  payload.skip_instance, payload.skip_geometry, unseen))
+                  payload.skip_instance, payload.skip_geometry, is_back_face))
     ignoreIntersectionEXT;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edge hysteresis: keeps strong ridges and the weak ridges connected to them (Canny 1986); last of three steps.
-// In:  `ridge`: 1 strong, 1/2 weak, 0 none (canny/thin)
+// In:  `ridge`: 1 strong, 1/2 weak, 0 none (edge/canny/thin)
 //      `where`: above 1/2 where to mark; absent: everywhere
 // Out: `edge`:  1 on an edge, one pixel wide
 // Method: flood from each weak pixel along ridges, to eight neighbours and within `reach` px to either side, until a strong

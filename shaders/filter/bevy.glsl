@@ -24,24 +24,24 @@ vec2 displacementAt(ivec2 pixel) {
 float depthAt(ivec2 pixel) { return saneDepth(texelFetch(depth_tex, pixel, 0).x); }
 
 // True if the displacement of a nearer tap covers the distance. The slack 1e-4 keeps the last tap of an equal displacement.
-bool comesAsFar(vec2 d_tap, vec2 d, float distance_px, float reach) {
+bool comesAsFar(vec2 d_tap, vec2 d, float distance_px, float spread_factor) {
   float d_length = lengthOf(d);
-  return abs(dot(d_tap / d_length, d)) * reach >= distance_px * (1.0 - 1e-4);
+  return abs(dot(d_tap / d_length, d)) * spread_factor >= distance_px * (1.0 - 1e-4);
 }
 
 // True if a tap `offset` px from the pixel counts.
-bool counts(ivec2 at, vec2 offset, float depth, vec2 d, float reach) {
+bool counts(ivec2 at, vec2 offset, float depth, vec2 d, float spread_factor) {
   float tap_depth = depthAt(at);
   if (tap_depth > depth || isinf(tap_depth)) return true;
-  return d == vec2(0) || comesAsFar(displacementAt(at), d, lengthOf(offset), reach);
+  return d == vec2(0) || comesAsFar(displacementAt(at), d, lengthOf(offset), spread_factor);
 }
 
 void run(ivec2 pixel) {
   vec4 own = texelFetch(color_tex, pixel, 0);
   if (lengthOf(finiteDisplacement(texelFetch(velocity_tex, pixel, 0))) > limitPx()) count_clamped(1u);
   vec2 d = displacementAt(pixel);
-  float reach = reachFactor(frame.shutter), longest = lengthOf(d);
-  if (longest < params.copy_below || reach * longest <= kStillRadius) {
+  float spread_factor = spreadFactor(frame.shutter), longest = lengthOf(d);
+  if (longest < params.copy_below || spread_factor * longest <= kStaticRadius) {
     count_copied(1u);
     imageStore(blurred_img, pixel, vec4(vec3(own), 1));
     return;
@@ -55,7 +55,7 @@ void run(ivec2 pixel) {
     float t = sampleTime(i, params.samples, jitter);
     vec2 offset = tapOffset(d, t);
     ivec2 at = pixel + roundSymmetric(offset);
-    if (!isInside(at, size) || !counts(at, offset, depth, d, reach)) continue;
+    if (!isInside(at, size) || !counts(at, offset, depth, d, spread_factor)) continue;
     sum += toSum(finiteColor(texelFetch(color_tex, at, 0)));
     weights += 1.0;
   }

@@ -14,10 +14,10 @@ const int kWide = 3;  // px
 const int kLooks = 8;  // px: a moving surface at one pixel in a few is at the others at other times
 
 bool seesMotion(ivec2 at, ivec2 size) {
-  return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStillRadius;
+  return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStaticRadius;
 }
 
-bool isReached(ivec2 pixel, vec2 d, ivec2 size) {
+bool isInMovingRect(ivec2 pixel, vec2 d, ivec2 size) {
   for (int i = -kLooks; i <= kLooks; ++i)
     if (seesMotion(alongBy(pixel, d, float(i)), size)) return true;
   return false;
@@ -27,7 +27,7 @@ void run(ivec2 pixel) {
   vec2 d = dominantAt(pixel);
   ivec2 size = textureSize(noisy_tex, 0);
   float variance = 0.0;
-  if (reachFactor(frame.shutter) * lengthOf(d) > kStillRadius && isReached(pixel, d, size)) {
+  if (spreadFactor(frame.shutter) * lengthOf(d) > kStaticRadius && isInMovingRect(pixel, d, size)) {
     float own = tone(finiteColor(texelFetch(noisy_tex, pixel, 0))), sum = 0.0, squares = 0.0, count = 0.0;
     for (int i = -kWide; i <= kWide; ++i) {
       ivec2 at = alongBy(pixel, d, float(i));

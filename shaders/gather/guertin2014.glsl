@@ -9,7 +9,7 @@
 //      variance: spread of the directions around, per tile, 0 to 1 (absent: half of the samples take the second direction).
 //      slowest: shortest displacement around, per tile, px over the exposure (absent: no path for uniform motion).
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
-//      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
+//      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
 // Out: blurred: colour times alpha, and alpha.
 // Method: t_i = lerp(-1, 1, (i + eta*jitter + 1)/(N + 1)), along d = dominant. If the exposure surrounds the raster time, taps
 //   lie at |d|/2 * t_i and the tap on the pixel itself (odd N) is left out; otherwise at |d| (t_i + 1)/2.
@@ -25,7 +25,7 @@
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
-#include "mixin/stored.glsl"
+#include "mixin/quantised.glsl"
 #include "mixin/tile_lookup.glsl"
 #include "lib/times.glsl"
 
@@ -40,8 +40,8 @@ struct Tap {
   vec2 direction;  // unit, 0 at rest
 };
 
-Tap tapFrom(Texel texel, vec2 d, float reach) {
-  return Tap(texel.color, texel.depth, max(reach * lengthOf(d), 0.5), unitOf(d));
+Tap tapFrom(Texel texel, vec2 d, float spread_factor) {
+  return Tap(texel.color, texel.depth, max(spread_factor * lengthOf(d), 0.5), unitOf(d));
 }
 
 struct Sample {
@@ -61,20 +61,16 @@ Sample sampleAt(int i, vec2 d, vec2 second, bool along_second, float jitter) {
 // Number of samples along the second direction.
 int secondCount(ivec2 tile) {
 #if HAS_variance
-  float share = smoothstep(0.0, 0.5, texelFetch(variance_tex, tile, 0).x);
+  float share = smoothstep(0.0, 0.5, variance_at(tile).x);
   return int(floor(0.5 * float(params.samples) * share + 0.5));
 #else
   return params.samples / 2;
 #endif
 }
 
-bool movesAsOne(ivec2 tile, vec2 d, float reach) {
-#if HAS_slowest
-  float slowest = texelFetch(slowest_tex, tile, 0).x;
-  return slowest >= kUniformShare * lengthOf(d) && reach * slowest >= kUniformRadius;
-#else
-  return false;
-#endif
+bool movesAsOne(ivec2 tile, vec2 d, float spread_factor) {
+  float slowest = slowest_at(tile).x;
+  return slowest >= kUniformShare * lengthOf(d) && spread_factor * slowest >= kUniformRadius;
 }
 
 float tapWeight(Tap here, Tap tap, Sample taken, vec2 second) {
@@ -99,28 +95,28 @@ void run(ivec2 pixel) {
     return;
   }
   ivec2 tile = lookupTile(pixel, textureSize(dominant_tex, 0));
-  vec2 d = vec2(texelFetch(dominant_tex, tile, 0));
-  float reach = reachFactor(frame.shutter);
-  if (reach * lengthOf(d) <= kCopiedRadius) {
+  vec2 d = vec2(dominant_at(tile));
+  float spread_factor = spreadFactor(frame.shutter);
+  if (spread_factor * lengthOf(d) <= kCopiedRadius) {
     count_copied(1u);
-    imageStore(blurred_img, pixel, storedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
+    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(color_at(pixel)), 1)));
     return;
   }
 
   ivec2 size = textureSize(color_tex, 0);
-  bool uniform_motion = movesAsOne(tile, d, reach);
-  if (uniform_motion) count_uniform(1u);
+  bool coherent_cells = movesAsOne(tile, d, spread_factor);
+  if (coherent_cells) count_uniform(1u);
   Texel own = texelAt(pixel);
-  Tap here = tapFrom(own, own.d, reach);
+  Tap here = tapFrom(own, own.d, spread_factor);
   vec2 second = secondAt(pixel, tile, d, here.radius, params.gamma);
   int second_count = secondCount(tile);
-  int skipped = sampleAtCapture(params.samples);
-  bool over = hasBehind(pixel);
-  float behind = behindDepth(pixel, here.depth);
+  int skipped = sampleAtRasterTime(params.samples);
+  bool over = hasBackground(pixel);
+  float background = backgroundDepth(pixel, here.depth);
   float jitter = jitterOf(pixel);
 
   float all = float(params.samples) / (params.kappa * here.radius);
-  float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
+  float front = all * (over ? inFrontOf(here.depth, background, params.depth_extent) : 1.0);
   vec3 sum = toSum(here.color) * front;
   for (int i = 0; i < params.samples; ++i) {
     if (i == skipped) continue;
@@ -131,12 +127,12 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Texel texel = texelAt(at);
-    Tap tap = tapFrom(texel, uniform_motion ? d : texel.d, reach);
+    Tap tap = tapFrom(texel, coherent_cells ? d : texel.d, spread_factor);
     float weight = tapWeight(here, tap, taken, second);
     all += weight;
-    if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * covers(tap, taken);
+    if (over) weight *= inFrontOf(tap.depth, background, params.depth_extent) * covers(tap, taken);
     front += weight;
     sum += weight * toSum(tap.color);
   }
-  imageStore(blurred_img, pixel, storedColor(vec4(fromSum(sum / all), over ? front / all : 1.0)));
+  imageStore(blurred_img, pixel, quantisedColor(vec4(fromSum(sum / all), over ? front / all : 1.0)));
 }

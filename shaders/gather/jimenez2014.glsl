@@ -7,7 +7,7 @@
 //      dominant: longest displacement that reaches each tile, px over the exposure.
 //      slowest: shortest displacement around, per tile, px over the exposure (absent: no cheap path).
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
-//      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
+//      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
 // Out: blurred: colour times alpha, and alpha.
 // Method: copy if no radius around exceeds copy_below; the mean of the taps if slowest > cheap_ratio * |dominant| and no
 //   surface was revealed behind X; otherwise the full gather (counters). d = dominant, s = i + 1/2 + jitter, in steps of |d|/N.
@@ -24,7 +24,7 @@
 //   the object comes from the opposite side; one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
-#include "mixin/stored.glsl"
+#include "mixin/quantised.glsl"
 #include "lib/times.glsl"
 
 struct Tap {
@@ -38,10 +38,10 @@ struct Tap {
 struct Gather {
   Tap here;
   vec2 d;             // dominant, px over the exposure
-  float reach;
+  float spread_factor;
   float step_length;  // px
   bool over;          // a surface was revealed behind the pixel
-  float behind;
+  float background;
 };
 
 // Sums over taps: weighted colours and weights of the visible part, and all weights.
@@ -50,9 +50,9 @@ struct Sums {
   float all;
 };
 
-Tap tapAt(ivec2 pixel, float reach) {
+Tap tapAt(ivec2 pixel, float spread_factor) {
   Texel texel = texelAt(pixel);
-  return Tap(texel.color, texel.depth, texel.d, reach * lengthOf(texel.d));
+  return Tap(texel.color, texel.depth, texel.d, spread_factor * lengthOf(texel.d));
 }
 
 // Share, 0 to 1, of the blur of a tap that falls along the dominant displacement.
@@ -72,10 +72,10 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 // Share of a step, `steps` away from the pixel, that a surface with this blur radius (px) covers, on the side of the times
 // before or after the raster time. With a shutter curve, all steps have the same weight: the radius in steps is the
 // number of steps times the share of the weight until the dominant motion has covered the radius.
-float spreadOver(Gather gather, float radius, float steps, bool after) {
+float colorRangeOver(Gather gather, float radius, float steps, bool after) {
 #if FACT_weighted
   if (isWeighted()) {
-    float farthest = lengthOf(gather.d) * gather.reach;
+    float farthest = lengthOf(gather.d) * gather.spread_factor;
     float over = farthest / gather.step_length * shareWithin(after, radius / lengthOf(gather.d));
     return clamp(over - max(steps - 1.0, 0.0), 0.0, 1.0);
   }
@@ -85,8 +85,8 @@ float spreadOver(Gather gather, float radius, float steps, bool after) {
 
 float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset, bool after) {
   float back = 0.5 + 0.5 * depthOrder(gather.here.depth, tap.depth, params.depth_extent);
-  float spread_here = spreadOver(gather, gather.here.radius, steps, after);
-  float spread_tap = spreadOver(gather, tap.radius, steps, after) * alongDominant(gather, tap, offset);
+  float spread_here = colorRangeOver(gather, gather.here.radius, steps, after);
+  float spread_tap = colorRangeOver(gather, tap.radius, steps, after) * alongDominant(gather, tap, offset);
   return back * spread_here + (1.0 - back) * spread_tap;
 }
 
@@ -98,7 +98,7 @@ vec2 mirrored(Tap a, Tap b, vec2 weights) {
 
 // Share of a tap's weight that is foreground, if the background was revealed.
 float frontShare(Gather gather, Tap tap, float steps, bool after) {
-  return inFrontOf(tap.depth, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps, after);
+  return inFrontOf(tap.depth, gather.background, params.depth_extent) * colorRangeOver(gather, tap.radius, steps, after);
 }
 
 // Offsets of the two taps of a pair from the pixel: for a time before the raster time, and for a time after it.
@@ -122,7 +122,7 @@ Pair pairAt(vec2 d, int count, float steps) {
 Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, vec2 sides) {
   ivec2 size = textureSize(color_tex, 0);
   ivec2 at_a = clampToImage(pixel + pair.before, size), at_b = clampToImage(pixel + pair.after, size);
-  Tap a = tapAt(at_a, gather.reach), b = tapAt(at_b, gather.reach);
+  Tap a = tapAt(at_a, gather.spread_factor), b = tapAt(at_b, gather.spread_factor);
   vec2 weights = vec2(tapWeight(gather, a, steps, pair.before, false), tapWeight(gather, b, steps, pair.after, true));
 #if PARAM_mirror
   if (isValid(at_a) && isValid(at_b)) weights = mirrored(a, b, weights);
@@ -151,7 +151,7 @@ Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   ivec2 at = clampToImage(pixel + offset, textureSize(color_tex, 0));
   if (!isValid(at)) return sums;
   bool after = frame.shutter.y > 0.0;
-  Tap tap = tapAt(at, gather.reach);
+  Tap tap = tapAt(at, gather.spread_factor);
   float weight = tapWeight(gather, tap, steps, offset, after);
   sums.all += weight;
   if (gather.over) weight *= frontShare(gather, tap, steps, after);
@@ -171,11 +171,7 @@ int sampleCount(vec2 d) {
 
 // True if all surfaces around move nearly as fast as the dominant displacement.
 bool movesAsOne(ivec2 pixel, vec2 d) {
-#if HAS_slowest
-  return texelFetch(slowest_tex, pixel / params.tile, 0).x > params.cheap_ratio * lengthOf(d);
-#else
-  return false;
-#endif
+  return slowest_at(pixel / params.tile).x > params.cheap_ratio * lengthOf(d);
 }
 
 // Offset of a single tap, if the exposure lies on one side of the raster time.
@@ -215,7 +211,7 @@ vec4 fullGather(ivec2 pixel, Gather gather, int count, float jitter) {
   vec4 shown = sums.shown / float(count);
   float rest = 1.0 - sums.all / float(count);
   if (!gather.over) return vec4(fromSum(vec3(shown)) + rest * gather.here.color, 1);
-  rest *= inFrontOf(gather.here.depth, gather.behind, params.depth_extent);
+  rest *= inFrontOf(gather.here.depth, gather.background, params.depth_extent);
   return vec4(fromSum(vec3(shown)) + rest * gather.here.color, shown.w + rest);
 }
 
@@ -224,25 +220,25 @@ void run(ivec2 pixel) {
     imageStore(blurred_img, pixel, vec4(0));
     return;
   }
-  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
-  float reach = reachFactor(frame.shutter);
-  if (reach * lengthOf(d) <= params.copy_below + (kStillRadius - 0.5)) {
+  vec2 d = vec2(dominant_at(pixel / params.tile));
+  float spread_factor = spreadFactor(frame.shutter);
+  if (spread_factor * lengthOf(d) <= params.copy_below + (kStaticRadius - 0.5)) {
     count_copied(1u);
-    imageStore(blurred_img, pixel, storedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
+    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(color_at(pixel)), 1)));
     return;
   }
 
   int count = sampleCount(d);
   float jitter = jitterOf(pixel);
-  bool over = hasBehind(pixel);
+  bool over = hasBackground(pixel);
   if (!over && movesAsOne(pixel, d)) {
     count_cheap(1u);
-    imageStore(blurred_img, pixel, storedColor(vec4(plainMean(pixel, d, count, jitter), 1)));
+    imageStore(blurred_img, pixel, quantisedColor(vec4(plainMean(pixel, d, count, jitter), 1)));
     return;
   }
 
   count_full(1u);
-  Tap here = tapAt(pixel, reach);
-  Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth));
-  imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, count, jitter)));
+  Tap here = tapAt(pixel, spread_factor);
+  Gather gather = Gather(here, d, spread_factor, lengthOf(d) / float(count), over, backgroundDepth(pixel, here.depth));
+  imageStore(blurred_img, pixel, quantisedColor(fullGather(pixel, gather, count, jitter)));
 }

@@ -7,7 +7,7 @@
 //      dominant: longest displacement that reaches each tile, px over the exposure.
 //      second: another displacement around, per tile, px over the exposure (optional).
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
-//      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
+//      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
 // Out: blurred: colour times alpha, and alpha.
 // Method: t_i = lerp(-1, 1, (i + jitter + 1)/(S + 1)), d = dominant. If the exposure surrounds the raster time, as in the
 //   paper, taps lie at X + d/2 * t_i, the blur radius is |d|/2, and the tap on the pixel itself (odd S) is left out, because
@@ -25,7 +25,7 @@
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
-#include "mixin/stored.glsl"
+#include "mixin/quantised.glsl"
 #include "lib/times.glsl"
 
 struct Tap {
@@ -34,9 +34,9 @@ struct Tap {
   float radius;  // px
 };
 
-Tap tapAt(ivec2 pixel, float reach) {
+Tap tapAt(ivec2 pixel, float spread_factor) {
   Texel texel = texelAt(pixel);
-  return Tap(texel.color, texel.depth, max(reach * lengthOf(texel.d), 0.5));
+  return Tap(texel.color, texel.depth, max(spread_factor * lengthOf(texel.d), 0.5));
 }
 
 float tapWeight(Tap here, Tap tap, float distance_px) {
@@ -52,21 +52,21 @@ void run(ivec2 pixel) {
     return;
   }
   vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
-  float reach = reachFactor(frame.shutter);
-  if (reach * lengthOf(d) <= kStillRadius) {
-    imageStore(blurred_img, pixel, storedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
+  float spread_factor = spreadFactor(frame.shutter);
+  if (spread_factor * lengthOf(d) <= kStaticRadius) {
+    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
     return;
   }
 
   ivec2 size = textureSize(color_tex, 0);
-  bool over = hasBehind(pixel);
+  bool over = hasBackground(pixel);
   float jitter = jitterOf(pixel);
-  int skipped = sampleAtCapture(params.samples);
+  int skipped = sampleAtRasterTime(params.samples);
 
-  Tap here = tapAt(pixel, reach);
-  float behind = behindDepth(pixel, here.depth);
+  Tap here = tapAt(pixel, spread_factor);
+  float background = backgroundDepth(pixel, here.depth);
   float all = 1.0 / here.radius;
-  float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
+  float front = all * (over ? inFrontOf(here.depth, background, params.depth_extent) : 1.0);
   vec3 sum = toSum(here.color) * front;
 
   vec2 second = secondAt(pixel, pixel / params.tile, d, here.radius, 1.5);
@@ -78,13 +78,13 @@ void run(ivec2 pixel) {
     ivec2 at = clampToImage(pixel + roundSymmetric(offset), size);
     if (!isValid(at)) continue;
 
-    Tap tap = tapAt(at, reach);
+    Tap tap = tapAt(at, spread_factor);
     float distance_px = length(vec2(at - pixel));
     float weight = tapWeight(here, tap, distance_px);
     all += weight;
-    if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * cylinder(distance_px, tap.radius);
+    if (over) weight *= inFrontOf(tap.depth, background, params.depth_extent) * cylinder(distance_px, tap.radius);
     front += weight;
     sum += weight * toSum(tap.color);
   }
-  imageStore(blurred_img, pixel, storedColor(vec4(fromSum(sum / all), over ? front / all : 1.0)));
+  imageStore(blurred_img, pixel, quantisedColor(vec4(fromSum(sum / all), over ? front / all : 1.0)));
 }

@@ -5,9 +5,9 @@
 //      depth: view depth, metres; +inf for the sky.
 //      velocity: displacement d, px over the exposure.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
-//      after_velocity, after_dominant: both displacements after the raster time (absent: motion is linear).
+//      velocity_post, dominant_post: both displacements after the raster time (absent: motion is linear).
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
-//      behind_depth, behind_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
+//      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
 // Out: blurred: colour times alpha, and alpha.
 // Method: N taps Y = X - d*t at the midpoints (i + 1/2 + jitter)/N of the exposure, d = dominant.
 //   Foreground: taps in front of the surface behind X (revealed, or otherwise the surface at X) that pass over X within the
@@ -24,7 +24,7 @@
 //   uncorrelated with its cover (product of two means); one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
-#include "mixin/stored.glsl"
+#include "mixin/quantised.glsl"
 #include "lib/times.glsl"
 
 struct Tap {
@@ -35,11 +35,7 @@ struct Tap {
 
 Tap tapAt(ivec2 pixel) {
   Texel texel = texelAt(pixel);
-  vec2 d_after = texel.d;
-#if HAS_after_velocity
-  d_after = limited(texelFetch(after_velocity_tex, pixel, 0));
-#endif
-  return Tap(texel.color, texel.depth, texel.d, d_after);
+  return Tap(texel.color, texel.depth, texel.d, limited(velocity_post_at(pixel)));
 }
 
 // True if a tap at `offset` for time t passes over the pixel, and its displacement then, px over the exposure.
@@ -50,7 +46,7 @@ struct Passing {
 
 Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
   bool after = t > 0.0;
-#if HAS_after_velocity
+#if HAS_velocity_post
   vec2 own = after ? tap.d_after : tap.d, other = after ? tap.d : tap.d_after;
   vec2 before_part = partBefore(frame.shutter), after_part = partAfter(frame.shutter);
   if (motionReaches(vec2(offset), own, after ? after_part : before_part)) return Passing(true, own);
@@ -100,7 +96,7 @@ bool rests(vec2 d) { return lengthOf(d) < 0.5; }
 // `here_d`: displacement of the pixel's surface.
 float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
   float same = softDepth(here.depth, tap.depth, params.depth_extent);  // 1 also for a nearer tap
-  float moved_px = reachFactor(frame.shutter) * lengthOf(here_d);
+  float moved_px = spreadFactor(frame.shutter) * lengthOf(here_d);
   bool is_uncovered = rests(here_d) ? offset == ivec2(0) : length(vec2(offset)) <= max(moved_px, 0.5) + 0.5;
   float spread = is_uncovered ? shareOfMean(i, here_d, along) : 0.0;
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
@@ -108,9 +104,9 @@ float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Pass
 
 // 1 for a static surface at the pixel in front of the revealed one, less near the same depth; 0 if it moves. It is there for
 // the whole exposure, but only a tap on the pixel itself would meet it.
-float restsInFront(Tap here, float behind) {
+float restsInFront(Tap here, float background) {
   if (!rests(here.d) || !rests(here.d_after)) return 0.0;
-  return inFrontOf(here.depth, behind, params.depth_extent);
+  return inFrontOf(here.depth, background, params.depth_extent);
 }
 
 void run(ivec2 pixel) {
@@ -118,19 +114,17 @@ void run(ivec2 pixel) {
     imageStore(blurred_img, pixel, vec4(0));
     return;
   }
-  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0)), d_after = d;
-#if HAS_after_dominant
-  d_after = vec2(texelFetch(after_dominant_tex, pixel / params.tile, 0));
-#endif
-  float reach = reachFactor(frame.shutter);
-  if (reach * max(lengthOf(d), lengthOf(d_after)) <= kStillRadius) {
-    imageStore(blurred_img, pixel, storedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
+  ivec2 tile = pixel / params.tile;
+  vec2 d = vec2(dominant_at(tile)), d_after = vec2(dominant_post_at(tile));
+  float spread_factor = spreadFactor(frame.shutter);
+  if (spread_factor * max(lengthOf(d), lengthOf(d_after)) <= kStaticRadius) {
+    imageStore(blurred_img, pixel, quantisedColor(vec4(vec3(color_at(pixel)), 1)));
     return;
   }
 
   ivec2 size = textureSize(color_tex, 0);
   Tap here = tapAt(pixel);
-  float behind = behindDepth(pixel, here.depth);
+  float background = backgroundDepth(pixel, here.depth);
   float jitter = jitterOf(pixel);
   bool turns_back = dot(d, d_after) <= 0.0;
   vec3 front_sum = vec3(0), back_sum = vec3(0);
@@ -144,7 +138,7 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at);
-    float in_front = inFrontOf(tap.depth, behind, params.depth_extent);
+    float in_front = inFrontOf(tap.depth, background, params.depth_extent);
     Passing passing = passingOf(tap, at - pixel, t, turns_back);
     float hides = passing.passes ? in_front : 0.0;
     float weight = hides > 0.0 ? hides * timeShare(i, passing.d, along) : 0.0;
@@ -161,14 +155,14 @@ void run(ivec2 pixel) {
     front_sum /= front;
     front = 1.0;
   }
-  if (hasBehind(pixel)) {
-    float own = restsInFront(here, behind) * (1.0 - front);
+  if (hasBackground(pixel)) {
+    float own = restsInFront(here, background) * (1.0 - front);
     front_sum += own * toSum(here.color);
     front += own;
-    imageStore(blurred_img, pixel, storedColor(vec4(fromSum(front_sum), front)));
+    imageStore(blurred_img, pixel, quantisedColor(vec4(fromSum(front_sum), front)));
     return;
   }
-  vec3 background = back > 0.0 ? fromSum(back_sum / back) : here.color;
-  if (back < 1.0) background = mix(here.color, background, back);
-  imageStore(blurred_img, pixel, storedColor(vec4(fromSum(front_sum) + (1.0 - front) * background, 1)));
+  vec3 back_color = back > 0.0 ? fromSum(back_sum / back) : here.color;
+  if (back < 1.0) back_color = mix(here.color, back_color, back);
+  imageStore(blurred_img, pixel, quantisedColor(vec4(fromSum(front_sum) + (1.0 - front) * back_color, 1)));
 }

@@ -13,7 +13,7 @@
 
 // Hit number `wanted`, counted from 0; a miss if the ray has fewer hits.
 Hit hitNumber(Ray ray, int wanted) {
-  Hit last = traceNearest(SLICE_CAPTURE, ray, scene_cameras[SLICE_CAPTURE].near, kFar);
+  Hit last = traceNearest(SLICE_RASTER, ray, scene_cameras[SLICE_RASTER].near, kFar);
   int number = 0;
   while (number < wanted && isHit(last)) {
     Hit next = nextAlong(ray, last, NO_INSTANCE, NO_INSTANCE);
@@ -24,17 +24,17 @@ Hit hitNumber(Ray ray, int wanted) {
 }
 
 void run(ivec2 texel) {
-  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(ivec2(params.pixel_x, params.pixel_y)));
+  Ray ray = cameraRay(SLICE_RASTER, samplePosition(ivec2(params.pixel_x, params.pixel_y)));
   Hit hit = hitNumber(ray, texel.x);
   uvec4 name = uvec4(0);
   vec4 where = vec4(0), color = vec4(0);
   vec2 velocity = vec2(0);
   if (isHit(hit)) {
-    hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
+    hit = hitOnTriangle(SLICE_RASTER, ray, hit.instance, hit.geometry, hit.primitive);
     name = uvec4(hit.instance + 1u, hit.geometry + 1u, hit.primitive, hit.front ? 1u : 0u);
-    where = vec4(hit.t, surfaceOf(SLICE_CAPTURE, hit).normal_ws);
+    where = vec4(hit.t, surfaceOf(SLICE_RASTER, hit).normal_ws);
     velocity = displacementOf(hit, ray.origin + ray.direction * hit.t);
-    color = vec4(shade(SLICE_CAPTURE, hit), 1);
+    color = vec4(shade(SLICE_RASTER, hit), 1);
   }
   imageStore(hit_img, texel, name);
   imageStore(where_img, texel, where);

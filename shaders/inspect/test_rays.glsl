@@ -40,7 +40,7 @@ Corners anyTriangle() {
   Triangle triangle = triangleOf(geometry, anyUint() % geometry.triangle_count);
   for (int c = 0; c < 3; ++c)
     corners.at[c] =
-        worldFromObject(transformOf(SLICE_CAPTURE, instance), vertexPosition(SLICE_CAPTURE, triangle.vertex[c]));
+        worldFromObject(transformOf(SLICE_RASTER, instance), vertexPosition(SLICE_RASTER, triangle.vertex[c]));
   return corners;
 }
 
@@ -81,8 +81,8 @@ void run(ivec2 pixel) {
   Ray ray = anyRay(kind);
   if (ray.direction == vec3(0)) ray.direction = vec3(0, 0, 1);
   float t_max = 3.0e38;
-  Hit hit = traceNearest(SLICE_CAPTURE, ray, 0.0, t_max);
-  bool blocked = isBlocked(SLICE_CAPTURE, ray, 0.0, t_max);
+  Hit hit = traceNearest(SLICE_RASTER, ray, 0.0, t_max);
+  bool blocked = isBlocked(SLICE_RASTER, ray, 0.0, t_max);
   imageStore(origin_img, pixel, vec4(ray.origin, 0));
   imageStore(direction_img, pixel, vec4(ray.direction, t_max));
   uvec4 name = uvec4(hit.instance + 1u, hit.geometry, hit.primitive, floatBitsToUint(hit.t));

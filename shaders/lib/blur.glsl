@@ -8,7 +8,7 @@
 
 // Largest distance that a static surface may move, px: a shift of half a pixel reaches no other pixel's centre. The slack
 // makes a motion of exactly half a pixel static, however a projection rounds it.
-const float kStillRadius = 0.5 + 1e-4;
+const float kStaticRadius = 0.5 + 1e-4;
 
 // --- Lengths and places
 // ------------------------------------------------------------------------------------------------
@@ -56,7 +56,7 @@ float evenTimeAt(float part, int parts, vec2 shutter) {
 
 // Largest distance from the place at the raster time within the window, as a share of the displacement: 1 if the window is
 // one-sided, 1/2 if it is centred.
-float reachFactor(vec2 shutter) { return max(abs(shutter.x), abs(shutter.y)); }
+float spreadFactor(vec2 shutter) { return max(abs(shutter.x), abs(shutter.y)); }
 
 // True if the window has times before and after the raster time.
 bool isCentred(vec2 shutter) { return shutter.x < 0.0 && shutter.y > 0.0; }
@@ -70,7 +70,7 @@ vec2 partAfter(vec2 shutter) { return vec2(max(shutter.x, 0.0), shutter.y); }
 // Largest distance, in tiles, between a tile and a surface that can reach it. Displacements are at most `limit_px` long, tiles
 // have sides of `tile_px`. The number `tiles` of tiles per axis bounds the result.
 int tilesInReach(float limit_px, int tile_px, vec2 shutter, ivec2 tiles) {
-  return min(int(ceil(limit_px * reachFactor(shutter) / float(tile_px))), max(tiles.x, tiles.y));
+  return min(int(ceil(limit_px * spreadFactor(shutter) / float(tile_px))), max(tiles.x, tiles.y));
 }
 
 // Position at the raster time, relative to the pixel, of the surface that moves by d and is at the pixel at time t.
@@ -128,8 +128,8 @@ float softDepth(float za, float zb, float extent) {
   return zb <= za ? 1.0 : clamp(1.0 - relativeGap(za, zb) / extent, 0.0, 1.0);
 }
 
-// 0 if z is at the depth `behind` or farther; rises to 1 where z is nearer by the share `extent`.
-float inFrontOf(float z, float behind, float extent) { return 1.0 - softDepth(z, behind, extent); }
+// 0 if z is at the depth `background` or farther; rises to 1 where z is nearer by the share `extent`.
+float inFrontOf(float z, float background, float extent) { return 1.0 - softDepth(z, background, extent); }
 
 // Order of two depths: -1 if zy is nearer than zx by the share `extent` or more, 0 if equal, 1 if zy is farther by as much.
 float depthOrder(float zx, float zy, float extent) {

@@ -82,7 +82,7 @@ float sampleTime(int i, int n, float jitter) { return timeAt(float(i) + 0.5 + ji
 
 // Index of the sample that falls on the raster time in the middle of the exposure, for n samples at the fractions 1 ... n of
 // n + 1; -1 if no sample does.
-int sampleAtCapture(int n) {
+int sampleAtRasterTime(int n) {
   if (!isCentred(frame.shutter) || n % 2 == 0) return -1;
 #if FACT_weighted
   if (isWeighted() && timeAt(float(n + 1) * 0.5, n + 1) != 0.0) return -1;

@@ -10,7 +10,7 @@ const float kFar = 3.0e38;
 
 // Distance that is four representable floats beyond t. Ray intervals are open at their ends, so the hit at t is not found
 // again. Other surfaces within this distance are skipped too; at single precision they coincide with the hit.
-float justBehind(float t) { return uintBitsToFloat(floatBitsToUint(t) + 4u); }
+float justBeyond(float t) { return uintBitsToFloat(floatBitsToUint(t) + 4u); }
 
 // True if both hits are on one triangle. A ray meets a triangle once, so the same triangle means the same hit.
 bool isSameTriangle(Hit a, Hit b) {
@@ -19,13 +19,13 @@ bool isSameTriangle(Hit a, Hit b) {
 
 // Next hit on the same ray, with a raised lower bound. Hits on `skip_instance`, or on one of its geometries, are ignored.
 Hit nextAlong(Ray ray, Hit last, uint skip_instance, uint skip_geometry) {
-  return traceExcept(SLICE_CAPTURE, RAYS_TO_ALL, ray, justBehind(last.t), kFar, skip_instance, skip_geometry);
+  return traceExcept(SLICE_RASTER, RAYS_TO_ALL, ray, justBeyond(last.t), kFar, skip_instance, skip_geometry);
 }
 
 // Next hit on a new ray that starts at the last hit, with a lower bound of 1e-5 of its depth. Tan, Cui, Bhojan 2020.
 Hit nextFromHit(Ray ray, Hit last) {
   Ray onward = Ray(ray.origin + ray.direction * last.t, ray.direction);
-  Hit hit = traceNearest(SLICE_CAPTURE, onward, 1e-5 * last.t, kFar);
+  Hit hit = traceNearest(SLICE_RASTER, onward, 1e-5 * last.t, kFar);
   hit.t += last.t;
   return hit;
 }

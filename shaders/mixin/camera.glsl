@@ -54,21 +54,21 @@ bool met_near_plane = false;
 
 // Screen displacement of a point from the raster time to another slice, px. If the point passes behind the near plane on the
 // way, the path up to that plane is extrapolated to its full length. The projection therefore never divides by a depth <= 0.
-vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs, float near) {
-  vec2 start = pixelFromView(SLICE_CAPTURE, capture_vs);
-  bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || capture_vs.z <= near;
+vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs, float near) {
+  vec2 start = pixelFromView(SLICE_RASTER, raster_vs);
+  bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || raster_vs.z <= near;
   if (in_front) {
     if (scene_cameras[slice].orthographic == 0u) other_vs.z = max(other_vs.z, near);
     precise vec2 path = pixelFromView(slice, other_vs) - start;
     return path;
   }
   met_near_plane = true;
-  float s = (capture_vs.z - near) / (capture_vs.z - other_vs.z);
-  return (pixelFromView(slice, mix(capture_vs, other_vs, s)) - start) / s;
+  float s = (raster_vs.z - near) / (raster_vs.z - other_vs.z);
+  return (pixelFromView(slice, mix(raster_vs, other_vs, s)) - start) / s;
 }
 
-vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs) {
-  return pathFromCapture(capture_vs, slice, other_vs, scene_cameras[slice].near * 1.001);
+vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs) {
+  return pathFromRasterTime(raster_vs, slice, other_vs, scene_cameras[slice].near * 1.001);
 }
 
 #endif

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Needs: PARAM_harvest, PARAM_leaves_open, color_tex, dominant_tex, params.limit, params.samples, revealed_color_tex,
-//   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex; may have: PARAM_trajectory,
-//   after_dominant_tex, after_second_tex, after_velocity_tex, curve_tex, dominant_curve_tex, dominant_place_tex, reach_tex,
-//   revealed_after_dominant_tex, revealed_after_velocity_tex, revealed_curve_tex, revealed_dominant_tex, second_tex.
+// Needs: PARAM_search_taps, PARAM_marks_unresolved, color_tex, dominant_tex, params.limit, params.samples, revealed_color_tex,
+//   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex, dominant_post_tex, second_post_tex,
+//   velocity_post_tex, dominant_curve_tex, dominant_place_tex, revealed_dominant_post_tex, revealed_velocity_post_tex,
+//   revealed_dominant_tex, second_tex; may have: PARAM_trajectory, curve_tex, max_displacement_buf, revealed_curve_tex,
+//   max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // Candidate displacements for a composite of layers, which uses them to search for the surface at a pixel at a time. They are
-// the displacements of the tile, of the pixel and of taps along the motion, as far as they differ. composite/layered.glsl has
-// the rules and the reasons.
+// the displacements of the tile, of the pixel and of taps along the motion, as far as they differ.
+// layered/layered_composite.glsl has the rules and the reasons.
 #ifndef STROBE_CANDIDATES_GLSL
 #define STROBE_CANDIDATES_GLSL
 #include "mixin/layers.glsl"
@@ -26,7 +27,7 @@ struct Candidates {
 #endif
   vec4 tolerance_px;
   int count;
-  bool crowded;  // the list overflowed by a displacement that differs from all entries by more than 2 px and 14 %
+  bool overflowed;  // the list overflowed by a displacement that differs from all entries by more than 2 px and 14 %
 };
 
 const float kUnused = 1e9;
@@ -64,7 +65,7 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   float nearest = min(min(squares.x, squares.y), min(squares.z, squares.w));
   if (nearest <= 0.25) return candidates;
   if (candidates.count == kMaxCandidates) {
-    candidates.crowded = candidates.crowded || nearest > max(4.0, 0.02 * dot(d, d));
+    candidates.overflowed = candidates.overflowed || nearest > max(4.0, 0.02 * dot(d, d));
     return candidates;
   }
   candidates.x[candidates.count] = d.x;
@@ -78,16 +79,16 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   return candidates;
 }
 
-// Add the paths of both layers at a texel; the revealed layer only with `behind` and if it has a surface there.
-Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
-  for (int layer = kRaster; layer == kRaster || (behind && layer <= kRevealed && isRevealed(at)); ++layer)
+// Add the paths of both layers at a texel; the revealed layer only with `background` and if it has a surface there.
+Candidates withAllLayers(Candidates candidates, ivec2 at, bool background, bool after) {
+  for (int layer = kRaster; layer == kRaster || (background && layer <= kRevealed && isRevealed(at)); ++layer)
     candidates = withCandidate(candidates, pathOf(layer, at, after), at);
   return candidates;
 }
 
 // True if further taps cannot change the list: it is full, and an overflow is already marked or has no effect.
 bool isFull(Candidates candidates) {
-  return candidates.count == kMaxCandidates && (PARAM_leaves_open == 0 || candidates.crowded);
+  return candidates.count == kMaxCandidates && (PARAM_marks_unresolved == 0 || candidates.overflowed);
 }
 
 // Index of the k-th nearest tap. With the raster time in the middle, of two taps at equal distance the tap before the raster
@@ -103,51 +104,26 @@ struct Dominant {
   ivec2 place;  // texel with the longest displacement
 };
 
-// Texel with the tile's longest displacement; `kNoTexel` if the pass does not read it.
-ivec2 placeOfDominant(ivec2 tile) {
-#if HAS_dominant_place
-  return ivec2(texelFetch(dominant_place_tex, tile, 0).xy);
-#else
-  return kNoTexel;
-#endif
-}
-
 // Displacements for the times before the raster time; for all times if motion is not in two segments.
 Dominant dominantBefore(ivec2 tile) {
-  Path longest = dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile);
-  Dominant dominant = Dominant(longest, longest, longest, placeOfDominant(tile));
-#if HAS_second
-  dominant.second = straight(vec2(texelFetch(second_tex, tile, 0)));
-#endif
-#if HAS_revealed_dominant
-  dominant.revealed = straight(vec2(texelFetch(revealed_dominant_tex, tile, 0)));
-#endif
+  Path longest = onCurve(vec2(dominant_at(tile)), dominant_curve_at(tile)), second = straight(vec2(second_at(tile)));
+  Dominant dominant = Dominant(longest, second, longest, ivec2(dominant_place_at(tile)));
+  if (HAS_revealed_dominant != 0) dominant.revealed = straight(vec2(revealed_dominant_at(tile)));
   return dominant;
 }
 
 // Displacements for the times after the raster time.
 Dominant dominantAfter(ivec2 tile) {
-#if HAS_after_dominant
-  Path longest = straight(vec2(texelFetch(after_dominant_tex, tile, 0)));
-  Dominant dominant = Dominant(longest, longest, longest, kNoTexel);
-#if HAS_after_second
-  dominant.second = straight(vec2(texelFetch(after_second_tex, tile, 0)));
-#endif
-#if HAS_revealed_after_dominant
-  dominant.revealed = straight(vec2(texelFetch(revealed_after_dominant_tex, tile, 0)));
-#endif
-  return dominant;
-#else
-  return dominantBefore(tile);
-#endif
+  return Dominant(straight(vec2(dominant_post_at(tile))), straight(vec2(second_post_at(tile))),
+                  straight(vec2(revealed_dominant_post_at(tile))), kNoTexel);
 }
 
 // Add the displacements at the pixel, then at the taps along the tile's longest and second displacement. Only the first few
 // count, so taps go from the pixel outwards: the result is then the same whichever way time runs. One loop serves all, because
 // each inlined copy of its body takes long to compile.
-Candidates harvested(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
+Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   ivec2 size = textureSize(color_tex, 0);
-  int ways = PARAM_harvest == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
+  int ways = PARAM_search_taps == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
   for (int way = 0; way < ways; ++way) {
     bool along = way > 0;
     Path path = dominant.longest;
@@ -162,20 +138,20 @@ Candidates harvested(Candidates candidates, ivec2 pixel, Dominant dominant, floa
       }
       for (int side = 0; side < sides; ++side) {
         ivec2 at = side == 0 ? pixel + offset : pixel - offset;
-        if (isInside(at, size)) candidates = withAllLayers(candidates, at, behind, after);
+        if (isInside(at, size)) candidates = withAllLayers(candidates, at, background, after);
       }
     }
   }
   return candidates;
 }
 
-// Candidates of a pixel. `behind`: search the revealed layer too. `after`: for the times after the raster time.
-Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
+// Candidates of a pixel. `background`: search the revealed layer too. `after`: for the times after the raster time.
+Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   Candidates candidates;
   candidates.x = candidates.y = vec4(kUnused);
   candidates.tolerance_px = vec4(0);
   candidates.count = 0;
-  candidates.crowded = false;
+  candidates.overflowed = false;
 #if HAS_curve
   for (int k = 0; k < kMaxCandidates; ++k) {
     candidates.curves[k] = vec4(0);
@@ -185,7 +161,7 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behin
   candidates = withCandidate(candidates, dominant.longest, dominant.place);
   candidates = withCandidate(candidates, dominant.second, kNoTexel);
   candidates = withCandidate(candidates, dominant.revealed, kNoTexel);
-  return harvested(candidates, pixel, dominant, jitter, behind, after);
+  return searched(candidates, pixel, dominant, jitter, background, after);
 }
 
 #endif

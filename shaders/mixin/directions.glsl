@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex; may have:
-//   behind_depth_tex, behind_valid_tex, reach_tex, second_tex, valid_tex.
+// Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex, background_depth_tex,
+//   background_valid_tex, second_tex, valid_tex; may have: max_displacement_buf, max_displacement_post_buf,
+//   revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // The second direction of a gather's taps. Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion
 // Blur Filter", section 3.
 // In:  `second`: per tile, another displacement in the neighbourhood, px over the exposure.
@@ -35,11 +36,7 @@ vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float
 
 // Second direction at a pixel of a tile.
 vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gamma_px) {
-  vec2 other = vec2(0);
-#if HAS_second
-  other = vec2(texelFetch(second_tex, tile, 0));
-#endif
-  return secondDirection(dominant, texelAt(pixel).d, other, radius_px, gamma_px);
+  return secondDirection(dominant, texelAt(pixel).d, vec2(second_at(tile)), radius_px, gamma_px);
 }
 
 // True if sample i of N is taken along the second direction; `count` of the N samples are. If all taps lie on one side, they

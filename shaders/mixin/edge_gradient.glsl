@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: depth_tex, edge_img, normal_tex, params.depth_threshold, params.normal_threshold, PARAM_combine, PARAM_norm;
-//   may have: where_tex.
+// Needs: depth_tex, edge_img, normal_tex, params.depth_threshold, params.normal_threshold, PARAM_combine, PARAM_norm,
+//   where_tex.
 // Gradients of depth and normal by kernels of 3x3 pixels. Each kernel returns 1 for a step of 1 along an axis.
 #ifndef STROBE_EDGE_GRADIENT_GLSL
 #define STROBE_EDGE_GRADIENT_GLSL
@@ -27,9 +27,9 @@ bool isStep(vec4 a, vec4 b) {
 vec4 difference(ivec2 pixel, ivec2 along, ivec2 across, float depth, float middle, float side) {
   vec4 ahead = side * featureAt(pixel + along - across, depth) + middle * featureAt(pixel + along, depth) +
                side * featureAt(pixel + along + across, depth);
-  vec4 behind = side * featureAt(pixel - along - across, depth) + middle * featureAt(pixel - along, depth) +
+  vec4 background = side * featureAt(pixel - along - across, depth) + middle * featureAt(pixel - along, depth) +
                 side * featureAt(pixel - along + across, depth);
-  return ahead - behind;
+  return ahead - background;
 }
 
 // True on an edge by the kernel [side middle side]^T [-1 0 1] and its transpose; 2 * side + middle = 1.

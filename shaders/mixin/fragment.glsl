@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Inputs of the fragments of scene/visibility.vert.glsl, and the test that discards fragments.
+// Inputs of the fragments of gbuffer/visibility.vert.glsl, and the test that discards fragments.
 #ifndef STROBE_FRAGMENT_GLSL
 #define STROBE_FRAGMENT_GLSL
 #include "mixin/trace_payload.glsl"

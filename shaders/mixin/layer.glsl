@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: behind_depth_tex,
-//   behind_valid_tex, reach_tex, valid_tex.
+// Needs: color_tex, depth_tex, velocity_tex, params.limit, background_depth_tex, background_valid_tex, valid_tex; may have:
+//   max_displacement_buf, max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // Texels of one layer as gathers read them, and the depth of the revealed layer behind it.
 #ifndef STROBE_LAYER_GLSL
 #define STROBE_LAYER_GLSL
@@ -17,34 +17,19 @@ struct Texel {
 vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
 Texel texelAt(ivec2 pixel) {
-  vec2 d = limited(texelFetch(velocity_tex, pixel, 0));
-  return Texel(finiteColor(texelFetch(color_tex, pixel, 0)), saneDepth(texelFetch(depth_tex, pixel, 0).x), d);
+  vec2 d = limited(velocity_at(pixel));
+  return Texel(finiteColor(color_at(pixel)), saneDepth(depth_at(pixel).x), d);
 }
 
 // True if the layer has a surface at the pixel.
-bool isValid(ivec2 pixel) {
-#if HAS_valid
-  return texelFetch(valid_tex, pixel, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
+bool isValid(ivec2 pixel) { return valid_at(pixel).x > 0.5; }
 
 // True if the revealed layer has a surface behind the pixel.
-bool hasBehind(ivec2 pixel) {
-#if HAS_behind_valid
-  return texelFetch(behind_valid_tex, pixel, 0).x > 0.5;
-#else
-  return false;
-#endif
-}
+bool hasBackground(ivec2 pixel) { return background_valid_at(pixel).x > 0.5; }
 
 // View depth of the revealed layer; `otherwise` if it has no surface there.
-float behindDepth(ivec2 pixel, float otherwise) {
-#if HAS_behind_depth
-  if (hasBehind(pixel)) return saneDepth(texelFetch(behind_depth_tex, pixel, 0).x);
-#endif
-  return otherwise;
+float backgroundDepth(ivec2 pixel, float otherwise) {
+  return hasBackground(pixel) ? saneDepth(background_depth_at(pixel).x) : otherwise;
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, params.limit, revealed_color_tex, revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex,
-//   velocity_tex; may have: PARAM_trajectory, after_velocity_tex, curve_tex, dominant_curve_tex, reach_tex,
-//   revealed_after_velocity_tex, revealed_curve_tex.
+//   velocity_tex, velocity_post_tex, revealed_velocity_post_tex; may have: PARAM_trajectory, curve_tex, max_displacement_buf,
+//   revealed_curve_tex, max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // The two layers of a composite: the raster layer, which has a surface at every pixel, and the revealed layer, which has a
 // surface where a ray found one.
 #ifndef STROBE_LAYERS_GLSL
@@ -12,7 +12,7 @@
 const int kNothing = 0, kRaster = 1, kRevealed = 2;
 
 // True if the revealed layer has a surface at the pixel.
-bool isRevealed(ivec2 pixel) { return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5; }
+bool isRevealed(ivec2 pixel) { return revealed_valid_at(pixel).x > 0.5; }
 
 // True if the texel is in the image and the layer has a surface there.
 bool hasSurface(int layer, ivec2 texel) {
@@ -20,43 +20,30 @@ bool hasSurface(int layer, ivec2 texel) {
 }
 
 // View depth of the revealed layer, metres.
-float revealedDepth(ivec2 pixel) { return saneDepth(texelFetch(revealed_depth_tex, pixel, 0).x); }
+float revealedDepth(ivec2 pixel) { return saneDepth(revealed_depth_at(pixel).x); }
 
 // Curve of a texel's path (mixin/curve.glsl); 0 if the layer has no curves.
 vec4 curveAt(int layer, ivec2 pixel) {
 #if HAS_curve
-  if (layer == kRaster) return texelFetch(curve_tex, pixel, 0);
-#endif
-#if HAS_revealed_curve
-  if (layer == kRevealed) return texelFetch(revealed_curve_tex, pixel, 0);
-#endif
+  return layer == kRaster ? curve_at(pixel) : revealed_curve_at(pixel);
+#else
   return vec4(0);
+#endif
 }
 
-// Raster layer's displacement for the times after the raster time (`after`) or before it, px over the exposure.
-vec4 displacementAt(ivec2 pixel, bool after) {
-#if HAS_after_velocity
-  if (after) return texelFetch(after_velocity_tex, pixel, 0);
-#endif
-  return texelFetch(velocity_tex, pixel, 0);
-}
-
-// Displacement of the revealed layer for the times after or before the raster time, px over the exposure.
-vec4 revealedDisplacementAt(ivec2 pixel, bool after) {
-#if HAS_revealed_after_velocity
-  if (after) return texelFetch(revealed_after_velocity_tex, pixel, 0);
-#endif
-  return texelFetch(revealed_velocity_tex, pixel, 0);
+// Displacement of a texel for the times after the raster time (`after`) or before it, px over the exposure.
+vec4 displacementAt(int layer, ivec2 pixel, bool after) {
+  if (layer == kRaster) return after ? velocity_post_at(pixel) : velocity_at(pixel);
+  return after ? revealed_velocity_post_at(pixel) : revealed_velocity_at(pixel);
 }
 
 Path pathOf(int layer, ivec2 pixel, bool after) {
-  vec4 d = layer == kRaster ? displacementAt(pixel, after) : revealedDisplacementAt(pixel, after);
-  return limitedPath(d, curveAt(layer, pixel));
+  return limitedPath(displacementAt(layer, pixel, after), curveAt(layer, pixel));
 }
 
 vec3 colorOf(int layer, ivec2 now) {
-  if (layer == kRaster) return finiteColor(texelFetch(color_tex, now, 0));
-  return finiteColor(texelFetch(revealed_color_tex, now, 0));
+  if (layer == kRaster) return finiteColor(color_at(now));
+  return finiteColor(revealed_color_at(now));
 }
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: params.limit; may have: PARAM_trajectory, curve_tex, dominant_curve_tex, reach_tex.
+// Needs: params.limit; may have: PARAM_trajectory, curve_tex, max_displacement_buf, max_displacement_post_buf,
+//   revealed_max_displacement_buf, revealed_max_displacement_post_buf.
 // Iterative search for the texel whose surface is at a pixel at a given time. If a texel's surface is not at the pixel, the
 // texel's own displacement gives the next texel. This handles motion that varies over a surface (perspective, rotation). A
 // texel that passes `isAt` is at the pixel, whichever texels were tried before.
@@ -12,13 +13,13 @@ const ivec2 kNoTexel = ivec2(-1);
 
 // Texels that a search tries, on straight and on curved paths. Compilers unroll the loop over two.
 #if HAS_curve
-const int kGuesses = 2, kCurvedGuesses = 4;
+const int kIterations = 2, kCurveIterations = 4;
 #else
-const int kGuesses = 2, kCurvedGuesses = kGuesses;
+const int kIterations = 2, kCurveIterations = kIterations;
 #endif
 
 // True if the search tries another texel after texel i.
-bool isAskedAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurvedGuesses : kGuesses); }
+bool iteratesAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurveIterations : kIterations); }
 
 // Largest difference between the paths of adjacent texels of one surface, px. A larger difference means another object.
 const float kMostSlope = 2.0;
@@ -28,7 +29,7 @@ Path pathOf(int layer, ivec2 texel, bool after);
 bool hasSurface(int layer, ivec2 texel);
 
 // Texel at the raster time of a surface that is at the pixel at time t and has this path.
-ivec2 asked(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
+ivec2 nextTexel(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
 
 #if HAS_curve
 // Change of a path from a texel to the next one along an axis, px at time t. Unknown if both neighbours belong to another
@@ -65,9 +66,9 @@ mat2 changeOf(int layer, ivec2 now, Path path, float t) {
 // Method: on a straight path, a step of fixed-point iteration. On a curved path, a Newton step, because a surface with curved
 // paths rotates and its paths vary. The derivative is exact for rotation on an arc. Otherwise it is the difference to adjacent
 // texels. One step suffices if the whole surface rotates or stretches uniformly.
-ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
+ivec2 nextTexelOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 #if HAS_curve
-  if (!isCurved(path)) return asked(pixel, path, t);
+  if (!isCurved(path)) return nextTexel(pixel, path, t);
   vec2 offset = tapOffset(path, t);
   vec2 off = vec2(now - pixel) - offset;
 #if ON_ARCS
@@ -76,7 +77,7 @@ ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
   mat2 change = changeOf(layer, now, path, t);
   if (abs(determinant(change)) >= 0.1) return ivec2(round(vec2(now) - inverse(change) * off));
 #endif
-  return asked(pixel, path, t);
+  return nextTexel(pixel, path, t);
 }
 
 #endif

@@ -53,20 +53,20 @@ vec3 positionOf(uint slice, Hit hit) {
 
 // Position of a hit point in the image of the raster time: texel coordinates, with whole numbers at the centres of texels, and
 // view depth. Returns false if the point is not in front of the camera.
-bool placeInCapture(Hit hit, out vec3 place) {
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
-  place = vec3(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel - 0.5, capture_vs.z);
-  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
-  return camera.orthographic != 0u || capture_vs.z > camera.near;
+bool placeInRaster(Hit hit, out vec3 place) {
+  vec3 raster_vs = viewFromWorld(SLICE_RASTER, positionOf(SLICE_RASTER, hit));
+  place = vec3(pixelFromView(SLICE_RASTER, raster_vs) - frame.subpixel - 0.5, raster_vs.z);
+  SceneCamera camera = scene_cameras[SLICE_RASTER];
+  return camera.orthographic != 0u || raster_vs.z > camera.near;
 }
 
 // True if the hit instance is proven static within the exposure. True for the sky, which moves only with the camera.
 bool isAtRest(Hit hit) { return !isHit(hit) || instanceAt(hit.instance).moves == 0u; }
 
 // True if the instance is deformed: its vertices move relative to each other.
-bool bends(uint instance) {
-#if FACT_bends
-  return isBending(geometryOf(instance, 0u).first_vertex);
+bool deforms(uint instance) {
+#if FACT_deforms
+  return isDeformed(geometryOf(instance, 0u).first_vertex);
 #else
   return false;
 #endif
@@ -75,10 +75,10 @@ bool bends(uint instance) {
 // Position at `slice` of a point that is fixed to an instance since the raster time. NaN for deformed instances, which have no
 // single transform; every distance test with it then fails.
 vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
-#if FACT_bends
-  if (bends(instance)) return vec3(uintBitsToFloat(0x7fc00000u));
+#if FACT_deforms
+  if (deforms(instance)) return vec3(uintBitsToFloat(0x7fc00000u));
 #endif
-  SceneTransform m = transformOf(SLICE_CAPTURE, instance);
+  SceneTransform m = transformOf(SLICE_RASTER, instance);
   mat3 rows = mat3(m.row_x.xyz, m.row_y.xyz, m.row_z.xyz);
   vec3 position_os = inverse(transpose(rows)) * (position_ws - vec3(m.row_x.w, m.row_y.w, m.row_z.w));
   return worldFromObject(transformOf(slice, instance), position_os);
@@ -165,38 +165,38 @@ vec4 tangentOf(uint slice, Hit hit) {
   return vec4(dot(x, tangent_os), dot(y, tangent_os), dot(z, tangent_os), handedness * mirrored);
 }
 
-// World position at `slice` of a hit point that is at `capture_ws` at the raster time. Differences of poses and vertices are
-// added to `capture_ws`: static points stay exactly in place, and a point of a large mesh is as precise as the ray that hit it.
-vec3 movedTo(uint slice, Hit hit, vec3 capture_ws) {
-  SceneTransform then = transformOf(slice, hit.instance), now = transformOf(SLICE_CAPTURE, hit.instance);
+// World position at `slice` of a hit point that is at `raster_ws` at the raster time. Differences of poses and vertices are
+// added to `raster_ws`: static points stay exactly in place, and a point of a large mesh is as precise as the ray that hit it.
+vec3 movedTo(uint slice, Hit hit, vec3 raster_ws) {
+  SceneTransform then = transformOf(slice, hit.instance), now = transformOf(SLICE_RASTER, hit.instance);
   SceneTransform step = SceneTransform(then.row_x - now.row_x, then.row_y - now.row_y, then.row_z - now.row_z);
   Triangle triangle = triangleOf(geometryOf(hit.instance, hit.geometry), hit.primitive);
   vec3 weights = cornerWeights(hit.barycentrics);
   vec3 position_os = vec3(0);
   for (uint corner = 0u; corner < 3u; ++corner)
     position_os += weights[corner] * vertexPosition(slice, triangle.vertex[corner]);
-#if FACT_bends
-  if (isBending(triangle.vertex[0])) {
+#if FACT_deforms
+  if (isDeformed(triangle.vertex[0])) {
     vec3 step_os = vec3(0);
     for (uint corner = 0u; corner < 3u; ++corner)
       step_os += weights[corner] * (vertexPosition(slice, triangle.vertex[corner]) -
-                                    vertexPosition(SLICE_CAPTURE, triangle.vertex[corner]));
-    capture_ws += vec3(dot(now.row_x.xyz, step_os), dot(now.row_y.xyz, step_os), dot(now.row_z.xyz, step_os));
+                                    vertexPosition(SLICE_RASTER, triangle.vertex[corner]));
+    raster_ws += vec3(dot(now.row_x.xyz, step_os), dot(now.row_y.xyz, step_os), dot(now.row_z.xyz, step_os));
   }
 #endif
-  return capture_ws + worldFromObject(step, position_os);
+  return raster_ws + worldFromObject(step, position_os);
 }
 
-// Screen path, px, of a hit point that is at `capture_ws` at the raster time, from there to the pose of `slice`.
-vec2 pathOf(uint slice, Hit hit, vec3 capture_ws) {
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, capture_ws);
-  return pathFromCapture(capture_vs, slice, viewFromWorld(slice, movedTo(slice, hit, capture_ws)));
+// Screen path, px, of a hit point that is at `raster_ws` at the raster time, from there to the pose of `slice`.
+vec2 pathOf(uint slice, Hit hit, vec3 raster_ws) {
+  vec3 raster_vs = viewFromWorld(SLICE_RASTER, raster_ws);
+  return pathFromRasterTime(raster_vs, slice, viewFromWorld(slice, movedTo(slice, hit, raster_ws)));
 }
 
 // Screen path, px, of a point of a rigid instance that is at `position_ws` at the raster time.
 vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, carriedBy(instance, SLICE_CAPTURE, position_ws));
-  return pathFromCapture(capture_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
+  vec3 raster_vs = viewFromWorld(SLICE_RASTER, carriedBy(instance, SLICE_RASTER, position_ws));
+  return pathFromRasterTime(raster_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
 }
 
 // Near distance for directions of the sky, which are scaled to a view depth of 1 at the raster time. Directions have no length,
@@ -205,20 +205,20 @@ const float kSkyNear = 1.0 / 64.0;
 
 // Screen path, px, of a point infinitely far away along a camera's ray. It moves with the camera's rotation alone.
 vec2 pathOfSky(uint slice, vec3 direction_ws) {
-  if (scene_cameras[SLICE_CAPTURE].orthographic != 0u) return vec2(0);
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, scene_cameras[SLICE_CAPTURE].position + direction_ws);
+  if (scene_cameras[SLICE_RASTER].orthographic != 0u) return vec2(0);
+  vec3 raster_vs = viewFromWorld(SLICE_RASTER, scene_cameras[SLICE_RASTER].position + direction_ws);
   vec3 other_vs = viewFromWorld(slice, scene_cameras[slice].position + direction_ws);
-  return pathFromCapture(capture_vs, slice, other_vs, kSkyNear);
+  return pathFromRasterTime(raster_vs, slice, other_vs, kSkyNear);
 }
 
 // Screen displacement over the exposure, px: position at shutter close minus position at shutter open. With the parameter
 // `displacement` = extrapolated it is extrapolated from the path since the previous frame, scaled by the length of the
 // exposure in frames, for every anchor.
-vec2 displacementOf(Hit hit, vec3 capture_ws) {
+vec2 displacementOf(Hit hit, vec3 raster_ws) {
 #if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
-  return -frame.exposure * pathOf(SLICE_PREVIOUS, hit, capture_ws);
+  return -frame.exposure * pathOf(SLICE_PREVIOUS, hit, raster_ws);
 #else
-  return pathOf(SLICE_CLOSE, hit, capture_ws) - pathOf(SLICE_OPEN, hit, capture_ws);
+  return pathOf(SLICE_SHUTTER_CLOSE, hit, raster_ws) - pathOf(SLICE_SHUTTER_OPEN, hit, raster_ws);
 #endif
 }
 
@@ -227,7 +227,7 @@ vec2 displacementOfSky(vec3 direction_ws) {
 #if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
   return -frame.exposure * pathOfSky(SLICE_PREVIOUS, direction_ws);
 #else
-  return pathOfSky(SLICE_CLOSE, direction_ws) - pathOfSky(SLICE_OPEN, direction_ws);
+  return pathOfSky(SLICE_SHUTTER_CLOSE, direction_ws) - pathOfSky(SLICE_SHUTTER_OPEN, direction_ws);
 #endif
 }
 

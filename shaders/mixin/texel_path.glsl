@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, hit_tex, normal_tex, params.most_growth.
+// Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, hit_tex, normal_tex, params.max_stretch.
 // Screen paths of the surface points at the texels of a layer, from the scene's poses, and the stretch of pixels along them.
 #ifndef STROBE_TEXEL_PATH_GLSL
 #define STROBE_TEXEL_PATH_GLSL
@@ -8,13 +8,13 @@
 
 // Screen path of a texel's surface point, px, from the raster time to the pose of `slice`.
 vec2 pathOfTexel(uint slice, ivec2 at) {
-  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
+  Ray ray = cameraRay(SLICE_RASTER, samplePosition(at));
   uint id = texelFetch(id_tex, at, 0).x;
   if (id == 0u) return pathOfSky(slice, ray.direction);
   vec3 point_ws = ray.origin + ray.direction * texelFetch(depth_tex, at, 0).x;
 #if HAS_hit
-  uvec4 seen = texelFetch(hit_tex, at, 0);
-  Hit hit = hitOnTriangle(SLICE_CAPTURE, ray, id - 1u, seen.y, seen.z);
+  uvec4 ids = texelFetch(hit_tex, at, 0);
+  Hit hit = hitOnTriangle(SLICE_RASTER, ray, id - 1u, ids.y, ids.z);
   return pathOf(slice, hit, point_ws);
 #else
   return pathOfPoint(slice, id - 1u, point_ws);
@@ -35,14 +35,14 @@ bool isSame(ivec2 at, uint id) { return isInside(at, ivec2(frame.size)) && texel
 
 // Intersection of the ray through a texel with the plane of a surface.
 vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
-  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
+  Ray ray = cameraRay(SLICE_RASTER, samplePosition(at));
   return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
 }
 
 // Offsets of the texel itself and of its four neighbours.
 const ivec2 kCross[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
 
-// True if the distance to a neighbouring texel of the same object, 1 px at the raster time, exceeds `most_growth` px at shutter
+// True if the distance to a neighbouring texel of the same object, 1 px at the raster time, exceeds `max_stretch` px at shutter
 // open or shutter close. If the object has no neighbour along an axis, because it is turned away, the surface's plane replaces
 // the neighbours. One loop covers both ends and all texels, because each inlined copy of the path takes long to compile.
 bool growsAt(ivec2 pixel, uint id) {
@@ -50,11 +50,11 @@ bool growsAt(ivec2 pixel, uint id) {
   vec3 normal_ws = vec3(texelFetch(normal_tex, pixel, 0));
   if (id == 0u || dot(normal_ws, normal_ws) < 0.5) return false;
   uint kind = pathKind(id);
-  float growth = any(equal(frame.shutter, vec2(0))) ? 1.0 : 0.0;
+  float stretch = any(equal(frame.shutter, vec2(0))) ? 1.0 : 0.0;
   vec2 here = vec2(0);
   for (int i = 0; i < 10; ++i) {
     bool is_open = i < 5;
-    uint slice = is_open ? SLICE_OPEN : SLICE_CLOSE;
+    uint slice = is_open ? SLICE_SHUTTER_OPEN : SLICE_SHUTTER_CLOSE;
     float t = is_open ? frame.shutter.x : frame.shutter.y;
     if (t == 0.0) continue;
     ivec2 step = kCross[i % 5], at = pixel + step;
@@ -63,16 +63,16 @@ bool growsAt(ivec2 pixel, uint id) {
     if (!same && !alone) continue;
     vec2 there;
     if (alone) {
-      Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
+      Ray ray = cameraRay(SLICE_RASTER, samplePosition(pixel));
       vec3 point_ws = ray.origin + ray.direction * texelFetch(depth_tex, pixel, 0).x;
       there = pathOfPoint(slice, id - 1u, onPlane(at, point_ws, normal_ws));
     } else {
       there = shiftAt(slice, t, at, kind);
     }
-    if (is_beside) growth = max(growth, lengthOf(vec2(step) + there - here));
+    if (is_beside) stretch = max(stretch, lengthOf(vec2(step) + there - here));
     else here = there;
   }
-  return !(growth <= params.most_growth);
+  return !(stretch <= params.max_stretch);
 #else
   return false;
 #endif

@@ -26,7 +26,7 @@ struct TraceResult {
 #endif
 
 // True if the ray meets the triangle from its front.
-bool seenFromFront(uint slice, Ray ray, uint instance, uint geometry, uint primitive) {
+bool isFrontFacing(uint slice, Ray ray, uint instance, uint geometry, uint primitive) {
   Triangle triangle = triangleOf(geometryOf(instance, geometry), primitive);
   vec3 a = vertexPosition(slice, triangle.vertex[0]);
   vec3 face_os = cross(vertexPosition(slice, triangle.vertex[1]) - a, vertexPosition(slice, triangle.vertex[2]) - a);
@@ -41,7 +41,7 @@ Hit traceExcept(uint slice, uint mask, Ray ray, float t_min, float t_max, uint s
   TraceResult found = launch(slice, mask, false, false, ray, t_min, t_max, skip_instance, skip_geometry);
   if (found.instance == NO_INSTANCE) return noHit();
   Hit hit = Hit(found.instance, found.geometry, found.primitive, found.barycentrics, found.t, true);
-  hit.front = seenFromFront(slice, ray, hit.instance, hit.geometry, hit.primitive);
+  hit.front = isFrontFacing(slice, ray, hit.instance, hit.geometry, hit.primitive);
   return hit;
 }
 

@@ -195,7 +195,7 @@ uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint othe
 }
 
 // True if a ray from `origin`, in object space, meets the triangle from behind. False in scenes without one-sided materials.
-bool isFromBehind(vec3 origin, uint triangle) {
+bool isFromBack(vec3 origin, uint triangle) {
 #if FACT_one_sided
   vec3 a = scene_bvh.triangles.at[triangle].corner[0];
   vec3 edge1 = scene_bvh.triangles.at[triangle].corner[1] - a, edge2 = scene_bvh.triangles.at[triangle].corner[2] - a;
@@ -264,7 +264,7 @@ TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray wor
         continue;
       bool asks = (geometry & BVH_OPAQUE) == 0u || instance == skip_instance;
       if (asks && !acceptsHit(instance, geometry & ~BVH_OPAQUE, scene_bvh.triangles.at[triangle].primitive, meeting.yz,
-                              skip_instance, skip_geometry, !both_sides && isFromBehind(ray.origin, triangle)))
+                              skip_instance, skip_geometry, !both_sides && isFromBack(ray.origin, triangle)))
         continue;
       found.instance = instance;
       found.barycentrics = meeting.yz;

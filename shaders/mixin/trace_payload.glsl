@@ -25,8 +25,8 @@ vec2 transformedUv(SceneTextureUse use, vec2 uv0, vec2 uv1) {
 // pixel at the raster time. A surface point is therefore cut out or not at all times and for all rays, and samples within a
 // pixel get different thresholds.
 float blendThreshold(uint instance, uint geometry, vec3 position_os) {
-  SceneTransform m = transformOf(SLICE_CAPTURE, instance);
-  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
+  SceneTransform m = transformOf(SLICE_RASTER, instance);
+  SceneCamera camera = scene_cameras[SLICE_RASTER];
   vec4 p = vec4(position_os, 1);
   vec3 position_ws = vec3(dot(m.row_x, p), dot(m.row_y, p), dot(m.row_z, p));
   float size = length(vec3(length(m.row_x.xyz), length(m.row_y.xyz), length(m.row_z.xyz))) * 0.57735027;
@@ -58,7 +58,7 @@ bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentr
   for (uint corner = 0u; corner < 3u; ++corner) {
     uint vertex = vertexOf(geometry, primitive, corner);
 #if FACT_blend
-    position_os += weights[corner] * vertexPosition(SLICE_CAPTURE, vertex);
+    position_os += weights[corner] * vertexPosition(SLICE_RASTER, vertex);
 #endif
     uv0 += weights[corner] * vertexUv0(vertex);
     uv1 += weights[corner] * vertexUv1(vertex);
@@ -79,13 +79,13 @@ bool isOneSided(uint instance, uint geometry_index) {
   return (scene_materials[geometry.material].flags & MATERIAL_ONE_SIDED) != 0u;
 }
 
-// True if a ray accepts the hit. `unseen`: the ray meets the triangle from behind and passes through the backs of one-sided
-// materials.
+// True if a ray accepts the hit. `is_back_face`: the ray meets the triangle from behind and passes through the backs of
+// one-sided materials.
 bool acceptsHit(uint instance, uint geometry, uint primitive, vec2 barycentrics, uint skip_instance, uint skip_geometry,
-                bool unseen) {
+                bool is_back_face) {
   bool skipped = instance == skip_instance && (skip_geometry == NO_INSTANCE || geometry == skip_geometry);
 #if FACT_one_sided
-  if (unseen && isOneSided(instance, geometry)) return false;
+  if (is_back_face && isOneSided(instance, geometry)) return false;
 #endif
 #if FACT_alpha
   return !skipped && !isCutOut(instance, geometry, primitive, barycentrics);

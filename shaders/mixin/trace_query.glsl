@@ -21,11 +21,11 @@ TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray
     uint primitive = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
     vec2 barycentrics = rayQueryGetIntersectionBarycentricsEXT(query, false);
 #if FACT_one_sided
-    bool unseen = !both_sides && !rayQueryGetIntersectionFrontFaceEXT(query, false);
+    bool is_back_face = !both_sides && !rayQueryGetIntersectionFrontFaceEXT(query, false);
 #else
-    bool unseen = false;
+    bool is_back_face = false;
 #endif
-    if (acceptsHit(instance, geometry, primitive, barycentrics, skip_instance, skip_geometry, unseen))
+    if (acceptsHit(instance, geometry, primitive, barycentrics, skip_instance, skip_geometry, is_back_face))
       rayQueryConfirmIntersectionEXT(query);
   }
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), 0.0);

@@ -12,21 +12,21 @@ uint vertexOf(SceneGeometry geometry, uint primitive, uint corner) {
 }
 
 // Positions and normals in object space, at the slice. Vertices of rigid meshes are the same at all slices.
-#if FACT_bends
+#if FACT_deforms
 // True if the vertex deforms.
-bool isBending(uint vertex) { return vertex >= scene_arrays.first_bending; }
+bool isDeformed(uint vertex) { return vertex >= scene_arrays.first_deformed; }
 
-uint bentAt(uint slice, uint vertex) {
-  return slice * scene_arrays.bending_count + (vertex - scene_arrays.first_bending);
+uint deformedAt(uint slice, uint vertex) {
+  return slice * scene_arrays.deformed_count + (vertex - scene_arrays.first_deformed);
 }
 
 vec3 vertexPosition(uint slice, uint vertex) {
-  if (isBending(vertex)) return scene_arrays.bent.at[bentAt(slice, vertex)].position;
+  if (isDeformed(vertex)) return scene_arrays.deformed.at[deformedAt(slice, vertex)].position;
   return scene_arrays.vertices.at[vertex].position;
 }
 
 vec3 vertexNormal(uint slice, uint vertex) {
-  if (isBending(vertex)) return scene_arrays.bent.at[bentAt(slice, vertex)].normal;
+  if (isDeformed(vertex)) return scene_arrays.deformed.at[deformedAt(slice, vertex)].normal;
   return scene_arrays.vertices.at[vertex].normal;
 }
 #else
@@ -36,8 +36,8 @@ vec3 vertexNormal(uint slice, uint vertex) { return scene_arrays.vertices.at[ver
 
 // Packed tangent of a vertex of the geometry at the slice; 0: no tangent.
 uint vertexTangent(uint slice, SceneGeometry geometry, uint vertex) {
-#if FACT_bends
-  if (isBending(vertex)) return scene_arrays.bent.at[bentAt(slice, vertex)].tangent;
+#if FACT_deforms
+  if (isDeformed(vertex)) return scene_arrays.deformed.at[deformedAt(slice, vertex)].tangent;
 #endif
   if (geometry.first_tangent == NO_TANGENTS) return 0u;
   return scene_arrays.tangents.at[geometry.first_tangent + (vertex - geometry.first_vertex)];

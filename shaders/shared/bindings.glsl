@@ -18,8 +18,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Sce
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneLights { SceneLight at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer SceneTransforms { SceneTransform at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneCameras { SceneCamera at[]; };
-#if FACT_bends
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneBentVertices { SceneBentVertex at[]; };
+#if FACT_deforms
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneDeformedVertices { SceneDeformedVertex at[]; };
 #endif
 layout(set = 0, binding = 1, scalar) uniform SceneArrays {
   SceneVertices vertices;
@@ -32,10 +32,10 @@ layout(set = 0, binding = 1, scalar) uniform SceneArrays {
   SceneLights lights;          // per slice
   SceneTransforms transforms;  // per slice
   SceneCameras cameras;        // per slice
-#if FACT_bends
-  SceneBentVertices bent;  // per slice
-  uint first_bending;      // first vertex that deforms
-  uint bending_count;      // vertices that deform
+#if FACT_deforms
+  SceneDeformedVertices deformed;  // per slice
+  uint first_deformed;      // first deformed vertex
+  uint deformed_count;      // vertices that deform
 #endif
 } scene_arrays;  // `SceneAddresses` of runtime/world/gpu_scene.cpp
 #define scene_draws scene_arrays.draws.at

@@ -5,9 +5,9 @@
 #include "shared/types.h"
 STROBE_SHARED_BEGIN
 
-#define ANCHOR_CLOSE 0u   // the exposure ends at the raster time:           t in [-1, 0]
+#define ANCHOR_END 0u   // the exposure ends at the raster time:           t in [-1, 0]
 #define ANCHOR_CENTRE 1u  // the raster time is in the exposure's middle:    t in [-1/2, 1/2]
-#define ANCHOR_OPEN 2u    // the exposure starts at the raster time:         t in [0, 1]
+#define ANCHOR_START 2u    // the exposure starts at the raster time:         t in [0, 1]
 
 #define CURVE_KNOTS 64  // most knots of either half of a shutter curve
 
@@ -27,7 +27,7 @@ struct FrameData {
   vec3 sky;         // radiance from above
   vec3 ground;      // radiance from below
   vec4 background;  // rgb: radiance of rays that miss, if w is 1; if w is 0, these rays get sky and ground
-  ivec4 reach;      // pixels [x, z) x [y, w) that moving surfaces can reach in the exposure; conservative
+  ivec4 moving_rect;      // pixels [x, z) x [y, w) that moving surfaces can reach in the exposure; conservative
   ivec4 crossing;   // pixels that may show an object which is outside of the image at the raster time, shutter open and close
   vec2 crossing_times;  // first and last time of this, in exposures from the raster time
   float exposure;       // length of the exposure, in frames

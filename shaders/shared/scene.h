@@ -6,9 +6,9 @@
 #include "shared/types.h"
 STROBE_SHARED_BEGIN
 
-#define SLICE_CAPTURE 0u
-#define SLICE_OPEN 1u
-#define SLICE_CLOSE 2u
+#define SLICE_RASTER 0u
+#define SLICE_SHUTTER_OPEN 1u
+#define SLICE_SHUTTER_CLOSE 2u
 #define SLICE_PREVIOUS 3u  // one frame before the raster time
 #define SLICE_SAMPLE 4u    // first of a loop's sample times
 #define NO_INSTANCE 0xffffffffu
@@ -21,8 +21,8 @@ STROBE_SHARED_BEGIN
 // if the property is proven false, with a tolerance of 0.05 px. Clear for static instances.
 #define PATH_CURVED 1u   // some point deviates from a straight path at constant speed
 #define PATH_TURNS 2u    // its points have different velocities
-#define PATH_COVERED 4u  // another object, or an own part with another velocity, may be in front
-#define PATH_ARRIVES 8u  // some part may be visible at another time but not at the raster time
+#define PATH_MAY_BE_OCCLUDED 4u  // another object, or an own part with another velocity, may be in front
+#define PATH_MAY_APPEAR 8u  // some part may be visible at another time but not at the raster time
 
 struct SceneVertex {
   vec3 position;  // first: acceleration structures read it
@@ -42,7 +42,7 @@ struct SceneVertex {
 #define NO_TANGENTS 0xffffffffu
 
 // A vertex of a deforming mesh at one slice.
-struct SceneBentVertex {
+struct SceneDeformedVertex {
   vec3 position;  // first: acceleration structures read it
   vec3 normal;    // unit; 0: use the triangle's normal
   uint tangent;   // packed; 0: derive it from the texture coordinates
@@ -131,7 +131,7 @@ struct SceneCamera {
 STROBE_SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(strobe::shared::SceneVertex) == 44);
-static_assert(sizeof(strobe::shared::SceneBentVertex) == 28);
+static_assert(sizeof(strobe::shared::SceneDeformedVertex) == 28);
 static_assert(sizeof(strobe::shared::SceneTextureUse) == 36);
 static_assert(sizeof(strobe::shared::SceneMaterial) == 204);
 static_assert(sizeof(strobe::shared::SceneLight) == 56);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the longest displacement around that can reach it (McGuire 2012, NeighborMax), and a second, different one.
 // In:  `longest`:  longest displacement of each tile, px over the exposure
-//      `motions`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: `longest` alone
+//      `velocities`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: `longest` alone
 //      `curve`:    curve of the path of `longest`, px; absent: straight
 //      `place`:    texel that has `longest`, px
 // Out: `dominant`: longest accepted displacement, px over the exposure
@@ -44,38 +44,28 @@ bool pointsHere(ivec2 offset, vec2 d) {
 
 // Length of the straight displacement that reaches as far as the tile's longest path, px.
 float lengthAt(ivec2 tile, vec2 d) {
-#if HAS_curve
-  return reachOf(d, texelFetch(curve_tex, tile, 0), frame.shutter);
-#else
-  return lengthOf(d);
-#endif
+  return reachOf(d, curve_at(tile), frame.shutter);
 }
 
 bool isCurved(ivec2 tile) {
-#if HAS_curve
-  return texelFetch(curve_tex, tile, 0) != vec4(0);
-#else
-  return false;
-#endif
+  return curve_at(tile) != vec4(0);
 }
 
 // True if the tile's box, swept along its curve, overlaps this tile within the exposure. Tested in 4 to 64 steps of about
 // half a tile.
 bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
-#if HAS_curve
-  vec4 curve = texelFetch(curve_tex, tile, 0);
+  vec4 curve = curve_at(tile);
   vec2 at = vec2(offset * params.tile), side = vec2(params.tile);
   int steps = stepsAlong(d, curve, params.tile);
   for (int i = 0; i <= steps; ++i) {
     vec2 moved = movedBy(d, curve, evenTimeAt(float(i), steps, frame.shutter), frame.shutter);
     if (all(lessThan(abs(at + moved), side))) return true;
   }
-#endif
   return false;
 }
 
 bool accepts(ivec2 offset, vec2 d) {
-#if PARAM_rule == rule_reach
+#if PARAM_rule == rule_swept_box
   return reaches(offset, d);
 #elif PARAM_rule == rule_sign
   return pointsHere(offset, d);
@@ -102,18 +92,14 @@ void run(ivec2 pixel) {
   float dominant_length = 0.0;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
-      vec2 d = vec2(texelFetch(longest_tex, ivec2(x, y), 0));
+      vec2 d = vec2(longest_at(ivec2(x, y)));
       ivec2 tile = ivec2(x, y);
       float d_length = lengthAt(tile, d);
       if (d_length <= dominant_length) continue;
       if (!(isCurved(tile) ? comesHere(tile, tile - pixel, d) : accepts(tile - pixel, d))) continue;
       dominant = d;
-#if HAS_curve
-      curve = texelFetch(curve_tex, tile, 0);
-#endif
-#if HAS_place
-      place = vec2(texelFetch(place_tex, tile, 0));
-#endif
+      curve = curve_at(tile);
+      place = vec2(place_at(tile));
       dominant_length = d_length;
     }
   }
@@ -122,12 +108,10 @@ void run(ivec2 pixel) {
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
       ivec2 offset = ivec2(x, y) - pixel;
-      second = otherThan(dominant, second, vec2(texelFetch(longest_tex, ivec2(x, y), 0)), offset);
-#if HAS_motions
-      vec4 pair = texelFetch(motions_tex, ivec2(x, y), 0);
+      second = otherThan(dominant, second, vec2(longest_at(ivec2(x, y))), offset);
+      vec4 pair = velocities_at(ivec2(x, y));
       second = otherThan(dominant, second, vec2(pair.x, pair.y), offset);
       second = otherThan(dominant, second, vec2(pair.z, pair.w), offset);
-#endif
     }
   }
   imageStore(dominant_img, pixel, vec4(dominant, 0, 0));

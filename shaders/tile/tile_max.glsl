@@ -28,43 +28,9 @@ uint clamped = 0u;  // texels longer than the limit
 Longest longestOf(Longest so_far, vec2 d, vec4 curve, ivec2 place, uint layer, float limit_px) {
   float d_length = lengthOf(d);
   clamped += d_length > limit_px ? 1u : 0u;
-#if HAS_curve
   if (curve != vec4(0)) d_length = reachOf(d, curve, frame.shutter);
-#endif
   if (d_length > so_far.d_length) return Longest(d, curve, place, d_length, layer);
   return so_far;
-}
-
-bool counts(ivec2 pixel) {
-#if HAS_valid
-  return texelFetch(valid_tex, pixel, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
-
-bool extraCounts(ivec2 pixel) {
-#if HAS_extra_valid
-  return texelFetch(extra_valid_tex, pixel, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
-
-vec4 curveAt(ivec2 pixel) {
-#if HAS_curve
-  return texelFetch(curve_tex, pixel, 0);
-#else
-  return vec4(0);
-#endif
-}
-
-vec4 extraCurveAt(ivec2 pixel) {
-#if HAS_extra_curve
-  return texelFetch(extra_curve_tex, pixel, 0);
-#else
-  return vec4(0);
-#endif
 }
 
 void run(ivec2 tile) {
@@ -78,13 +44,12 @@ void run(ivec2 tile) {
   for (int y = own.y; y < end.y; y += kGroupSide) {
     for (int x = own.x; x < end.x; x += kGroupSide) {
       ivec2 p = ivec2(x, y);
-      if (counts(p)) {
-        longest = longestOf(longest, finiteDisplacement(texelFetch(velocity_tex, p, 0)), curveAt(p), p, 0u, limit_px);
+      if (valid_at(p).x > 0.5) {
+        longest = longestOf(longest, finiteDisplacement(velocity_at(p)), curve_at(p), p, 0u, limit_px);
       }
 #if HAS_extra_velocity
-      if (extraCounts(p)) {
-        vec2 d = finiteDisplacement(texelFetch(extra_velocity_tex, p, 0));
-        longest = longestOf(longest, d, extraCurveAt(p), p, 1u, limit_px);
+      if (extra_valid_at(p).x > 0.5) {
+        longest = longestOf(longest, finiteDisplacement(extra_velocity_at(p)), extra_curve_at(p), p, 1u, limit_px);
       }
 #endif
     }
@@ -96,6 +61,8 @@ void run(ivec2 tile) {
   if (!isGreatest(longest.d_length, place)) return;
 
   Path path = limitedPath(vec4(longest.d, 0, 0), longest.curve);
+  float length_px = max(lengthOf(path.d), reachOf(path));
+  atomicMax(max_displacement_buf.entries[0], floatBitsToUint(length_px));  // bits of floats from 0 on are in their order
   imageStore(longest_img, tile, vec4(path.d, 0, 0));
 #if HAS_curve
   imageStore(curve_of_it_img, tile, path.curve);

@@ -9,14 +9,6 @@
 #include "lib/group.glsl"
 #include "lib/sanitise.glsl"
 
-bool counts(ivec2 pixel) {
-#if HAS_valid
-  return texelFetch(valid_tex, pixel, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
-
 shared uint shortest_bits;  // bits of a float of at least 0, which have the order of the floats
 
 void run(ivec2 tile) {
@@ -29,8 +21,8 @@ void run(ivec2 tile) {
   ivec2 own = ownFirst(first);
   for (int y = own.y; y < end.y; y += kGroupSide) {
     for (int x = own.x; x < end.x; x += kGroupSide) {
-      if (!counts(ivec2(x, y))) continue;
-      shortest = min(shortest, lengthOf(finiteDisplacement(texelFetch(velocity_tex, ivec2(x, y), 0))));
+      if (valid_at(ivec2(x, y)).x <= 0.5) continue;
+      shortest = min(shortest, lengthOf(finiteDisplacement(velocity_at(ivec2(x, y)))));
     }
   }
   atomicMin(shortest_bits, floatBitsToUint(shortest));

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Stops the loop of time samples when the standard error of their mean is small enough.
-// In:  `spread`: per block: sum of squared differences of two halves, number of pixels (0: unknown)
+// In:  `half_difference`: per block: sum of squared differences of two halves, number of pixels (0: unknown)
 // Out: `stop`:   one pixel: 1 if at least `min_samples` iterations have run and the standard error is at most `tolerance`
 // Method: standard error = rms(mean a - mean b) / 2 over all pixels and channels.
 // Fails: halves that agree by chance stop the loop early, which `min_samples` makes unlikely.
 void run(ivec2 pixel) {
-  ivec2 size = textureSize(spread_tex, 0);
+  ivec2 size = textureSize(half_difference_tex, 0);
   float sum = 0.0;
   float pixels = 0.0;
   bool known = true;
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
-      vec4 block = texelFetch(spread_tex, ivec2(x, y), 0);
+      vec4 block = texelFetch(half_difference_tex, ivec2(x, y), 0);
       known = known && block.y > 0.0;
       sum += block.x;
       pixels += block.y;

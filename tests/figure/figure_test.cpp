@@ -140,10 +140,10 @@ TEST(Figure, ARangeIsWhereAFilterSamples) {
         changed(pixelsOf(layoutOf(cell + "ranges = { { at = { 20, 12 }" + more + " } }")), without, picture);
     return std::pair(box.x + 3.0, box.x + box.width - 3.0);
   };
-  auto [left, right] = ends(", anchor = 'close'");
+  auto [left, right] = ends(", anchor = 'end'");
   EXPECT_NEAR(right, 8 * 32.5, 2) << "what is there now came over the pixel before";
   EXPECT_NEAR(left, 8 * 20.5 - 4, 4) << "the pixel at the end";
-  std::tie(left, right) = ends(", anchor = 'open'");
+  std::tie(left, right) = ends(", anchor = 'start'");
   EXPECT_NEAR(left, 8 * 8.5, 2);
   EXPECT_NEAR(right, 8 * 20.5 + 4, 4);
   std::tie(left, right) = ends("");
@@ -151,7 +151,7 @@ TEST(Figure, ARangeIsWhereAFilterSamples) {
   EXPECT_NEAR(right, 8 * 26.5, 2);
   // Along an image of half the size: (0, 16) at the texel (10, 6) of the pixel.
   Rectangle box =
-      changed(pixelsOf(layoutOf(cell + "ranges = { { at = { 20, 12 }, along = 'half.speed', anchor = 'close' } }")),
+      changed(pixelsOf(layoutOf(cell + "ranges = { { at = { 20, 12 }, along = 'half.speed', anchor = 'end' } }")),
               without, picture);
   EXPECT_NEAR(box.y + box.height, 8 * 28.5 + 3, 2);
   EXPECT_LT(box.width, 24);

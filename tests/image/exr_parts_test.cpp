@@ -46,8 +46,8 @@ ExrFile sample() {
   content.texts["strobe"] = "{}";
   content.shutter_angle = 90.0f;
   ExrPart& reveal = content.further.emplace_back();
-  reveal.name = "reveal.color";
-  reveal.add("reveal.color", {"R", "G", "B", "A"}, filled(10, 6, 4, 1e-3f), ExrKind::half);
+  reveal.name = "ray_reveal.color";
+  reveal.add("ray_reveal.color", {"R", "G", "B", "A"}, filled(10, 6, 4, 1e-3f), ExrKind::half);
   ExrPart& depth = content.further.emplace_back();
   depth.name = "depth";
   depth.add("", {"Z"}, filled(33, 1, 1, INFINITY));
@@ -97,11 +97,11 @@ TEST_F(ExrParts, AreFoundByName) {
     EXPECT_EQ(readExrLayer(file_, whole).name, "color");
     EXPECT_EQ(readPicture(file_, whole).linear.values, threeChannels(filled(20, 12, 4, 0)).values) << whole;
   }
-  ExrFile half = readExrLayer(file_, "reveal.color");
+  ExrFile half = readExrLayer(file_, "ray_reveal.color");
   EXPECT_EQ(half.width, 10);
   EXPECT_EQ(half.height, 6);
   EXPECT_TRUE(half.further.empty());
-  EXPECT_EQ(readPicture(file_, "reveal.color").linear.width, 10);
+  EXPECT_EQ(readPicture(file_, "ray_reveal.color").linear.width, 10);
   for (const char* depth : {"depth", "Z"}) {
     EXPECT_EQ(readPicture(file_, depth).linear.values, std::vector<float>(99, 2.5f)) << depth;
     EXPECT_EQ(readExrLayer(file_, depth).name, "depth");

@@ -65,8 +65,8 @@ Never.
 
 | name | what it is | | in GLSL |
 | --- | --- | --- | --- |
-| `velocity` | px | | `texelFetch(velocity_tex, p, 0)` |
-| `id` | instance | unsigned integers; optional: `HAS_id` | `texelFetch(id_tex, p, 0)` |
+| `velocity` | px | | `velocity_at(p)` |
+| `id` | instance | unsigned integers; optional: `HAS_id` | `id_at(p)` |
 
 ## Updates
 
@@ -150,7 +150,7 @@ const std::set<std::string> kFamilies = {"edge", "mask", "gather", "composite"};
 
 bool isAlternative(const plan::PassDesc& pass) {
   Path file = pass.place.file;
-  return kFamilies.count(file.parent_path().filename()) || file == "passes/scene/reveal.lua";
+  return kFamilies.count(file.parent_path().filename()) || file == "passes/hybrid/ray_reveal.lua";
 }
 
 // Each choice is described, unless the choices are files of the folder of passes that is called like the parameter

@@ -110,7 +110,7 @@ TEST_F(RunningTruthTest, RestartForgets) {
   take(truth, 3);
   image::Image first = truth.mean();
   Shot other = shot();
-  other.anchor = "open";
+  other.anchor = "start";
   truth.restart(other);
   EXPECT_EQ(truth.samples(), 0);
   EXPECT_TRUE(truth.mean().empty());

@@ -183,7 +183,7 @@ TEST(ShotOptions, AScenesSuggestionFillsWhatIsOpen) {
   EXPECT_EQ(shot.exposure, 1);
   Shot plain = filled({});
   EXPECT_EQ(commandOf(plain),
-            "strobe render '' --scene living_room --size 960x540 --fps 24 --frame 1 --exposure 0.5 --anchor close "
+            "strobe render '' --scene living_room --size 960x540 --fps 24 --frame 1 --exposure 0.5 --anchor end "
             "-o out.exr");
 }
 

@@ -76,11 +76,11 @@ TEST(ClipWarnings, ExposuresThatEndOnKeysLeaveNoClip) {
         };
         const scene::Scene ends = sceneOf({slide("a", 0, at(frame))});
         const scene::Scene begins = sceneOf({slide("a", at(frame), at(frame + 20))});
-        EXPECT_EQ(kindsOf(ends, frame, 1, "close", fps), "") << frame << " " << fps;
+        EXPECT_EQ(kindsOf(ends, frame, 1, "end", fps), "") << frame << " " << fps;
         EXPECT_EQ(kindsOf(ends, frame, 0.5, "centre", fps), "seam ") << frame << " " << fps;
-        EXPECT_EQ(kindsOf(begins, frame + 1, 1, "close", fps), "") << frame << " " << fps;
+        EXPECT_EQ(kindsOf(begins, frame + 1, 1, "end", fps), "") << frame << " " << fps;
         EXPECT_EQ(kindsOf(begins, frame, 0.5, "centre", fps), "before ") << frame << " " << fps;
-        EXPECT_EQ(kindsOf(begins, frame, 1, "close", fps), "") << frame << " " << fps;
+        EXPECT_EQ(kindsOf(begins, frame, 1, "end", fps), "") << frame << " " << fps;
       }
 }
 
@@ -111,7 +111,7 @@ TEST(ClipWarnings, StepsAndCutsDoNotBlur) {
 
 // A frame of 24 is 41.7 ms.
 TEST(ClipWarnings, AnExposureLongerThanTheLoopSpansItsEnd) {
-  for (const char* anchor : {"open", "centre", "close"}) {
+  for (const char* anchor : {"start", "centre", "end"}) {
     EXPECT_EQ(kindsOf(sceneOf({slide("a", 0, 0.03)}), 48, 1, anchor), "seam ") << anchor;
     EXPECT_EQ(kindsOf(sceneOf({slide("a", 0, 0.041666)}), 24, 1, anchor), "seam ") << anchor;
     EXPECT_EQ(kindsOf(sceneOf({slide("a", 0, 20)}), 24, 1, anchor), "") << anchor;

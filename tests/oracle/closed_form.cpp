@@ -185,9 +185,9 @@ double Pattern::at(double x, double y) const {
 
 Seen seenAt(const Strips& strips, double x, double time) {
   for (size_t i = 0; i < strips.size(); ++i) {
-    double at_capture = x - strips[i].d * time;
-    if (at_capture >= strips[i].left && at_capture < strips[i].right)
-      return {static_cast<int>(i), strips[i].pattern.at(at_capture)};
+    double at_raster_time = x - strips[i].d * time;
+    if (at_raster_time >= strips[i].left && at_raster_time < strips[i].right)
+      return {static_cast<int>(i), strips[i].pattern.at(at_raster_time)};
   }
   return {-1, 0};
 }

@@ -90,7 +90,7 @@ int iterationsOf(const lab::Picture& picture, const std::string& loop) {
 }
 
 const std::vector<Anchor>& anchors() {
-  static const std::vector<Anchor> all = {{"close", kCloseAnchor}, {"centre", kCentreAnchor}, {"open", kOpenAnchor}};
+  static const std::vector<Anchor> all = {{"end", kCloseAnchor}, {"centre", kCentreAnchor}, {"start", kOpenAnchor}};
   return all;
 }
 

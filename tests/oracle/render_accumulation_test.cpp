@@ -75,10 +75,10 @@ TEST_F(RenderAccumulation, KeepsTheCapturesColours) {
     lab::Picture blended = render(with(shot, "accumulation", {"reuse=blended"}, "centre"));
     EXPECT_LT(rmsDifference(colorOf(anew), colorOf(kept)), .002);
     EXPECT_LT(rmsDifference(colorOf(anew), colorOf(blended)), .01);
-    const char* const kShaded = "accumulated.shaded";
+    const char* const kShaded = "accumulate_moving.shaded";
     EXPECT_LT(counterOf(kept, kShaded), counterOf(anew, kShaded) * 3 / 4);
     EXPECT_LE(counterOf(blended, kShaded), counterOf(kept, kShaded));
-    EXPECT_EQ(counterOf(kept, "over_ground.samples"), counterOf(anew, "over_ground.samples"));
+    EXPECT_EQ(counterOf(kept, "over_background.samples"), counterOf(anew, "over_background.samples"));
   }
 }
 
@@ -86,9 +86,9 @@ TEST_F(RenderAccumulation, KeepsTheCapturesColours) {
 TEST_F(RenderAccumulation, FindsTheGroundOnce) {
   lab::Picture few = render(with(solids(kObjects), "accumulation", {"samples=2"}, "centre"));
   lab::Picture many = render(with(solids(kObjects), "accumulation", {"samples=32"}, "centre"));
-  EXPECT_GT(counterOf(few, "still_ground.rays"), 0u);
-  EXPECT_EQ(counterOf(few, "still_ground.rays"), counterOf(many, "still_ground.rays"));
-  EXPECT_EQ(counterOf(render(with(solids(kAll), "accumulation", {}, "centre")), "still_ground.rays"), 0u);
+  EXPECT_GT(counterOf(few, "static_background.rays"), 0u);
+  EXPECT_EQ(counterOf(few, "static_background.rays"), counterOf(many, "static_background.rays"));
+  EXPECT_EQ(counterOf(render(with(solids(kAll), "accumulation", {}, "centre")), "static_background.rays"), 0u);
 }
 
 }  // namespace render_accumulation_test

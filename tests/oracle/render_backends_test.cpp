@@ -33,15 +33,15 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
     bool asks_alike = true;  // not where rays to one instance alone are asked of the own tree, and of the others all
   };
   const Traced cases[] = {
-      {"shade", crowd("none", {"shadow_shafts.shafts=false"})},
-      {"reveal", crowd("hybrid_traced", {"tile=8", "limit=0.25"})},
-      {"reveal", crowd("hybrid", {"preset=text", "tile=8", "limit=0.25"})},
-      {"reveal", crowd(hybridSteps(), {"mask=all", "advance=restart", "tile=8", "limit=0.25"})},
+      {"shade", crowd("none", {"tile_light_visibility.per_tile=false"})},
+      {"ray_reveal", crowd("hybrid_traced", {"tile=8", "limit=0.25"})},
+      {"ray_reveal", crowd("hybrid", {"preset=text", "tile=8", "limit=0.25"})},
+      {"ray_reveal", crowd(hybridSteps(), {"mask=all", "advance=restart", "tile=8", "limit=0.25"})},
       // Many at rest, over which the runtime's own tree is built once.
-      {"reveal", with(shotOf("crowd", 64, 40, {{"crumbs", 300}}), "hybrid_traced", {"tile=8", "limit=0.25"})},
+      {"ray_reveal", with(shotOf("crowd", 64, 40, {{"crumbs", 300}}), "hybrid_traced", {"tile=8", "limit=0.25"})},
       // A box has a back, which rays that skip it pass over at once.
-      {"reveal", with(shotOf("turning_box", 64, 36, {}), hybridSteps(), {"mask=all"})},
-      {"truth_trace", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"}), false},
+      {"ray_reveal", with(shotOf("turning_box", 64, 36, {}), hybridSteps(), {"mask=all"})},
+      {"sample", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"}), false},
   };
   for (Traced traced : cases) {
     std::map<std::string, lab::Picture> pictures;
@@ -89,8 +89,8 @@ TEST_F(RenderBackends, LookingChangesNothing) {
     Json without = outputs(render(shot));
     for (const std::vector<std::string>& taps :
          {std::vector<std::string>{"mask.mask"},
-          {"visibility.hit", "reveal.depth"},
-          {"gbuffer.velocity", "reveal.velocity", "reveal.valid", "shade.color"}}) {
+          {"visibility.hit", "ray_reveal.depth"},
+          {"gbuffer.velocity", "ray_reveal.velocity", "ray_reveal.valid", "shade.color"}}) {
       shot.taps = taps;
       lab::Picture picture = render(shot);
       EXPECT_EQ(outputs(picture), without) << fmt::format("{}", fmt::join(taps, " "));

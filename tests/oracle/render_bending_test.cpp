@@ -150,7 +150,7 @@ TEST_F(RenderBending, TheNodeOfASkinMayBeMoved) {
 TEST_F(RenderBending, IsAFactOfTheScene) {
   auto holds = [](const lab::Picture& picture) {
     const Json& facts = picture.record["facts"];
-    return std::count(facts.begin(), facts.end(), Json("bends")) > 0;
+    return std::count(facts.begin(), facts.end(), Json("deforms")) > 0;
   };
   EXPECT_TRUE(holds(render(with(samples()[0], "none"))));
   EXPECT_FALSE(holds(render(with(sample("BoxAnimated", 6), "none"))));

@@ -29,8 +29,8 @@ class RenderCells : public RenderTest {
 };
 
 // Nodes that share cells: the mask's bounds serve the composite too.
-const std::vector<std::string> kNodes = {"mask_bounds",     "mask_ids",     "mask_crossings", "mask",
-                                         "revealed_bounds", "motion_reach", "composite"};
+const std::vector<std::string> kNodes = {"mask_bounds",     "mask_ids",       "cull_candidates", "mask",
+                                         "revealed_bounds", "classify_cells", "composite"};
 
 // Those of its pixels and of no others; the last cells are cut off by the picture's border.
 TEST_F(RenderCells, KnowTheInstancesThatTheyShow) {
@@ -114,8 +114,8 @@ TEST_F(RenderCells, HaveTheMotionsThatCross) {
     lab::Shot shot = with(shotOf("wedge", kPicture, kPicture, {{"from", 20}, {"to", 65}, {"degrees", 60}}),
                           "hybrid_layered", {fmt::format("tile={}", kTile), "limit=0.25"}, anchor.name);
     shot.taps = {"mask_bounds.bounds", "mask_ids.ids"};
-    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("mask_near_motions.motions_{}", k));
-    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("mask_crossings.crossing_{}", k));
+    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("gather_candidates.candidates_{}", k));
+    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("cull_candidates.culled_{}", k));
     const lab::Picture picture = render(shot);
     const MaskCells cells{picture.frame.taps.at(shot.taps[0]).floats, picture.frame.taps.at(shot.taps[1]).uints, kSide,
                           kPicture};
@@ -149,7 +149,7 @@ TEST_F(RenderCells, HaveTheMotionsThatCross) {
 // Cells that divide tiles: of one that does not the candidates of several tiles are tried.
 TEST_F(RenderCells, DoNotShowInTheMask) {
   for (const char* camera : {"main", "tracking"})
-    for (const char* anchor : {"close", "centre"}) {
+    for (const char* anchor : {"end", "centre"}) {
       SCOPED_TRACE(fmt::format("{} {}", camera, anchor));
       lab::Picture finest = celled(room(camera, anchor), kNodes, 1);
       ASSERT_GT(rms(imageOf(finest, "mask")), 0.05);
@@ -177,10 +177,10 @@ int countDifferent(const image::Image& a, const image::Image& b, float by) {
 TEST_F(RenderCells, DoNotShowInThePicture) {
   for (const char* camera : {"main", "tracking"}) {
     SCOPED_TRACE(camera);
-    lab::Shot shot = room(camera, "close");
+    lab::Shot shot = room(camera, "end");
     image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=64", "mark_regions=false"})));
     // Under a mask without cells: only the composite's change.
-    const std::vector<std::string> nodes = {"raster_bounds", "revealed_bounds", "motion_reach", "composite"};
+    const std::vector<std::string> nodes = {"raster_bounds", "revealed_bounds", "classify_cells", "composite"};
     auto drawn = [&](int cell) { return colorOf(celled(shot, nodes, cell, hybridSteps(), {"mask=moving"})); };
     image::Image whole = drawn(1024);
     for (int cell : {1, 10, 33}) {
@@ -194,11 +194,11 @@ TEST_F(RenderCells, DoNotShowInThePicture) {
 
 // By truth, which knows no cells: what is copied is at rest there, bit for bit.
 TEST_F(RenderCells, LeaveOutWhatNothingReaches) {
-  lab::Shot shot = room("main", "close");
-  shot.taps = {"motion_reach.moved"};
+  lab::Shot shot = room("main", "end");
+  shot.taps = {"classify_cells.moved"};
   lab::Picture picture = render(with(shot, "hybrid_traced", {"tile=20"}));
   shot.taps.clear();
-  const image::Image& moved = picture.frame.taps.at("motion_reach.moved").floats;
+  const image::Image& moved = picture.frame.taps.at("classify_cells.moved").floats;
   lab::Shot at_once = shot;
   at_once.exposure = 0;
   image::Image still = colorOf(render(with(at_once, "ground_truth", {"samples=1", "mark_regions=false"})));

@@ -109,7 +109,7 @@ double errorOf(const Wheel& wheel, const lab::Picture& picture, Window window) {
   return std::sqrt(sum / count);
 }
 
-// Displacements, and bends, of what is doubtful in each cell of a layer, which has things where they are at a time.
+// Displacements, and bends, of what is unreliable in each cell of a layer, which has things where they are at a time.
 struct DoubtedLayer {
   const image::Image &bounds, &bends;
   double seen;
@@ -120,7 +120,7 @@ struct DoubtedLayer {
   }
 };
 
-// Cells of 10 px in which something doubtful certainly is, and may be, a bit for each of four parts of an exposure
+// Cells of 10 px in which something unreliable certainly is, and may be, a bit for each of four parts of an exposure
 // around the capture.
 struct Doubts {
   static constexpr int kParts = 4;
@@ -161,10 +161,10 @@ struct Doubts {
 TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(wedge(), "hybrid_layered", {"trajectory=quadratic"}, anchor.name);
-    shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+    shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
     lab::Picture picture = render(shot);
     const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
-                       &bent = picture.frame.taps.at("raster_curve.bent").floats;
+                       &bent = picture.frame.taps.at("raster_curve.nonlinear").floats;
     int seen = 0;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -187,11 +187,11 @@ TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
 // more than they may be.
 TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
   for (const Anchor& anchor : anchors()) {
-    lab::Shot shot = with(wedge(), "hybrid_traced", {"raster_bend.most_bend=2"}, anchor.name);
-    shot.taps = {"raster_bend.bend", "raster_bend.bent"};
+    lab::Shot shot = with(wedge(), "hybrid_traced", {"raster_deviation.max_deviation=2"}, anchor.name);
+    shot.taps = {"raster_deviation.path_deviation", "raster_deviation.nonlinear"};
     lab::Picture picture = render(shot);
-    const image::Image &bend = picture.frame.taps.at("raster_bend.bend").floats,
-                       &bent = picture.frame.taps.at("raster_bend.bent").floats;
+    const image::Image &bend = picture.frame.taps.at("raster_deviation.path_deviation").floats,
+                       &bent = picture.frame.taps.at("raster_deviation.nonlinear").floats;
     int near = 0, far = 0;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -214,7 +214,7 @@ TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
 TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
   for (const Anchor& anchor : anchors()) {
     std::vector<std::string> settings = {"trajectory=arc"};
-    for (const char* node : {"raster_bounds", "revealed_bounds", "motion_reach", "composite"})
+    for (const char* node : {"raster_bounds", "revealed_bounds", "classify_cells", "composite"})
       settings.push_back(fmt::format("{}.cell_side=1", node));
     lab::Shot shot = with(wedge(), "hybrid_layered", settings, anchor.name);
     shot.taps = {"raster_bounds.bounds"};
@@ -247,20 +247,20 @@ TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
 }
 
 // In each part of the exposure, in which a jittered sample may be anywhere, cells are doubted in which something
-// doubtful is; and none farther off than the pixel and a half that rounding and the width of a tap make.
+// unreliable is; and none farther off than the pixel and a half that rounding and the width of a tap make.
 TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
   lab::Shot shot = with(shotOf("swerve", kSide, 64), "hybrid_traced",
                         {fmt::format("samples={}", Doubts::kParts), "jitter=hash"}, "centre");
-  shot.taps = {"doubtful.doubtful"};
-  const std::pair<const char*, double> layers[] = {{"raster_bent_bounds", 0},
-                                                   {"revealed_1_bent_bounds", 0},
-                                                   {"open_unseen_bounds", Doubts::kOpen},
-                                                   {"close_unseen_bounds", Doubts::kClose}};
+  shot.taps = {"classify_time_samples.unreliable"};
+  const std::pair<const char*, double> layers[] = {{"raster_deviation_bounds", 0},
+                                                   {"revealed_deviation_bounds", 0},
+                                                   {"open_disoccluded_bounds", Doubts::kOpen},
+                                                   {"close_disoccluded_bounds", Doubts::kClose}};
   for (const auto& layer : layers)
-    for (const char* of : {"bounds", "bends"}) shot.taps.push_back(fmt::format("{}.{}", layer.first, of));
+    for (const char* of : {"bounds", "deviation_bounds"}) shot.taps.push_back(fmt::format("{}.{}", layer.first, of));
   const lab::Picture picture = render(shot);
-  const image::UintImage& doubtful = picture.frame.taps.at(shot.taps[0]).uints;
-  Doubts doubts{{doubtful.width, doubtful.height}};
+  const image::UintImage& unreliable = picture.frame.taps.at(shot.taps[0]).uints;
+  Doubts doubts{{unreliable.width, unreliable.height}};
   for (size_t l = 0; l < std::size(layers); ++l) {
     const DoubtedLayer layer{picture.frame.taps.at(shot.taps[2 * l + 1]).floats,
                              picture.frame.taps.at(shot.taps[2 * l + 2]).floats, layers[l].second};
@@ -270,10 +270,10 @@ TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
     }
   }
   int doubted = 0, trusted = 0;
-  for (size_t c = 0; c < doubtful.values.size(); ++c) {
-    EXPECT_EQ(doubts.least[c] & ~doubtful.values[c], 0u) << c;
-    EXPECT_EQ(doubtful.values[c] & ~doubts.most[c], 0u) << c;
-    for (int i = 0; i < Doubts::kParts; ++i) ++((doubtful.values[c] >> i & 1) != 0 ? doubted : trusted);
+  for (size_t c = 0; c < unreliable.values.size(); ++c) {
+    EXPECT_EQ(doubts.least[c] & ~unreliable.values[c], 0u) << c;
+    EXPECT_EQ(unreliable.values[c] & ~doubts.most[c], 0u) << c;
+    for (int i = 0; i < Doubts::kParts; ++i) ++((unreliable.values[c] >> i & 1) != 0 ? doubted : trusted);
   }
   EXPECT_GT(doubted, 20);
   EXPECT_GT(trusted, 20);
@@ -318,10 +318,10 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
         const std::string what = fmt::format("{}, {} degrees, {} px", anchor.name, degrees, slide);
         lab::Shot shot =
             with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "hybrid_layered", {"trajectory=arc"}, anchor.name);
-        shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+        shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
         const lab::Picture picture = render(shot);
         const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
-                           &bent = picture.frame.taps.at("raster_curve.bent").floats;
+                           &bent = picture.frame.taps.at("raster_curve.nonlinear").floats;
         int seen = 0;
         for (int y = 0; y < kSide; ++y)
           for (int x = 0; x < kSide; ++x) {
@@ -422,7 +422,7 @@ std::vector<std::string> foretold(const std::string& trajectory) {
 // Over two frames up to the raster time: the curve goes through the poses of both.
 TEST_F(RenderCurves, MeetThePosesOfEarlierFrames) {
   constexpr int kFrames = 2;
-  lab::Shot shot = with(slowWedge(), "hybrid_layered", foretold("quadratic"), "close");
+  lab::Shot shot = with(slowWedge(), "hybrid_layered", foretold("quadratic"), "end");
   shot.exposure = kFrames;
   shot.taps = {"raster_curve.curve"};
   const lab::Picture picture = render(shot);
@@ -450,7 +450,7 @@ TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
   const lab::Shot bent = shotOf("bent", 96, 32, {{"before", 12}, {"after", 12}, {"bend", 5}});
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(bent, "hybrid_layered", foretold("quadratic"), anchor.name);
-    shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+    shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
     const lab::Picture picture = render(shot);
     const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
     for (int x = 32; x < 60; ++x) {
@@ -459,7 +459,7 @@ TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
           << anchor.name;
       EXPECT_NEAR(curve.at(x, 16, 0), -5. / 8, 1e-3) << anchor.name;
       for (int k = 1; k < 4; ++k) EXPECT_NEAR(curve.at(x, 16, k), 0, 1e-3) << anchor.name;
-      EXPECT_EQ(picture.frame.taps.at("raster_curve.bent").floats.at(x, 16, 0), 0) << anchor.name;
+      EXPECT_EQ(picture.frame.taps.at("raster_curve.nonlinear").floats.at(x, 16, 0), 0) << anchor.name;
     }
   }
 }

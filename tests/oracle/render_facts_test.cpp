@@ -46,29 +46,32 @@ std::vector<Case> cases() {
   std::vector<Case> all = {
       {"crowd at rest",
        shotOf("crowd", kWidth, kHeight, {{"speed", 0}}),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
-      {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "bends"}},
-      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms"}},
+      {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "deforms"}},
+      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "deforms"}},
       {"crowd whose motion is not kept",
        held,
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms"}},
       {"crowd in no time",
        instant,
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends", "before", "after"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms", "before",
+        "after"}},
       {"cut out",
        shotOf("cut_out", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "blend", "one_sided", "shadows", "bends"}},
-      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"curves", "covered", "one_sided", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "blend", "one_sided", "shadows", "deforms"}},
+      {"veil",
+       shotOf("veil", kWidth, kHeight, {{"shift", 9}}),
+       {"curves", "may_be_occluded", "one_sided", "shadows", "deforms"}},
       {"sides",
        shotOf("sides", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "shadows", "deforms"}},
       {"a square that slides",
        shotOf("quad_2d", kWidth, kHeight,
               {{"left", 18}, {"right", 28}, {"top", 10}, {"bottom", 18}, {"d_x", 8}, {"d_y", -4}}),
-       {"curves", "covered", "arrives", "alpha", "blend", "one_sided", "shadows", "bends"}},
+       {"curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "shadows", "deforms"}},
       {"lit",
        shotOf("lit", kWidth, kHeight),
-       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "shadows", "bends"}},
+       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "shadows", "deforms"}},
   };
   Shot bent;
   bent.width = kWidth, bent.height = kHeight;
@@ -85,7 +88,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
     {"guertin2014", {{"second_share=variance", "color_format=fp16"}, {"uniform_path=false"}}},
     {"jimenez2014", {{"color_format=fp16", "copy_below=0"}}},
     {"hybrid",
-     {{"mask.min_displacement=0", "mask_candidate.min_displacement=0", "edge=canny"},
+     {{"mask.min_displacement=0", "displaced_position.min_displacement=0", "edge=canny"},
       {"edge=plane"},
       {"weights=guertin2014"},
       {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
@@ -138,21 +141,25 @@ class RenderFacts : public oracle::RenderTest {
     }
     EXPECT_EQ(required.record["pipeline"]["plan"], everything.record["pipeline"]["plan"]);
     bool still = std::count(one.absent.begin(), one.absent.end(), "motion") && isMethod(pipeline) &&
-                 !required.record["counters"].contains("truth_trace.not_finite");  // truth is no method, whoever has it
+                 !required.record["counters"].contains("sample.not_finite");  // truth is no method, whoever has it
     if (!still || required.frame.outputs.at("color").format != "rgba32f") return;
     Picture capture = render(with(
         one.shot, "none", halves ? std::vector<std::string>{"shade.color_format=fp16"} : std::vector<std::string>{}));
     EXPECT_TRUE(oracle::identical(oracle::colorOf(required), oracle::colorOf(capture)));
   }
 
-  static bool hasOwnTimes(const Picture& picture) { return picture.record["counters"].contains("own_time.samples"); }
+  static bool hasOwnTimes(const Picture& picture) {
+    return picture.record["counters"].contains("trace_time_samples.samples");
+  }
 
   // Then what is at rest counts in the mean at once, or is the capture's where nothing reaches, and else sample by
   // sample.
-  static bool hasGround(const Picture& picture) { return picture.record["counters"].contains("over_ground.samples"); }
+  static bool hasGround(const Picture& picture) {
+    return picture.record["counters"].contains("over_background.samples");
+  }
   static bool takesMeansOtherwise(const Picture& picture) {
     const Json& passes = picture.record["counters"];
-    return hasGround(picture) || passes.contains("refined_time.samples");
+    return hasGround(picture) || passes.contains("adaptive_times.samples");
   }
 
   static bool mayDiffer(const Picture& picture) { return hasOwnTimes(picture) || takesMeansOtherwise(picture); }
@@ -210,7 +217,7 @@ TEST_F(RenderFacts, AreWhatTheScenesSay) {
 // Of the parts of an exposure: what looks at an end of it that is the capture is not required.
 TEST_F(RenderFacts, OfEachAnchor) {
   const std::map<std::string, std::vector<std::string>> lacked = {
-      {"close", {"after"}}, {"centre", {}}, {"open", {"before"}}};
+      {"end", {"after"}}, {"centre", {}}, {"start", {"before"}}};
   for (const auto& [anchor, absent] : lacked) {
     Shot shot = with(cases()[1].shot, "hybrid_traced", {}, anchor);
     std::vector<std::string> found = absentFacts(shot, bench().scene(shot)->loaded.scene);
@@ -234,7 +241,7 @@ TEST_F(RenderFacts, AreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid_traced")),
           moving = render(with(cases()[1].shot, "hybrid_traced"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
-  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "covered", "arrives", "shadows", "before"}));
+  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "may_be_occluded", "may_appear", "shadows", "before"}));
   EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid_traced")).record["facts"].size(), 12u);
 }
 
@@ -246,7 +253,7 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
                                                        {"trajectory=quadratic"},
                                                        {"trajectory=arc"}};
   for (double after : {-6., 60.})
-    for (const char* anchor : {"close", "centre", "open"})
+    for (const char* anchor : {"end", "centre", "start"})
       for (std::vector<std::string> settings : paths) {
         Shot shot = shotOf("bent", 256, 32, {{"before", 20}, {"after", after}, {"top", 8}, {"bottom", 20}});
         const Shot foretold = with(shot, "hybrid_layered", settings, anchor);
@@ -261,20 +268,20 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
 // Outside of where anything moves, passes that know what stands in for them do not run; what they leave is the same.
 TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
   const Shot square = shotOf("quad_2d", kWidth, kHeight, {{"left", 18}, {"right", 24}, {"top", 10}, {"bottom", 15}});
-  Shot shot = with(square, "hybrid_traced", {}, "close");
-  shot.taps = {"composite.open",   "mask.mask",        "reveal.found",
-               "raster_bend.bend", "tile_max.longest", "composite.blurred"};
+  Shot shot = with(square, "hybrid_traced", {}, "end");
+  shot.taps = {"composite.unresolved", "mask.mask",        "ray_reveal.found", "raster_deviation.path_deviation",
+               "tile_max.longest",     "composite.blurred"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
-  const Picture none = render(with(square, "none", {}, "close"));
+  const Picture none = render(with(square, "none", {}, "end"));
   EXPECT_FALSE(oracle::identical(oracle::colorOf(required), oracle::colorOf(none)));
 }
 
 // A tap of what is left out is what stands in for it.
 TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
   Shot shot = with(cases()[0].shot, "hybrid_traced");
-  shot.taps = {"composite.blurred", "mask.mask", "tile_max.longest", "mask_near_motions.motions_0"};
+  shot.taps = {"composite.blurred", "mask.mask", "tile_max.longest", "gather_candidates.candidates_0"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
@@ -298,36 +305,36 @@ TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
     std::vector<std::string> nodes = nodesOf(render(with(crowd, pipeline, {}, anchor)));
     return std::count(nodes.begin(), nodes.end(), node) > 0;
   };
-  for (const char* node :
-       {"own_time", "open_visibility", "unseen_open", "raster_bend", "doubtful", "mask_moving_silhouettes"})
-    EXPECT_FALSE(runs("close", "hybrid_layered", node)) << node;
+  for (const char* node : {"trace_time_samples", "shutter_open_visibility", "disoccluded_at_open", "raster_deviation",
+                           "unreliable", "moving_silhouettes"})
+    EXPECT_FALSE(runs("end", "hybrid_layered", node)) << node;
   const std::map<std::string, std::pair<bool, bool>> ends = {
-      {"close", {true, false}}, {"centre", {true, true}}, {"open", {false, true}}};
+      {"end", {true, false}}, {"centre", {true, true}}, {"start", {false, true}}};
   for (const auto& [anchor, seen] : ends) {
-    EXPECT_EQ(runs(anchor, "hybrid_traced", "open_visibility"), seen.first) << anchor;
-    EXPECT_EQ(runs(anchor, "hybrid_traced", "close_visibility"), seen.second) << anchor;
+    EXPECT_EQ(runs(anchor, "hybrid_traced", "shutter_open_visibility"), seen.first) << anchor;
+    EXPECT_EQ(runs(anchor, "hybrid_traced", "shutter_close_visibility"), seen.second) << anchor;
   }
 }
 
 // Before a camera at rest an end of the exposure is drawn without what is at rest; before one that moves with it.
 TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
   auto seenAtOpen = [](Shot shot) {
-    shot = with(shot, "hybrid_traced", {}, "close");
-    shot.taps = {"open_visibility.hit"};
+    shot = with(shot, "hybrid_traced", {}, "end");
+    shot.taps = {"shutter_open_visibility.hit"};
     Picture picture = render(shot);
     std::set<uint32_t> seen;
-    const image::UintImage& hit = picture.frame.taps.at("open_visibility.hit").uints;
+    const image::UintImage& hit = picture.frame.taps.at("shutter_open_visibility.hit").uints;
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) seen.insert(hit.at(x, y, 0));
     return seen;
   };
-  Shot before_rest = with(cases()[1].shot, "hybrid_traced", {}, "close");
+  Shot before_rest = with(cases()[1].shot, "hybrid_traced", {}, "end");
   const std::vector<bool> moves = lab::factsOf(before_rest, bench().scene(before_rest)->loaded.scene, 0).moves;
   ASSERT_GT(std::count(moves.begin(), moves.end(), false), 0);
   for (uint32_t id : seenAtOpen(before_rest)) {
     if (id > 0) EXPECT_TRUE(moves[id - 1]) << id;
   }
-  const Shot before_motion = with(cases()[2].shot, "hybrid_traced", {}, "close");
+  const Shot before_motion = with(cases()[2].shot, "hybrid_traced", {}, "end");
   EXPECT_GT(seenAtOpen(before_motion).size(), 2u);
 }
 

@@ -76,7 +76,7 @@ TEST_F(RenderFilters, OneSidedMcGuireReproducesItsRow) {
                         {81, .229},  {86, .523},  {91, .706},  {95, .789}};
   Row row = rasterise(kWhiteBar, 256);
   McGuire options{.samples = 15, .one_sided = true};
-  RowCase filter{"one-sided", whiteBar("mcguire2012", "close", {"samples=15"}),
+  RowCase filter{"one-sided", whiteBar("mcguire2012", "end", {"samples=15"}),
                  [&](int x, double jitter) {
                    options.jitter = jitter;
                    return mcguireAt(row, 20, x, options);

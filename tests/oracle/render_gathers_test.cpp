@@ -110,7 +110,7 @@ TEST_F(RenderGathers, JimenezAveragesWhereAllMovesAlike) {
     auto mean = [&](int x, double jitter) {
       double sum = 0;
       for (int i = 0; i < 16; ++i) {
-        double side = centred ? (i < 8 ? 1 : -1) : (anchor.name == "close" ? 1 : -1);
+        double side = centred ? (i < 8 ? 1 : -1) : (anchor.name == "end" ? 1 : -1);
         sum += row[tapAt(x, side * 20 * ((centred ? i % 8 : i) + .5 + jitter) / 16)].colour;
       }
       return sum / 16;
@@ -160,7 +160,7 @@ TEST_F(RenderGathers, FrozenJitterStandsStill) {
         std::vector<std::string> settings = set;
         settings.insert(settings.end(),
                         {"jitter=hash", fmt::format("jitter_frame={}", per_frame ? "per_frame" : "frozen")});
-        lab::Shot shot = rowShot("bar", pipeline, "close", settings, {{"left", left}, {"right", left + 64}});
+        lab::Shot shot = rowShot("bar", pipeline, "end", settings, {{"left", left}, {"right", left + 64}});
         shot.frame = frame;
         frames[frame] = colorOf(render(shot));
       }
@@ -189,7 +189,7 @@ TEST_F(RenderGathers, GuertinInThePlane) {
                             {"tile=16", "limit=0.2", "jitter=ign", fmt::format("second_share={}", share)}, anchor.name);
       shot.taps = {"neighbour_max.dominant", "neighbour_max.second"};
       bool by_variance = share == std::string("variance");
-      if (by_variance) shot.taps.push_back("tile_variance.variance");
+      if (by_variance) shot.taps.push_back("direction_variance.variance");
       lab::Picture picture = render(shot);
       auto tapped = [&](const std::string& name) { return &picture.frame.taps.at(name).floats; };
       Plane plane{&color,
@@ -237,9 +237,9 @@ TEST_F(RenderGathers, TilesCountByTheSignsOfTheirMotion) {
                          {"a_x", c.u_x},
                          {"a_y", c.u_y},
                          {"b_y", 0}};
-      bool expected = anchor.name == "centre" ? c.centre : anchor.name == "close" ? c.close : c.open;
-      for (const char* rule : {"sign", "reach"}) {
-        if (rule == std::string("reach") && anchor.name == "open") continue;  // `close` backwards
+      bool expected = anchor.name == "centre" ? c.centre : anchor.name == "end" ? c.close : c.open;
+      for (const char* rule : {"sign", "swept_box"}) {
+        if (rule == std::string("swept_box") && anchor.name == "start") continue;  // `close` backwards
         lab::Shot shot = with(shotOf("crossing", 96, 96, numbers), "mcguire2012",
                               {"tile=32", "limit=0.3", fmt::format("tile_rule={}", rule)}, anchor.name);
         shot.taps = {"neighbour_max.dominant"};
@@ -260,8 +260,8 @@ TEST_F(RenderGathers, TileVarianceIsOneMinusTheMeanAlignment) {
   for (const Case& c : {Case{0, 10, 0}, Case{7, 7, std::sqrt(.5)}, Case{-10, 0, 1}, Case{6, -8, .6}}) {
     lab::Shot shot = with(shotOf("crossing", 96, 96, {{"b_x", c.x}, {"b_y", c.y}}), "guertin2014",
                           {"tile=32", "limit=0.3", "tile_rule=all", "second_share=variance"});
-    shot.taps = {"tile_variance.variance"};
-    image::Image variance = render(shot).frame.taps.at("tile_variance.variance").floats;
+    shot.taps = {"direction_variance.variance"};
+    image::Image variance = render(shot).frame.taps.at("direction_variance.variance").floats;
     double both = 1 - (1 + c.cosine) / 2;
     // The right column is beside b alone, the bottom row beside neither.
     const double expected[3][3] = {{both, both, 0}, {both, both, 0}, {0, 0, 0}};
@@ -274,7 +274,7 @@ TEST_F(RenderGathers, TileVarianceIsOneMinusTheMeanAlignment) {
 // Displacements are looked up at most a quarter of a tile away: only pixels as near to a border of a tile can change.
 TEST_F(RenderGathers, TileJitterStaysWithinAQuarterOfATile) {
   auto color = [&](const std::string& tile_jitter) {
-    return colorOf(render(rowShot("bar", "guertin2014", "close", {"jitter=none", "tile_jitter=" + tile_jitter})));
+    return colorOf(render(rowShot("bar", "guertin2014", "end", {"jitter=none", "tile_jitter=" + tile_jitter})));
   };
   image::Image own = color("none");
   for (const char* choice : {"angle", "axis"}) {
@@ -304,7 +304,7 @@ TEST_F(RenderGathers, DirectionsTellWhatMovesAcross) {
                             {"a_height", 64},
                             {"a_x", 14}});
   auto beside = [&](const std::string& direction) {
-    lab::Shot shot = with(scene, "jimenez2014", {"tile=16", "limit=0.2", "direction=" + direction}, "close");
+    lab::Shot shot = with(scene, "jimenez2014", {"tile=16", "limit=0.2", "direction=" + direction}, "end");
     return colorOf(render(shot)).at(22, 40, 0);
   };
   EXPECT_GT(beside("none"), .3);
@@ -358,7 +358,7 @@ TEST_F(RenderGathers, JimenezOfAPanIsABoxFilter) {
 TEST_F(RenderGathers, AreLinearInTheColours) {
   for (const char* pipeline : {"jimenez2014", "guertin2014"}) {
     auto color = [&](double front, double back) {
-      return colorOf(render(rowShot("bar", pipeline, "close", {}, {{"foreground", front}, {"background", back}})));
+      return colorOf(render(rowShot("bar", pipeline, "end", {}, {{"foreground", front}, {"background", back}})));
     };
     image::Image front = color(1, 0), back = color(0, .25), both = color(1, .25), half = color(.5, .125);
     for (size_t i = 0; i < both.values.size(); ++i) {
@@ -380,7 +380,7 @@ TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
   Strips strips = stripes(20, 0);
   auto inner_error = [&](const std::string& weights) {
     lab::Shot shot = with(shotOf("textured_bar", kWidth, 8), hybridSteps(),
-                          {"composite=alpha_over", "tile=20", "limit=0.1", "weights=" + weights}, "close");
+                          {"composite=alpha_over", "tile=20", "limit=0.1", "weights=" + weights}, "end");
     image::Image color = colorOf(render(shot));
     double worst = 0;
     for (int x = 140; x < 160; ++x)
@@ -397,9 +397,9 @@ TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
 TEST_F(RenderGathers, WhatRestsInFrontIsNotLost) {
   for (const char* samples : {"samples=5", "samples=16"}) {
     lab::Shot shot = shotOf("textured_bar", kWidth, 8, motions(0, 20));
-    image::Image seen = colorOf(render(with(shot, "none", {}, "close")));
+    image::Image seen = colorOf(render(with(shot, "none", {}, "end")));
     image::Image color = colorOf(render(
-        with(shot, hybridSteps(), {"composite=alpha_over", "mask=all", "tile=20", "limit=0.1", samples}, "close")));
+        with(shot, hybridSteps(), {"composite=alpha_over", "mask=all", "tile=20", "limit=0.1", samples}, "end")));
     for (int x = 96; x < 160; ++x) EXPECT_NEAR(color.at(x, 4, 0), seen.at(x, 4, 0), 1e-6) << samples << " " << x;
   }
 }
@@ -441,10 +441,10 @@ TEST_F(RenderGathers, OrderAgainstTruth) {
   Numbers numbers = {{"b_left", 24}, {"b_top", 24},  {"b_y", 11},      {"a_left", 40},
                      {"a_top", 24},  {"a_width", 8}, {"a_height", 64}, {"a_x", 14}};
   lab::Shot scene = shotOf("crossing", 96, 96, numbers);
-  image::Image truth = colorOf(render(with(scene, "ground_truth", {"samples=64", "mark_regions=false"}, "close")));
+  image::Image truth = colorOf(render(with(scene, "ground_truth", {"samples=64", "mark_regions=false"}, "end")));
   auto error = [&](const char* directions) {
     lab::Shot shot = with(scene, "guertin2014", {"tile=16", "limit=0.2", fmt::format("directions={}", directions)});
-    return rmsDifference(colorOf(render(with(shot, "guertin2014", {}, "close"))), truth);
+    return rmsDifference(colorOf(render(with(shot, "guertin2014", {}, "end"))), truth);
   };
   EXPECT_LT(error("two"), .9 * error("one"));  // .073 and .101
 }

@@ -53,9 +53,9 @@ class RenderJumps : public RenderTest {
 // --- Cuts
 
 TEST_F(RenderJumps, ACutOfTheSceneIsThePictureWithoutBlur) {
-  const std::pair<std::string, double> cuts[] = {{"close", -.3},         {"close", 0}, {"centre", .2},
-                                                 {"centre", -.5 + 1e-6}, {"open", .5}, {"open", 1}};
-  image::Image sharp = drawn(jumps({}), {"none", {}}, "close");
+  const std::pair<std::string, double> cuts[] = {{"end", -.3},           {"end", 0},    {"centre", .2},
+                                                 {"centre", -.5 + 1e-6}, {"start", .5}, {"start", 1}};
+  image::Image sharp = drawn(jumps({}), {"none", {}}, "end");
   for (const auto& [anchor, cut] : cuts)
     for (const Method& method : methods())
       EXPECT_TRUE(identical(drawn(jumps({{"scene_cut", cut}}), method, anchor), sharp))
@@ -64,7 +64,7 @@ TEST_F(RenderJumps, ACutOfTheSceneIsThePictureWithoutBlur) {
 
 // The capture is on the other side of it, or the exposure does not reach it.
 TEST_F(RenderJumps, ACutOutsideOfTheExposureChangesNothing) {
-  const std::pair<std::string, double> cuts[] = {{"close", -1.01}, {"close", .1}, {"open", 0}, {"open", 1.01}};
+  const std::pair<std::string, double> cuts[] = {{"end", -1.01}, {"end", .1}, {"start", 0}, {"start", 1.01}};
   for (const auto& [anchor, cut] : cuts)
     for (const Method& method : methods()) {
       if (method.settings == std::vector<std::string>{"displacement=extrapolated"}) continue;  // the frame before is
@@ -77,12 +77,12 @@ TEST_F(RenderJumps, ACutOutsideOfTheExposureChangesNothing) {
 TEST_F(RenderJumps, ACutBeforeTheExposureIsNoPathToExtrapolate) {
   Method extrapolated{"hybrid", {"displacement=extrapolated"}};  // without rays at their own time
   EXPECT_TRUE(
-      identical(drawn(jumps({{"scene_cut", -1.5}}), extrapolated, "close"), drawn(jumps({}), {"none", {}}, "close")));
+      identical(drawn(jumps({{"scene_cut", -1.5}}), extrapolated, "end"), drawn(jumps({}), {"none", {}}, "end")));
 }
 
 TEST_F(RenderJumps, ACutOfOneThingStandsItStill) {
-  for (const char* anchor : {"close", "centre", "open"}) {
-    double cut = anchor == std::string("open") ? .4 : -.4;
+  for (const char* anchor : {"end", "centre", "start"}) {
+    double cut = anchor == std::string("start") ? .4 : -.4;
     expectAlike(jumps({{"a_cut", cut}}), jumps({{"a_x", 0}}), anchor, "object");
     expectAlike(jumps({{"camera_cut", cut}}), jumps({{"camera_x", 0}}), anchor, "camera");
   }
@@ -136,7 +136,7 @@ class RenderJumpsInGltf : public RenderJumps {
   static std::vector<image::Image> pictures(const lab::Shot& shot) {
     std::vector<image::Image> all;
     for (const Method& method : {methods()[0], Method{"hybrid_layered", {}}, methods()[9]})
-      all.push_back(drawn(shot, method, "close"));
+      all.push_back(drawn(shot, method, "end"));
     return all;
   }
   static void expectSame(const std::vector<image::Image>& a, const std::vector<image::Image>& b, const char* what) {
@@ -147,7 +147,7 @@ class RenderJumpsInGltf : public RenderJumps {
 TEST_F(RenderJumpsInGltf, ACutOfTheSceneOrOfTheShotIsThePictureWithoutBlur) {
   const Json cuts = {0.2, 0.45};
   lab::Shot moving = shot({}), option = moving;
-  const image::Image none = drawn(moving, {"none", {}}, "close");
+  const image::Image none = drawn(moving, {"none", {}}, "end");
   const std::vector<image::Image> sharp(3, none);
   for (const image::Image& blurred : pictures(moving)) EXPECT_FALSE(identical(blurred, none));
   option.cuts = "0.2,0.45";
@@ -177,7 +177,7 @@ TEST_F(RenderJumps, SharesOfTheMotionAreLessMotion) {
   no_objects.object_blur = 0;
   both.camera_blur = .25;
   both.object_blur = .5;
-  for (const char* anchor : {"close", "centre"}) {
+  for (const char* anchor : {"end", "centre"}) {
     expectAlike(half_camera, jumps({{"camera_x", 4}}), anchor, "half of the camera's");
     expectAlike(no_objects, jumps({{"a_x", 0}, {"b_y", 0}}), anchor, "none of the objects'");
     expectAlike(both, jumps({{"camera_x", 2}, {"a_x", 8}, {"b_y", 4}}), anchor, "both");
@@ -190,10 +190,10 @@ TEST_F(RenderJumps, WhatTheCameraFollowsStaysSharp) {
   lab::Shot followed = jumps(together);
   followed.camera_blur = 0;
   followed.follow = "a";
-  expectAlike(followed, jumps({{"a_x", 0}, {"camera_x", 0}}), "close", "followed");
+  expectAlike(followed, jumps({{"a_x", 0}, {"camera_x", 0}}), "end", "followed");
   lab::Shot left = jumps(together);
   left.camera_blur = 0;
-  EXPECT_GT(oracle::largestDifference(drawn(left, methods()[0], "close"), drawn(followed, methods()[0], "close")), .1);
+  EXPECT_GT(oracle::largestDifference(drawn(left, methods()[0], "end"), drawn(followed, methods()[0], "end")), .1);
   followed.follow = "nobody";
   EXPECT_THROW(render(with(followed, "none")), Error);
 }
@@ -206,8 +206,8 @@ TEST_F(RenderJumps, BetweenDepthsOtherThingsStandStill) {
   near.motion_depths = "90,102";
   far.motion_depths = "105,105";
   soft.motion_depths = "100,104,2";
-  expectAlike(all, jumps({}), "close", "all");
-  for (const char* anchor : {"close", "centre"}) {
+  expectAlike(all, jumps({}), "end", "all");
+  for (const char* anchor : {"end", "centre"}) {
     expectAlike(near, jumps({{"camera_x", 0}, {"b_y", 0}}), anchor, "near");
     expectAlike(far, jumps({{"camera_x", 0}, {"a_x", 0}}), anchor, "far");
     expectAlike(soft, jumps({{"camera_x", 0}, {"b_y", 4}}), anchor, "a metre of two beyond the end");
@@ -215,7 +215,7 @@ TEST_F(RenderJumps, BetweenDepthsOtherThingsStandStill) {
   lab::Shot none = jumps({});
   none.motion_depths = "1,2";
   for (const Method& method : methods())
-    EXPECT_LE(oracle::largestDifference(drawn(none, method, "close"), drawn(jumps({}), {"none", {}}, "close")), 1e-5)
+    EXPECT_LE(oracle::largestDifference(drawn(none, method, "end"), drawn(jumps({}), {"none", {}}, "end")), 1e-5)
         << method.pipeline;
 }
 
@@ -233,7 +233,7 @@ TEST_F(RenderJumps, AnExposureInSecondsIsTheSameAtAnyRate) {
       shot.fps = fps;
       shot.frame = int(fps / 2);
       shot.exposure_time = 1. / 48;
-      image::Image color = drawn(shot, method, "close");
+      image::Image color = drawn(shot, method, "end");
       if (first.values.empty()) first = color;
       EXPECT_TRUE(identical(color, first)) << method.pipeline << " " << fps;
     }

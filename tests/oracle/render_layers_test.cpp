@@ -106,7 +106,7 @@ void expectSimulated(const lab::Picture& picture, const Strips& strips, int samp
 class RenderLayers : public RenderTest {
  protected:
   lab::Picture layered(const Stripes& stripes, Case c, const std::string& mask, int samples = 32,
-                       const std::string& anchor = "close") {
+                       const std::string& anchor = "end") {
     std::vector<std::string> more = {"mask=" + mask, "edge=id", "own_edge=true"};
     return render(with(stripes.shot(c), hybridSteps(), settings(samples, more), anchor));
   }
@@ -215,7 +215,7 @@ TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {
     RowError both = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {}))), kGentle, c);
     EXPECT_LE(both.rms, .0065) << what;
     if (c.d_front * c.d_back > 0) continue;  // found without taps too, by asking twice
-    RowError none = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {"harvest=false"}))), kGentle, c);
+    RowError none = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {"search_taps=false"}))), kGentle, c);
     EXPECT_GE(none.rms, 5 * both.rms) << what;
   }
 }

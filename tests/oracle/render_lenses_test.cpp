@@ -106,7 +106,7 @@ TEST_F(RenderLenses, NearPlanesMoveFromWhatTheCaptureSees) {
   lab::Shot nearing = shot("/cameras/0/perspective/znear", 8.84f, .84f, true, kFov);
   nearing.moves = {"eye=0,0,-1"};
   nearing = with(nearing, "hybrid_traced", {}, "centre");
-  nearing.taps = {"unseen_open.unseen", "unseen_close.unseen"};
+  nearing.taps = {"disoccluded_at_open.disoccluded", "disoccluded_at_close.disoccluded"};
   const lab::Picture picture = render(nearing);
   const image::Image &open = picture.frame.taps.at(nearing.taps[0]).floats,
                      &close = picture.frame.taps.at(nearing.taps[1]).floats;
@@ -116,9 +116,9 @@ TEST_F(RenderLenses, NearPlanesMoveFromWhatTheCaptureSees) {
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
       EXPECT_EQ(close.at(x, y, 0), 0) << x << ' ' << y;
-      const double at_capture = std::abs(y + .5 - kHeight / 2.) * kStretch;
-      if (std::abs(x + .5 - kWidth / 2.) > beside - 1 || std::abs(at_capture - kHeight / 2.) < 1) continue;
-      const bool is_outside = at_capture > kHeight / 2.;
+      const double at_raster_time = std::abs(y + .5 - kHeight / 2.) * kStretch;
+      if (std::abs(x + .5 - kWidth / 2.) > beside - 1 || std::abs(at_raster_time - kHeight / 2.) < 1) continue;
+      const bool is_outside = at_raster_time > kHeight / 2.;
       EXPECT_EQ(open.at(x, y, 0) > .5f, is_outside) << x << ' ' << y;
       ++(is_outside ? unseen : seen);
     }
@@ -130,7 +130,7 @@ TEST_F(RenderLenses, NearPlanesMoveFromWhatTheCaptureSees) {
 TEST_F(RenderLenses, LightsFadeWithinTheExposure) {
   lab::Shot fading = shot("/extensions/KHR_lights_punctual/lights/0/intensity", 4, 0, false);
   auto middle = [&](const std::string& shading) {
-    lab::Picture picture = render(with(fading, "ground_truth", {"samples=64", "shading=" + shading}, "close"));
+    lab::Picture picture = render(with(fading, "ground_truth", {"samples=64", "shading=" + shading}, "end"));
     return colorOf(picture).at(kWidth / 2, kHeight / 2, 0);
   };
   double frozen = middle("frozen"), full = middle("full");

@@ -19,7 +19,7 @@ class RenderLists : public RenderTest {
     const Path project = sourceFolder() / "tests/oracle/project";
     lab::Workbench own(Home({project, home().shipped()}, home().data(), home().program()), bench());
     shot.taps = std::move(taps);
-    return own.render(with(shot, "lists", settings, "close"));
+    return own.render(with(shot, "lists", settings, "end"));
   }
 };
 

@@ -44,13 +44,13 @@ int countMissing(const image::Image& mask, const image::Image& from) {
 class RenderMasks : public RenderTest {
  protected:
   static lab::Picture masked(const lab::Shot& shot, const std::string& mask, std::vector<std::string> settings = {},
-                             const std::string& anchor = "close") {
+                             const std::string& anchor = "end") {
     settings.insert(settings.end(), {"mask=" + mask, "tile=8", "limit=0.25"});
     return render(with(shot, hybridSteps(), settings, anchor));
   }
   // The mask of one detector.
   static lab::Picture marked(const lab::Shot& shot, const std::string& mask, std::vector<std::string> settings = {},
-                             const std::string& anchor = "close") {
+                             const std::string& anchor = "end") {
     settings.insert(settings.end(), {"mask=" + mask, "tile=8", "limit=0.25"});
     return render(with(shot, hybridSteps(), settings, anchor));
   }
@@ -98,7 +98,7 @@ TEST_F(RenderMasks, OverABackgroundAtRestEveryMaskReachesTheBound) {
 TEST_F(RenderMasks, TilesKnowTheFarthestThatMoves) {
   constexpr int kTile = 8;
   lab::Shot shot = shotOf("crowd", 64, 40, {{"scale", .01}});
-  shot.taps = {"mask_tile_motions.farthest"};
+  shot.taps = {"tile_velocities.farthest"};
   const lab::Picture picture = marked(shot, "disocclusion");
   const image::Image &farthest = picture.frame.taps.at(shot.taps[0]).floats, &depth = imageOf(picture, "depth"),
                      &velocity = imageOf(picture, "velocity");
@@ -140,7 +140,7 @@ TEST_F(RenderMasks, SilhouettesAreWhereDisplacementsDiffer) {
                              {"z1", 0},
                              {"v1", 1},
                              {"d1", pair.right}});
-    shot.taps = {"mask_moving_silhouettes.near"};
+    shot.taps = {"moving_silhouettes.near"};
     const lab::Picture picture = render(with(shot, "hybrid_traced", {}));
     const image::Image& near = picture.frame.taps.at(shot.taps[0]).floats;
     EXPECT_NEAR(imageOf(picture, "velocity").at(15, 1, 0), pair.left, 1e-3);
@@ -249,7 +249,7 @@ TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
 TEST_F(RenderMasks, DamagedDisplacementsMoveByWhatIsLeftOfThem) {
   const Path project = sourceFolder() / "tests/oracle/project";
   lab::Workbench damaged(Home({project, home().shipped()}, home().data(), home().program()), bench());
-  const lab::Picture picture = damaged.render(with(shotOf("bar", 128, 16), "damaged_masks", {}, "close"));
+  const lab::Picture picture = damaged.render(with(shotOf("bar", 128, 16), "damaged_masks", {}, "end"));
   for (int x = 0; x < 8; ++x) {
     const bool moves = x / 2 == 1 || x / 2 == 2 || x % 2 == 1;  // infinite, or by 5 px down
     EXPECT_EQ(imageOf(picture, "mask").at(x, 8, 0) > .5f, moves) << x;

@@ -44,7 +44,7 @@ class RenderOwnTime : public RenderTest {
   static double largestError(const Bar& bar, const std::string& pipeline, std::vector<std::string> set = {},
                              int samples = kSamples) {
     set.insert(set.end(), {"tile=16", fmt::format("samples={}", samples)});
-    const lab::Picture picture = render(with(bar.shot(), pipeline, set, "close"));
+    const lab::Picture picture = render(with(bar.shot(), pipeline, set, "end"));
     double largest = 0;
     for (int x = 0; x < kWidth; ++x)
       largest = std::max(largest, std::abs(colorOf(picture).at(x, kRow, 0) - bar.sampledAt(x, samples)));
@@ -97,7 +97,7 @@ TEST_F(RenderOwnTime, OfDetailMeetsTextureBetweenPixels) {
 // Raster rounds places: at some pixels of the cage's wires it sees one where rays pass beside it, at some the other way
 // round. What rays at rest know of a pixel is what they see there themselves.
 TEST_F(RenderOwnTime, SilhouettesAtRestAreThoseOfRays) {
-  lab::Shot shot = with(shotOf("../objects/caged_fan", 320, 180, {}), "hybrid_traced", {}, "close");
+  lab::Shot shot = with(shotOf("../objects/caged_fan", 320, 180, {}), "hybrid_traced", {}, "end");
   const lab::Picture known = render(shot);
   shot.model_everything = true;  // every ray asks for what is at rest too
   EXPECT_LE(oracle::largestDifference(colorOf(known), colorOf(render(shot))), 1e-4)

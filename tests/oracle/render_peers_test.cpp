@@ -49,7 +49,7 @@ TEST_F(RenderPeers, BevyBlursNothingBeyondASilhouette) {
 TEST_F(RenderPeers, BevyTakesWhatGoesAwayForWhatComes) {
   lab::Shot shot = shotOf("textured_bar", kWidth, kRows,
                           {{"d_f", 20}, {"d_b", -12}, {"period_b", 8}, {"b_light", .2}, {"b_dark", .2}});
-  image::Image color = colorOf(render(with(shot, "bevy", {"samples=32"}, "close")));
+  image::Image color = colorOf(render(with(shot, "bevy", {"samples=32"}, "end")));
   // To the right of a bar that has come from the left nothing but the background of .2 is ever seen.
   EXPECT_GT(color.at(162, kRow, 0), .4);
   EXPECT_FLOAT_EQ(color.at(180, kRow, 0), .2f);
@@ -89,7 +89,7 @@ TEST_F(RenderPeers, Layers2024SeeAsFarAsTheyHaveLayers) {
     for (const Anchor& anchor : anchors()) {
       SCOPED_TRACE(fmt::format("{} layers, {}", layers, anchor.name));
       lab::Shot shot =
-          with(stacked(), "layers2024",
+          with(stacked(), "lee2024",
                {fmt::format("layer_count={}", layers), fmt::format("samples={}", kSamples), "tile=20"}, anchor.name);
       image::Image color = colorOf(render(shot));
       double worst = 0;
@@ -110,7 +110,7 @@ TEST_F(RenderPeers, Layers2024SeeAsFarAsTheyHaveLayers) {
 TEST_F(RenderPeers, Layers2024MissWhatHasLeft) {
   const Strips gone = {{260, 300, 60, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, kRows, {{"left", 260}, {"right", 300}, {"d_f", 60}});
-  image::Image color = colorOf(render(with(shot, "layers2024", {"layer_count=4"}, "close")));
+  image::Image color = colorOf(render(with(shot, "lee2024", {"layer_count=4"}, "end")));
   for (int x = 0; x < kWidth; ++x) EXPECT_EQ(color.at(x, kRow, 0), 0) << x;
   EXPECT_GT(exposeCentre(gone, kCloseAnchor, 230).colour, .4);
 }
@@ -118,7 +118,7 @@ TEST_F(RenderPeers, Layers2024MissWhatHasLeft) {
 // Its cost: each layer draws all that lies over each other at a pixel, while one ray behind a silhouette meets one
 // surface.
 TEST_F(RenderPeers, PeelingDrawsEverythingForEachLayer) {
-  lab::Picture picture = render(with(stacked(), "layers2024", {"layer_count=4"}, "close"));
+  lab::Picture picture = render(with(stacked(), "lee2024", {"layer_count=4"}, "end"));
   constexpr uint64_t kDrawn = 128 * kRows + 3 * 64 * kRows;  // wall, three cards
   for (int layer = 2; layer <= 4; ++layer)
     EXPECT_EQ(counterOf(picture, fmt::format("layer_{}_peel.fragments", layer)), kDrawn) << layer;
@@ -127,8 +127,8 @@ TEST_F(RenderPeers, PeelingDrawsEverythingForEachLayer) {
 // A pixel that is at none of its layers' paths knows of what passes over it by its tile alone.
 TEST_F(RenderPeers, Layers2024FindNothingOutsideByOwnDisplacements) {
   lab::Shot shot = shotOf("bar", kWidth, kRows);
-  image::Image own = colorOf(render(with(shot, "layers2024", {"paths=own"}, "close")));
-  image::Image tiles = colorOf(render(with(shot, "layers2024", {"paths=tiles", "samples=64"}, "close")));
+  image::Image own = colorOf(render(with(shot, "lee2024", {"paths=own"}, "end")));
+  image::Image tiles = colorOf(render(with(shot, "lee2024", {"paths=tiles", "samples=64"}, "end")));
   image::Image sharp = colorOf(render(with(shot, "none")));
   const Strips bar = {{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   for (int x = 70; x < 96; ++x) {
@@ -144,7 +144,7 @@ TEST_F(RenderPeers, Layers2024FindNothingOutsideByOwnDisplacements) {
 TEST_F(RenderPeers, HdrpBlursFartherThanItsTilesAreWide) {
   const Strips bar = {{160, 224, 90, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, 16, {{"left", 160}, {"right", 224}, {"d_f", 90}});
-  shot = with(shot, "hdrp", {"samples=64"}, "close");
+  shot = with(shot, "hdrp", {"samples=64"}, "end");
   shot.taps = {"scatter_max.dominant"};
   lab::Picture picture = render(shot);
   const image::Image& dominant = picture.frame.taps.at(shot.taps[0]).floats;
@@ -189,7 +189,7 @@ lab::Shot crossing(double a_x) {
 
 TEST_F(RenderPeers, HdrpLosesOneOfTwoMotionsInATile) {
   auto color = [](double a_x, const std::string& pipeline, const std::vector<std::string>& settings) {
-    return colorOf(render(with(crossing(a_x), pipeline, settings, "close")));
+    return colorOf(render(with(crossing(a_x), pipeline, settings, "end")));
   };
   const std::vector<std::string> one_tile = {"tile=96"};
   image::Image alone = color(0, "hdrp", one_tile), crossed = color(12, "hdrp", one_tile), sharp = color(12, "none", {});
@@ -204,7 +204,7 @@ TEST_F(RenderPeers, HdrpLosesOneOfTwoMotionsInATile) {
 // What the weights are for: what moves across the dominant displacement is not smeared along it.
 TEST_F(RenderPeers, HdrpSpreadsNothingAcrossItsOwnMotion) {
   auto beside = [](const std::string& pipeline) {
-    return colorOf(render(with(crossing(12), pipeline, {"tile=96"}, "close"))).at(36, 36, 0);
+    return colorOf(render(with(crossing(12), pipeline, {"tile=96"}, "end"))).at(36, 36, 0);
   };
   EXPECT_NEAR(beside("hdrp"), .2, 1e-6);
   EXPECT_GT(beside("jimenez2014"), .3);
@@ -218,7 +218,7 @@ const Strips kStriped = {{96, 160, 20, {.9, .6, 8, 96}}, {-kInfinity, kInfinity,
 
 lab::Shot oneRay(int levels, int seed) {
   lab::Shot shot =
-      with(shotOf("textured_bar", kWidth, kTallRows), "temporal1", {fmt::format("octaves={}", levels)}, "close");
+      with(shotOf("textured_bar", kWidth, kTallRows), "oberberger2022", {fmt::format("octaves={}", levels)}, "end");
   shot.seed = uint32_t(seed);
   return shot;
 }
@@ -279,7 +279,7 @@ TEST_F(RenderPeers, Temporal1BlursWhatRestsAlongWhatMoves) {
   // Of stripes at rest under a bar of one colour the contrast is what is left of them by the bar's share of the time.
   lab::Shot shot = shotOf("textured_bar", kWidth, kTallRows, {{"f_light", .25}, {"f_dark", .25}, {"period_b", 2}});
   auto contrast = [&](int levels) {
-    image::Image color = colorOf(render(with(shot, "temporal1", {fmt::format("octaves={}", levels)}, "close")));
+    image::Image color = colorOf(render(with(shot, "oberberger2022", {fmt::format("octaves={}", levels)}, "end")));
     double sum = 0;
     for (int x = 80; x < 92; x += 4) sum += meanOfColumn(color, x) - meanOfColumn(color, x + 2);
     return sum / 3;

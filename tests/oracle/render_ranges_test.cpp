@@ -180,7 +180,7 @@ TEST_F(RenderRanges, SplitCompositesAreExactWhereMotionBends) {
 TEST_F(RenderRanges, OneSidedExposuresHaveOnePart) {
   lab::Shot shot = kTextured[0].shot();
   for (const Method& method : kSplitting)
-    for (const char* anchor : {"close", "open"}) {
+    for (const char* anchor : {"end", "start"}) {
       image::Image whole = colorBy(method, shot, {}, anchor), split = colorBy(method, shot, {"range=split"}, anchor);
       EXPECT_TRUE(identical(whole, split)) << method.name() << " " << anchor;
     }
@@ -339,7 +339,7 @@ TEST_F(RenderRanges, WhatIsNotThereDoesNotMoveWithTheTurningCamera) {
   lab::Shot shot = crowd();
   shot.spins = {"camera=0,1,0,8"};
   shot = with(shot, "hybrid_layered", {"range=split"}, "centre");
-  shot.taps = {"revealed_halves.before", "revealed_halves.after"};
+  shot.taps = {"revealed_segments.velocity_pre", "revealed_segments.velocity_post"};
   const lab::Picture picture = render(shot);
   const image::Image& depth = imageOf(picture, "revealed_depth");
   int there = 0, nothing = 0;
@@ -378,7 +378,7 @@ TEST_F(RenderRanges, PicturePansWithTheMovingCamera) {
 TEST_F(RenderRanges, WhatWasBehindTheCameraIsExtrapolatedFromTheNearPlane) {
   lab::Shot shot = crowd({{"speed", 0}});
   shot.moves = {"camera=0,0,30"};
-  lab::Picture picture = pictureBy({"mcguire2012", {}}, shot, {"displacement=extrapolated"}, "open");
+  lab::Picture picture = pictureBy({"mcguire2012", {}}, shot, {"displacement=extrapolated"}, "start");
   const image::Image &depth = imageOf(picture, "depth"), &velocity = imageOf(picture, "velocity");
   const double near = .5 * 1.001, exposure = .5;
   for (int y = 0; y < 40; ++y)

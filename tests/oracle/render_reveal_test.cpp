@@ -204,7 +204,7 @@ TEST_F(RenderReveal, WhatLuminancePassesThroughIsCounted) {
   for (int split : {0, 1}) {
     lab::Shot shot = with(Planes{.split = split}.shot(), hybridSteps(),
                           {"mask=all", "termination=luminance", "advance=origin_kept"});
-    EXPECT_EQ(counterOf(render(shot), "reveal.passed"), split ? uint64_t(kWidth * kHeight) : 0u) << split;
+    EXPECT_EQ(counterOf(render(shot), "ray_reveal.passed"), split ? uint64_t(kWidth * kHeight) : 0u) << split;
   }
 }
 
@@ -299,7 +299,7 @@ TEST_F(RenderReveal, MotionPassesWhatGoesAlong) {
       EXPECT_EQ(std::isfinite(depth), is_other) << d_back << " " << depth;
       EXPECT_EQ(imageOf(picture, "revealed_valid").at(x, 1, 0), 1) << d_back;
     }
-    EXPECT_EQ(counterOf(picture, "reveal.capped"), 0u) << d_back;
+    EXPECT_EQ(counterOf(picture, "ray_reveal.capped"), 0u) << d_back;
   }
 }
 

@@ -78,8 +78,8 @@ TEST_F(RenderSelective, MoreEffortTracesMoreAndErrsLess) {
 TEST_F(RenderSelective, GathersWhereAllMovesAlike) {
   constexpr int kSamples = 8, kBorder = 30;
   const lab::Shot alike = shotOf("textured_bar", 128, 40, {{"d_f", 16}, {"d_b", 16}});
-  const lab::Picture own = at(alike, .4, {"samples=8"}, "close");
-  const image::Image sharp = colorOf(render(with(alike, "none", {}, "close")));
+  const lab::Picture own = at(alike, .4, {"samples=8"}, "end");
+  const image::Image sharp = colorOf(render(with(alike, "none", {}, "end")));
   double worst = 0;
   for (int y = 10; y < 30; ++y)
     for (int x = kBorder; x < 128 - kBorder; ++x) {
@@ -89,7 +89,7 @@ TEST_F(RenderSelective, GathersWhereAllMovesAlike) {
       worst = std::max(worst, std::abs(colorOf(own).at(x, y, 0) - sum / kSamples));
     }
   EXPECT_LE(worst, 1e-6);
-  EXPECT_GE(counterOf(own, "refined_time.gathered"), 128u * 40 / 3);
+  EXPECT_GE(counterOf(own, "adaptive_times.gathered"), 128u * 40 / 3);
 }
 
 // What the capture does not show is found by rays: a bar that was in the picture only before the capture, one that is
@@ -102,7 +102,7 @@ TEST_F(RenderSelective, FindsWhatTheCaptureDoesNotSee) {
     SCOPED_TRACE(bar.left);
     const lab::Shot moving = shotOf("bar", 64, 12, {{"left", bar.left}, {"right", bar.right}, {"d_f", bar.d}});
     const Strips exact = {{bar.left, bar.right, bar.d, {1}}, {-kInfinity, kInfinity, 0, {0}}};
-    const lab::Picture own = at(moving, .7, {}, "close");
+    const lab::Picture own = at(moving, .7, {}, "end");
     for (int x = 0; x < 64; ++x)
       EXPECT_NEAR(colorOf(own).at(x, 6, 0), exposeCentre(exact, kCloseAnchor, x).colour, 1. / 32 + 1e-4) << x;
   }
@@ -111,9 +111,9 @@ TEST_F(RenderSelective, FindsWhatTheCaptureDoesNotSee) {
 // Something that no displacement of the capture tells of comes before what rests or moves alike: rays of the cells see
 // it.
 TEST_F(RenderSelective, RaysRefuteCellsThatSeemCertain) {
-  const lab::Picture own = at(shotOf("bar", 64, 40, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), .4, {}, "close");
-  EXPECT_GT(counterOf(own, "uniform_motion.checked"), counterOf(own, "uniform_motion.refuted"));
-  EXPECT_GT(counterOf(own, "uniform_motion.refuted"), 0u);
+  const lab::Picture own = at(shotOf("bar", 64, 40, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), .4, {}, "end");
+  EXPECT_GT(counterOf(own, "coherent_cells.checked"), counterOf(own, "coherent_cells.mismatched"));
+  EXPECT_GT(counterOf(own, "coherent_cells.mismatched"), 0u);
 }
 
 // Raster puts the left edge of a card at rest, a thousandth of a pixel to the right of a pixel's centre, on that centre
@@ -130,7 +130,7 @@ TEST_F(RenderSelective, CardsAtRestBeginWhereRaysMeetThem) {
                                    {"right1", 170},
                                    {"z1", -5},
                                    {"v1", kBehind},
-                                   {"d1", anchor.name == "close" ? -6 : 6}});
+                                   {"d1", anchor.name == "end" ? -6 : 6}});
     const image::Image sharp = colorOf(render(with(shot, "none"))), color = colorOf(at(shot, .4, {}, anchor.name));
     for (int y = 0; y < color.height; ++y) {
       EXPECT_FLOAT_EQ(sharp.at(30, y, 0), kCard) << anchor.name << ' ' << y;
@@ -147,8 +147,8 @@ TEST_F(RenderSelective, RaysLookAtThePictureAlone) {
       "crossing", 64, kHigh, {{"a_left", -200}, {"a_width", 400}, {"a_top", -8}, {"a_height", 8 + kHigh}, {"a_x", 12}});
   for (const Anchor& anchor : anchors()) {
     const lab::Picture own = at(moves, .4, {}, anchor.name);
-    EXPECT_GT(counterOf(own, "uniform_motion.checked"), 0u) << anchor.name;
-    EXPECT_EQ(counterOf(own, "uniform_motion.refuted"), 0u) << anchor.name;
+    EXPECT_GT(counterOf(own, "coherent_cells.checked"), 0u) << anchor.name;
+    EXPECT_EQ(counterOf(own, "coherent_cells.mismatched"), 0u) << anchor.name;
   }
 }
 

@@ -212,7 +212,7 @@ class RenderShadingInMotion : public RenderShading {
   static image::Image truth(const Lit& lit, const std::string& shading, std::vector<std::string> moves,
                             std::vector<std::string> spins = {}) {
     lab::Shot shot = with(lit.shot(), "ground_truth",
-                          {fmt::format("samples={}", kTimes), "times=midpoint", "shading=" + shading}, "close");
+                          {fmt::format("samples={}", kTimes), "times=midpoint", "shading=" + shading}, "end");
     shot.exposure = 1;
     shot.moves = std::move(moves), shot.spins = std::move(spins);
     return colorOf(render(shot));

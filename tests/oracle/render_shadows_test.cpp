@@ -18,9 +18,11 @@ class RenderShadows : public RenderTest {
   // Draws the shot with shafts and without, and expects one picture.
   static lab::Picture expectSame(const lab::Shot& shot, const std::string& what) {
     lab::Picture by_tiles = render(shot);
-    lab::Picture by_rays = render(with(shot, shot.pipeline, {"shadow_shafts.shafts=false"}));
+    lab::Picture by_rays = render(with(shot, shot.pipeline, {"tile_light_visibility.per_tile=false"}));
     EXPECT_TRUE(identical(colorOf(by_tiles), colorOf(by_rays))) << what;
-    EXPECT_EQ(counterOf(by_rays, "shadow_shafts.free_shafts") + counterOf(by_rays, "shadow_shafts.stopped_shafts"), 0u)
+    EXPECT_EQ(counterOf(by_rays, "tile_light_visibility.visible_lights") +
+                  counterOf(by_rays, "tile_light_visibility.blocked_lights"),
+              0u)
         << what;
     EXPECT_LE(raysOf(by_tiles), raysOf(by_rays)) << what;
     return by_tiles;
@@ -33,8 +35,8 @@ TEST_F(RenderShadows, TilesAreToldWhatTheirRaysFind) {
   uint64_t free = 0, stopped = 0;
   for (int seed = 1; seed <= 24; ++seed) {
     lab::Picture picture = expectSame(occluders(seed), fmt::format("seed {}", seed));
-    free += counterOf(picture, "shadow_shafts.free_shafts");
-    stopped += counterOf(picture, "shadow_shafts.stopped_shafts");
+    free += counterOf(picture, "tile_light_visibility.visible_lights");
+    stopped += counterOf(picture, "tile_light_visibility.blocked_lights");
   }
   EXPECT_GT(free, 500u);
   EXPECT_GT(stopped, 1000u);
@@ -68,7 +70,7 @@ TEST_F(RenderShadows, MostRaysInARoomAreNotTraced) {
   shot.width = 320;
   shot.height = 180;
   lab::Picture by_tiles = expectSame(shot, "living room");
-  EXPECT_LT(raysOf(by_tiles), 3 * raysOf(render(with(shot, "none", {"shadow_shafts.shafts=false"}))) / 5);
+  EXPECT_LT(raysOf(by_tiles), 3 * raysOf(render(with(shot, "none", {"tile_light_visibility.per_tile=false"}))) / 5);
 }
 
 // Structures of drivers cannot be walked: each ray is traced there.
@@ -79,7 +81,9 @@ TEST_F(RenderShadows, OtherBackendsTraceEachRay) {
   lab::Picture own = render(shot);
   shot.backend = "query";
   lab::Picture query = render(shot);
-  EXPECT_EQ(counterOf(query, "shadow_shafts.free_shafts") + counterOf(query, "shadow_shafts.stopped_shafts"), 0u);
+  EXPECT_EQ(counterOf(query, "tile_light_visibility.visible_lights") +
+                counterOf(query, "tile_light_visibility.blocked_lights"),
+            0u);
   EXPECT_GT(counterOf(query, "shade.rays_query"), raysOf(own));
 }
 

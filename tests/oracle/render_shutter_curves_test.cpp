@@ -226,7 +226,7 @@ TEST_F(RenderShutterCurves, RaysAtTheirOwnTimeFollowTheCurve) {
     lab::Shot shot = curved(shotOf("bar", 64, 4, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), curve.text);
     const Exact exact(Strips{{70.3, 90.3, 40, {1}}, {}}, curve, kCloseAnchor);
     expectWithin(
-        drawn(shot, "hybrid_traced", "close", {"samples=32", "tile=16", "composite.taps=nearest"}),
+        drawn(shot, "hybrid_traced", "end", {"samples=32", "tile=16", "composite.taps=nearest"}),
         [&](int x, int) { return exact.at(x); },
         [&](const Exposure& e) { return e.variation * (.5 / 32 + curve.stated) + 1e-3; }, curve.text);
   }
@@ -257,11 +257,11 @@ TEST_F(RenderShutterCurves, TapsOfMcGuireAndGuertinLieWhereTheCurveHasThem) {
           return guertinAt(row, 20, x,
                            {.samples = samples, .jitter = jitter, .window = anchor.window, .time_of = time_of});
         });
-        if (anchor.name == "open" || samples % 2 == 0) continue;
+        if (anchor.name == "start" || samples % 2 == 0) continue;
         check("mcguire2012", samples, [&](int x, double jitter) {
           return mcguireAt(
               row, 20, x,
-              {.samples = samples, .jitter = jitter, .one_sided = anchor.name == "close", .time_of = time_of});
+              {.samples = samples, .jitter = jitter, .one_sided = anchor.name == "end", .time_of = time_of});
         });
       }
     }
@@ -276,8 +276,8 @@ TEST_F(RenderShutterCurves, MirroredWindowsStayMirrored) {
   for (const Curve& curve : curves())
     for (Method method : methods) {
       method.settings.insert(method.settings.end(), {"samples=15", "tile=16", "limit=0.2", "jitter=none"});
-      image::Image forward = drawn(curved(whiteBar(20), curve.text), method.pipeline, "close", method.settings);
-      image::Image back = drawn(curved(whiteBar(-20), curve.mirrored), method.pipeline, "open", method.settings);
+      image::Image forward = drawn(curved(whiteBar(20), curve.text), method.pipeline, "end", method.settings);
+      image::Image back = drawn(curved(whiteBar(-20), curve.mirrored), method.pipeline, "start", method.settings);
       EXPECT_LE(oracle::largestDifference(forward, back), 2e-6) << method.pipeline << " " << curve.text;
     }
 }

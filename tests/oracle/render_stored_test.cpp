@@ -34,7 +34,7 @@ struct Keeper {
 const std::vector<Kept> kSeen = {
     {"gbuffer.velocity", "velocity"}, {"gbuffer.depth", "depth"}, {"shade.color", "color"}};
 const std::vector<Kept> kRevealed = {
-    {"reveal.velocity", "velocity"}, {"reveal.depth", "depth"}, {"reveal.color", "color"}};
+    {"ray_reveal.velocity", "velocity"}, {"ray_reveal.depth", "depth"}, {"ray_reveal.color", "color"}};
 
 std::vector<Kept> joined(std::vector<Kept> list, const std::vector<Kept>& more) {
   list.insert(list.end(), more.begin(), more.end());
@@ -42,10 +42,10 @@ std::vector<Kept> joined(std::vector<Kept> list, const std::vector<Kept>& more) 
 }
 
 std::vector<Keeper> keepers() {
-  std::vector<Kept> parts = {{"halves.before", "velocity"},
-                             {"halves.after", "velocity"},
-                             {"revealed_halves.before", "velocity"},
-                             {"revealed_halves.after", "velocity"}};
+  std::vector<Kept> parts = {{"segments.velocity_pre", "velocity"},
+                             {"segments.velocity_post", "velocity"},
+                             {"revealed_segments.velocity_pre", "velocity"},
+                             {"revealed_segments.velocity_post", "velocity"}};
   std::vector<Kept> blurred = {{"gather_raster.blurred", "color"}, {"gather_revealed.blurred", "color"}};
   std::vector<Keeper> list = {
       {"mcguire2012", {}, kSeen},

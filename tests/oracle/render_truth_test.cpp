@@ -305,7 +305,7 @@ TEST_F(RenderTruth, SamplesOnceWhatNothingReaches) {
     SCOPED_TRACE(times);
     std::vector<std::string> settings = {"samples=9", fmt::format("times={}", times)};
     lab::Picture once = render(with(shot, "ground_truth", settings));
-    settings.insert(settings.end(), {"truth_first.once_where_still=false", "truth_trace.once_where_still=false"});
+    settings.insert(settings.end(), {"truth_first.static_once_per_loop=false", "sample.static_once_per_loop=false"});
     lab::Picture always = render(with(shot, "ground_truth", settings));
     for (const char* output : {"color", "error", "inner", "hidden", "outer"})
       EXPECT_TRUE(identical(imageOf(once, output), imageOf(always, output))) << output;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of mixin/stored.glsl run on chosen numbers, against what half floats and depth encodings are by
+// The functions of mixin/quantised.glsl run on chosen numbers, against what half floats and depth encodings are by
 // definition: the list of all half floats, and 1 - n/z in double precision.
 #include <fmt/format.h>
 
@@ -64,7 +64,7 @@ const char* kPreamble = R"(#version 460
 #define depth_encoding_reversed 1
 #define depth_encoding_inverse 2
 #define depth_encoding_unorm24 3
-#define SLICE_CAPTURE 0
+#define SLICE_RASTER 0
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0, std430) buffer Io { vec4 io[]; };
 struct Camera { float near; };
@@ -82,7 +82,7 @@ class StoredNumbers : public RenderTest {
     padded.resize((values.size() + 3) / 4 * 4, 0.0f);
     gpu::Device& device = bench().device();
     std::string main =
-        "#include \"mixin/stored.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
+        "#include \"mixin/quantised.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
         "  if (i >= io.length()) return;\n  vec4 v = io[i];\n  " +
         body + "\n  io[i] = v;\n}\n";
     std::string pattern = (std::filesystem::temp_directory_path() / "strobe_stored_XXXXXX").string();
@@ -107,15 +107,15 @@ class StoredNumbers : public RenderTest {
   }
 
   static Result colors(const char* format, const Floats& values) {
-    return run(fmt::format("#define PARAM_color_format color_format_{}\n", format), "v = storedColor(v);", values);
+    return run(fmt::format("#define PARAM_color_format color_format_{}\n", format), "v = quantisedColor(v);", values);
   }
   static Result velocities(const char* format, const Floats& values) {
     return run(fmt::format("#define PARAM_velocity_format velocity_format_{}\n", format),
-               "v = vec4(storedVelocity(v.xy), storedVelocity(v.zw));", values);
+               "v = vec4(quantisedVelocity(v.xy), quantisedVelocity(v.zw));", values);
   }
   static Result depths(const char* encoding, float near, const Floats& values) {
     return run(fmt::format("#define PARAM_depth_encoding depth_encoding_{}\n", encoding),
-               "for (int c = 0; c < 4; ++c) v[c] = storedDepth(v[c]);", values, near);
+               "for (int c = 0; c < 4; ++c) v[c] = quantisedDepth(v[c]);", values, near);
   }
 
  private:

@@ -122,9 +122,9 @@ Builder masked() {
 Builder reached(const std::string& filtered_format) {
   Builder b;
   b.compute("base", {}, {"x rgba16f"});
-  b.compute("mask", {{"x", "base.x"}}, {"m r8_unorm"}).without = {without("reached", {{"m", ""}})};
+  b.compute("mask", {{"x", "base.x"}}, {"m r8_unorm"}).without = {without("moving_rect", {{"m", ""}})};
   b.compute("filter", {{"x", "base.x"}, {"m", "mask.m"}}, {"z " + filtered_format}).without = {
-      without("reached", {{"z", "x"}})};
+      without("moving_rect", {{"z", "x"}})};
   b.output("color", "filter.z");
   return b;
 }
@@ -142,8 +142,8 @@ Names copied(const Plan& plan) {
 TEST(Omission, WhereNothingReachesAReadIsCopiedAndZerosAreCleared) {
   Plan plan = planned(reached("rgba16f"), {});
   EXPECT_EQ(order(plan), (Names{"base", "mask", "filter"}));
-  EXPECT_FALSE(plan.nodes[0].within_reach);
-  EXPECT_TRUE(plan.nodes[1].within_reach && plan.nodes[2].within_reach);
+  EXPECT_FALSE(plan.nodes[0].in_moving_rect);
+  EXPECT_TRUE(plan.nodes[1].in_moving_rect && plan.nodes[2].in_moving_rect);
   EXPECT_EQ(cleared(plan), Names{"mask.m"});
   EXPECT_EQ(copied(plan), Names{"base.x to filter.z"});
   EXPECT_TRUE(plan.images[size_t(findImage(plan, "mask.m"))].zero_outside);
@@ -152,8 +152,8 @@ TEST(Omission, WhereNothingReachesAReadIsCopiedAndZerosAreCleared) {
 
 TEST(Omission, WhatStandsInOutsideHasTheFormatOfTheWrite) {
   Plan plan = planned(reached("rgba32f"), {});
-  EXPECT_TRUE(plan.nodes[1].within_reach);
-  EXPECT_FALSE(plan.nodes[2].within_reach);
+  EXPECT_TRUE(plan.nodes[1].in_moving_rect);
+  EXPECT_FALSE(plan.nodes[2].in_moving_rect);
   EXPECT_TRUE(copied(plan).empty());
 }
 
@@ -161,10 +161,10 @@ TEST(Omission, WhatStandsInOutsideHasTheFormatOfTheWrite) {
 TEST(Omission, WhatStandsInOutsideIsNotOfAPassThatRunsThere) {
   for (const std::string format : {"rgba16f", "rgba32f"}) {
     Builder b = reached(format);
-    b.compute("last", {{"x", "filter.z"}}, {"z " + format}).without = {without("reached", {{"z", "x"}})};
+    b.compute("last", {{"x", "filter.z"}}, {"z " + format}).without = {without("moving_rect", {{"z", "x"}})};
     b.output("other", "last.z");
     Plan plan = planned(b, {});
-    EXPECT_EQ(plan.nodes[3].within_reach, plan.nodes[2].within_reach) << format;
+    EXPECT_EQ(plan.nodes[3].in_moving_rect, plan.nodes[2].in_moving_rect) << format;
   }
 }
 
@@ -174,9 +174,9 @@ TEST(Omission, NobodyCopiesWhatNobodyLooksAtOutside) {
     for (bool is_output : {false, true}) {
       Builder b;
       b.compute("base", {}, {"x rgba16f"});
-      b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("reached", {{"z", "x"}})};
+      b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("moving_rect", {{"z", "x"}})};
       PassDesc& last = b.compute("last", {{"x", "filter.z"}}, {"z rgba16f"});
-      last.without = {without("reached", {{"z", "x"}})};
+      last.without = {without("moving_rect", {{"z", "x"}})};
       last.reads[0].pointwise = pointwise;
       b.output("color", "last.z");
       if (is_output) b.output("filtered", "filter.z");
@@ -190,9 +190,9 @@ TEST(Omission, NobodyCopiesWhatNobodyLooksAtOutside) {
 TEST(Omission, PixelsOfAnotherSizeAreLookedAt) {
   Builder b;
   b.compute("base", {}, {"x rgba16f"});
-  b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("reached", {{"z", "x"}})};
+  b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("moving_rect", {{"z", "x"}})};
   PassDesc& last = b.compute("last", {{"x", "filter.z"}}, {"m r8_unorm"});
-  last.without = {without("reached", {{"m", ""}})};
+  last.without = {without("moving_rect", {{"m", ""}})};
   last.reads[0].pointwise = true;
   last.size = {SizeDesc::Kind::Fixed, "", "", 2, 2};
   b.output("color", "last.m");
@@ -207,11 +207,11 @@ TEST(Omission, WhatALoopStopsByRunsOutsideToo) {
     b.beginLoop("times", 4, stops ? "stop.y" : "");
     PassDesc& stop = b.compute("stop", {{"x", "base.x"}}, {"y"});
     stop.size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
-    stop.without = {without("reached", {{"y", "x"}})};
+    stop.without = {without("moving_rect", {{"y", "x"}})};
     b.compute("sum", {{"y", "stop.y"}}, {}, {"s"});
     b.endLoop();
     b.output("color", "sum.s");
-    EXPECT_EQ(planned(b, {}).nodes[1].within_reach, !stops);
+    EXPECT_EQ(planned(b, {}).nodes[1].in_moving_rect, !stops);
   }
 }
 
@@ -219,9 +219,9 @@ TEST(Omission, WhatALoopStopsByRunsOutsideToo) {
 TEST(Omission, ZerosOutsideShareMemoryAmongThemselves) {
   Builder b;
   b.compute("a", {}, {"x"});
-  b.compute("b", {{"x", "a.x"}}, {"y"}).without = {without("reached", {{"y", ""}})};
+  b.compute("b", {{"x", "a.x"}}, {"y"}).without = {without("moving_rect", {{"y", ""}})};
   b.compute("c", {{"y", "b.y"}}, {"z"});
-  b.compute("d", {{"z", "c.z"}}, {"y"}).without = {without("reached", {{"y", ""}})};
+  b.compute("d", {{"z", "c.z"}}, {"y"}).without = {without("moving_rect", {{"y", ""}})};
   b.compute("e", {{"y", "d.y"}}, {"z"});
   b.output("color", "e.z");
   Plan plan = planned(b, {});

@@ -672,9 +672,10 @@ TEST(Refusals, RaysAtTimesNobodyBuildsAStructureFor) {
   Builder b;
   b.trace("rays", {}, {"hit"});
   b.output("color", "rays.hit");
-  b.node("rays").time = "open";
+  b.node("rays").time = "shutter_open";
   EXPECT_EQ(refusal(b.pipeline),
-            "test.lua:1: trace node 'rays' has time 'open'; rays see the capture or, in a loop, the sample");
+            "test.lua:1: trace node 'rays' has time 'shutter_open'; rays trace the scene at the raster time or, in a "
+            "loop, at the sample");
 }
 
 TEST(Refusals, AllAtOnce) {

@@ -106,11 +106,11 @@ void copyHome(const TemporaryFolder& home) {
 TEST(BadInput, ShaderErrorsNameTheUsersLine) {
   TemporaryFolder home;
   copyHome(home);
-  fs::path shader = home.path() / "shaders/scene/shade.glsl";
+  fs::path shader = home.path() / "shaders/gbuffer/shade.glsl";
   std::string text = contentOf(shader);
   auto lines = std::count(text.begin(), text.end(), '\n');
   writeText(shader, text + "float broken() { return missing_name; }\n");
-  expectRefusal("render none" + kScene, 1, fmt::format("shaders/scene/shade.glsl:{}: 'missing_name'", lines + 1),
+  expectRefusal("render none" + kScene, 1, fmt::format("shaders/gbuffer/shade.glsl:{}: 'missing_name'", lines + 1),
                 "STROBE_HOME=" + home.path().string());
   writeText(shader, text + "float broken() { return texelFetch(hti_tex, ivec2(0), 0).x; }\n");
   expectRefusal("render none" + kScene, 1, "did you mean 'hit_tex'?", "STROBE_HOME=" + home.path().string());

@@ -112,11 +112,12 @@ TEST_F(Capture, AnEditedCommentChangesHashesOfFilesAlone) {
   EXPECT_EQ(is, was);
   Outcome diff = run("diff " + path("first") + " " + path("second"));
   EXPECT_EQ(diff.exit_code, 0) << "the pictures are the same";
-  EXPECT_NE(diff.out.find("input altered: strobe:passes/scene/reveal.lua\n  line 1: -- SPDX"), std::string::npos)
+  EXPECT_NE(diff.out.find("input altered: strobe:passes/hybrid/ray_reveal.lua\n  line 1: -- SPDX"), std::string::npos)
       << diff.out;
   Outcome verified = run("verify " + path("first"), home);
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
-  EXPECT_NE(verified.out.find("input altered: strobe:shaders/scene/reveal.glsl"), std::string::npos) << verified.out;
+  EXPECT_NE(verified.out.find("input altered: strobe:shaders/hybrid/ray_reveal.glsl"), std::string::npos)
+      << verified.out;
 }
 
 // One constant in a shader of each pass: what each writes, moved a little.
@@ -161,7 +162,7 @@ TEST_F(Capture, OneUnitInTheLastPlaceOfOnePixelIsFound) {
   const std::string home = copiedHome();
   ASSERT_EQ(capture("out", "--only card.none", home).exit_code, 0);
   replaceIn("home/shaders/scene/shade.glsl", "imageStore(color_img, pixel, ",
-            "if (pixel == ivec2(5, 7)) { vec4 one = storedColor(vec4(color, 1)); one.y = "
+            "if (pixel == ivec2(5, 7)) { vec4 one = quantisedColor(vec4(color, 1)); one.y = "
             "uintBitsToFloat(floatBitsToUint(one.y) + 1u); imageStore(color_img, pixel, one); return; }\n  "
             "imageStore(color_img, pixel, ");
   Outcome verified = run("verify " + path("out") + " --json -o " + path("maps"), home);

@@ -102,7 +102,7 @@ TEST_F(Exr, OnePartAsOpenImageIoReadsIt) {
 
 // Every pass: what the record says of each image is what the file holds.
 TEST_F(Exr, PartsAsOpenImageIoReadsThem) {
-  std::string taps = "--tap neighbour_max.dominant --tap tile_max.longest --tap mask_bounds.bounds --tap reveal.id";
+  std::string taps = "--tap neighbour_max.dominant --tap tile_max.longest --tap mask_bounds.bounds --tap ray_reveal.id";
   std::string file = drawn("hybrid_layered", "--multipart --cryptomatte " + taps);
   image::ExrFile read = image::readExr(file);
   std::set<std::string> sizes;
@@ -186,7 +186,7 @@ TEST_F(Exr, OptionsOfExrFilesNeedOne) {
   writeText(folder_ / "bare.lua", R"lua(
 local pipeline = require "strobe.pipeline"
 local scene = require "scripts.pipelines.lib.scene"
-return pipeline { doc = "no ids", build = function() return { color = scene.captured().color } end }
+return pipeline { doc = "no ids", build = function() return { color = scene.raster().color } end }
 )lua");
   Outcome outcome = run("render " + (folder_ / "bare.lua") + kShot + " --cryptomatte -o " + (folder_ / "bare.exr"));
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;

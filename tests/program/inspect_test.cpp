@@ -30,7 +30,7 @@ TEST(Inspect, APictureWithoutANameGoesToOut) {
 
 // An option takes one value: what follows is the pipeline.
 TEST(Inspect, ThePipelineMayFollowAnOption) {
-  for (const char* options : {"--size 32x18", "--frame 2", "--anchor open"}) {
+  for (const char* options : {"--size 32x18", "--frame 2", "--anchor start"}) {
     Outcome outcome = run(std::string("plan ") + options + " none");
     EXPECT_EQ(outcome.exit_code, 0) << options << ": " << outcome.err;
   }

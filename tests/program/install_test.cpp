@@ -63,7 +63,7 @@ TEST_F(Installed, RendersAndChecks) {
   Json record = Json::parse(contentOf(project() / "out/smear.record.json"));
   std::string files = record.dump();
   for (const char* file :
-       {"project:pipelines/smear.lua", "strobe:passes/scene/gbuffer.lua", "strobe:scripts/scenes/oracles/bar.lua"})
+       {"project:pipelines/smear.lua", "strobe:passes/gbuffer/gbuffer.lua", "strobe:scripts/scenes/oracles/bar.lua"})
     EXPECT_NE(files.find("\"" + std::string(file) + "\""), std::string::npos) << file;
   Outcome sound = strobeIn(project(), "check smear none");
   EXPECT_EQ(sound.exit_code, 0) << sound.err;
@@ -119,7 +119,7 @@ TEST_F(Completion, KnowsCommandsOptionsAndChoices) {
   EXPECT_EQ(of("strobe render --an"), "--anchor --animation ");
   EXPECT_EQ(of("strobe render none --anchor c"), "close centre ");
   EXPECT_EQ(of("strobe compare --flip-curve a"), "aces ");
-  EXPECT_EQ(of("strobe render none --anchor close -o "), " ") << "a file";
+  EXPECT_EQ(of("strobe render none --anchor end -o "), " ") << "a file";
   EXPECT_EQ(of("strobe stability --invariant stil"), "still ");
 }
 

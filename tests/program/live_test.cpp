@@ -160,7 +160,7 @@ TEST_F(Live, WatchesAProjectAndWhatShips) {
     fs::copy(strobe::home().shipped() / part, home / part, fs::copy_options::recursive);
   std::string environment = "STROBE_HOME=" + home.string();
   ASSERT_EQ(run("new " + project.string(), environment).exit_code, 0);
-  std::string shade = home / "shaders/scene/shade.glsl", own = project / "shaders/smear.glsl";
+  std::string shade = home / "shaders/gbuffer/shade.glsl", own = project / "shaders/smear.glsl";
   std::string green = std::regex_replace(contentOf(shade), std::regex("vec4\\(color, 1\\)"), "vec4(0, 1, 0, 1)");
   writeText(folder_ / "shade.glsl", contentOf(shade));
   writeText(folder_ / "green.glsl", green);
@@ -173,7 +173,7 @@ TEST_F(Live, WatchesAProjectAndWhatShips) {
                         "smear"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_GT(greenPixels(image::readPng(picture("shipped.png"))), 500u);
-  EXPECT_NE(outcome.err.find("reloaded strobe:shaders/scene/shade.glsl"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("reloaded strobe:shaders/gbuffer/shade.glsl"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("\n  shaders/smear.glsl:"), std::string::npos) << outcome.err;
 }
 

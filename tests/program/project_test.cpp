@@ -55,11 +55,9 @@ class Project : public ::testing::Test {
     EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
   }
 
-  // A pass that ships, under the name `mine`.
+  // Copy of a shipped pass in the project, as `mine`; its file names it.
   void addMember(const std::string& family, const std::string& shipped) const {
-    std::string pass = contentOf(sourceFolder() / "passes" / family / (shipped + ".lua"));
-    pass = std::regex_replace(pass, std::regex("(\"" + family + "[_/])" + shipped), "$1mine");
-    write("passes/" + family + "/mine.lua", pass);
+    write("passes/" + family + "/mine.lua", contentOf(sourceFolder() / "passes" / family / (shipped + ".lua")));
     write("shaders/" + family + "/mine.glsl", contentOf(sourceFolder() / "shaders" / family / (shipped + ".glsl")));
   }
 
@@ -78,7 +76,7 @@ TEST_F(Project, Runs) {
   EXPECT_NE(inside("help smear.taps").out.find("averaged colours"), std::string::npos);
   std::string record = contentOf(path("pipelines/out/a.record.json"));
   for (const char* file : {"project:pipelines/smear.lua", "project:passes/smear.lua", "project:shaders/smear.glsl",
-                           "strobe:passes/scene/gbuffer.lua", "strobe:shaders/lib/hit.glsl"})
+                           "strobe:passes/gbuffer/gbuffer.lua", "strobe:shaders/lib/hit.glsl"})
     EXPECT_NE(record.find("\"" + std::string(file) + "\""), std::string::npos) << file;
   EXPECT_EQ(inside("render none" + kSmall).exit_code, 0);
   EXPECT_NE(run("plan smear").err.find("there is no pipeline 'smear'"), std::string::npos);  // outside of it
@@ -265,12 +263,13 @@ TEST_F(Project, IsCheckedWithWhatShips) {
   EXPECT_NE(sound.out.find("\n" + sourceFolder().string() + ": "), std::string::npos) << sound.out;
   addMember("edge", "roberts");
   std::string pass = contentOf(path("passes/edge/mine.lua"));
-  write("passes/edge/mine.lua", std::regex_replace(pass, std::regex("edge_mine"), "edge_sobel"));
+  write("passes/edge/mine.lua",
+        std::regex_replace(pass, std::regex("compute \\{"), "compute { name = \"edge/sobel\","));
   write("experiments/half.lua", "return require 'strobe.experiment' { title = 'Half' }");
   Outcome wrong = inside("check");
   EXPECT_EQ(wrong.exit_code, 1);
   for (const char* mistake :
-       {"passes/edge/mine.lua:6: another pass is called 'edge_sobel': strobe:passes/edge/sobel.lua:",
+       {"passes/edge/mine.lua:6: another pass is called 'edge/sobel': strobe:passes/edge/sobel.lua:",
         "experiments/half.lua:1: "})
     EXPECT_NE(wrong.err.find(mistake), std::string::npos) << wrong.err;
   EXPECT_EQ(inside("check smeer").exit_code, 2);
@@ -283,7 +282,7 @@ TEST_F(Project, IsMarkedInHelp) {
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with("  "))
       EXPECT_EQ(line.find("[project]") != std::string::npos, line.starts_with("  smear ")) << line;
-  EXPECT_NE(inside("help edge_sobel").out.find("`strobe:passes/edge/sobel.lua`, `strobe:shaders/edge/"),
+  EXPECT_NE(inside("help edge/sobel").out.find("`strobe:passes/edge/sobel.lua`, `strobe:shaders/edge/"),
             std::string::npos);
 }
 

@@ -28,8 +28,8 @@ return capture {
     { name = "jimenez2014", pipeline = "jimenez2014" },
     { name = "bevy", pipeline = "bevy" },
     { name = "hdrp", pipeline = "hdrp" },
-    { name = "layers2024", pipeline = "layers2024" },
-    { name = "temporal1", pipeline = "temporal1" },
+    { name = "lee2024", pipeline = "lee2024" },
+    { name = "oberberger2022", pipeline = "oberberger2022" },
     { name = "selective", pipeline = "selective" },
     { name = "accumulation", pipeline = "accumulation" },
     { name = "traced", pipeline = "hybrid_traced" },
@@ -64,7 +64,7 @@ TEST(SecondDriver, GivesEveryPipelineItsPicture) {
       // What is left is the filter of the checker's texture: a mean FLIP of 0.0125 for each method. Truth of 8 samples
       // all over a pixel was measured at 0.036, and 0.028 where a pixel has one ray: a ray that falls to the other side
       // of a silhouette is all that it sees.
-      bool by_few_rays = name.starts_with("card.truth") || name.starts_with("card.temporal1");
+      bool by_few_rays = name.starts_with("card.truth") || name.starts_with("card.oberberger2022");
       if (layer.contains("flip")) EXPECT_LE(layer.at("flip").get<double>(), by_few_rays ? 0.05 : 0.02) << name;
     }
 }

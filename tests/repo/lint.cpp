@@ -20,7 +20,8 @@ bool endsWithAny(const std::string& text, const std::vector<std::string>& ends) 
 bool isCpp(const std::string& path) { return endsWithAny(path, {".h", ".cpp", ".inc"}); }
 
 bool isSource(const std::string& path) {
-  if (path == "strobe" || path == ".ci/run" || path.ends_with("CMakeLists.txt")) return true;
+  static const std::set<std::string> scripts = {"strobe", ".ci/run", "docs/pictures/make", "tools/same_pictures"};
+  if (scripts.count(path) || path.ends_with("CMakeLists.txt")) return true;
   return isCpp(path) || endsWithAny(path, {".glsl", ".lua", ".cmake", ".py", ".sh"});
 }
 

@@ -121,6 +121,11 @@ TEST(Lint, FindsWhatMixinsDoNotSay) {
             "shaders/lib/a.glsl: is no pure function, ");
   EXPECT_EQ(lint("shaders/mixin/a.glsl", "// x\n// Needs: nothing.\nint f;\n"),
             "shaders/mixin/a.glsl: needs nothing: belongs to lib/\n");
+  EXPECT_EQ(
+      lint("shaders/mixin/a.glsl", "// x\n// Needs: b_tex; may have: c_tex.\nb_at(p);\n#if HAS_c\nc_at(p);\n#endif\n"),
+      "");
+  EXPECT_EQ(lint("shaders/mixin/a.glsl", "// x\n// Needs: nothing; may have: b_buf.\n#if HAS_b\nb_buf.x;\n#endif\n"),
+            "");
   std::string uses = "#include \"mixin/below.glsl\"\n#if HAS_b\nb_tex; count_d(1u);\n#endif\n#if PARAM_e\nscene_x[0]\n";
   EXPECT_EQ(
       lint("shaders/mixin/a.glsl", "// x\n// Needs: PARAM_e, a_tex, scene; may have: b_tex,\n//   count_d.\n" + uses),

@@ -219,7 +219,8 @@ Findings lintPointwise(const std::vector<Source>& sources) {
   for (const Source& source : sources) files[source.path] = &source;
   Findings findings;
   auto look = [&](const Source& source, const std::string& name) {
-    const std::regex texture("\\b" + name + "_tex\\b"), lookup("\\btexelFetch\\(" + name + "_tex, pixel, 0\\)");
+    const std::regex texture("\\b" + name + "_(tex\\b|at\\()");
+    const std::regex lookup("\\b(texelFetch\\(" + name + "_tex, pixel, 0\\)|" + name + "_at\\(pixel\\))");
     forLines(source.text, [&](int number, const std::string& line) {
       const bool is_note = line.starts_with("//");
       if (!is_note && std::regex_search(std::regex_replace(line, lookup, ""), texture))
@@ -227,10 +228,13 @@ Findings lintPointwise(const std::vector<Source>& sources) {
     });
   };
   for (const Source& pass : sources) {
+    const std::string folder = "passes/";
+    if (!pass.path.starts_with(folder)) continue;
     std::smatch file;
-    if (!pass.path.starts_with("passes/") || !std::regex_search(pass.text, file, shader)) continue;
+    std::string name = pass.path.substr(folder.size(), pass.path.rfind(".lua") - folder.size());
+    if (std::regex_search(pass.text, file, shader)) name = file[1];
     std::set<const Source*> found;
-    addWithIncludes(files, "shaders/" + file[1].str() + ".glsl", found);
+    addWithIncludes(files, "shaders/" + name + ".glsl", found);
     forMatches(pass.text, read, [&](const std::string& name) {
       for (const Source* source : found) look(*source, name);
     });

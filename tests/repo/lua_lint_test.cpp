@@ -48,6 +48,11 @@ TEST(LuaLint, FindsWhatIsNotReadPointwise) {
             "shaders/list/a.glsl:2: 'seen' is read pointwise\n");
   EXPECT_EQ(lint("#include \"mixin/b.glsl\"\n"), "shaders/mixin/b.glsl:1: 'seen' is read pointwise\n");
   EXPECT_EQ(lint("vec4 a = texelFetch(unseen_tex, at, 0);\n"), "");
+  EXPECT_EQ(lint("vec4 a = seen_at(pixel) + hit_at(other);\n"), "");
+  EXPECT_EQ(lint("vec4 a = seen_at(other);\n"), "shaders/list/a.glsl:1: 'seen' is read pointwise\n");
+  const Source named_by_path{"passes/list/a.lua", "reads = { seen = { pointwise = true, doc = \"x\" } }\n"};
+  EXPECT_EQ(joined(lintPointwise({named_by_path, {"shaders/list/a.glsl", "vec4 a = seen_at(other);\n"}})),
+            "shaders/list/a.glsl:1: 'seen' is read pointwise\n");
 }
 
 TEST(LuaLint, FindsRequiresOfAFloorAbove) {

@@ -23,17 +23,21 @@ struct Needs {
 
 std::string withoutComment(const std::string& line) { return line.substr(0, line.find("//")); }
 
-// The name that a match of `pattern` below needs.
-std::string nameOf(const std::smatch& match) {
+// The name that a match of `pattern` below needs; `text` tells the buffers.
+std::string nameOf(const std::smatch& match, const std::string& text) {
   std::string name = match.str();
-  if (name.starts_with("HAS_")) return name.substr(4) + "_tex";
+  if (name.starts_with("HAS_")) {
+    std::string read = name.substr(4);
+    return read + (text.find(read + "_buf") == std::string::npos ? "_tex" : "_buf");
+  }
+  if (name.ends_with("_at")) return name.substr(0, name.size() - 3) + "_tex";
   if (name == "scene_top_levels" || name == "scene_bvh") return "rays";
   return name.starts_with("scene_") ? "scene" : name;
 }
 
 // Names of a text without what it includes. What stands behind `#if HAS_x` or `#if defined(PARAM_x)` is optional.
 Needs ownNeeds(const std::string& text) {
-  static const std::regex pattern(R"(params\.\w+|\b(PARAM|HAS|scene|count)_\w+|\b\w+_(tex|img|out)\b)");
+  static const std::regex pattern(R"(params\.\w+|\b(PARAM|HAS|scene|count)_\w+|\b\w+_(tex|at|img|out|buf)\b)");
   static const std::regex opens(R"(^\s*#\s*if)"), closes(R"(^\s*#\s*endif)"), asks(R"(HAS_|defined\(PARAM_)");
   Needs needs;
   std::vector<bool> conditions;
@@ -45,7 +49,7 @@ Needs ownNeeds(const std::string& text) {
     if (std::regex_search(code, closes) && !conditions.empty()) conditions.pop_back();
     for (std::sregex_iterator match(code.begin(), code.end(), pattern), end; match != end; ++match) {
       bool asked = match->str().starts_with("HAS_") || code.find("defined(" + match->str() + ")") != std::string::npos;
-      (optional || asked ? needs.optional : needs.needed).insert(nameOf(*match));
+      (optional || asked ? needs.optional : needs.needed).insert(nameOf(*match, text));
     }
   }
   return needs;

@@ -15,13 +15,13 @@ static std::string errorWith(const std::string& value) {
   const std::string file = folder / "x.lua";
   writeFileAtomically(file, R"(local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
-local shade    = require "passes.scene.shade"
+local shade    = require "passes.gbuffer.shade"
 local gathers  = require "scripts.pipelines.lib.gathers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 return pipeline { doc = "x", params = options.blur(40), build = function(p)
-  local seen = scene.captured()
+  local seen = scene.raster()
   local around = tiles.dominant(p, seen)
   local images = gathers.images(seen, around)
   local wrong = )" + value + R"(
@@ -54,7 +54,7 @@ TEST(Fields, MisspeltOnesAreErrors) {
 
 TEST(Fields, ThatMayBeAbsentReadAsNil) {
   for (const char* value :
-       {"assert(seen.depth)", "assert(seen.curve == nil)", "assert(images.behind_depth == nil)",
+       {"assert(seen.depth)", "assert(seen.curve == nil)", "assert(images.background_depth == nil)",
         "assert(pipeline.optional(seen, 'mask') == nil)", "assert(pipeline.optional(seen, 'depth') == seen.depth)",
         "assert(pipeline.optional(shade { hit = seen.hit, as = 'again' }, 'color'))",
         "assert(rawget(seen, 'mask') == nil)", "assert(pipeline.record('x', { 'a' }) { b = 1 }.a == nil)"})

@@ -68,10 +68,10 @@ TEST_F(ProjectSession, TakesInEditsOfBothRoots) {
   std::string two_taps = colorHash(session);
   EXPECT_NE(two_taps, first);
 
-  home_.edit("shaders/scene/shade.glsl", "storedColor(vec4(color, 1))", "storedColor(vec4(0.5 * color, 1))");
+  home_.edit("shaders/gbuffer/shade.glsl", "quantisedColor(vec4(color, 1))", "quantisedColor(vec4(0.5 * color, 1))");
   told = session.reload(true);
   ASSERT_TRUE(told);
-  EXPECT_EQ(told->changed, Names{"strobe:shaders/scene/shade.glsl"});
+  EXPECT_EQ(told->changed, Names{"strobe:shaders/gbuffer/shade.glsl"});
   EXPECT_TRUE(told->problems.empty()) << joined(told->problems);
   EXPECT_NE(colorHash(session), two_taps);
 }
@@ -93,12 +93,12 @@ TEST_F(ProjectSession, MistakesNameTheirRootAndThePictureStays) {
   edit(kPass, "of = \"color\"", "of = \"colour\"");
   expect_problem("passes/smear.lua:10: ");
   edit(kPass, "of = \"colour\"", "of = \"color\"");
-  home_.edit("shaders/scene/shade.glsl", "vec3 color;", "vec3 colour;");
-  expect_problem("strobe:shaders/scene/shade.glsl:");
-  home_.edit("shaders/scene/shade.glsl", "vec3 colour;", "vec3 color;");
-  home_.edit("passes/scene/gbuffer.lua", "doc ", "doc_ ");
-  expect_problem("strobe:passes/scene/gbuffer.lua:");
-  home_.edit("passes/scene/gbuffer.lua", "doc_ ", "doc ");
+  home_.edit("shaders/gbuffer/shade.glsl", "vec3 color;", "vec3 colour;");
+  expect_problem("strobe:shaders/gbuffer/shade.glsl:");
+  home_.edit("shaders/gbuffer/shade.glsl", "vec3 colour;", "vec3 color;");
+  home_.edit("passes/gbuffer/gbuffer.lua", "doc ", "doc_ ");
+  expect_problem("strobe:passes/gbuffer/gbuffer.lua:");
+  home_.edit("passes/gbuffer/gbuffer.lua", "doc_ ", "doc ");
   session.reload(true);
   EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
   EXPECT_EQ(colorHash(session), picture);
@@ -110,7 +110,7 @@ TEST_F(ProjectSession, FollowsTheExposure) {
   constexpr double kLeft = 32, kRight = 96, kDisplacement = 20;
   constexpr int kTaps = 64;
   lab::Workbench own(home(), bench());
-  for (const auto& [anchor, from] : {std::pair<std::string, double>{"close", -1}, {"centre", -0.5}, {"open", 0}}) {
+  for (const auto& [anchor, from] : {std::pair<std::string, double>{"end", -1}, {"centre", -0.5}, {"start", 0}}) {
     lab::Shot shot = smallShot("smear", 128, 8);
     shot.scene = "oracles/bar";
     shot.anchor = anchor;

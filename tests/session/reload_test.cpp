@@ -189,12 +189,12 @@ TEST_F(ReloadTest, AFileSavedInTwoStepsIsOneReload) {
 TEST_F(ReloadTest, FilesSavedOneAfterAnotherAreOneReload) {
   Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
-  const std::string before = colorHash(session), good = home_.read("shaders/mask/relative.glsl");
-  home_.write("shaders/mask/relative.glsl", "void run(ivec2 pixel) { nonsense }");
-  home_.edit("shaders/composite/layered.glsl", "fromSum(sum / n)", "fromSum(0.5 * sum / n)");
+  const std::string before = colorHash(session), good = home_.read("shaders/layered/disocclusion_mask.glsl");
+  home_.write("shaders/layered/disocclusion_mask.glsl", "void run(ivec2 pixel) { nonsense }");
+  home_.edit("shaders/layered/layered_composite.glsl", "fromSum(sum / n)", "fromSum(0.5 * sum / n)");
   expectNoReload(session, "a mistake in one of two files");
   EXPECT_EQ(colorHash(session), before);
-  home_.write("shaders/mask/relative.glsl", good);
+  home_.write("shaders/layered/disocclusion_mask.glsl", good);
   Reload told = awaited(session);
   EXPECT_EQ(joined(told.problems), "");
   EXPECT_EQ(joined(told.rebuilt), "composite");
@@ -285,31 +285,33 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
   // GLSL: one shader broken, another changed.
-  std::string good = home_.read("shaders/mask/relative.glsl"), before = colorHash(session);
-  home_.write("shaders/mask/relative.glsl", "void run(ivec2 pixel) { nonsense }");
-  home_.edit("shaders/composite/layered.glsl", "fromSum(sum / n)", "fromSum(0.5 * sum / n)");
+  std::string good = home_.read("shaders/layered/disocclusion_mask.glsl"), before = colorHash(session);
+  home_.write("shaders/layered/disocclusion_mask.glsl", "void run(ivec2 pixel) { nonsense }");
+  home_.edit("shaders/layered/layered_composite.glsl", "fromSum(sum / n)", "fromSum(0.5 * sum / n)");
   auto told = session.reload(true);
   ASSERT_TRUE(told);
   EXPECT_EQ(joined(told->rebuilt), "composite");
-  EXPECT_NE(joined(told->problems).find("shaders/mask/relative.glsl:1"), std::string::npos) << joined(told->problems);
+  EXPECT_NE(joined(told->problems).find("shaders/layered/disocclusion_mask.glsl:1"), std::string::npos)
+      << joined(told->problems);
   EXPECT_NE(colorHash(session), before);
-  home_.write("shaders/mask/relative.glsl", good);
+  home_.write("shaders/layered/disocclusion_mask.glsl", good);
   told = session.reload(true);
   EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
   expectColdStart(session, "GLSL");
 
   // Lua: one pass broken, another with a new parameter.
-  good = home_.read("passes/mask/relative.lua");
-  home_.write("passes/mask/relative.lua", "return nothing at all");
-  home_.edit("passes/lib/layered.lua", "harvest  ",
-             "dimmed = param.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest  ");
-  home_.edit("shaders/composite/layered.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
+  good = home_.read("passes/layered/disocclusion_mask.lua");
+  home_.write("passes/layered/disocclusion_mask.lua", "return nothing at all");
+  home_.edit("passes/lib/layered_composite.lua", "search_taps  ",
+             "dimmed = param.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    search_taps  ");
+  home_.edit("shaders/layered/layered_composite.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
   told = session.reload(true);
   ASSERT_TRUE(told);
-  EXPECT_NE(joined(told->problems).find("passes/mask/relative.lua:1"), std::string::npos) << joined(told->problems);
+  EXPECT_NE(joined(told->problems).find("passes/layered/disocclusion_mask.lua:1"), std::string::npos)
+      << joined(told->problems);
   EXPECT_TRUE(told->swapped);
   session.set("composite.dimmed", "0.25", "window");
-  home_.write("passes/mask/relative.lua", good);
+  home_.write("passes/layered/disocclusion_mask.lua", good);
   told = session.reload(true);
   EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
   EXPECT_NE(joined(told->kept).find("composite.dimmed = 0.25"), std::string::npos);
@@ -466,8 +468,9 @@ void reachedFrom(const EditableHome& home, const std::string& file, std::set<std
 TEST_F(ReloadTest, CompilesWhatDependsOnTheEditAndNothingElse) {
   Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
-  for (const char* file : {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/mixin/camera.glsl",
-                           "shaders/mask/relative.glsl", "shaders/shared/bindings.glsl", "shaders/mixin/jitter.glsl"}) {
+  for (const char* file :
+       {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/mixin/camera.glsl",
+        "shaders/layered/disocclusion_mask.glsl", "shaders/shared/bindings.glsl", "shaders/mixin/jitter.glsl"}) {
     std::set<std::string> closure;
     const plan::Plan& plan = session.plan();
     for (const auto& node : plan.nodes) {

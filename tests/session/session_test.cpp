@@ -65,7 +65,7 @@ TEST_F(SessionTest, OptionsOfTheShotAreValuesToo) {
   EXPECT_NE(colorHash(session), before);
   session.set("exposure", "0.5", "window");
   EXPECT_EQ(colorHash(session), before);
-  session.set("anchor", "open", "window");
+  session.set("anchor", "start", "window");
   EXPECT_NE(colorHash(session), before);
   session.set("size", "32x18", "window");
   EXPECT_EQ(session.draw().outputs.at("color").floats.width, 32);
@@ -100,7 +100,7 @@ TEST_F(SessionTest, WhatIsRefusedChangesNothing) {
   EXPECT_NE(refusal("sample", "8").find("did you mean 'samples'"), std::string::npos) << refusal("sample", "8");
   EXPECT_NE(refusal("samples", "0").find("min"), std::string::npos) << refusal("samples", "0");
   EXPECT_NE(refusal("exposure", "-1").find("min"), std::string::npos) << refusal("exposure", "-1");
-  EXPECT_NE(refusal("anchor", "clos").find("close"), std::string::npos);
+  EXPECT_NE(refusal("anchor", "clos").find("end"), std::string::npos);
   EXPECT_NE(refusal("backend", "x").find("auto"), std::string::npos);
   EXPECT_NE(refusal("size", "3").find("WIDTHxHEIGHT"), std::string::npos);
   EXPECT_NE(refusal("gather_raster.sampels", "3").find("did you mean"), std::string::npos);

@@ -43,7 +43,7 @@ class Shaders : public ::testing::Test {
   }
 
   std::vector<std::string> unused(const std::vector<Path>& files) {
-    return unusedNames(home(), interface_, files, namesUsed(home(), files));
+    return nameProblems(home(), interface_, files, namesUsed(home(), files));
   }
 
   Path folder_;
@@ -58,6 +58,16 @@ const char* kGood =
     "#endif\n"
     "  imageStore(result_img, p, f * texelFetch(depth_tex, p, 0));\n"
     "}\n";
+
+TEST_F(Shaders, AChoiceThatAParameterLacksIsNamed) {
+  std::string text = kGood;
+  text.replace(text.find("mode_double"), 11, "mode_dubble");
+  EXPECT_EQ(errorOf(text), "");  // the preprocessor takes the name as 0
+  std::vector<std::string> problems = unused({folder_ / "scale.glsl"});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].find("compares PARAM_mode with mode_dubble"), std::string::npos) << problems[0];
+  EXPECT_NE(problems[0].find("did you mean 'mode_double'"), std::string::npos) << problems[0];
+}
 
 TEST_F(Shaders, NamesNeedNoNumbers) {
   EXPECT_EQ(errorOf(kGood), "");
@@ -138,13 +148,13 @@ TEST_F(Shaders, WhatASceneDoesNotHaveLeavesNoTrace) {
     in.raster = in.scene = true;
     in.writes = {{"hit", "rgba32ui", true, false}};
     for (const char* fact : {"alpha", "blend", "one_sided", "shadows"}) in.facts.push_back({fact, true});
-    in.facts.push_back({"bends", bends});
-    return compilePass(home(), in, home().at("shaders/scene/visibility.vert.glsl"), Stage::Vertex).spirv;
+    in.facts.push_back({"deforms", bends});
+    return compilePass(home(), in, home().at("shaders/gbuffer/visibility.vert.glsl"), Stage::Vertex).spirv;
   };
   auto names = [](const std::vector<uint32_t>& spirv) {
     return std::string(reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(uint32_t));
   };
-  EXPECT_NE(names(words(true)).find("first_bending"), std::string::npos);
+  EXPECT_NE(names(words(true)).find("first_deformed"), std::string::npos);
   EXPECT_NE(names(words(true)).find("SceneBentVert"), std::string::npos);
   for (const char* trace : {"bend", "bent", "Bend", "Bent"})
     EXPECT_EQ(names(words(false)).find(trace), std::string::npos) << trace;

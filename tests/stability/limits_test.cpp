@@ -56,7 +56,7 @@ TEST_F(Limits, ShortenedDisplacementsAreCountedAndSaid) {
 }
 
 TEST_F(Limits, PathsExtrapolatedFromTheNearPlaneAreSaid) {
-  lab::Shot shot = with(crowd("mcguire2012"), "mcguire2012", {"limit=10"}, "close");
+  lab::Shot shot = with(crowd("mcguire2012"), "mcguire2012", {"limit=10"}, "end");
   shot.moves = {"camera=0,0,30"};
   std::vector<std::string> warnings = warningsOf(shot);  // such paths are long as well
   ASSERT_EQ(warnings.size(), 2u);
@@ -74,7 +74,7 @@ TEST_F(Limits, MotionExtrapolatedBeyondItsFrameIsSaid) {
 
 // The clip of `bent` has keys from -8 to 8 exposures, which are 1/48 s each, and does not end as it begins again.
 TEST_F(Limits, ExposuresThatLeaveAClipAreSaid) {
-  lab::Shot shot = with(shotOf("bent", 32, 8), "none", {}, "close");
+  lab::Shot shot = with(shotOf("bent", 32, 8), "none", {}, "end");
   const double exposure_s = 1. / 48;
   auto warningsAt = [&](double frames_per_second, int frame) {
     shot.fps = frames_per_second;

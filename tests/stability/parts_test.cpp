@@ -77,7 +77,7 @@ script::Settings settingsOf(const lab::Shot& shot) {
 
 TEST(Shrunk, LeavesWhatTheFailureNeeds) {
   lab::Shot shot = sized({}, 64, 40);
-  shot.anchor = "open";
+  shot.anchor = "start";
   for (const auto& [name, value] : script::Settings{{"weights", "x"},
                                                     {"scene.seed", 7},
                                                     {"scene.cards", 6},
@@ -102,7 +102,7 @@ TEST(Shrunk, LeavesWhatTheFailureNeeds) {
     return value("scene.cards") >= 2 && value("samples") >= 3;
   };
   lab::Shot small = shrunk(shot, pipeline, {{"weights", "x"}}, fails, 1000);
-  EXPECT_EQ(small.anchor, "close");
+  EXPECT_EQ(small.anchor, "end");
   EXPECT_EQ(small.width, 24);
   EXPECT_EQ(settingsOf(small), (script::Settings{{"samples", 3},
                                                  {"scene.cards", 2},

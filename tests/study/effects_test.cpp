@@ -28,7 +28,7 @@ struct Made {
     results.axes.push_back(axis);
   }
   void group(const std::string& shot, std::vector<std::pair<std::string, Json>> at, double error) {
-    PointGroup group{shot, "close", std::move(at), {}};
+    PointGroup group{shot, "end", std::move(at), {}};
     for (const ArmSummary& arm : results.arms) {
       Point point;
       point.arm = arm.name, point.role = arm.role;

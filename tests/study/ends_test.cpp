@@ -91,7 +91,7 @@ TEST(Counts, OfTruthsAreDistinct) {
 Results partial() {
   Results results;
   for (int g = 0; g < 3; ++g) {
-    PointGroup group{"bar", "close", {}, {}};
+    PointGroup group{"bar", "end", {}, {}};
     for (const char* arm : {"truth", "none", "hybrid"}) {
       Point point;
       point.arm = arm, point.key = arm + std::to_string(arm == std::string("truth") ? g / 2 : g);

@@ -74,7 +74,7 @@ TEST(Points, SetWhatTheirAxesName) {
   EXPECT_EQ(hybrid.camera, "tracking");
   EXPECT_EQ(hybrid.width, 160);
   EXPECT_EQ(lab::commandOf(hybrid),
-            "strobe render hybrid --scene living_room --size 160x90 --exposure 0.5 --anchor close --camera tracking "
+            "strobe render hybrid --scene living_room --size 160x90 --exposure 0.5 --anchor end --camera tracking "
             "--set preset=text --set samples=16 -o out.exr");
   EXPECT_EQ(truth.exposure, 0.5) << "options of the shot are truth's too";
   EXPECT_NE(lab::commandOf(truth).find("--set samples=64"), std::string::npos) << "parameters of arms are not";

@@ -54,7 +54,7 @@ Results made(const Path& folder, int width, int height, const std::vector<int>& 
   for (const ShotSummary& shot : results.shots)
     for (int sample : samples)
       for (int tile : tiles) {
-        PointGroup group{shot.name, "close", {{"samples", sample}, {"tile", tile}}, {}};
+        PointGroup group{shot.name, "end", {{"samples", sample}, {"tile", tile}}, {}};
         auto add = [&](const std::string& arm, Role role, double error, double ms) {
           Point point;
           point.arm = arm, point.role = role;

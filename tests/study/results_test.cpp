@@ -46,7 +46,7 @@ Results made() {
   for (double value : {1.0, 3.0, 10.0, 30.0, 100.0}) {
     axis.values.push_back(value);
     axis.labels.push_back(fmt::format("{:g}", value));
-    PointGroup group{"shot", "close", {{"speed", value}}, {of("truth", Role::truth, 0)}};
+    PointGroup group{"shot", "end", {{"speed", value}}, {of("truth", Role::truth, 0)}};
     group.points[0].values["contrast"]["all"] = 0.5;
     group.points[0].values["change"]["all"] = group.points[0].values["changed"]["all"] = 1e-6 * value;
     group.points.push_back(of("good", Role::method, 0.015));

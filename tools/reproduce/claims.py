@@ -57,11 +57,11 @@ EXPERIMENTS = [
     experiment("tracing", "shot=cells,backend=bvh", 60, 650),
     experiment("truth", "shot=plain,samples=16", 100, 1100),
     experiment("knobs", "shot=panel", 60, 400),
-    experiment("sampling_range", "shot=thin,anchor=close", 50, 900),
+    experiment("sampling_range", "shot=thin,anchor=end", 50, 900),
     experiment("termination", "shot=plain", 50, 900),
 ]
 
-TUNE = ["hybrid", "--scene", "living_room", "--size", "320x180", "--anchor", "close", "--budget-ratio", "0.5", "--cost", "own"]
+TUNE = ["hybrid", "--scene", "living_room", "--size", "320x180", "--anchor", "end", "--budget-ratio", "0.5", "--cost", "own"]
 EXPERIMENTS.append(Experiment(
     "experiment_tune_living_room", "./strobe tune " + " ".join(TUNE) + " -o FILE", 900,
     OTHER_DEVICE + "; points are chosen by their times: those of both runs are compared", name="tune/living_room",
@@ -81,7 +81,7 @@ MEASURED = [
     of_results("precision_color_saving", "precision", read.precision_color_saving),
     of_results("precision_velocity_largest", "precision", read.precision_velocity_largest),
     of_results("everything_front", "everything", read.everything_front),
-    Numbers("shadow_rays_left", "./strobe render none --size 960x540, with shadow_shafts.shafts and without", 3,
+    Numbers("shadow_rays_left", "./strobe render none --size 960x540, with tile_light_visibility.per_tile and without", 3,
             "another tracing backend asks no tiles", read=read.shadow_rays_left, tolerance=0.02),
     Numbers("tutorial_detectors", "./strobe sweep experiments/detectors.lua -o FOLDER", 45, OTHER_DEVICE,
             read=read.tutorial_row, tolerance=0.02),

@@ -42,9 +42,9 @@ def captured(name):
                   inputs=lambda bench: inputs.of_source(bench.root, bench.folder(name) / "manifest.json"))
 
 
-PASSES = ("visibility.hit", "depth", "normal", "velocity", "shadow_shafts.sure", "shade.color",
-          "mask_tile_motions.motions", "mask", "revealed", "revealed_depth", "tile_max.longest", "neighbour_max.dominant",
-          "motion_reach.moved", "color")
+PASSES = ("visibility.hit", "depth", "normal", "velocity", "tile_light_visibility.light_visibility", "shade.color",
+          "tile_velocities.velocities", "mask", "revealed", "revealed_depth", "tile_max.longest", "neighbour_max.dominant",
+          "classify_cells.moved", "color")
 # Of the window: the picture between the panels, which show times.
 MIDDLE, ABOVE = (380, 254, 640, 358), (380, 88, 640, 358)
 

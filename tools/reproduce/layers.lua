@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Pictures that docs/derivations.md gives numbers of: composites and caps in the living room, and the published composite
--- on harsh stripes that move against each other.
+-- Errors and masks for the numbers in docs/derivations.md: composites and caps in the living room, and the published
+-- composite on stripes of high contrast that move against each other.
 local experiment = require "strobe.experiment"
 
 local in_stripes = { ["seed_linear"] = true, ["seed_linear, own edge"] = true }
 
 return experiment {
-  title = "Layers of the living room and of harsh stripes",
+  title = "Composites in the living room and on stripes of high contrast",
   size = { 320, 180 },
   shots = {
     { name = "living_room", scene = "living_room", truth = { samples = 64 } },

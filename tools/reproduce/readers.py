@@ -26,7 +26,7 @@ REAL_ARMS = ("no blur", "McGuire 2012", "UE4-style", "hybrid (letter)", "hybrid 
 
 
 def real_inner(results, shot, arm):
-    return results.value("rmse", "inner", shot=shot, arm=arm, anchor="close")
+    return results.value("rmse", "inner", shot=shot, arm=arm, anchor="end")
 
 
 def real_rows(with_ratios):
@@ -45,8 +45,8 @@ def real_rows(with_ratios):
 def frame_ratios(bench):
     """The least and the largest time of a hybrid frame as a multiple of one of McGuire 2012, over the scenes."""
     results = bench.results("real_scenes")
-    ratios = [results.value("ms", shot=shot, arm="hybrid (best)", anchor="close") /
-              results.value("ms", shot=shot, arm="McGuire 2012", anchor="close") for shot in REAL_SHOTS]
+    ratios = [results.value("ms", shot=shot, arm="hybrid (best)", anchor="end") /
+              results.value("ms", shot=shot, arm="McGuire 2012", anchor="end") for shot in REAL_SHOTS]
     return [min(ratios), max(ratios)]
 
 
@@ -104,7 +104,7 @@ def gpu_pairs(bench):
     """Of frames ("") and passes, with another choice and as they are."""
     now = gpu_times(bench)
     pairs = [("clears_by_driver", "hybrid", ""), ("clears_by_driver", "hybrid:preset=seed", ""),
-             ("one_invocation_per_tile", "hybrid", "mask_tile_motions"), ("one_invocation_per_tile", "hybrid", "tile_max"),
+             ("one_invocation_per_tile", "hybrid", "tile_velocities"), ("one_invocation_per_tile", "hybrid", "tile_max"),
              ("pipeline", "none", ""), ("pipeline", "hybrid", "")]
     return [run[method, 1920][name] for file, method, name in pairs for run in (gpu_times(bench, file), now)]
 
@@ -305,19 +305,19 @@ def shares(bench):
 
 def pass_shares(bench):
     share = shares(bench)
-    alone = ("shade", "composite", "visibility", "own_time", "shadow_shafts", "gbuffer", "reveal", "open_visibility",
-             "raster_bend", "mask", "mask_moving_silhouettes", "mask_tile_motions", "tile_max", "unseen_open",
+    alone = ("shade", "composite", "visibility", "trace_time_samples", "tile_light_visibility", "gbuffer", "reveal", "shutter_open_visibility",
+             "raster_deviation", "mask", "moving_silhouettes", "tile_velocities", "tile_max", "disoccluded_at_open",
              "revealed_1_bend")
     alike = (("mask_bounds", "mask_ids", "raster_bounds"),
-             ("mask_crossings", "mask_near_motions", "open_unseen_bounds", "raster_bent_bounds", "revealed_1_bent_bounds",
+             ("cull_candidates", "gather_candidates", "open_unseen_bounds", "raster_bent_bounds", "revealed_1_bent_bounds",
               "revealed_bounds"),
-             ("doubtful", "longest_motion", "longest_of_all", "mask_longest_motion", "motion_reach", "neighbour_max"))
+             ("unreliable", "max_displacement", "max_displacement_of_all", "mask_max_displacement", "classify_cells", "neighbour_max"))
     return [share[node] for node in alone] + [max(share[node] for node in nodes) for nodes in alike]
 
 
 def tile_pass_share(bench):
     share = shares(bench)
-    return [sum(share[node] for node in ("mask_tile_motions", "mask_near_motions", "tile_max", "neighbour_max"))]
+    return [sum(share[node] for node in ("tile_velocities", "gather_candidates", "tile_max", "neighbour_max"))]
 
 
 def frames_at_rest(bench):
@@ -339,7 +339,7 @@ def shadow_rays_left(bench):
     rays = []
     for shafts in ("true", "false"):
         record = json.loads(bench.run(bench.program, "render", "none", "--size", "960x540", "--set",
-                                      f"shadow_shafts.shafts={shafts}", "-o", bench.folder("shafts") / f"{shafts}.exr",
+                                      f"tile_light_visibility.per_tile={shafts}", "-o", bench.folder("shafts") / f"{shafts}.exr",
                                       "--json"))
         rays.append(sum(count for name, count in record["counters"].items() if name.startswith("shade.rays_")))
     return [100 * rays[0] / rays[1]]

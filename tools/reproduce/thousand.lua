@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A thousand small points: what a sweep spends beside drawing (docs/writing-experiments.md).
+-- A thousand small points, which show the time of a sweep besides drawing (docs/writing-experiments.md).
 local experiment = require "strobe.experiment"
 
 return experiment {

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- The preset of experiments/tune, and the other setting of docs/tuning.md, beside hybrid_traced.
+-- Compares the preset of experiments/tune and the other setting of docs/tuning.md with hybrid_traced.
 local experiment = require "strobe.experiment"
 
 return experiment {
-  title = "What tuning found",
+  title = "Results of tuning",
   size = { 320, 180 },
   shots = { { name = "living_room", scene = "living_room" } },
   arms = {

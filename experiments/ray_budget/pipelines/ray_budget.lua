@@ -2,55 +2,60 @@
 -- hybrid_traced with rays for at most a share of the pixels: those with the highest priority.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
-local first_ranks    = require "passes.first_ranks"
-local guessed        = require "passes.guessed"
-local layered        = require "passes.layered_guessing"
-local open_rank      = require "passes.open_rank"
-local rank_counts    = require "passes.rank_counts"
-local rank_limit     = require "passes.rank_limit"
-local uncovered_rank = require "passes.uncovered_rank"
+local select_top_pixels  = require "passes.select_top"
+local add_fallback       = require "passes.add_fallback"
+local layered            = require "passes.layered_estimating"
+local trace_priority     = require "passes.trace_priority"
+local priority_histogram = require "passes.priority_histogram"
+local priority_limit     = require "passes.priority_limit"
+local reveal_priority    = require "passes.reveal_priority"
 local layers   = require "scripts.pipelines.lib.layers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 local time_samples = require "scripts.pipelines.lib.time_samples"
 
-local slowest   = 0.02  -- px over the exposure, as in hybrid_traced
-local revealing = 0.6   -- part of the budget that reveals; the rest traces unresolved samples
+local slowest   = 0.02  -- slowest motion whose silhouettes are traced, px over the exposure, as in hybrid_traced
+local revealing = 0.6   -- share of the budget for revealing rays; the rest traces unresolved samples
 
--- The pixels of highest priority, at most `part` of the budget.
-local function select_top(p, rank, name, part)
-  local counts = rank_counts { rank = rank, as = name .. "_counts" }.counts
-  local limit = rank_limit {
-    rank = rank, counts = counts, most_pixels = p.most_rays, most_part = part, as = name .. "_limit",
+-- Mask of the pixels of highest priority, at most `part` of the budget.
+local function select_top(p, priority, name, part)
+  local counts = priority_histogram { priority = priority, as = name .. "_counts" }.counts
+  local limit = priority_limit {
+    priority = priority, counts = counts, most_pixels = p.ray_budget, most_part = part, as = name .. "_limit",
   }.limit
-  return first_ranks { rank = rank, limit = limit, as = name }.mask
+  return select_top_pixels { priority = priority, limit = limit, as = name }.mask
 end
 
 return pipeline {
   doc = "hybrid_traced with rays for at most a share of the pixels",
-  params = options.by_tiles(40, {
-    most_rays = pipeline.float { 0.15, min = 0, max = 1, doc = "share of the pixels that may have rays" },
-  }),
+  params = {
+    options.tiles(40),
+    ray_budget = pipeline.float { 0.15, min = 0, max = 1, doc = "share of the pixels that may have rays" },
+  },
   build = function(p)
-    local raster = scene.captured()
+    local raster = scene.raster()
     local dominant = tiles.dominant(p, raster, { prefix = "budget_" }).dominant
-    local rank = uncovered_rank {
+    local priority = reveal_priority {
       mask = layers.disocclusion_mask(raster), color = raster.color, depth = raster.depth, id = raster.id,
       velocity = raster.velocity, dominant = dominant,
-    }.rank
-    local mask = select_top(p, rank, "masked", revealing)
-    local revealed = layers.of(layers.revealed(raster, mask, true))
+    }.priority
+    local mask = select_top(p, priority, "masked", revealing)
+    local revealed = layers.of(layers.revealed(raster, mask, "moving_rect"))
     local images = layers.images(p, raster, revealed, layered, slowest)
-    images.doubtful = time_samples.unreliable(p, raster, revealed)
+    images.unreliable = time_samples.unreliable(p, raster, revealed)
     images.silhouettes = time_samples.silhouettes(raster, slowest)
     local made = layered(pass.wired(layered, images, {
-      as = "composite", taps = "linear", leaves_open = true, leaves_unlike = true, slowest = slowest,
+      as = "composite", taps = "linear", marks_unresolved = true, marks_contrast = true, slowest = slowest,
     }))
-    local traced = select_top(p, open_rank { open = made.open, guess = made.guess, mask = mask }.rank, "traced")
-    local now = guessed { seen = made.blurred, open = made.open, guess = made.guess, mask = traced }
+    local unresolved, estimate = made.unresolved, made.fallback_estimate
+    local priority_of_rays = trace_priority { unresolved = unresolved, fallback_estimate = estimate, mask = mask }.priority
+    local traced = select_top(p, priority_of_rays, "traced")
+    local now = add_fallback {
+      partial = made.blurred, unresolved = unresolved, fallback_estimate = estimate, mask = traced,
+    }
     return scene.outputs(raster, {
-      color = time_samples.traced(p, raster, revealed, { blurred = now.seen_now, open = now.open_now }, 0),
+      color = time_samples.traced(p, raster, revealed, { blurred = now.partial_now, unresolved = now.unresolved_now }, 0),
       mask = mask, traced = traced,
     })
   end,

@@ -2,8 +2,8 @@
 -- Edge detectors: each file of passes/edge is a pass that writes `edge`. Its reads are images of the raster layer (depth,
 -- normal, id, ...), `where` (the pixels to test), and images made by a function of `prepared`.
 local pass     = require "strobe.pass"
-local gradient = require "passes.canny.gradient"
-local thin     = require "passes.canny.thin"
+local gradient = require "passes.edge.canny.gradient"
+local thin     = require "passes.edge.canny.thin"
 
 local edges = { names = pass.family "edge" }
 
@@ -11,16 +11,16 @@ local edges = { names = pass.family "edge" }
 local prepared = {}
 
 -- The thresholds of strong edges are parameters of the node edge_gradient. Thresholds of weak edges are a ratio in edge_thin.
-function prepared.canny(seen)
-  local steepest = gradient { depth = seen.depth, normal = seen.normal, as = "edge_gradient" }.gradient
+function prepared.canny(raster)
+  local steepest = gradient { depth = raster.depth, normal = raster.normal, as = "edge_gradient" }.gradient
   return { ridge = thin { gradient = steepest, as = "edge_thin" }.ridge }
 end
 
 -- Detects edges in the pixels of `where`; nil: in all pixels.
-function edges.detected(name, seen, where)
+function edges.detected(name, raster, where)
   local detector = pass.member("edge", name)
-  local images = prepared[name] and prepared[name](seen) or {}
-  for port, image in pairs(seen) do images[port] = image end
+  local images = prepared[name] and prepared[name](raster) or {}
+  for port, image in pairs(raster) do images[port] = image end
   images.where = where
   return detector(pass.wired(detector, images, { as = "edge" })).edge
 end

@@ -2,12 +2,12 @@
 -- Blur of one layer.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
-local ranges   = require "scripts.pipelines.lib.ranges"
+local paths    = require "scripts.pipelines.lib.paths"
 
 local gathers = {}
 
 local images_of_gather = pipeline.record("the inputs of a gather", {
-  "valid", "after_velocity", "second", "after_dominant", "behind_depth", "behind_valid",
+  "valid", "velocity_post", "second", "dominant_post", "background_depth", "background_valid",
   "slowest", "variance",
 })
 
@@ -26,18 +26,18 @@ end
 -- `color_format`: format of a blurred layer; nil: fp32, for a final picture.
 function gathers.blurred(weights, images, name, color_format)
   local gather = pass.member("gather", weights)
-  ranges.require_parts(images, gather, "weights = " .. weights)
+  paths.require_segments(images, gather, "weights = " .. weights)
   return gather(pass.wired(gather, images, { as = name, color_format = color_format or "fp32" })).blurred
 end
 
 -- Inputs of a gather, from a layer (color, depth, velocity, optionally valid), the result of tiles.dominant for it, and the
 -- layer revealed behind it, if any.
-function gathers.images(layer, around, behind)
+function gathers.images(layer, around, background)
   return images_of_gather {
     color = layer.color, depth = layer.depth, velocity = layer.velocity, valid = layer.valid,
-    after_velocity = layer.after_velocity,
-    dominant = around.dominant, second = around.second, after_dominant = around.after_dominant,
-    behind_depth = behind and behind.depth, behind_valid = behind and behind.valid,
+    velocity_post = layer.velocity_post,
+    dominant = around.dominant, second = around.second, dominant_post = around.dominant_post,
+    background_depth = background and background.depth, background_valid = background and background.valid,
   }
 end
 

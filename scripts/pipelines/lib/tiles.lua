@@ -1,62 +1,64 @@
 -- SPDX-License-Identifier: MIT
 -- Displacements per tile.
 local pipeline      = require "strobe.pipeline"
-local longest_motion = require "passes.tile.longest_motion"
-local neighbour_max = require "passes.tile.neighbour_max"
-local neighbour_min = require "passes.tile.neighbour_min"
-local tile_max      = require "passes.tile.tile_max"
-local tile_min      = require "passes.tile.tile_min"
-local tile_motions  = require "passes.mask.tile_motions"
-local variance      = require "passes.tile.variance"
-local ranges        = require "scripts.pipelines.lib.ranges"
+local neighbour_max   = require "passes.tile.neighbour_max"
+local neighbour_min   = require "passes.tile.neighbour_min"
+local tile_max        = require "passes.tile.tile_max"
+local tile_min        = require "passes.tile.tile_min"
+local tile_velocities = require "passes.layered.tile_velocities"
+local variance        = require "passes.tile.direction_variance"
+local paths           = require "scripts.pipelines.lib.paths"
 
 local tiles = {}
 
 local around_tiles = pipeline.record("the result of tiles.dominant",
-                                     { "second", "dominant_curve", "dominant_place", "after_dominant", "after_second" })
+                                     { "second", "dominant_curve", "dominant_place", "dominant_post", "second_post",
+                                       "max_displacement_post" })
 
 local function in_one_part(p, layer, given)
   local prefix, extra = given.prefix or "", given.extra or {}
-  local extra_curve = pipeline.optional(extra, "curve")
+  local extra_curve = extra.curve
   local tile = tile_max {
     velocity = layer.velocity, valid = layer.valid, extra_velocity = extra.velocity, extra_valid = extra.valid,
     curve = layer.curve, extra_curve = extra_curve, as = prefix .. "tile_max",
   }
   local longest, is_curved = tile.longest, layer.curve or extra_curve
   local curve = is_curved and tile.curve_of_it or nil
-  local motions = given.second and tiles.motions(layer) or nil
-  local reach = longest_motion { longest = longest, curve = curve, as = prefix .. "longest_motion" }.reach
+  local velocities = given.second and tiles.velocities(layer).velocities or nil
   local around = neighbour_max {
-    longest = longest, curve = curve, place = is_curved and tile.place_of_it or nil, motions = motions, reach = reach,
-    rule = p.tile_rule, as = prefix .. "neighbour_max",
+    longest = longest, curve = curve, place = is_curved and tile.place_of_it or nil, velocities = velocities,
+    max_displacement = tile.max_displacement, rule = p.tile_rule, as = prefix .. "neighbour_max",
   }
   return around_tiles {
-    dominant = around.dominant, second = around.second, longest = longest, reach = reach,
+    dominant = around.dominant, second = around.second, longest = longest,
+    max_displacement = tile.max_displacement,
     dominant_curve = curve and around.dominant_curve or nil, dominant_place = curve and around.dominant_place or nil,
   }
 end
 
 -- Displacements that dominate each tile of `layer` (velocity, optionally valid). Options: `extra`, a second layer to include;
 -- `second` = true, to find a second displacement too; `prefix`, start of the names of its nodes.
--- Returns dominant, second, longest and reach; for curved paths dominant_curve and dominant_place; for a layer with two
--- segments (ranges.divided) after_dominant and after_second.
+-- Returns dominant, second, longest and max_displacement; for curved paths dominant_curve and dominant_place; for a layer with
+-- two segments (paths.split) dominant_post, second_post and
+-- max_displacement_post.
 function tiles.dominant(p, layer, given)
   given = given or {}
   local result = in_one_part(p, layer, given)
-  if not layer.after_velocity then return result end
-  local extra = given.extra and ranges.after(given.extra)
-  local given_after = { extra = extra, second = given.second, prefix = given.prefix }
-  local after = pipeline.prefixed("after_", function()
-    return in_one_part(p, ranges.after(layer), given_after)
+  if not layer.velocity_post then return result end
+  local extra = given.extra and paths.post(given.extra)
+  local given_post = { extra = extra, second = given.second, prefix = given.prefix }
+  local post = pipeline.prefixed("post_", function()
+    return in_one_part(p, paths.post(layer), given_post)
   end)
-  result.after_dominant, result.after_second = after.dominant, after.second
+  result.dominant_post, result.second_post = post.dominant, post.second
+  result.max_displacement_post = post.max_displacement
   return result
 end
 
 -- Length of the shortest displacement around each tile, px; `around` is a result of tiles.dominant.
 function tiles.slowest(layer, around)
   local shortest = tile_min { velocity = layer.velocity, valid = layer.valid }.shortest
-  return neighbour_min { shortest = shortest, reach = around.reach }.slowest
+  return neighbour_min { shortest = shortest, max_displacement = around.max_displacement }.slowest
 end
 
 -- Variance of the directions around each tile; `around` is a result of tiles.dominant.
@@ -65,9 +67,9 @@ function tiles.variance(around)
 end
 
 -- Two candidate displacements of each tile of a layer, and the depth of its farthest moving surface; made once per layer.
-function tiles.motions(seen)
-  seen.motions = seen.motions or tile_motions { velocity = seen.velocity, depth = seen.depth }
-  return seen.motions.motions, seen.motions.farthest
+function tiles.velocities(raster)
+  raster.velocities = raster.velocities or tile_velocities { velocity = raster.velocity, depth = raster.depth }
+  return raster.velocities
 end
 
 return tiles

@@ -1,31 +1,31 @@
 -- SPDX-License-Identifier: MIT
 -- Time samples that the layers do not resolve, and rays that resolve them.
-local pipeline          = require "strobe.pipeline"
-local moving_silhouettes = require "passes.mask.moving_silhouettes"
-local own_time          = require "passes.scene.own_time"
-local path_bend         = require "passes.scene.path_bend"
-local unseen_close      = require "passes.scene.unseen_close"
-local unseen_open       = require "passes.scene.unseen_open"
-local visibility_moving = require "passes.scene.visibility_moving"
-local bent_bounds       = require "passes.tile.bent_bounds"
-local doubtful          = require "passes.tile.doubtful"
+local pipeline = require "strobe.pipeline"
+local moving_silhouettes   = require "passes.time.moving_silhouettes"
+local trace_time_samples   = require "passes.time.trace_time_samples"
+local path_deviation       = require "passes.time.path_deviation"
+local disoccluded_at_close = require "passes.time.disoccluded_at_close"
+local disoccluded_at_open  = require "passes.time.disoccluded_at_open"
+local visibility_moving    = require "passes.gbuffer.visibility_moving"
+local deviation_bounds     = require "passes.cell.deviation_bounds"
+local classify_time_samples = require "passes.time.classify_time_samples"
 
 local time_samples = {}
 
 -- Velocity over the whole exposure, also for a layer whose motion has two segments.
 local function whole_velocity(layer) return layer.whole_velocity or layer.velocity end
 
-local function bend_of(layer, name)
-  return path_bend {
+local function deviation_of(layer, name)
+  return path_deviation {
     depth = layer.depth, id = layer.id, velocity = whole_velocity(layer), hit = layer.hit, normal = layer.normal,
-    as = name .. "_bend",
+    as = name .. "_deviation",
   }
 end
 
--- Surfaces that are visible at shutter open or shutter close (`which`), but in no layer.
-local function unseen_of(which, unseen, hit, raster, revealed)
-  return unseen {
-    time = which, hit = hit, depth = raster.depth, id = raster.id,
+-- Surfaces that are visible at `time`, shutter open or close, but in no layer.
+local function disoccluded_at(time, disoccluded, hit, raster, revealed)
+  return disoccluded {
+    time = time, hit = hit, depth = raster.depth, id = raster.id,
     revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
   }
 end
@@ -33,17 +33,18 @@ end
 -- One step of a loop at the middle of the exposure: path deviations of both layers, and surfaces visible only at shutter open
 -- or shutter close.
 local function at_the_middle(raster, revealed)
-  local open = visibility_moving { time = "open", as = "open_visibility" }.hit
-  local close = visibility_moving { time = "close", as = "close_visibility" }.hit
+  local open = visibility_moving { time = "shutter_open", as = "shutter_open_visibility" }.hit
+  local close = visibility_moving { time = "shutter_close", as = "shutter_close_visibility" }.hit
   return pipeline.loop { name = "middle", count = 1, times = "even", slices = 1, body = function()
     local result = {}
     local function keep(name, of, images)
       for _, image in ipairs(images) do result[name .. "_" .. image] = of[image] end
     end
-    if not raster.curve then keep("raster", bend_of(raster, "raster"), { "bend", "bent" }) end
-    keep("open", unseen_of("open", unseen_open, open, raster, revealed), { "unseen", "velocity", "bend" })
-    keep("close", unseen_of("close", unseen_close, close, raster, revealed), { "unseen", "velocity", "bend" })
-    if not revealed.curve then keep("revealed_1", bend_of(revealed, "revealed_1"), { "bend", "bent" }) end
+    if not raster.curve then keep("raster", deviation_of(raster, "raster"), { "path_deviation", "nonlinear" }) end
+    local images = { "disoccluded", "velocity", "path_deviation" }
+    keep("open", disoccluded_at("shutter_open", disoccluded_at_open, open, raster, revealed), images)
+    keep("close", disoccluded_at("shutter_close", disoccluded_at_close, close, raster, revealed), images)
+    if not revealed.curve then keep("revealed", deviation_of(revealed, "revealed"), { "path_deviation", "nonlinear" }) end
     return result
   end }
 end
@@ -52,42 +53,45 @@ end
 function time_samples.unreliable(p, raster, revealed)
   local found = at_the_middle(raster, revealed)
   local function bounds_of_layer(name, layer)
-    return bent_bounds {
-      velocity = whole_velocity(layer), bend = layer.bend or found[name .. "_bend"],
-      valid = layer.bent or found[name .. "_bent"], as = name .. "_bent_bounds",
+    return deviation_bounds {
+      velocity = whole_velocity(layer), path_deviation = layer.path_deviation or found[name .. "_path_deviation"],
+      valid = layer.nonlinear or found[name .. "_nonlinear"], as = name .. "_deviation_bounds",
     }
   end
   local function bounds_of_end(which)
-    return bent_bounds {
-      velocity = found[which .. "_velocity"], bend = found[which .. "_bend"], valid = found[which .. "_unseen"],
-      as = which .. "_unseen_bounds",
+    return deviation_bounds {
+      velocity = found[which .. "_velocity"], path_deviation = found[which .. "_path_deviation"],
+      valid = found[which .. "_disoccluded"], as = which .. "_disoccluded_bounds",
     }
   end
-  local front, behind = bounds_of_layer("raster", raster), bounds_of_layer("revealed_1", revealed)
+  local front, background = bounds_of_layer("raster", raster), bounds_of_layer("revealed", revealed)
   local open, close = bounds_of_end "open", bounds_of_end "close"
-  return doubtful {
-    bounds = front.bounds, bends = front.bends, behind_bounds = behind.bounds, behind_bends = behind.bends,
-    open_bounds = open.bounds, open_bends = open.bends, close_bounds = close.bounds, close_bends = close.bends,
-    jittered = p.jitter() == "none" and 0 or 1, as = "doubtful",
-  }.doubtful
+  return classify_time_samples {
+    bounds = front.bounds, deviation_bounds = front.deviation_bounds,
+    background_bounds = background.bounds, background_deviation_bounds = background.deviation_bounds,
+    shutter_open_bounds = open.bounds, shutter_open_deviation_bounds = open.deviation_bounds,
+    shutter_close_bounds = close.bounds, shutter_close_deviation_bounds = close.deviation_bounds,
+    jittered = p.jitter() == "none" and 0 or 1,
+  }.unreliable
 end
 
 -- Pixels beside a moving silhouette: displacements differ by more than `slowest` px, so a sample may fall to either side.
 function time_samples.silhouettes(raster, slowest)
   return moving_silhouettes {
-    velocity = raster.velocity, after_velocity = raster.after_velocity, slowest = slowest,
+    velocity = raster.velocity, velocity_post = raster.velocity_post, slowest = slowest,
   }.near
 end
 
--- The picture, with rays for the samples that the composite `made` left unresolved. `audit`: share of the blocks of pixels that
--- trace validation rays; nil: 0.01.
-function time_samples.traced(p, raster, revealed, made, audit)
+-- The picture, with rays for the samples that the composite `made` left unresolved. `validation_share`: share of the
+-- blocks of pixels that trace validation rays; nil: 0.01.
+function time_samples.traced(p, raster, revealed, made, validation_share)
   return pipeline.loop {
-    name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),
+    name = "traced_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),
     body = function()
-      return { picture = own_time {
-        seen = made.blurred, open = made.open, time = "sample", shades_unlike = true, audit = audit,
-        hit = raster.hit, color = raster.color, depth = raster.depth, id = raster.id, revealed_color = revealed.color,
+      return { picture = trace_time_samples {
+        partial = made.blurred, unresolved = made.unresolved, time = "sample", shades_contrast = true,
+        validation_share = validation_share, hit = raster.hit, color = raster.color, depth = raster.depth, id = raster.id,
+        revealed_color = revealed.color,
         revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
       }.picture }
     end,

@@ -2,14 +2,14 @@
 -- What each way of advancing reveals with a cap of 1 to 4 layers, when the last hit counts and when it does not.
 local pipeline = require "strobe.pipeline"
 local constant = require "passes.mask.constant"
-local reveal   = require "passes.scene.reveal"
+local reveal   = require "passes.hybrid.ray_reveal"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc = "The depth revealed by each way of advancing, for each cap",
   params = {},
   build = function()
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = constant { everywhere = true }.mask
     local outputs = { color = seen.color }
     local function revealed(name, advance, most, on_cap)

@@ -11,7 +11,7 @@ return pipeline {
   doc    = "Edges, wherever they are",
   params = { edge = pipeline.choice(names) },
   build  = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     return scene.outputs(seen, { color = seen.color, edge = edges.detected(p.edge(), seen) })
   end,
 }

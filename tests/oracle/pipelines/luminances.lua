@@ -2,13 +2,13 @@
 -- Depth of what luminance termination reveals, by what the luminance is of.
 local pipeline = require "strobe.pipeline"
 local constant = require "passes.mask.constant"
-local reveal   = require "passes.scene.reveal"
+local reveal   = require "passes.hybrid.ray_reveal"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc = "The depth revealed by the luminance of radiance, base colour and material",
   build = function()
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = constant { everywhere = true }.mask
     local outputs = { color = seen.color }
     for _, of in ipairs { "radiance", "base_color", "material" } do

@@ -2,7 +2,7 @@
 -- What luminance termination reveals, by its tolerance.
 local pipeline = require "strobe.pipeline"
 local constant = require "passes.mask.constant"
-local reveal   = require "passes.scene.reveal"
+local reveal   = require "passes.hybrid.ray_reveal"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
@@ -12,7 +12,7 @@ return pipeline {
     b = pipeline.float { 0, min = 0, max = 1, doc = "tolerance" },
   },
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = constant { everywhere = true }.mask
     local function revealed(name, tolerance)
       return reveal {

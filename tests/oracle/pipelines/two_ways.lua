@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
 -- Hits and displacements of what raster sees and of what rays see.
 local pipeline   = require "strobe.pipeline"
-local gbuffer    = require "passes.scene.gbuffer"
-local visibility = require "passes.scene.visibility"
-local shade      = require "passes.scene.shade"
-local traced     = require "passes.scene.visibility_traced"
+local gbuffer    = require "passes.gbuffer.gbuffer"
+local visibility = require "passes.gbuffer.visibility"
+local shade      = require "passes.gbuffer.shade"
+local traced     = require "passes.gbuffer.visibility_traced"
 
 return pipeline {
   doc = "What raster sees, and what rays see",

@@ -3,7 +3,7 @@
 local pipeline = require "strobe.pipeline"
 local moving   = require "passes.mask.moving"
 local traced   = require "passes.traced"
-local lists    = require "scripts.pipelines.lib.lists"
+local compact    = require "scripts.pipelines.lib.compact"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
@@ -12,9 +12,9 @@ return pipeline {
   doc = "Distances by rays, of the pixels that move",
   params = options.blur(8),
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
-    local distance = traced { listed = lists.of(mask, "moving") }.distance
+    local distance = traced { listed = compact.pixels(mask, "moving") }.distance
     return scene.outputs(seen, { color = seen.color, distance = distance })
   end,
 }

@@ -8,7 +8,7 @@ return pipeline {
   doc = "mean of the frames so far",
   params = { weight = pipeline.float { 1, min = 0, max = 10, doc = "of every frame" } },
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local result = mean { color = seen.color, weight = p.weight, as = "mean" }
     return scene.outputs(seen, { color = result.color, sum = result.sum })
   end,

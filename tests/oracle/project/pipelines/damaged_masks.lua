@@ -11,7 +11,7 @@ return pipeline {
   doc = "What moves, by displacements of which some are no numbers",
   params = options.blur(8, 0.1),
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local velocity = damage { velocity = seen.velocity }.velocity
     local mask = moving { velocity = velocity, dominant = tiles.dominant(p, seen).dominant }.mask
     return scene.outputs(seen, { color = seen.color, mask = mask })

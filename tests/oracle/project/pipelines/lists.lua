@@ -5,7 +5,7 @@ local moving     = require "passes.mask.moving"
 local marked     = require "passes.marked"
 local traced     = require "passes.traced"
 local drawn_bins = require "passes.drawn_bins"
-local lists      = require "scripts.pipelines.lib.lists"
+local compact      = require "scripts.pipelines.lib.compact"
 local options    = require "scripts.pipelines.lib.options"
 local scene      = require "scripts.pipelines.lib.scene"
 local tiles      = require "scripts.pipelines.lib.tiles"
@@ -17,9 +17,9 @@ return pipeline {
   doc = "How often a pass runs at each pixel, and what rays meet there",
   params = params,
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.raster()
     local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
-    local listed = p.over() == "list" and lists.of(mask, "moving") or nil
+    local listed = p.over() == "list" and compact.pixels(mask, "moving") or nil
     local made = marked { color = seen.color, listed = listed }
     return scene.outputs(seen, {
       color = seen.color, mask = mask, times = made.times, copied = made.copied,

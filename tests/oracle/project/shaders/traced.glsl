@@ -3,7 +3,7 @@
 #include "mixin/trace.glsl"
 
 void run(ivec2 pixel) {
-  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
-  Hit hit = traceNearest(SLICE_CAPTURE, ray, scene_cameras[SLICE_CAPTURE].near, 3.0e38);
+  Ray ray = cameraRay(SLICE_RASTER, samplePosition(pixel));
+  Hit hit = traceNearest(SLICE_RASTER, ray, scene_cameras[SLICE_RASTER].near, 3.0e38);
   imageStore(distance_img, pixel, vec4(isHit(hit) ? hit.t : -1.0));
 }

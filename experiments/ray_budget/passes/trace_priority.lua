@@ -1,0 +1,22 @@
+-- SPDX-License-Identifier: MIT
+-- Priority of pixels with unresolved samples, by the expected gain of rays.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  shader = "open_rank",
+  doc    = "Priority of pixels: first those with a ray, then pixels with unresolved samples, by the uncertainty of their " ..
+    "estimate",
+  fails = "The order is as good as the uncertainty in `guess`.",
+  size  = { of = "fallback_estimate" },
+  reads = {
+    unresolved        = { uint = true, doc = "unresolved samples, one bit each" },
+    fallback_estimate = { doc = "alpha: uncertainty of the fallback estimate, radiance" },
+    mask              = { doc = "above 1/2 at pixels that already have a ray" },
+  },
+  writes = { priority = { format = "r32ui", doc = "priority: 4095 at pixels with a ray, 0 at pixels without unresolved " ..
+    "samples, otherwise 1 to 4094" } },
+  if_no = { motion = { priority = 0 } },
+  breaks = {
+    linear = "colours decide which pixels have rays",
+  },
+}

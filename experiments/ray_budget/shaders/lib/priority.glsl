@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Priority of a pixel: the expected gain of a ray, quantised to integers for a histogram. Gains with the same integer have
+// the same priority.
+#ifndef STROBE_RANK_GLSL
+#define STROBE_RANK_GLSL
+
+// 0: no ray. 1 to 4094: 256 steps per doubling of the gain, from 2^-12 on, so that they cover 16 doublings. 4095: first.
+const uint kPriorities = 4096u, kFirstRank = 4095u;
+const float kStepsPerOctave = 256.0, kLeastOctave = -12.0;
+
+uint rankOf(float gain) {
+  float step = kStepsPerOctave * (log2(max(gain, 1e-30)) - kLeastOctave);
+  return uint(clamp(step, 1.0, float(kFirstRank - 1u)));
+}
+
+#endif

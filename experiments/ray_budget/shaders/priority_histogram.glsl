@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Histogram of priorities (lib/priority.glsl).
+// In:  priority: priority.
+// Out: counts: number of pixels with each priority. Entry 0 stays 0, because pixels of priority 0 are never selected.
+// Method: each invocation counts its share of the picture with atomic additions.
+// Fails: does not fail.
+#include "lib/priority.glsl"
+
+void run(ivec2 own) {
+  ivec2 size = textureSize(priority_tex, 0);
+  int pixels = size.x * size.y, step_px = pass_size().x * pass_size().y;
+  for (int i = own.y * pass_size().x + own.x; i < pixels; i += step_px) {
+    uint priority = texelFetch(priority_tex, ivec2(i % size.x, i / size.x), 0).x;
+    if (priority > 0u) atomicAdd(counts_buf.entries[min(priority, kPriorities - 1u)], 1u);
+  }
+}

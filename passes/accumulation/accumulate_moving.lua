@@ -1,0 +1,38 @@
+-- SPDX-License-Identifier: MIT
+-- One time sample of the moving surfaces, added to the mean of earlier samples. Haeberli and Akeley 1990, "The Accumulation
+-- Buffer"; reuse of shading for several times: Ragan-Kelley et al. 2011, "Decoupled Sampling".
+local pass  = require "strobe.pass"
+local raster_color = require "passes.lib.raster_color"
+local shade = require "passes.gbuffer.shade"
+
+return pass.trace {
+  doc    = "Running mean of the visible moving surfaces over time samples, shaded as at the raster time",
+  fails  = "Highlights and shadows that move within the exposure stay fixed to their surfaces.",
+  size   = { of = "hit" },
+  reads  = {
+    hit    = { uint = true,
+      doc = "visible moving surface at the sample's time: instance + 1 (0 for none), geometry, primitive" },
+    color             = { doc = "colour of the raster layer, linear radiance" },
+    depth             = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
+    id                = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
+    static_background = {
+      doc = "static background behind moving surfaces; alpha: linear view depth, metres, 0 where the raster layer " ..
+                     "is static; rgb is not read" },
+  },
+  updates = { moving = { format = "rgba32f",
+    doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples" } },
+  params = {
+    reused        = pass.bool { true,
+      doc = "reuse colours of the raster layer where it shows the surface; off: shade every sample" },
+    shades_contrast = raster_color.shades_contrast,
+    contrast        = raster_color.contrast,
+    detail_below    = raster_color.detail_below,
+    same_depth      = raster_color.same_depth,
+    skip_static     = pass.bool { true, role = "static_once",
+      doc = "skip pixels that no moving surface reaches" },
+  },
+  counters = {
+    shaded     = "samples shaded because the raster layer does not show their surface in enough detail",
+    not_finite = shade.counters.not_finite,
+  },
+}

@@ -1,0 +1,19 @@
+-- SPDX-License-Identifier: MIT
+-- Mean over time samples: moving surfaces where visible, the static background in all other samples.
+local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
+
+return pass.compute {
+  doc    = "Mean over time samples of the visible moving surfaces, with the static background in all other samples",
+  size   = { of = "moving" },
+  reads  = {
+    moving            = { doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples" },
+    static_background = {
+      doc = "static background behind moving surfaces, linear radiance; alpha 0 where the raster layer is static" },
+    color             = { doc = "colour of the raster layer, linear radiance" },
+  },
+  writes = { picture = { format = "rgba32f", doc = "blurred picture, linear radiance; alpha 1" } },
+  if_no = { motion = { picture = "color" }, moving_rect = { picture = "color" } },
+  counters = { samples = "time samples that show a moving surface" },
+  params = { samples = blur.samples { doc = "number of time samples" } },
+}

@@ -1,0 +1,17 @@
+-- SPDX-License-Identifier: MIT
+-- Gradients of the smoothed depth and normal; first step of the edge detector `canny`. Canny 1986.
+local pass       = require "strobe.pass"
+local edge_ports = require "passes.lib.edge_ports"
+
+return pass.compute {
+  doc    = "Steepest change of depth and normal after a Gaussian of 1 px",
+  fails  = "Edges closer together than about 3 px merge; corners become round.",
+  size   = { of = "depth" },
+  reads  = {
+    depth  = { doc = "linear view depth, metres; +inf for the sky" },
+    normal = { doc = "unit normal, world space; 0 for the sky" },
+  },
+  writes = { gradient = { format = "rg32f",
+    doc = "edge strength along the direction of steepest change; length 1 at the threshold" } },
+  params = edge_ports.steps(),
+}

@@ -1,0 +1,15 @@
+-- SPDX-License-Identifier: MIT
+-- Ridges one pixel wide, strong and weak; second step of the edge detector `canny`. Canny 1986.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  doc    = "Pixels whose gradient exceeds the gradients of both neighbours across the edge",
+  fails  = "At a junction of three edges, one edge may end a pixel early.",
+  breaks = { mirrored = "of two neighbours with equal gradients, the right or lower one is removed" },
+  size   = { of = "gradient" },
+  reads  = { gradient = { doc = "edge strength along the direction of steepest change; length 1 at the threshold" } },
+  writes = { ridge = { format = "r8_unorm", doc = "class of the ridge: 1 strong, 1/2 weak, 0 none" } },
+  params = {
+    ratio = pass.float { 2, min = 1, max = 100, doc = "threshold of strong edges, divided by the threshold of weak edges" },
+  },
+}

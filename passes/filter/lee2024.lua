@@ -1,0 +1,53 @@
+-- SPDX-License-Identifier: MIT
+-- Lee, Kwon and Oh 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors": a search through full raster layers.
+local pass   = require "strobe.pass"
+local blur   = require "passes.lib.blur"
+local ports  = require "passes.lib.blur_ports"
+local jitter = require "passes.lib.jitter"
+
+local more = {
+  id = { uint = true, doc = "instance + 1, geometry + 1; 0 for the sky" },
+  dominant      = { optional = true,
+    doc = "longest displacement per tile of the first two layers, px over the exposure; absent: only the pixel's own are " ..
+          "searched" },
+  deep_dominant = { optional = true,
+    doc = "longest displacement per tile of the third and fourth layer, px over the exposure; absent: not searched" },
+}
+for number = 2, 4 do
+  local layer = ("layer_%d_"):format(number)
+  more[layer .. "color"]    = { absent = 0, doc = "colour of a layer behind, linear radiance" }
+  more[layer .. "depth"]    = { absent = 0,
+    doc = "linear view depth of a layer behind, metres; +inf for the sky; without it there is no such layer" }
+  more[layer .. "velocity"] = { absent = 0, doc = "displacement of a layer behind, px over the exposure" }
+end
+
+return pass.compute {
+  doc    = "For each time sample, the nearest texel of all layers that moves by the displacement that leads to it",
+  fails  = "Surfaces in no layer are missing: surfaces that enter, have left or face away, and surfaces behind more layers "
+    .. "than there are. The background shows through where the missing surface is the nearest. Only the pixel's own "
+    .. "displacements and the longest of its tile are searched; surfaces with other displacements are missed. Motion that "
+    .. "varies over a surface by more than `agreement` is not found.",
+  breaks = {
+    mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
+  },
+  size   = { of = "color" },
+  reads  = ports.of({ "color", "depth", "velocity" }, more),
+  writes = ports.picture,
+  if_no = ports.no_motion,
+  params = {
+    samples      = blur.samples { doc = "number of time samples" },
+    tile         = blur.tile,
+    limit        = blur.limit,
+    agreement    = pass.float { 1, min = 0, max = 1000, unit = "px",
+      doc = "largest difference between the displacement of a texel and the displacement that leads to it" },
+    jitter       = jitter.jitter,
+    jitter_frame = jitter.jitter_frame,
+  },
+  counters = {
+    missed = "time samples that no layer resolves; the mean omits them",
+    varied = {
+      doc   = "time samples that skip the visible surface because its displacement varies from texel to texel",
+      limit = "a surface behind it was used instead: it shows through. Raise `agreement`, or shorten the exposure",
+    },
+  },
+}

@@ -1,0 +1,23 @@
+-- SPDX-License-Identifier: MIT
+-- Next raster layer: the scene drawn once more, without the surfaces in front. Everitt 2001, depth peeling.
+local pass = require "strobe.pass"
+
+return pass.raster {
+  doc    = "Nearest triangle behind the layer in front, at each sample position: one step of depth peeling",
+  reads  = { front = { uint = true,
+    doc = "surface of the layer in front: instance + 1 (0 for the sky), geometry, primitive" } },
+  writes = { hit = { format = "rgba32ui",
+    doc = "surface of the layer behind: instance + 1 (0 for the sky), geometry, primitive, 0" } },
+  params = {
+    sides = pass.choice { "front", "all", default = "front", doc = "sides of triangles that form layers",
+      values = {
+        front = "Front faces only, as renderers draw them; a closed object takes one or two layers less. Fails for open " ..
+                "surfaces seen from the back.",
+        all = "Front and back faces, as all other passes draw and hit them. Fails by spending layers on the back of the " ..
+              "foreground.",
+      } },
+  },
+  counters = { fragments = "fragments drawn to find the layer" },
+  fails  = "Each layer costs more than drawing the scene once, because early depth tests reject no hidden fragments. Of " ..
+           "surfaces closer together than the depth buffer resolves, one may be in no layer.",
+}

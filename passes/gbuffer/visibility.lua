@@ -1,0 +1,8 @@
+-- SPDX-License-Identifier: MIT
+-- Visible triangle of each pixel: the raster pass of every pipeline. All other images derive from it.
+local pass = require "strobe.pass"
+
+return pass.raster {
+  doc    = "Nearest triangle at each sample position, by rasterisation",
+  writes = { hit = { format = "rgba32ui", doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive, 0" } },
+}

@@ -1,0 +1,21 @@
+-- SPDX-License-Identifier: MIT
+-- Blurred foreground over blurred background.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  doc    = "Blurred foreground over blurred background, by the alpha of the foreground",
+  fails  = "Wrong where a textured background moves under a moving silhouette: the product of mean coverage and mean " ..
+           "background differs from the mean of their product (errors up to 0.2 with perfect layers). With the weights " ..
+           "mcguire2012 the foreground is far too opaque inside its silhouettes.",
+  breaks = {
+    uniform    = "if the background moves with the foreground, the product of two means differs from the mean of products",
+    converging = "more samples approach the product of two means, which may be farther from the truth",
+  },
+  size   = { of = "front" },
+  reads  = {
+    front = { doc = "blurred foreground, linear radiance times alpha" },
+    back  = { doc = "blurred background, linear radiance; visible where the alpha of the foreground is below 1" },
+  },
+  writes = { color = { format = "rgba32f", doc = "composited picture, linear radiance; alpha 1" } },
+  if_no = { motion = { color = "front" } },
+}

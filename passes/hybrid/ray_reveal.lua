@@ -1,0 +1,111 @@
+-- SPDX-License-Identifier: MIT
+-- Ray reveal: a ray through each masked pixel, advanced past the object in front until it hits another object.
+-- Source: Tan, Cui, Bhojan, "Hybrid MBlur", SIGGRAPH '20 Posters, section "Ray Reveal".
+local pass      = require "strobe.pass"
+local gbuffer   = require "passes.gbuffer.gbuffer"
+local shade     = require "passes.gbuffer.shade"
+local quantised = require "passes.lib.quantised"
+
+local nothing = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0, found = 0 }
+
+return pass.trace {
+  doc    = "Colour, depth, ids and displacement of the surface behind the masked foreground",
+  size   = { of = "hit" },
+  reads  = {
+    hit  = { uint = true, doc = "foreground surface: instance + 1 (0 for the sky), geometry, primitive" },
+    mask = { doc = "mask, above 1/2 where a ray is traced" },
+  },
+  writes = {
+    color = { cleared = true, format = quantised.color, doc = "colour of the revealed surface, linear radiance; 0 for none" },
+    depth = { cleared = true, format = "r32f",
+      doc = "linear view depth of the revealed surface, metres; +inf for the sky, 0 for none" },
+    id       = { cleared = true, format = "rg32ui",
+      doc = "instance + 1, geometry + 1 of the revealed surface; 0 for the sky or none" },
+    velocity = { cleared = true, format = quantised.velocity,
+      doc = "displacement of the revealed surface, px over the exposure" },
+    found    = { cleared = true, format = "rgba32ui",
+      doc = "revealed surface: instance + 1 (0 for the sky or none), geometry, primitive" },
+    valid    = { cleared = true, format = "r8_unorm", doc = "mask, 1 where a surface or the sky is revealed" },
+  },
+  if_no = { mask = nothing, moving_rect = nothing },
+  runs   = "everywhere",  -- a mask may be 1 outside of the moving rectangle
+  fails  = "A second layer behind the revealed one stays hidden. Of two surfaces whose depths differ by at most 4 units in " ..
+           "the last place (more under restart), the second is lost. Glass is revealed as if it were opaque.",
+  params = {
+    displacement = gbuffer.params.displacement,
+    velocity_format = quantised.velocity_format,
+    color_format    = quantised.color_format,
+    depth_encoding  = quantised.depth_encoding,
+    termination = pass.choice { "luminance", "geometry", "instance", "motion", "disoccluded", default = "instance",
+      doc = "criterion for a hit on another object than the foreground",
+      values = {
+        luminance = "First hit whose luminance differs from the luminance of the foreground, as published. Passes through a " ..
+                    "background of equal luminance, stops inside an object with a differently lit or painted back, and " ..
+                    "never stops in the dark. The picture is not a linear function of the light.",
+        geometry  = "First hit on another geometry (a part of a mesh with its own material) or another instance. Stops at " ..
+                    "the next part of the same object, which moves along and is not disoccluded.",
+        instance  = "First hit on another instance. Treats an object made of several instances as several objects, and " ..
+                    "misses self-occlusion.",
+        motion    = "First hit that does not move as if fixed to the foreground. Misses a background that happens to move " ..
+                    "along, which would be disoccluded only after the exposure.",
+        disoccluded = "First hit that moves differently on the screen than the foreground at this pixel, on any object: " ..
+                      "parts that move along are skipped, a rotating object reveals itself. Visits every hit, also those " ..
+                      "on the foreground. Fails for a rotating closed object with two-sided triangles: the first such hit " ..
+                      "is inside it.",
+      },
+      breaks = { luminance = { linear = "luminances are compared, so that other lighting may reveal another layer" } } },
+    advance = pass.choice { "instance_filter", "origin_kept", "restart", default = "instance_filter",
+      doc = "continuation of a ray past a hit",
+      values = {
+        instance_filter = "One traversal of the same ray that ignores the instance in front (with termination = geometry: " ..
+                          "only its front geometry). Instance and geometry termination need one ray and never reach the " ..
+                          "cap; luminance and motion termination visit the hits on other instances in turn. Luminance " ..
+                          "termination then never stops at the back of the foreground.",
+        origin_kept     = "Hit by hit along the same ray, with its lower bound raised by 4 units in the last place. Loses " ..
+                          "only layers in the same place. Needs a ray per layer, so it may reach the cap.",
+        restart         = "Hit by hit with a new ray from the last hit, moved forward by 0.00001 of the depth, as " ..
+                          "published. Loses layers closer together than that, and far from the origin may find the same " ..
+                          "hit again.",
+      } },
+    max_layers = pass.int { 8, min = 1, max = 31, doc = "cap on the number of hits per ray that are not another object" },
+    on_cap = pass.choice { "fallback", "last_hit", default = "fallback",
+      doc = "result of a ray that reaches `max_layers`",
+      values = {
+        fallback = "Nothing is revealed: the pixel is blurred as without rays. A background behind more layers than the cap " ..
+                   "is missed.",
+        last_hit = "The last hit is revealed. It is still the foreground if the foreground has more layers than the cap.",
+      } },
+    same_motion = pass.float { 1, min = 0, max = 1000, unit = "px",
+      doc = "largest screen distance between the motions of a surface and the foreground that counts as moving along; with " ..
+            "termination = motion or uncovered" },
+    tolerance = pass.float { 0.01, min = 0, max = 1,
+      doc = "smallest relative luminance difference of another object, plus 0.0001; with termination = luminance" },
+    luminance_of = pass.choice { "radiance", "base_color", "material", default = "radiance",
+      doc = "quantity compared by termination = luminance; the paper does not define the luminance of an object",
+      values = {
+        radiance   = "Radiance towards the camera, as in the picture. Treats a surface and its own back as different " ..
+                     "objects if their lighting differs.",
+        base_color = "Base colour of the surface, with textures and without lighting. Treats a surface and a pattern on it " ..
+                     "as different objects, and ignores emission.",
+        material   = "Mean base colour of the material: one luminance per material. Treats two objects of one material as " ..
+                     "the same object; ignores vertex colours and emission.",
+      } },
+  },
+  counters = {
+    revealed  = "rays that reveal a surface or the sky",
+    capped    = {
+      doc   = "rays that reach the cap on layers",
+      limit = "the background behind more layers than `max_layers` was not found; `on_cap` chooses the result. Raise " ..
+              "`max_layers`, or use advance = instance_filter, which skips the object in front at once",
+    },
+    passed = {
+      doc   = "rays that pass through another instance as bright as the foreground",
+      limit = "the surface behind that instance was revealed instead. Use termination = instance",
+    },
+    not_finite = shade.counters.not_finite,
+    met_again = "repeated hits on the triangle that the ray left, which do not count as layers",
+    velocity_clamped = quantised.counters.velocity_clamped,
+    color_clamped    = quantised.counters.color_clamped,
+    depth_lost       = quantised.counters.depth_lost,
+  },
+}

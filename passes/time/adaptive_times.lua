@@ -1,0 +1,45 @@
+-- SPDX-License-Identifier: MIT
+-- Rays at adaptively chosen times: more where the visible surface changes, none where a gather is reliable.
+local pass  = require "strobe.pass"
+local blur  = require "passes.lib.blur"
+local shade = require "passes.gbuffer.shade"
+
+return pass.trace {
+  doc    = "Mean of rays at adaptively chosen times per pixel, with more rays between two that differ; a gather where it " ..
+           "is reliable",
+  breaks = { linear = "the times of the rays depend on differences of colour" },
+  size   = { of = "color" },
+  reads  = {
+    color    = { doc = "colour of the raster layer, linear radiance" },
+    depth    = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
+    id       = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
+    hit      = { uint = true, doc = "surface of the raster layer: instance + 1 (0 for the sky), geometry, primitive" },
+    velocity = { doc = "displacement of the raster layer, px over the exposure" },
+    certain  = { doc = "per cell, 1 where a gather along the motion is reliable, 1/2 where nothing moves, otherwise 0" },
+    longest  = { doc = "longest displacement of the surfaces that reach each cell, px over the exposure" },
+  },
+  writes = { picture = { format = "rgba32f", doc = "blurred picture, linear radiance; alpha 1" } },
+  if_no = { motion = { picture = "color" } },
+  params = {
+    cell_side = blur.cell_side,
+    samples   = blur.samples { doc = "number of taps along the motion where a gather is reliable" },
+    pace      = pass.float { 0.02, min = 1e-6, max = 1e6, unit = "image widths",
+      doc = "largest displacement between two successive initial rays of a pixel" },
+    allowance = pass.float { 0.01, min = 0, max = 1000,
+      doc = "largest error of an interval between two rays that is not subdivided, linear radiance times fraction of the " ..
+            "exposure" },
+    hit_color = pass.choice { "shaded", "kept", default = "shaded", doc = "source of the colour of a hit",
+      values = {
+        shaded = "Shading of the hit, as at the raster time.",
+        kept = "Colour of the raster texel that shows the surface; hits without such a texel are shaded. Fails by half a " ..
+               "pixel: stairs in textures.",
+      } },
+    same_depth = pass.float { 0.01, min = 0, max = 1, doc = "relative tolerance for equal depths" },
+  },
+  counters = {
+    gathered   = "pixels computed from raster colours, without a ray",
+    samples    = "time samples with a ray",
+    not_finite = shade.counters.not_finite,
+  },
+  fails  = "Surfaces that appear and disappear between two rays with equal results are missed.",
+}

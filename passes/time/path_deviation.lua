@@ -1,0 +1,31 @@
+-- SPDX-License-Identifier: MIT
+-- Path deviation over the exposure from a straight line.
+local pass      = require "strobe.pass"
+local followed  = require "passes.lib.followed"
+local quantised = require "passes.lib.quantised"
+
+local none = { path_deviation = 0, nonlinear = 0 }
+
+return pass.compute {
+  doc    = "Path deviation of a layer's surfaces from the straight line between their positions at shutter open and close",
+  size   = { of = "velocity" },
+  scene  = true,
+  reads  = followed,
+  writes = {
+    path_deviation = { format = quantised.velocity, cleared = true,
+      doc = "path deviation from a straight line in the middle of the exposure, px" },
+    nonlinear = { format = "r8_unorm", cleared = true,
+      doc = "1 where the path deviation exceeds `max_deviation`, or the stretch exceeds `max_stretch`" },
+  },
+  if_no = { motion = none, curves = none, moving_rect = none },
+  params = {
+    velocity_format = quantised.velocity_format,
+    max_deviation = pass.float { 0.5, min = 0, max = 1000, unit = "px",
+      doc = "largest path deviation from a straight line in the middle of the exposure" },
+    max_stretch = pass.float { 1.5, min = 1, max = 1000, unit = "px",
+      doc = "largest distance of adjacent texels of a surface after stretching; beyond it the taps of a filter leave holes" },
+  },
+  counters = { velocity_clamped = quantised.counters.velocity_clamped },
+  fails  = "A path that crosses its straight line in the middle of the exposure, such as a fast oscillation, is treated as " ..
+           "straight.",
+}

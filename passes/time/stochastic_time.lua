@@ -1,0 +1,31 @@
+-- SPDX-License-Identifier: MIT
+-- One ray per pixel near motion, at a random time. Cook, Porter and Carpenter 1984, "Distributed Ray Tracing".
+local pass  = require "strobe.pass"
+local blur  = require "passes.lib.blur"
+local jitter = require "passes.lib.jitter"
+local shade = require "passes.gbuffer.shade"
+
+local drawn = "the sample time of a pixel depends on its screen position"
+
+return pass.trace {
+  doc    = "One ray per pixel at a random time of the exposure, in tiles that a moving surface may reach",
+  fails  = "Noise: one time sample represents the whole exposure. Misses surfaces that enter from outside the image where no "
+    .. "tile around has a displacement.",
+  breaks = { mirrored = drawn, shifted = drawn, reversed = drawn, uniform = "a pixel has one random time sample" },
+  size   = { of = "color" },
+  reads  = {
+    color    = { doc = "colour of the raster layer, linear radiance" },
+    velocity = { doc = "displacement of the raster layer, px over the exposure" },
+    dominant = { doc = "longest displacement that reaches each tile, at most the limit, px over the exposure" },
+  },
+  writes = {
+    noisy = { format = "rgba32f", doc = "colour of the hit, shaded as at the raster time, linear radiance; alpha 1" },
+    moved = { format = "rg32f", doc = "displacement of the hit surface, px over the exposure" },
+  },
+  if_no = { motion = { noisy = "color", moved = "velocity" } },
+  params = { tile = blur.tile, jitter_frame = jitter.jitter_frame },
+  counters = {
+    rays       = "pixels with a ray",
+    not_finite = shade.counters.not_finite,
+  },
+}

@@ -1,0 +1,26 @@
+-- SPDX-License-Identifier: MIT
+-- Piecewise linear motion of a layer in two segments, before and after the raster time.
+local pass      = require "strobe.pass"
+local quantised = require "passes.lib.quantised"
+
+return pass.compute {
+  doc    = "Displacements of a layer before and after the raster time, from true poses: motion in two linear segments",
+  size   = { of = "velocity" },
+  scene  = true,
+  reads  = {
+    depth    = { doc = "linear view depth, metres; +inf for the sky, 0 where the layer has no surface" },
+    id       = { uint = true, doc = "instance + 1; 0 for the sky" },
+    velocity = { doc = "displacement of the surface, px over the exposure" },
+  },
+  writes = {
+    velocity_pre = { format = quantised.velocity,
+      doc = "displacement before the raster time, scaled to the whole exposure, px; equal to `velocity` if the exposure " ..
+            "has one segment or the instance deforms" },
+    velocity_post = { format = quantised.velocity,
+      doc = "displacement after the raster time, scaled to the whole exposure, px; equal to `velocity` if the exposure has " ..
+            "one segment or the instance deforms" },
+  },
+  params = { velocity_format = quantised.velocity_format },
+  counters = { velocity_clamped = quantised.counters.velocity_clamped },
+  fails  = "Each segment is a straight line: changes of direction at other times than the raster time are ignored.",
+}

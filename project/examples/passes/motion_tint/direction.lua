@@ -1,0 +1,15 @@
+-- SPDX-License-Identifier: MIT
+-- Tint of moving pixels by the direction of their motion; a member of the family motion_tint.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  doc    = "Moving pixels in the colour of their direction: right red, down green, left cyan, up violet",
+  fails  = "Slow and fast motion look alike.",
+  size   = { of = "color" },
+  reads  = {
+    color    = { pointwise = true, doc = "colour, linear radiance" },
+    velocity = { pointwise = true, doc = "displacement, px over the exposure" },
+  },
+  writes = { tinted = { format = "rgba32f", doc = "tinted colour, linear radiance; alpha 1" } },
+  if_no  = { motion = { tinted = "color" }, moving_rect = { tinted = "color" } },
+}

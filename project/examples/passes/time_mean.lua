@@ -1,0 +1,10 @@
+-- SPDX-License-Identifier: MIT
+-- Running mean of the images of a loop. The update `mean` is zero before the loop and keeps its value between iterations.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  doc     = "Mean of the images of all iterations so far",
+  size    = { of = "color" },
+  reads   = { color = { doc = "image of one time, linear radiance" } },
+  updates = { mean = { format = "rgba32f", doc = "mean, linear radiance; alpha: 1" } },
+}

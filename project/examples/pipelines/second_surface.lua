@@ -1,0 +1,16 @@
+-- SPDX-License-Identifier: MIT
+-- The raster image, averaged with the surface that a ray finds behind it.
+local pipeline       = require "strobe.pipeline"
+local second_surface = require "passes.second_surface"
+local scene          = require "scripts.pipelines.lib.scene"
+
+return pipeline {
+  doc    = "Raster image, averaged with the second surface on each ray",
+  breaks = { uniform = "it does not blur" },
+  params = { share = second_surface.params.share },
+  build  = function(p)
+    local raster = scene.raster()
+    local traced = second_surface { hit = raster.hit, color = raster.color, share = p.share }
+    return scene.outputs(raster, { color = traced.picture })
+  end,
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Running mean of the images of a loop.
+// In:  `color`: linear radiance at one time of the exposure.
+// Out: `mean`:  updated: mean of the images so far, linear radiance; alpha 1.
+// Method: move the mean towards the image by 1/n in iteration n. The mean of equal images is that image, bit for bit.
+// Fails: never.
+void run(ivec2 pixel) {
+  vec3 mean = imageLoad(mean_img, pixel).rgb;
+  mean += (color_at(pixel).rgb - mean) / float(frame.iteration + 1u);
+  imageStore(mean_img, pixel, vec4(mean, 1));
+}

@@ -1,0 +1,133 @@
+-- SPDX-License-Identifier: MIT
+-- Paths of surface points over the exposure: a line, two segments that meet at the raster time, or a curve.
+local pass               = require "strobe.pass"
+local pipeline           = require "strobe.pipeline"
+local union              = require "passes.mask.union"
+local extrapolated_curve = require "passes.time.extrapolated_curve"
+local path_curve         = require "passes.time.path_curve"
+local two_segments       = require "passes.time.two_segments"
+local scene              = require "scripts.pipelines.lib.scene"
+
+local paths = {}
+
+-- Parameter of pipelines whose filters can follow two segments.
+paths.range = pipeline.choice { "whole", "split", default = "whole",
+  doc = "displacements over the exposure: one, or one before and one after the raster time (differs only if anchor = centre)",
+  values = {
+    whole = "One displacement: a point moves along a straight line at constant speed. Fails where motion turns: a point " ..
+            "that turns back at the raster time is taken as static.",
+    split = "One displacement from shutter open to the raster time and one from there to shutter close, each from exact " ..
+            "poses. Costs a second set of tiles and a second mask. Equals whole under the anchors end and start, which " ..
+            "have one part, and under displacement = extrapolated, which has one displacement. Fails where motion turns " ..
+            "at another time than the raster time.",
+  } }
+
+-- ---- two segments
+
+function paths.are_split(p)
+  return p.range() == "split" and p.displacement() == "window"
+end
+
+local function copy_of(layer)
+  local copy = scene.layer {}
+  for key, value in pairs(layer) do copy[key] = value end
+  return copy
+end
+
+-- Copy of `layer` with two segments if the range is split: velocity is that before the raster time, velocity_post that after
+-- it, whole_velocity the former velocity. Otherwise the layer itself. `name` names the node.
+function paths.split(p, layer, name)
+  if not paths.are_split(p) then return layer end
+  local segments = two_segments { depth = layer.depth, id = layer.id, velocity = layer.velocity, as = name }
+  local split = copy_of(layer)
+  split.velocity, split.velocity_post, split.whole_velocity = segments.velocity_pre, segments.velocity_post, layer.velocity
+  return split
+end
+
+-- Second segment of a split layer as a layer of its own. Made once per layer.
+function paths.post(layer)
+  if layer.post then return layer.post end
+  local post = copy_of(layer)
+  post.velocity, post.velocity_post, post.velocities, post.bounds = layer.velocity_post, nil, nil, nil
+  layer.post = post
+  return post
+end
+
+-- `mask(p, layer)`, or the union of the masks of both segments.
+function paths.mask(p, layer, mask)
+  if not layer.velocity_post then return mask(p, layer) end
+  return union {
+    first = pipeline.prefixed("pre_", function() return mask(p, layer) end),
+    second = pipeline.prefixed("post_", function() return mask(p, paths.post(layer)) end),
+    as = "mask",
+  }.mask
+end
+
+-- Refuses a filter that would ignore the second segment. `setting` names the filter.
+function paths.require_segments(layer, filter, setting)
+  if not layer.velocity_post or pass.reads(filter, "velocity_post") then return end
+  error(("range = split: %s follows one segment only; it needs range = whole"):format(setting), 0)
+end
+
+-- ---- curves
+
+function paths.are_curved(p) return p.trajectory() ~= "line" end
+
+-- True if curves are extrapolated from the poses of previous frames. They also replace the velocity.
+function paths.are_extrapolated(p) return paths.are_curved(p) and p.displacement() == "extrapolated" end
+
+-- Refuses a filter that would ignore curves. `setting` names the filter.
+function paths.require_curves(p, filter, setting)
+  if not paths.are_curved(p) then return end
+  if pass.reads(filter, "velocity_post") and paths.are_split(p) then
+    error(("trajectory = %s: range = split has straight paths; it needs range = whole"):format(p.trajectory()), 0)
+  end
+  if not pass.reads(filter, "curve") then
+    error(("trajectory = %s: %s follows straight paths only; it needs trajectory = line"):format(p.trajectory(), setting), 0)
+  end
+end
+
+-- Number of poses that a curve passes through, in addition to those at shutter open and close, or to the raster time.
+local function poses_of(p)
+  if not paths.are_extrapolated(p) then return p.trajectory() == "arc" and 5 or 3 end
+  if p.trajectory() == "arc" then
+    error("trajectory = arc: arcs need poses inside of the exposure, displacement = window; poses of earlier frames make " ..
+          "a quadratic", 0)
+  end
+  return 2
+end
+
+local function curve_of(p, name, layer)
+  local images = {
+    depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
+    as = name .. "_curve",
+  }
+  if paths.are_extrapolated(p) then return extrapolated_curve(images) end
+  return path_curve(images)
+end
+
+-- Adds `curve`, `path_deviation` and `nonlinear` to each of `layers`, a list of { name, layer }; an extrapolated curve also
+-- replaces `velocity`. Changes nothing if paths are lines.
+function paths.add_curves(p, layers)
+  if not paths.are_curved(p) then return end
+  local extrapolated = paths.are_extrapolated(p)
+  local images = { "curve", "path_deviation", "nonlinear", extrapolated and "velocity" or nil }
+  local found = pipeline.loop {
+    name = extrapolated and layers[1][1] .. "_earlier" or "inside",
+    count = 1, times = extrapolated and "frames" or "even", slices = poses_of(p),
+    body = function()
+      local result = {}
+      for _, given in ipairs(layers) do
+        local curve = curve_of(p, given[1], given[2])
+        for _, image in ipairs(images) do result[given[1] .. "_" .. image] = curve[image] end
+      end
+      return result
+    end,
+  }
+  for _, given in ipairs(layers) do
+    local name, layer = given[1], given[2]
+    for _, image in ipairs(images) do layer[image] = found[name .. "_" .. image] end
+  end
+end
+
+return paths

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Search through up to four full layers, back along displacements (Lee, Kwon, Oh 2024, "Real-Time Motion Blur Using Multi-Layer
+// Motion Vectors", Applied Sciences 14, 4626), for any anchor.
+// In:  color, depth, velocity: first layer: linear; view depth, metres, +inf for the sky; displacement, px over the exposure.
+//      layer_2_* to layer_4_*: the same three images of the surfaces behind it, over the whole image (optional).
+//      id: instance + 1, geometry + 1 of the first layer; for the counter `varied` only.
+//      dominant, deep_dominant: longest displacement per tile of the first two layers, and of the others (optional).
+// Out: blurred: linear, alpha 1.
+// Method: for each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each displacement g searched, and each layer, the texel
+//   Y = X - t_i*g, clamped to the image, counts if its displacement differs from g by at most `agreement` px and by at most
+//   half of the longer one (at least half a pixel). The nearest texel that counts is the sample, at equal depths the texel of
+//   the first g. The result is the mean over the samples found; X itself if none is found.
+//   Searched: the displacements of X in all layers, and of its tile. The paper takes a colour if its displacement agrees with
+//   the displacement of the search; the text at hand does not say which displacements start at a pixel that another surface
+//   passes over, so they are found here as in the other filters.
+//   `varied` counts samples of a deeper layer where the path of X's own surface leads to another part of this surface, with a
+//   different displacement.
+// Fails: surfaces in no layer; displacements that are neither the pixel's nor the longest of its tile.
+#include "lib/times.glsl"
+#include "mixin/jitter.glsl"
+#include "mixin/limit.glsl"
+#include "lib/sanitise.glsl"
+
+const int kLayers = 1 + HAS_layer_2_depth + HAS_layer_3_depth + HAS_layer_4_depth;
+const int kMost = 6;  // displacements: of four layers, and two of the tile
+
+// Depths that differ by less than 2^-16 of the depth count as equal: rounding separates the depths of one surface.
+const float kSameDepth = 1.0 - 1.0 / 65536.0;
+
+// Displacements within this distance, px, count as one: they nearly always lead to the same texels.
+const float kSamePath = 1.0 / 16.0;
+
+vec3 colorOf(int layer, ivec2 at) {
+  if (layer == 1) return finiteColor(layer_2_color_at(at));
+  if (layer == 2) return finiteColor(layer_3_color_at(at));
+  if (layer == 3) return finiteColor(layer_4_color_at(at));
+  return finiteColor(color_at(at));
+}
+
+float depthOf(int layer, ivec2 at) {
+  if (layer == 1) return saneDepth(layer_2_depth_at(at).x);
+  if (layer == 2) return saneDepth(layer_3_depth_at(at).x);
+  if (layer == 3) return saneDepth(layer_4_depth_at(at).x);
+  return saneDepth(depth_at(at).x);
+}
+
+vec4 displacementOf(int layer, ivec2 at) {
+  if (layer == 1) return layer_2_velocity_at(at);
+  if (layer == 2) return layer_3_velocity_at(at);
+  if (layer == 3) return layer_4_velocity_at(at);
+  return velocity_at(at);
+}
+
+vec2 limitedDisplacementOf(int layer, ivec2 at) {
+  return clampLength(finiteDisplacement(displacementOf(layer, at)), limitPx());
+}
+
+struct Searched {
+  vec2 displacements[kMost];  // px over the exposure
+  int count;
+  float longest;  // px
+};
+
+void search(inout Searched searched, vec2 d) {
+  for (int k = 0; k < searched.count; ++k)
+    if (lengthOf(searched.displacements[k] - d) <= kSamePath) return;
+  searched.displacements[searched.count] = d;
+  searched.count += 1;
+  searched.longest = max(searched.longest, lengthOf(d));
+}
+
+void searchDominant(inout Searched searched, ivec2 tile) {
+#if HAS_dominant
+  search(searched, vec2(dominant_at(tile)));
+#endif
+#if HAS_deep_dominant
+  search(searched, vec2(deep_dominant_at(tile)));
+#endif
+}
+
+Searched searchedAt(ivec2 pixel) {
+  Searched searched;
+  searched.count = 0;
+  searched.longest = 0.0;
+  for (int layer = 0; layer < kLayers; ++layer) search(searched, limitedDisplacementOf(layer, pixel));
+  searchDominant(searched, pixel / params.tile);
+  return searched;
+}
+
+struct Nearest {
+  int layer;  // -1: no surface
+  ivec2 at;
+  float depth;
+};
+
+// True if two displacements agree. A displacement of 0 and a displacement of a pixel never agree, whatever `agreement` is.
+bool agree(vec2 a, vec2 b) {
+  float apart = lengthOf(a - b);
+  return apart <= params.agreement && apart <= max(0.5 * max(lengthOf(a), lengthOf(b)), 0.5);
+}
+
+// True if the displacement of a texel agrees with the displacement d that leads to the texel.
+bool comes(int layer, ivec2 at, vec2 d) { return agree(limitedDisplacementOf(layer, at), d); }
+
+// The nearer of the surface found so far and the texel of a layer at the end of a path.
+Nearest nearer(Nearest nearest, int layer, ivec2 at, vec2 d) {
+  if (!comes(layer, at, d)) return nearest;
+  float depth = depthOf(layer, at);
+  if (nearest.layer >= 0 && depth >= nearest.depth * kSameDepth) return nearest;
+  return Nearest(layer, at, depth);
+}
+
+Nearest sampleAt(ivec2 pixel, Searched searched, float t, ivec2 size) {
+  Nearest nearest = Nearest(-1, pixel, 0.0);
+  for (int k = 0; k < searched.count; ++k) {
+    vec2 d = searched.displacements[k];
+    ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);
+    for (int layer = 0; layer < kLayers; ++layer) nearest = nearer(nearest, layer, at, d);
+  }
+  return nearest;
+}
+
+// True if the path of the pixel's surface leads to another part of this surface, with a different displacement.
+bool isVaried(ivec2 pixel, float t, ivec2 size) {
+  vec2 d = limitedDisplacementOf(0, pixel);
+  ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);
+  return id_at(at).xy == id_at(pixel).xy && !comes(0, at, d);
+}
+
+void run(ivec2 pixel) {
+  vec3 own = vec3(color_at(pixel));
+  Searched searched = searchedAt(pixel);
+  if (spreadFactor(frame.shutter) * searched.longest <= kStaticRadius) {
+    imageStore(blurred_img, pixel, vec4(own, 1));
+    return;
+  }
+
+  ivec2 size = textureSize(color_tex, 0);
+  float jitter = jitterOf(pixel);
+  vec3 sum = vec3(0);
+  int found = 0;
+  uint varied = 0u;
+  for (int i = 0; i < params.samples; ++i) {
+    float t = sampleTime(i, params.samples, jitter);
+    Nearest nearest = sampleAt(pixel, searched, t, size);
+    if (nearest.layer < 0) continue;
+    if (nearest.layer > 0 && isVaried(pixel, t, size)) varied += 1u;
+    sum += toSum(colorOf(nearest.layer, nearest.at));
+    found += 1;
+  }
+  if (found < params.samples) count_missed(uint(params.samples - found));
+  if (varied > 0u) count_varied(varied);
+  imageStore(blurred_img, pixel, vec4(found > 0 ? fromSum(sum / float(found)) : own, 1));
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// The surface behind the foreground, on the ray of the raster sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
+// In:  `hit`:      foreground: instance + 1 (0 = sky), geometry, primitive
+//      `mask`:     above 1/2 where to reveal
+// Out: `color`:    linear radiance, quantised; this and all other outputs are 0 where nothing is revealed
+//      `depth`:    view depth, m; +inf for the sky; quantised
+//      `id`:       instance + 1, geometry + 1; 0 for the sky
+//      `velocity`: px over the exposure, quantised
+//      `valid`:    1 where a surface or the sky is revealed
+//      `found`:    instance + 1 (0 = sky), geometry, primitive
+// Method: go from hit to hit by `advance` until `termination` holds, or until `max_layers` hits have not ended the search
+//      (counter `capped`). With `instance_filter` the traversal skips the foreground's instance (under `geometry` termination
+//      its geometry), so that `instance` and `geometry` termination end at the first hit and never reach the cap. A surface
+//      within 4 representable depths of the previous hit (`restart`: within 1e-5 of its depth) counts as the same hit.
+// Fails: `luminance` stops inside an object whose back is lit differently, passes through a background of equal luminance, and
+//      is not linear in the light (with base colours it is). `instance` and `geometry` miss a foreground that covers itself and
+//      split an object of several instances; `motion` does not split it.
+#include "mixin/advance.glsl"
+#include "mixin/shade.glsl"
+#include "mixin/quantised.glsl"
+
+float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
+
+// The radiance shaded for the luminance test is also the colour of the result.
+#if PARAM_termination == termination_luminance && PARAM_luminance_of == luminance_of_radiance
+#define COLOR_IS_FOUND 1
+#else
+#define COLOR_IS_FOUND 0
+#endif
+
+// Poses compared with the raster time: both ends of the exposure, or the previous frame if displacements are extrapolated.
+#if PARAM_displacement == displacement_extrapolated
+const uint kFirstPose = SLICE_PREVIOUS, kLastPose = SLICE_PREVIOUS;
+#else
+const uint kFirstPose = SLICE_SHUTTER_OPEN, kLastPose = SLICE_SHUTTER_CLOSE;
+#endif
+
+// True if the surface moves on the screen as if it were fixed to the foreground, at each of these poses. Such a surface (a load
+// on a truck, a lamp in its shade) hides the same background as the foreground.
+bool goesAlong(Hit hit, uint instance) {
+  if (hit.instance == instance) return true;
+  vec3 raster_ws = positionOf(SLICE_RASTER, hit);
+  for (uint slice = kFirstPose; slice <= kLastPose; ++slice) {
+    vec2 own = pixelFromView(slice, viewFromWorld(slice, positionOf(slice, hit)));
+    vec2 carried = pixelFromView(slice, viewFromWorld(slice, carriedBy(instance, slice, raster_ws)));
+    if (!(distance(own, carried) <= params.same_motion)) return false;
+  }
+  return true;
+}
+
+Hit nextHit(Ray ray, Hit front, Hit last) {
+#if PARAM_advance == advance_restart
+  return nextFromHit(ray, last);
+#elif PARAM_advance == advance_instance_filter && PARAM_termination == termination_geometry
+  return nextAlong(ray, last, front.instance, front.geometry);
+#elif PARAM_advance == advance_instance_filter && PARAM_termination != termination_disoccluded
+  return nextAlong(ray, last, front.instance, NO_INSTANCE);
+#else
+  return nextAlong(ray, last, NO_INSTANCE, NO_INSTANCE);
+#endif
+}
+
+// The hit, intersected with its triangle by the function that the raster layer uses: the result does not depend on the device.
+Hit exactly(Ray ray, Hit hit) {
+  return hitOnTriangle(SLICE_RASTER, ray, hit.instance, hit.geometry, hit.primitive);
+}
+
+vec3 pointOn(Ray ray, Hit hit) { return ray.origin + ray.direction * hit.t; }
+
+// True if the displacements of surface and foreground at this pixel differ by more than `same_motion` px.
+bool movesApart(Ray ray, Hit hit, Hit front) {
+  Hit exact = exactly(ray, hit);
+  return !(distance(displacementOf(exact, pointOn(ray, exact)), displacementOf(front, pointOn(ray, front))) <=
+           params.same_motion);
+}
+
+// True if the hit belongs to another object than the foreground, by every `termination` except luminance.
+bool isOther(Ray ray, Hit hit, Hit front) {
+#if PARAM_termination == termination_motion
+  return !goesAlong(hit, front.instance);
+#elif PARAM_termination == termination_disoccluded
+  return movesApart(ray, hit, front);
+#elif PARAM_termination == termination_geometry
+  return hit.instance != front.instance || hit.geometry != front.geometry;
+#else
+  return hit.instance != front.instance;
+#endif
+}
+
+struct Found {
+  Hit hit;
+  vec3 color;  // compared by luminance termination
+  bool capped;
+  bool passed;  // luminance termination passed through another instance
+};
+
+// Colour of a hit that luminance termination compares, linear.
+vec3 comparedColor(Hit hit) {
+#if PARAM_luminance_of == luminance_of_base_color
+  Surface surface = surfaceOf(SLICE_RASTER, hit);
+  vec4 texel = texelsOf(surface, 1, footprintOf(SLICE_RASTER, surface)).base_color;
+  return baseColorOf(scene_materials[surface.material], surface, texel);
+#elif PARAM_luminance_of == luminance_of_material
+  return scene_materials[geometryOf(hit.instance, hit.geometry).material].mean_color;
+#else
+  return shade(SLICE_RASTER, hit);
+#endif
+}
+
+// First hit behind `front` on another object, or a miss; at the cap the last hit tried. Luminance termination evaluates the
+// foreground in a round of its own, so that this function contains the shading code once: each copy takes seconds to compile.
+// A search also ends after 8 hits on the triangle just left: far from the origin `restart` may repeat a hit without end.
+// The 1e-4 in the luminance test keeps black from ending at black (docs/derivations.md).
+Found firstBackground(Ray ray, Hit front) {
+  Found found = Found(front, vec3(0), false, false);
+  bool under_way = PARAM_termination != termination_luminance;
+  float reference = 0.0;
+  int layer = 0;
+  uint met_again = 0u;
+  while (layer < params.max_layers && met_again < 8u) {
+    if (under_way) {
+      Hit hit = nextHit(ray, front, found.hit);
+      bool again = isSameTriangle(hit, found.hit);
+      found.hit = hit;
+      if (again) {
+        ++met_again;
+        continue;
+      }
+      if (!isHit(hit)) break;
+    }
+#if PARAM_termination == termination_luminance
+    found.color = comparedColor(exactly(ray, found.hit));
+    float here = luminance(found.color);
+    if (!under_way) {
+      reference = here;
+      under_way = true;
+      continue;
+    }
+    if (abs(here - reference) > params.tolerance * max(here, reference) + 1e-4) break;
+    found.passed = found.passed || found.hit.instance != front.instance;
+#else
+    if (isOther(ray, found.hit, front)) break;
+#endif
+    ++layer;
+  }
+  found.capped = layer == params.max_layers || met_again == 8u;
+  if (met_again > 0u) count_met_again(met_again);
+  return found;
+}
+
+struct Revealed {
+  vec4 color;
+  float depth;
+  uvec2 id;
+  vec2 velocity;
+  bool valid;
+  uvec3 hit;
+};
+
+const Revealed kNothing = Revealed(vec4(0), 0.0, uvec2(0), vec2(0), false, uvec3(0));
+
+Revealed surfaceHit(Ray ray, Found found) {
+  Hit hit = exactly(ray, found.hit);
+#if COLOR_IS_FOUND
+  vec3 color = found.color;
+#else
+  vec3 color = shade(SLICE_RASTER, hit);
+#endif
+  return Revealed(vec4(color, 1), hit.t, uvec2(hit.instance, hit.geometry) + 1u,
+                  displacementOf(hit, pointOn(ray, hit)), true, uvec3(hit.instance + 1u, hit.geometry, hit.primitive));
+}
+
+Revealed skyHit(Ray ray) {
+  return Revealed(vec4(environment(ray.direction), 1), uintBitsToFloat(0x7f800000u), uvec2(0),
+                  displacementOfSky(ray.direction), true, uvec3(0));
+}
+
+Revealed revealedBackground(ivec2 pixel) {
+  uvec4 ids = texelFetch(hit_tex, pixel, 0);
+  Ray ray = cameraRay(SLICE_RASTER, samplePosition(pixel));
+  Hit front = hitOnTriangle(SLICE_RASTER, ray, ids.x - 1u, ids.y, ids.z);
+  Found found = firstBackground(ray, front);
+  if (found.capped) count_capped(1u);
+  if (found.passed) count_passed(1u);
+  if (found.capped && PARAM_on_cap == on_cap_fallback) return kNothing;
+  count_revealed(1u);
+  return isHit(found.hit) ? surfaceHit(ray, found) : skyHit(ray);
+}
+
+// True if the pixel is masked and shows a surface. Nothing lies behind the sky.
+bool isMasked(ivec2 pixel) {
+  return texelFetch(mask_tex, pixel, 0).r > 0.5 && texelFetch(hit_tex, pixel, 0).x != 0u;
+}
+
+void run(ivec2 pixel) {
+  if (!isMasked(pixel)) return;  // outputs are cleared to 0
+  Revealed revealed = revealedBackground(pixel);
+  if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
+  imageStore(color_img, pixel, quantisedColor(revealed.color));
+  imageStore(depth_img, pixel, vec4(quantisedDepth(revealed.depth)));
+  imageStore(id_img, pixel, uvec4(revealed.id, 0u, 0u));
+  imageStore(velocity_img, pixel, vec4(quantisedVelocity(revealed.velocity), 0, 0));
+  imageStore(valid_img, pixel, vec4(revealed.valid ? 1.0 : 0.0));
+  imageStore(found_img, pixel, uvec4(revealed.hit, 0u));
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Disocclusion mask by relative motion: pixels that hide a surface which becomes visible within the exposure (an extension of
+// Tan, Cui, Bhojan 2020; docs/derivations.md, "Layers").
+// In:  depth: view depth, metres; +inf for the sky.
+//      id: instance + 1; 0 for the sky.
+//      velocity: displacement d, px over the exposure.
+//      culled_0 .. culled_3: candidate displacements b of the background, per cell, two per image; kNoVelocity after the
+//        last.
+//      bounds, ids: range of the displacements and of the instances of each cell; walks skip cells that cannot end them.
+//      farthest_around: view depth of the farthest moving surface around each tile, metres; static pixels beyond are skipped.
+//      max_displacement: longest displacement in the image, px over the exposure, one texel (optional).
+// Out: mask: 1 where a surface is to be revealed, otherwise 0.
+// Method: a point hidden behind pixel y moves by b, the foreground at y by d. At time t the point is at y + b*t, where the
+//   foreground shows its texel y - t*(d - b). The point is visible if this path leaves the foreground within the exposure:
+//   relative motion decides, so a static foreground is marked if the background moves (a tracking shot).
+//   Each path is walked in steps of 1 px, plus `margin` px (a pixel too many costs a ray, a missing one is an error). y is
+//   marked at a pixel q of another instance that moves by b, within max(1 px, match * |d - b|), and is not nearer, by the share
+//   `occluder`, than the last pixel of y's instance. If the first q that moves relative to y does not move by b, a second walk
+//   uses b = d(q): candidates are approximate where a background's motion varies, d(q) is exact.
+//   A path that ends behind an occluder continues to the occluder's end. Paths end at the image border (counter `off_screen`).
+// Fails: backgrounds with a motion that no pixel around shows; self-occlusion of one instance; more than eight motions.
+#include "lib/bounds.glsl"
+#include "lib/velocity_list.glsl"
+#include "lib/sanitise.glsl"
+#include "mixin/limit.glsl"
+
+// The loops of a walk follow one another and have small bodies, because a GPU runs a loop until the slowest pixel of a subgroup
+// is done.
+
+// The path y - t*(d - b), one step per pixel.
+struct Path {
+  ivec2 pixel;  // y
+  vec2 d, b;
+  float t;
+  vec2 unit;    // offset of one step, px
+  int steps;    // steps to its end, `margin` included
+  int longest;  // steps if it continues behind an occluder
+  int inside;   // steps inside the image
+  uint own;     // instance + 1 at y
+  float matching_px;
+};
+
+const int kNoStep = 1 << 24;
+
+vec2 displacementAt(ivec2 pixel) {
+  return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
+}
+
+// Requires isPath(d, b, t): a path of at least half a pixel.
+Path pathOf(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
+  vec2 whole = tapOffset(d - b, t);
+  float whole_px = lengthOf(whole);
+  vec2 unit = whole / whole_px;
+  int steps = int(ceil(whole_px)) + params.margin;
+  vec2 room = mix(vec2(pixel), vec2(textureSize(id_tex, 0) - 1 - pixel), greaterThan(unit, vec2(0))) + 0.5;
+  vec2 inside = room / max(abs(unit), vec2(1e-6)) - 1e-3;
+  return Path(pixel, d, b, t, unit, steps, steps + int(ceil(reachPx())),
+              int(min(min(inside.x, inside.y), float(kNoStep))), own, max(1.0, params.match * lengthOf(d - b)));
+}
+
+bool isPath(vec2 d, vec2 b, float t) { return lengthOf(tapOffset(d - b, t)) >= 0.5; }
+
+ivec2 placeOn(Path path, int i) { return path.pixel + roundSymmetric(path.unit * float(i)); }
+
+bool isOwn(Path path, ivec2 at) { return texelFetch(id_tex, at, 0).x == path.own; }
+
+float depthAt(ivec2 at) { return saneDepth(texelFetch(depth_tex, at, 0).x); }
+
+// True if a surface of this depth is an occluder, behind which the foreground may continue. A slanted background (the ground
+// under an object) is slightly nearer at the end of the path, although it is farther at the pixel itself; `occluder` allows for
+// that.
+bool occludes(float depth, float own_depth) { return depth < own_depth * (1.0 - params.occluder); }
+
+// True if the cell may end a walk: it may hold another instance that moves by about b, or relative to y.
+bool concerns(Path path, ivec2 cell) {
+  uvec2 ids = uvec2(texelFetch(ids_tex, cell, 0));
+  vec4 bounds = texelFetch(bounds_tex, cell, 0);
+  const float slack = 1.0 + 1e-4;
+  bool matches = shortestIn(relativeTo(bounds, path.b)) <= path.matching_px * slack;
+  bool moves = abs(path.t) * longestIn(relativeTo(bounds, path.d)) * slack >= 0.5;
+  return (matches || moves) && !(ids.x == path.own && ids.y == path.own);
+}
+
+// First step from `from` to `to`, or a step shortly before it, that lies in a cell that may end the walk; otherwise
+// kNoStep. Follows the path from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
+int firstConcern(Path path, int from, int to) {
+  ivec2 cell = placeOn(path, from) / params.cell_side;
+  ivec2 ahead = ivec2(greaterThan(path.unit, vec2(0)));
+  vec2 inverse = 1.0 / max(abs(path.unit), vec2(1e-6));
+  vec2 border = abs(vec2((cell + ahead) * params.cell_side) - (vec2(path.pixel) + 0.5));
+  vec2 next = border * inverse, per_cell = float(params.cell_side) * inverse;  // in steps
+  float entered = float(from);
+  while (entered <= float(to) && !concerns(path, cell)) {
+    entered = min(next.x, next.y);
+    bvec2 crossed = equal(next, vec2(entered));
+    cell += ivec2(crossed) * (2 * ahead - 1);
+    next += vec2(crossed) * per_cell;
+  }
+  return entered > float(to) ? kNoStep : max(from, int(entered));
+}
+
+struct Walk {
+  bool crosses;   // the path reaches a background that moves by b
+  bool meets;     // the path reaches a background that moves relative to y, but not by b
+  vec2 d_beyond;  // displacement of the first such background
+};
+
+// Last step before step i on y's instance.
+int lastOwn(Path path, int i) {
+  --i;
+  while (i > 0 && !isOwn(path, placeOn(path, i))) --i;
+  return i;
+}
+
+Walk walked(Path path) {
+  Walk walk = Walk(false, false, vec2(0));
+  int first = firstConcern(path, 1, path.longest);
+  if (first == kNoStep) return walk;
+  // A path that ends behind an occluder continues to the occluder's end: the silhouette may be hidden there.
+  int i = min(first, path.steps);
+  int own_step = lastOwn(path, i);
+  bool occluded = false;
+  for (; i <= path.steps || (occluded && i <= path.longest); ++i) {
+    if (i > path.inside) break;
+    ivec2 at = placeOn(path, i);
+    if (isOwn(path, at)) {
+      if (i > path.steps) break;
+      own_step = i;
+      occluded = false;
+      continue;
+    }
+    occluded = occludes(depthAt(at), depthAt(placeOn(path, own_step)));
+    if (occluded) continue;
+    vec2 d_beyond = displacementAt(at);
+    walk.crosses = lengthOf(d_beyond - path.b) <= path.matching_px;
+    if (walk.crosses) break;
+    if (walk.meets || !isPath(path.d, d_beyond, path.t)) continue;
+    walk.meets = true;
+    walk.d_beyond = d_beyond;
+  }
+  return walk;
+}
+
+bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
+  Walk walk = Walk(false, true, b);
+  bool off_screen = false;
+  for (int attempt = 0; attempt < 2 && walk.meets && !walk.crosses && isPath(d, walk.d_beyond, t); ++attempt) {
+    Path path = pathOf(pixel, own, d, walk.d_beyond, t);
+    walk = walked(path);
+    off_screen = path.inside < path.steps;
+  }
+  if (off_screen && !walk.crosses) count_off_screen(1u);
+  return walk.crosses;
+}
+
+// True if the pixel is static and every moving surface around is nearer.
+bool isBackgroundMotion(ivec2 pixel, vec2 d) {
+  return d == vec2(0) && occludes(texelFetch(farthest_around_tex, pixel / params.tile, 0).x, depthAt(pixel));
+}
+
+void run(ivec2 pixel) {
+  ivec2 cell = pixel / params.cell_side;
+  vec4 pair = texelFetch(culled_0_tex, cell, 0);
+  bool mask = false;
+  uint own = texelFetch(id_tex, pixel, 0).x;
+  vec2 d = displacementAt(pixel);
+  if (isVelocity(vec2(pair.x, pair.y)) && own != 0u && !isBackgroundMotion(pixel, d)) {
+    vec4 pairs[4] = vec4[4](pair, texelFetch(culled_1_tex, cell, 0), texelFetch(culled_2_tex, cell, 0),
+                            texelFetch(culled_3_tex, cell, 0));
+    for (int k = 0; k < 2 * kMaxVelocities && !mask; ++k) {
+      vec2 b = (k & 2) == 0 ? pairs[k / 4].xy : pairs[k / 4].zw;
+      float t = (k & 1) == 0 ? frame.shutter.x : frame.shutter.y;
+      if (!isVelocity(b)) break;
+      mask = t != 0.0 && uncovers(pixel, own, d, b, t);
+    }
+  }
+  imageStore(mask_img, pixel, vec4(mask ? 1 : 0));
+}

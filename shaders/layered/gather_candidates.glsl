@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Per tile, up to eight distinct displacements of the tiles around it, nearest tiles first: the candidate displacements of the
+// background hidden behind its pixels.
+// In:  velocities: two displacements of each tile, px over the exposure.
+//      farthest: view depth of the farthest moving surface in each tile, metres; 0 without motion.
+//      max_displacement: longest displacement in the image, px over the exposure, one texel (optional).
+// Out: candidates_0 .. candidates_3: two displacements each, px over the exposure; kNoVelocity after the last.
+//      farthest_around: greatest `farthest` of all tiles in range, metres.
+// Method: tiles are searched ring by ring, as far as two surfaces can part within the exposure: twice the longest displacement
+//   (limit * width, or reach), times spreadFactor. Two displacements are distinct if they differ by more than 1 px and by more
+//   than a tenth of the longer one.
+// Fails: if there are more than eight displacements the far ones are lost, at equal distance the last ones in raster order.
+#include "mixin/limit.glsl"
+#include "lib/velocity_list.glsl"
+
+struct VelocityList {
+  vec2 d[kMaxVelocities];
+  int count;
+};
+
+VelocityList withMotion(VelocityList velocities, vec2 d) {
+  for (int i = 0; i < velocities.count; ++i) {
+    float same_px = max(1.0, 0.1 * max(lengthOf(velocities.d[i]), lengthOf(d)));
+    if (lengthOf(velocities.d[i] - d) <= same_px) return velocities;
+  }
+  if (velocities.count == kMaxVelocities) return velocities;
+  velocities.d[velocities.count] = d;
+  velocities.count += 1;
+  return velocities;
+}
+
+VelocityList withTile(VelocityList velocities, ivec2 tile) {
+  if (!isInside(tile, textureSize(velocities_tex, 0))) return velocities;
+  vec4 pair = texelFetch(velocities_tex, tile, 0);
+  velocities = withMotion(velocities, vec2(pair.x, pair.y));
+  return withMotion(velocities, vec2(pair.z, pair.w));
+}
+
+// Adds the tiles at the distance `ring`, in raster order.
+VelocityList withRing(VelocityList velocities, ivec2 tile, int ring) {
+  for (int y = -ring; y <= ring; ++y) {
+    int stride = abs(y) == ring ? 1 : max(2 * ring, 1);
+    for (int x = -ring; x <= ring; x += stride) velocities = withTile(velocities, tile + ivec2(x, y));
+  }
+  return velocities;
+}
+
+float farthestAround(ivec2 tile, int radius, ivec2 size) {
+  ivec2 from = max(tile - radius, ivec2(0)), to = min(tile + radius, size - 1);
+  float farthest = 0.0;
+  for (int y = from.y; y <= to.y; ++y) {
+    for (int x = from.x; x <= to.x; ++x) farthest = max(farthest, texelFetch(farthest_tex, ivec2(x, y), 0).x);
+  }
+  return farthest;
+}
+
+void run(ivec2 pixel) {
+  ivec2 size = textureSize(velocities_tex, 0);
+  float reach_px = 2.0 * reachPx() * spreadFactor(frame.shutter);
+  int radius = min(int(ceil(reach_px / float(params.tile))), max(size.x, size.y));
+
+  VelocityList velocities;
+  velocities.count = 0;
+  for (int ring = 0; ring <= radius && velocities.count < kMaxVelocities; ++ring)
+    velocities = withRing(velocities, pixel, ring);
+  for (int i = velocities.count; i < kMaxVelocities; ++i) velocities.d[i] = vec2(kNoVelocity);
+
+  imageStore(candidates_0_img, pixel, vec4(velocities.d[0], velocities.d[1]));
+  imageStore(candidates_1_img, pixel, vec4(velocities.d[2], velocities.d[3]));
+  imageStore(candidates_2_img, pixel, vec4(velocities.d[4], velocities.d[5]));
+  imageStore(candidates_3_img, pixel, vec4(velocities.d[6], velocities.d[7]));
+  imageStore(farthest_around_img, pixel, vec4(farthestAround(pixel, radius, size)));
+}

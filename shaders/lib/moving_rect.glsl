@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Test for the rectangle of the image that moving surfaces can reach within the exposure.
+#ifndef STROBE_REACHED_GLSL
+#define STROBE_REACHED_GLSL
+
+// True if a moving surface may be visible at the pixel at some time of the exposure. Conservative; may be true elsewhere.
+bool isInMovingRect(ivec2 pixel) {
+  return all(greaterThanEqual(pixel, frame.moving_rect.xy)) && all(lessThan(pixel, frame.moving_rect.zw));
+}
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Squares of 8x8 pixels as 64 bits, one for each pixel: set if the pixel is in the pixel list.
+#ifndef STROBE_LISTED_GLSL
+#define STROBE_LISTED_GLSL
+
+const int kSquareSide = 8;
+
+// Number of a pixel of the square in the order of the list, and of its bit. Eight successive numbers are a block of 4x2
+// pixels, because their rays are closer together than the rays of eight pixels in a row.
+uint pixelNumber(ivec2 place) {
+  return uint((place.x >> 2) + (place.y >> 1) * 2) * 8u + uint((place.y & 1) * 4 + (place.x & 3));
+}
+// Pixel of the square with this number.
+ivec2 pixelOf(uint i) {
+  ivec2 block = ivec2(i >> 3 & 1u, i >> 4);
+  return block * ivec2(4, 2) + ivec2(i & 3u, i >> 2 & 1u);
+}
+
+// Number of pixels of the square in the list.
+uint pixelCount(uvec2 bits) { return uint(bitCount(bits.x) + bitCount(bits.y)); }
+
+#endif

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Needs: rays, scene; may have: PARAM_displacement.
+// Visibility of a light from all shadow ray origins of a tile at once: kFree (no ray is blocked), kStopped (each ray is
+// blocked) or kUnsure.
+// Method: walk the runtime's own tree with the volume that the rays sweep (Haines and Wallace, "Shaft Culling for Efficient
+//   Ray-Cast Radiosity", 1991). All bounds are widened by more than the rounding errors of rays and triangles, so kFree and
+//   kStopped equal the result of every ray.
+// Fails: returns kUnsure with the drivers' acceleration structures, which shaders cannot walk.
+#ifndef STROBE_SHAFT_GLSL
+#define STROBE_SHAFT_GLSL
+#include "mixin/trace.glsl"
+
+const uint kMixed = 0u, kVisible = 1u, kBlocked = 2u;
+
+// Origins of a tile's shadow rays. They lie in a box. Each is at least `raised` above one of the planes `start_planes`, and the
+// light is above the same plane.
+struct RayVolumeStart {
+  vec3 centre, extent;  // world
+  vec3 one;             // origin of one of the rays
+  uint plane_count;     // 0: unknown planes
+  uint unused_planes;   // bits of the planes without rays to the light
+  float raised;
+};
+const uint kMostStartPlanes = 12u;
+vec4 start_planes[kMostStartPlanes];  // unit normal; least dot(normal, p) of its surface points p
+
+#ifdef STROBE_STRUCTURES_OWN
+
+const int kMaxVolumeNodes = 64;           // visits of nodes before a walk returns kUnsure
+const float kRounding = 1.0 / 1048576.0;  // bound of rounding errors in a change of space, as a share of the largest coordinate
+
+// Volume of the rays between a box and a light, in the space of a tree. At the parameter u, from 0 to `u_end`, all rays lie
+// between from_low + u * to_low and from_high + u * to_high. Rays begin at a light with a position; for a directional light
+// they begin in the box.
+struct RayVolume {
+  vec3 from_low, from_high;
+  vec3 low_inverse, high_inverse;  // 1 / to_low, 1 / to_high, bounded
+  float u_end;
+};
+
+// Bound of the components of m * v for |v| <= sizes, per component.
+vec3 ofSizes(mat3 m, vec3 sizes) { return mat3(abs(m[0]), abs(m[1]), abs(m[2])) * sizes; }
+
+// Volume for a box and a light. `light`: position (w = 1) or direction towards it (w = 0). `space`: tree from world. `reach`:
+// bound of the coordinates of the tree's planes. `size`: bound of the world coordinates that are transformed.
+RayVolume volumeIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 light, float size) {
+  mat3 turned = mat3(space);
+  vec3 room = kRounding * (ofSizes(turned, vec3(size)) + abs(space[3]) + reach);
+  vec3 middle = space * vec4(centre, 1), around = ofSizes(turned, extent) + room, towards = space * light;
+  RayVolume volume;
+  vec3 to_low, to_high;
+  if (light.w != 0.0) {
+    volume.from_low = towards - room;
+    volume.from_high = towards + room;
+    to_low = middle - around - volume.from_low;
+    to_high = middle + around - volume.from_high;
+    volume.u_end = 1.0;
+  } else {
+    volume.from_low = middle - around;
+    volume.from_high = middle + around;
+    room = kRounding * ofSizes(turned, abs(light.xyz));
+    to_low = towards - room;
+    to_high = towards + room;
+    volume.u_end = 3.0e38;
+  }
+  volume.low_inverse = boundedInverse(volume.from_low, to_low, reach);
+  volume.high_inverse = boundedInverse(volume.from_high, to_high, reach);
+  return volume;
+}
+
+// First child of a node that the swept volume meets; results as in `nearestChild`.
+uint firstChild(uint node, RayVolume volume, out uint others) {
+  BvhNode at = loadedNode(node);
+  vec3 step_size = stepsOf(at);
+  vec3 low_step = step_size * volume.low_inverse, high_step = step_size * volume.high_inverse;
+  vec3 low_offset = (at.origin - volume.from_low) * volume.low_inverse;
+  vec3 high_offset = (at.origin - volume.from_high) * volume.high_inverse;
+  vec3 low_slack = slackOf(low_offset, low_step), high_slack = slackOf(high_offset, high_step);
+  vec4 enter = vec4(0), leave = vec4(volume.u_end);
+  for (int axis = 0; axis < 3; ++axis) {
+    // The volume meets a child if its lower bound is below the child's upper plane, and its upper bound above the lower plane.
+    vec4 lower = planes(at.high[axis]) * low_step[axis] + low_offset[axis];
+    vec4 upper = planes(at.low[axis]) * high_step[axis] + high_offset[axis];
+    if (volume.low_inverse[axis] < 0.0) enter = max(enter, lower - low_slack[axis]);
+    else leave = min(leave, lower + low_slack[axis]);
+    if (volume.high_inverse[axis] < 0.0) leave = min(leave, upper + high_slack[axis]);
+    else enter = max(enter, upper - high_slack[axis]);
+  }
+  return firstMet(at, node, enter, leave, others);
+}
+
+// Effect of a triangle on the rays: it blocks no ray; possibly some; all; or all rays on the inner side of one edge. In the
+// last case the number of the edge is added, and 4 if the corners run in the opposite direction as seen from the light.
+const uint kStopsNone = 0u, kStopsSome = 1u, kStopsAll = 2u, kStopsInside = 3u;
+
+// Effect of a triangle, kStops*. `rounding`: bound of the rounding errors of the coordinates of rays and corners.
+uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
+  bool is_below = start.plane_count > 0u;
+  for (uint i = 0u; i < start.plane_count && is_below; ++i) {
+    vec3 n = start_planes[i].xyz;
+    float highest = max(dot(n, corner[0]), max(dot(n, corner[1]), dot(n, corner[2])));
+    is_below = (start.unused_planes >> i & 1u) != 0u || highest < start_planes[i].w + start.raised - rounding;
+  }
+  if (is_below) return kStopsNone;
+
+  vec3 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];
+  vec3 here = start.centre - corner[0], towards = light.xyz - light.w * corner[0];
+  vec3 sizes = max(abs(edge1), abs(edge2));
+  float edge = max(sizes.x, max(sizes.y, sizes.z));
+  sizes = abs(here) + start.extent;
+  float away = max(sizes.x, max(sizes.y, sizes.z)) + edge;
+  float far = max(abs(towards.x), max(abs(towards.y), abs(towards.z))) + edge;
+
+  // Test if the triangle's plane is between the light and the origins; unknown if the light is in the plane.
+  vec3 normal = cross(edge1, edge2);
+  float room = 8.0 * rounding * edge * (edge + max(away, far));
+  float light_side = dot(normal, towards), start_side = dot(normal, here), wide = dot(abs(normal), start.extent);
+  float facing = light_side < 0.0 ? -1.0 : 1.0;
+  if (!(abs(light_side) > room)) return kStopsSome;
+  if (facing * start_side - wide > room) return kStopsNone;
+  bool between = facing * start_side + wide < -room;
+
+  // Test if the origins are on the inner sides of the planes through the light and the edges.
+  room = 8.0 * rounding * (edge * away + edge * far + away * far);
+  uint open = 0u, open_edge = 0u;
+  for (uint i = 0u; i < 3u; ++i) {
+    vec3 from = corner[i];
+    normal = cross(corner[(i + 1u) % 3u] - from, light.xyz - light.w * from);
+    float inside = -facing * dot(normal, start.centre - from);
+    wide = dot(abs(normal), start.extent);
+    if (inside + wide < -room) return kStopsNone;
+    if (inside - wide > room) continue;
+    ++open;
+    open_edge = i;
+  }
+  if (!between || open > 1u) return kStopsSome;
+  return open == 0u ? kStopsAll : kStopsInside + open_edge + (facing < 0.0 ? 4u : 0u);
+}
+
+// True if every hit on the triangle counts, because alpha cuts no part out.
+bool isSolid(uint instance, uint geometry) {
+  if ((geometry & BVH_OPAQUE) != 0u) return true;
+#if FACT_alpha
+  uint flags = scene_materials[geometryOf(instance, geometry).material].flags;
+  return (flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0u;
+#else
+  return true;
+#endif
+}
+
+mat4x3 columnsOf(vec4 x, vec4 y, vec4 z) { return transpose(mat3x4(x, y, z)); }
+
+// Visibility of the light from all origins: kFree, kStopped or kUnsure. `light`: position (w = 1), or direction towards it with
+// the length `reach` (w = 0). `reach`: bound of the coordinates of origins and light and of the distances between them.
+// Method: the first walk follows one ray and searches for a triangle that blocks all rays, or for two triangles with a common
+// edge that do so together. Such triangles are on this ray or beside it. If the walk finds none, the second walk follows the
+// whole swept volume until it meets a triangle that may block a ray.
+uint restOf(uint slice, RayVolumeStart start, vec4 light, float reach) {
+  uint level = levelOf(slice), root = rootOf(level, RAYS_TO_ALL);
+  for (uint walk = 0u; walk < 2u; ++walk) {
+    bool along_one = walk == 0u;
+    vec3 centre = along_one ? start.one : start.centre, extent = along_one ? vec3(0) : start.extent;
+    RayVolume world = volumeIn(mat4x3(1.0), scene_bvh.nodes.at[root].reach, centre, extent, light, reach);
+    RayVolume volume = world;
+    uint instance = NO_INSTANCE, reference = root;
+    mat4x3 world_from_object;
+    vec3 object_sizes;
+    vec3 open_from, open_to;  // edge of a triangle that blocks all rays on its inner side
+    uint open_instance = NO_INSTANCE;
+    BvhStack stack = noEntries();
+    int visited = 0;
+    while (true) {
+      // Descend to the next leaf.
+      while (true) {
+        if (reference == kNextOnStack) {
+          if (top(stack) == kInstanceEnds) {
+            drop(stack);
+            instance = NO_INSTANCE;
+            volume = world;
+          }
+          reference = takeFrom(stack);
+        }
+        if (reference >= BVH_LEAF) break;
+        if (++visited > kMaxVolumeNodes) return kMixed;
+        uint others;
+        reference = firstChild(reference, volume, others);
+        push(stack, others, others != 0u);
+      }
+      if (reference == kNothingLeft) break;
+
+      if (instance == NO_INSTANCE) {
+        instance = reference & ~BVH_LEAF;
+        BvhInstance of = loadedInstance(level * frame.instance_count + instance);
+        SceneTransform m = transformOf(slice, instance);
+        mat4x3 object_from_world = columnsOf(of.row_x, of.row_y, of.row_z);
+        world_from_object = columnsOf(m.row_x, m.row_y, m.row_z);
+        object_sizes = ofSizes(mat3(object_from_world), vec3(reach)) + abs(object_from_world[3]);
+        volume = volumeIn(object_from_world, of.reach, centre, extent, light, reach);
+        reference = of.root;
+        push(stack, kInstanceEnds, true);
+        continue;
+      }
+      uint triangle = reference & ((1u << BVH_LEAF_COUNT) - 1u);
+      uint end = triangle + ((reference >> BVH_LEAF_COUNT) & 3u) + 1u;
+      for (; triangle < end; ++triangle) {
+        BvhTriangle of = loadedTriangle(triangle);
+        vec3 corner[3];
+        vec3 sizes = object_sizes;
+        for (int i = 0; i < 3; ++i) {
+          corner[i] = world_from_object * vec4(of.corner[i], 1);
+          sizes = max(sizes, abs(of.corner[i]));
+        }
+        sizes = ofSizes(mat3(world_from_object), sizes) + abs(world_from_object[3]);
+        uint stopping = stops(start, light, corner, kRounding * max(sizes.x, max(sizes.y, sizes.z)));
+        if (stopping == kStopsNone) continue;
+        if (!along_one) return kMixed;
+        if (stopping == kStopsSome || !isSolid(instance, of.geometry)) continue;
+        if (stopping == kStopsAll) return kBlocked;
+        uint edge = (stopping - kStopsInside) & 3u, next = (edge + 1u) % 3u;
+        bool turned = stopping - kStopsInside > 3u;
+        vec3 from = corner[turned ? next : edge], to = corner[turned ? edge : next];
+        if (open_instance == instance && from == open_to && to == open_from) return kBlocked;
+        open_instance = instance;
+        open_from = from;
+        open_to = to;
+      }
+      reference = kNextOnStack;
+    }
+  }
+  return kVisible;
+}
+
+#else
+
+uint restOf(uint slice, RayVolumeStart start, vec4 light, float reach) { return kMixed; }
+
+#endif
+#endif

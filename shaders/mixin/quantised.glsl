@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Needs: nothing; may have: PARAM_color_format, PARAM_depth_encoding, PARAM_velocity_format, count_color_clamped,
+//   count_depth_lost, count_velocity_clamped, scene.
+// Colours, displacements and depths, quantised to the memory formats of a renderer. For passes with the parameters
+// velocity_format, color_format or depth_encoding of passes/lib/quantised.lua and their counters.
+// In:  linear colours; displacements, px over the exposure; linear view depths, metres (+inf for the sky, 0 for no surface).
+// Out: the quantised values. The formats fp32 and linear return the input bit for bit, without arithmetic.
+// Method, half floats: round to the nearest, ties to even. This is done before the store, because a store may truncate. A
+//   colour channel beyond 65504 becomes 65504. A displacement beyond 65504 px is shortened until its larger component is
+//   65504, so that it keeps its direction. Both cases are counted. Largest error: relative 2^-11 from 2^-14 up, absolute 2^-25
+//   below.
+// Method, depths: encode as a depth buffer does, then decode. With the camera's near distance n:
+//   reversed  w = n/z in fp32 (infinite reversed z; sky 0); relative error about 2^-24 for each of two divisions;
+//   inverse   w = 1/z in fp32 (sky 0); same error, independent of the near distance;
+//   unorm24   1 - n/z in 24 bits (infinite standard z; sky 1); relative error up to z/(n * 2^25).
+//   An orthographic camera, whose own projection is linear, uses its near distance in the same formulas.
+// NaN, infinity and a depth of 0 are unchanged in every format. Readers replace NaN and infinity (lib/sanitise.glsl).
+// Fails: unorm24 turns surfaces farther than 2^25 n into sky. reversed and inverse do so where w is 0 (about 1e38 times n or
+//   1 m). Counter: depth_lost. Surfaces are not nearer than the near distance.
+#ifndef STROBE_STORED_GLSL
+#define STROBE_STORED_GLSL
+
+const float kLargestHalf = 65504.0;
+
+// Nearest half float of a value with a magnitude of at most 65504; infinity and NaN are unchanged.
+float nearestHalf(float value) {
+  uint sign_bit = floatBitsToUint(value) & 0x80000000u, magnitude = floatBitsToUint(value) & 0x7fffffffu;
+  if (magnitude >= 0x7f800000u) return value;
+  if (magnitude < 0x38800000u)  // below 2^-14 half floats are the multiples of 2^-24
+    magnitude = floatBitsToUint(roundEven(uintBitsToFloat(magnitude) * 16777216.0) / 16777216.0);
+  else  // above, the mantissa is 13 bits shorter
+    magnitude = (magnitude + 0xfffu + ((magnitude >> 13) & 1u)) & 0xffffe000u;
+  return uintBitsToFloat(sign_bit | magnitude);
+}
+
+// True if the value is finite and beyond the range of half floats.
+bool overflowsHalf(float value) { return abs(value) > kLargestHalf && !isinf(value); }
+
+vec4 quantisedColor(vec4 color) {
+#if defined(PARAM_color_format) && PARAM_color_format == color_format_fp16
+  bool clamped = false;
+  for (int i = 0; i < 4; ++i) {
+    if (overflowsHalf(color[i])) {
+      color[i] = color[i] > 0.0 ? kLargestHalf : -kLargestHalf;
+      clamped = true;
+    }
+    color[i] = nearestHalf(color[i]);
+  }
+  if (clamped) count_color_clamped(1u);
+#endif
+  return color;
+}
+
+vec2 quantisedVelocity(vec2 velocity) {
+#if defined(PARAM_velocity_format) && PARAM_velocity_format == velocity_format_fp16
+  float largest = max(abs(velocity.x), abs(velocity.y));
+  if (overflowsHalf(largest)) {
+    velocity = velocity / largest * kLargestHalf;
+    count_velocity_clamped(1u);
+  }
+  velocity = vec2(nearestHalf(velocity.x), nearestHalf(velocity.y));
+#endif
+  return velocity;
+}
+
+#if defined(PARAM_depth_encoding)
+float quantisedDepth(float depth) {
+#if PARAM_depth_encoding == depth_encoding_linear
+  return depth;
+#else
+  if (!(depth > 0.0) || isinf(depth)) return depth;
+  float near = scene_cameras[SLICE_RASTER].near, quantised, decoded;
+#if PARAM_depth_encoding == depth_encoding_reversed
+  quantised = min(near / depth, 1.0);
+  decoded = near / quantised;
+#elif PARAM_depth_encoding == depth_encoding_inverse
+  quantised = min(1.0 / depth, 3.402823466e38);
+  decoded = 1.0 / quantised;
+#else
+  // Distance of the code 1 - n/z from 1, in steps of 1 / (2^24 - 1): single precision holds this number exactly.
+  quantised = round(min(near / depth, 1.0) * 16777215.0);
+  decoded = near * 16777215.0 / quantised;
+#endif
+  if (quantised > 0.0) return decoded;
+  count_depth_lost(1u);
+  return uintBitsToFloat(0x7f800000u);
+#endif
+}
+#endif
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Per tile, the lights that are visible from all its surface points and the lights that are blocked from all (Haines and
+// Wallace 1991, "Shaft Culling for Efficient Ray-Cast Radiosity").
+// In:  `hit`:  instance + 1 (0 = sky), geometry, primitive
+// Out: `light_visibility`: x: bit i is set if light i is visible from the whole tile; y: if it is blocked from the whole tile;
+//              first 32 lights
+// Method: bound the start points of the tile's shadow rays by a box, and by planes above which they start: one plane for each
+//      direction that surfaces of the tile face. Walk the runtime's tree with the volume between these and the light
+//      (`mixin/light_visibility.glsl`). Tiles at the right and bottom border may be partial.
+// Fails: never; conservative: lights in neither set are traced. Backends other than `bvh` cannot be walked and set no bit.
+#include "mixin/shade.glsl"
+#include "mixin/light_visibility.glsl"
+
+const float kFarthest = 1e12;  // m; products of three coordinates, 1e36, stay below the largest float, 3.4e38
+const float kSameFacing = 0.9995, kMostTurned = 0.0316;  // cosine and sine of 1.8 degrees, within which normals share a plane
+const uint kMostBits = 32u;
+
+float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+
+// Bounds of the surface points of a tile.
+struct TileHits {
+  bool any, has_planes;
+  vec3 low, high, one;
+  float near;  // minimum over the points of the largest absolute coordinate
+  uint plane_count;
+};
+
+// Number of the plane with this normal; a new plane if none is within kSameFacing and the list has room.
+uint planeOf(inout TileHits hits, vec3 normal_ws) {
+  uint i = 0u;
+  while (i < hits.plane_count && dot(start_planes[i].xyz, normal_ws) < kSameFacing) ++i;
+  if (i == kMostStartPlanes) {
+    hits.has_planes = false;
+    return 0u;
+  }
+  if (i == hits.plane_count) start_planes[hits.plane_count++] = vec4(normal_ws, 3e38);
+  return i;
+}
+
+TileHits hitsIn(ivec2 first, ivec2 end) {
+  TileHits hits = TileHits(false, true, vec3(3e38), vec3(-3e38), vec3(0), 3e38, 0u);
+  uint current = 0u;
+  vec4 plane = vec4(0);  // copy of plane `current` while points are added to it
+  for (int y = first.y; y < end.y; ++y) {
+    for (int x = first.x; x < end.x; ++x) {
+      uvec4 hit = texelFetch(hit_tex, ivec2(x, y), 0);
+      if (hit.x == 0u) continue;
+      Ray ray = cameraRay(SLICE_RASTER, samplePosition(ivec2(x, y)));
+      Surface surface = surfaceOf(SLICE_RASTER, hitOnTriangle(SLICE_RASTER, ray, hit.x - 1u, hit.y, hit.z));
+      vec3 point = surface.position_ws;
+      if (!hits.any || ivec2(x, y) == (first + end) / 2) hits.one = point;
+      hits.low = min(hits.low, point);
+      hits.high = max(hits.high, point);
+      hits.near = min(hits.near, largest(abs(point)));
+      if (!(dot(plane.xyz, surface.face_normal_ws) >= kSameFacing)) {
+        if (hits.any) start_planes[current].w = plane.w;
+        current = planeOf(hits, surface.face_normal_ws);
+        plane = start_planes[current];
+      }
+      plane.w = min(plane.w, dot(plane.xyz, point));
+      hits.any = true;
+    }
+  }
+  if (hits.any) start_planes[current].w = plane.w;
+  return hits;
+}
+
+// Result of all shadow rays from the tile to a light: kFree, kStopped or kUnsure; kUnsure also if all surfaces face
+// away, so that `shade` traces no ray.
+uint restTowards(TileHits hits, SceneLight light) {
+  bool is_place = light.type != LIGHT_DIRECTIONAL;
+  vec3 centre = 0.5 * (hits.low + hits.high), extent = 0.5 * (hits.high - hits.low);
+  vec3 away = abs(light.position - centre);
+  float reach = largest(max(abs(hits.low), abs(hits.high)));
+  if (is_place) reach = max(max(reach, largest(abs(light.position))), length(away + extent));
+  if (!(reach < kFarthest)) return kMixed;
+  vec4 at = is_place ? vec4(light.position, 1) : vec4(-light.direction * reach, 0);
+
+  // Start points as `shadowOrigin` lifts them off the surface, with 2 % more for the box and 10 % less above the planes.
+  // Normals within a plane differ by 1.8 degrees, which shortens a lift by 0.05 %; the rest is room for rounding.
+  float least = max(hits.near, is_place ? length(max(away - extent, vec3(0))) : 0.0);
+  RayVolumeStart start = RayVolumeStart(centre, extent + reach * (1.02 * kShadowLift), hits.one, hits.plane_count, 0u,
+                                0.9 * kShadowLift * least);
+  bool is_lit = !hits.has_planes;
+  for (uint i = 0u; i < hits.plane_count; ++i) {
+    float height = dot(start_planes[i].xyz, at.xyz) - at.w * start_planes[i].w;
+    bool turned_away = height < -1.1 * kMostTurned * reach;
+    if (turned_away) start.unused_planes |= 1u << i;
+    else if (!(height > start.raised)) start.plane_count = 0u;
+    is_lit = is_lit || !turned_away;
+  }
+  if (!hits.has_planes) start.plane_count = 0u;
+  return is_lit ? restOf(SLICE_RASTER, start, at, reach) : kMixed;
+}
+
+void run(ivec2 tile) {
+  uvec2 light_visibility = uvec2(0);
+#if PARAM_per_tile && defined(STROBE_STRUCTURES_OWN)
+  ivec2 first = tile * params.shadow_tile;
+  TileHits hits = hitsIn(first, min(first + params.shadow_tile, textureSize(hit_tex, 0)));
+  uvec3 counts = uvec3(0);
+  for (uint i = 0u; i < min(frame.light_count, kMostBits) && hits.any; ++i) {
+    SceneLight light = scene_lights[SLICE_RASTER * frame.light_count + i];
+    if (light.shadow == 0u) continue;
+    uint rest = restTowards(hits, light);
+    light_visibility |= uvec2(rest == kVisible ? 1u << i : 0u, rest == kBlocked ? 1u << i : 0u);
+    ++counts[rest];
+  }
+  if (counts[kVisible] > 0u) count_visible_lights(counts[kVisible]);
+  if (counts[kBlocked] > 0u) count_blocked_lights(counts[kBlocked]);
+#endif
+  imageStore(light_visibility_img, tile, uvec4(light_visibility, 0u, 0u));
+}

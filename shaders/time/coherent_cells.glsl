@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Per cell, a flag that a gather along the motion is right, because the image around the cell shifts as a whole.
+// In:  `bounds`:   displacements of each cell, px over the exposure
+//      `velocity`: px over the exposure, at the raster time
+//      `id`:       instance + 1 at the raster time; 0 for the sky
+// Out: `certain`:  1 if the gather is right, 1/2 if the cell is static, otherwise 0
+//      `longest`:  longest displacement of the surfaces that reach the cell, px over the exposure
+// Method: join the bounds of all cells whose surfaces reach this cell. If the box has a diagonal of at most `apart_px`, test it
+//      with `validation_rays` rays in a loop over times: each, at a random pixel of the cell and in a part of the exposure of
+//      its own, must hit the instance that the motion brings there. The rays find surfaces that no displacement of the raster
+//      time
+//      describes: curved paths, disoccluded surfaces, and surfaces from outside the image.
+// Fails: a surface much smaller than a cell that the raster image does not show and no ray hits.
+#include "lib/bounds.glsl"
+#include "lib/random.glsl"
+#include "lib/sanitise.glsl"
+#include "lib/times.glsl"
+#include "mixin/limit.glsl"
+#include "mixin/trace.glsl"
+
+// Displacement assumed for a surface that only a ray has found, image widths. Its motion is unknown; half the image makes the
+// first rays dense in time. The value is not derived.
+const float kUnknown = 0.5;
+
+// True if a surface of the cell `way` cells away that moves within these bounds reaches this cell.
+bool comes(vec4 bounds, ivec2 way) {
+  vec4 path = travelled(bounds, frame.shutter);
+  vec2 side = vec2(params.cell_side), off = vec2(way) * side;
+  return all(lessThan(off + lowOf(path), side)) && all(greaterThan(off + highOf(path), -side));
+}
+
+vec4 joined(vec4 a, vec4 b) { return vec4(min(lowOf(a), lowOf(b)), max(highOf(a), highOf(b))); }
+
+// Bounds of the displacements of all surfaces that reach the cell.
+vec4 boundsOfComing(ivec2 cell) {
+  ivec2 last = pass_size() - 1;
+  float reach_px = spreadFactor(frame.shutter) * reachPx();
+  int around = min(int(ceil(reach_px / float(params.cell_side))), max(last.x, last.y));
+  ivec2 low = max(cell - around - 1, ivec2(0)), high = min(cell + around + 1, last);
+  vec4 all_of_it = texelFetch(bounds_tex, cell, 0);
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      vec4 bounds = texelFetch(bounds_tex, ivec2(x, y), 0);
+      if (!isEmpty(bounds) && comes(bounds, ivec2(x, y) - cell)) all_of_it = joined(all_of_it, bounds);
+    }
+  }
+  return all_of_it;
+}
+
+// True if the raster image shows the instance within a pixel of `at`.
+bool shows(ivec2 at, uint id) {
+  ivec2 last = ivec2(frame.size) - 1;
+  for (int k = 0; k < 9; ++k) {
+    ivec2 near = clamp(at + ivec2(k % 3, k / 3) - 1, ivec2(0), last);
+    if (texelFetch(id_tex, near, 0).x == id) return true;
+  }
+  return false;
+}
+
+// True if a ray hits the instance that the motion brings to its pixel at its time.
+bool agrees(ivec2 cell, uint number) {
+  uint index = uint(cell.y * pass_size().x + cell.x);
+  uint drawn = randomUint(index, number, 3u);
+  uvec2 within = uvec2(drawn & 0xffffu, drawn >> 16u) % uint(params.cell_side);
+  ivec2 pixel = min(cell * params.cell_side + ivec2(within), ivec2(frame.size) - 1);
+  uint part = min(number * frame.slice_count / uint(max(params.validation_rays - 1, 1)), frame.slice_count - 1u);
+  uint slice = SLICE_SAMPLE + part;
+  Ray ray = cameraRay(slice, samplePosition(pixel));
+  Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, 3.0e38);
+  vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
+  float t = sampleTime(int(part), int(frame.slice_count), 0.0);
+  return shows(pixel + roundSymmetric(tapOffset(d, t)), isHit(hit) ? hit.instance + 1u : 0u);
+}
+
+// Corner of a box that is farthest from zero.
+vec2 longestOf(vec4 bounds) {
+  vec2 low = lowOf(bounds), high = highOf(bounds);
+  return mix(low, high, greaterThan(abs(high), abs(low)));
+}
+
+void run(ivec2 cell) {
+  vec4 bounds = boundsOfComing(cell);
+  float longest_px = longestIn(bounds);
+  bool is_even = lengthOf(highOf(bounds) - lowOf(bounds)) <= params.apart_px;
+  bool moves = spreadFactor(frame.shutter) * longest_px > kStaticRadius;
+  float certain = moves ? 1.0 : 0.5;
+  bool is_refuted = false;
+  if (is_even) {
+    count_checked(1u);
+    for (int number = 0; number < params.validation_rays && !is_refuted; ++number) is_refuted = !agrees(cell, uint(number));
+    if (is_refuted) count_mismatched(1u);
+  }
+  imageStore(certain_img, cell, vec4(is_even && !is_refuted ? certain : 0.0));
+  vec2 longest = longestOf(bounds);
+  if (is_refuted && lengthOf(longest) < kUnknown * float(frame.size.x)) longest = vec2(kUnknown * float(frame.size.x), 0);
+  imageStore(longest_img, cell, vec4(longest, 0, 0));
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Extrapolates the paths of a layer's points as parabolas through their screen positions at the raster time and in the two
+// frames before it.
+// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
+//      `id`:       instance + 1; 0 for the sky
+//      `velocity`: px over the exposure, from the previous frame alone
+//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
+//      `normal`:   unit, world; absent: growth is not tested
+// Out: `velocity`: px between the ends of the curve; a straight path keeps its input
+//      `curve`:    px (mixin/curve.glsl)
+//      `path_deviation`:     path deviation in the middle of the exposure, px
+//      `nonlinear`:     1 if a true pose at shutter open or close is more than `max_deviation` px from the curve, or if a pixel
+//                  grows to more than `max_stretch` px
+// Method: Newton's backward differences, in a loop of the times "frames" with two slices. With D = p0 - p1 and D2 = p0 - 2 p1 +
+//      p2 the point is at p0 + f D + f (f + 1) / 2 D2, f frames after the raster time. Poses beyond a cut are ignored: one
+//      earlier pose gives a straight path.
+// Fails: objects that change direction after the raster time. An object whose pose two frames before equals its pose at the
+//      raster time is treated as cut.
+#include "mixin/quantised.glsl"
+#include "mixin/texel_path.glsl"
+#include "mixin/curve.glsl"
+
+const int kPoses = 2;
+
+bool cameraStands(uint slice) {
+  SceneCamera then = scene_cameras[slice], now = scene_cameras[SLICE_RASTER];
+  return then.position == now.position && then.forward == now.forward && then.right == now.right &&
+         then.half_extent == now.half_extent;
+}
+
+bool instanceStands(uint slice, uint id) {
+  if (id == 0u) return true;
+  SceneTransform then = transformOf(slice, id - 1u), now = transformOf(SLICE_RASTER, id - 1u);
+  return then.row_x == now.row_x && then.row_y == now.row_y && then.row_z == now.row_z;
+}
+
+// True if a cut lies between the two frames before the raster time: the older pose then equals the pose at the raster time.
+bool isSecondPoseCut(uint id) {
+  uint slice = SLICE_SAMPLE + 1u;
+  bool camera_is_cut = cameraStands(slice) && !cameraStands(slice - 1u);
+  return camera_is_cut || (instanceStands(slice, id) && !instanceStands(slice - 1u, id));
+}
+
+struct Differences {
+  vec2 first, second;  // px per frame, per frame^2
+};
+
+// True if both earlier positions differ from the position at the raster time, with no cut between them. A point that did not
+// move in the last frame keeps a straight path.
+bool hasDifferences(uint id, vec2 places[kPoses]) {
+  return places[0] != vec2(0) && places[1] != vec2(0) && !isSecondPoseCut(id);
+}
+
+Differences differencesOf(vec2 places[kPoses], bool is_curved) {
+  return Differences(-places[0], is_curved ? places[1] - 2.0 * places[0] : vec2(0));
+}
+
+// Position f frames after the raster time, px, relative to the position at the raster time.
+vec2 placeAt(Differences d, float f) { return f * (d.first + 0.5 * (f + 1.0) * d.second); }
+
+// The middle of the curve minus the middle of its chord is -(D2 / 2) (exposure / 2)^2.
+vec4 curveOf(Differences d) { return vec4(-frame.exposure * frame.exposure / 8.0 * d.second, 0, 0); }
+
+void run(ivec2 pixel) {
+  uint id = texelFetch(id_tex, pixel, 0).x, kind = pathKind(id);
+  vec2 velocity = vec2(texelFetch(velocity_tex, pixel, 0));
+  vec4 curve = vec4(0);
+  float off_px = 0.0;
+  bool grows = false;
+  bool is_curved = (kind & PATH_CURVED) != 0u && texelFetch(depth_tex, pixel, 0).x > 0.0;
+  if (is_curved || isMoving(pixel)) {
+    if (is_curved) {
+      vec2 places[kPoses];
+      for (int k = 0; k < kPoses; ++k) places[k] = pathOfTexel(SLICE_SAMPLE + uint(k), pixel);
+      bool has_differences = hasDifferences(id, places);
+      Differences d = differencesOf(places, has_differences);
+      vec2 open = placeAt(d, frame.exposure * frame.shutter.x), close = placeAt(d, frame.exposure * frame.shutter.y);
+      vec2 between = close - open;
+      if (has_differences && !any(isnan(between)) && !any(isinf(between))) {
+        velocity = quantisedVelocity(between);
+        curve = curveOf(d);
+      }
+      off_px = max(lengthOf(open - pathOfTexel(SLICE_SHUTTER_OPEN, pixel)),
+                   lengthOf(close - pathOfTexel(SLICE_SHUTTER_CLOSE, pixel)));
+    }
+    if ((kind & PATH_TURNS) != 0u) grows = growsAt(pixel, id);
+  }
+  imageStore(velocity_img, pixel, vec4(velocity, 0, 0));
+  imageStore(curve_img, pixel, curve);
+  imageStore(path_deviation_img, pixel, vec4(quantisedVelocity(curve.xy), 0, 0));
+  imageStore(nonlinear_img, pixel, vec4(!(off_px <= params.max_deviation) || grows ? 1 : 0));
+}

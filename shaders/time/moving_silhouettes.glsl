@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Texels next to a texel with a different displacement: a moving silhouette may lie between the two.
+// In:  velocity: displacement, px over the exposure.
+//      velocity_post: displacement after the raster time, px over the exposure (absent: velocity).
+// Out: near: 1 if one of the eight texels around, inside the image, has a different displacement; otherwise 0.
+// Method: two displacements are different as in movesOtherwise() (lib/blur.glsl), with `slowest`.
+// Fails: surfaces narrower than a pixel that lie between texels are not found.
+#include "lib/blur.glsl"
+#include "lib/sanitise.glsl"
+
+vec4 motionAt(ivec2 at) {
+  return vec4(finiteDisplacement(velocity_at(at)), finiteDisplacement(velocity_post_at(at)));
+}
+
+void run(ivec2 pixel) {
+  ivec2 size = textureSize(velocity_tex, 0);
+  vec4 here = motionAt(pixel);
+  bool otherwise = false;
+  for (int k = 0; k < 9; ++k) {
+    vec4 there = motionAt(clampToImage(pixel + ivec2(k % 3, k / 3) - 1, size));
+    if (there == here) continue;
+    otherwise = otherwise || movesOtherwise(there.xy, here.xy, params.slowest) ||
+                movesOtherwise(there.zw, here.zw, params.slowest);
+  }
+  if (otherwise) imageStore(near_img, pixel, vec4(1));
+}

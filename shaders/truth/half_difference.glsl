@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Per block of pixels, the squared difference of the means of two halves of the samples; first step of the stop test.
+// In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
+// Out: `half_difference`: x: sum of (mean a - mean b)^2 over the block's pixels and channels; y: number of pixels, 0 if a half
+//                has no sample in one of the pixels
+// Method: sum over a block, whose side is `block` px. Blocks at the right and bottom border may be partial.
+// Fails: never.
+void run(ivec2 pixel) {
+  ivec2 first = pixel * params.block;
+  ivec2 end = min(first + params.block, textureSize(mean_a_tex, 0));
+  float sum = 0.0;
+  float pixels = 0.0;
+  for (int y = first.y; y < end.y; ++y) {
+    for (int x = first.x; x < end.x; ++x) {
+      vec4 a = texelFetch(mean_a_tex, ivec2(x, y), 0);
+      vec4 b = texelFetch(mean_b_tex, ivec2(x, y), 0);
+      if (a.w == 0.0 || b.w == 0.0) {
+        imageStore(half_difference_img, pixel, vec4(0));
+        return;
+      }
+      vec3 difference = a.rgb - b.rgb;
+      sum += dot(difference, difference);
+      pixels += 1.0;
+    }
+  }
+  imageStore(half_difference_img, pixel, vec4(sum, pixels, 0, 0));
+}

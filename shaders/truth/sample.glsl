@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: MIT
+// Adds one time sample to each pixel's mean, by distributed ray tracing in time (Cook, Porter, Carpenter 1984).
+// In:  `hit`:     raster layer: instance + 1 (0 = sky), geometry, primitive
+//      `pixel_list`:  pixels to run over; absent: all
+//      `light_visibility`:    per shadow tile: lights visible from all of the tile's surfaces, and blocked from all
+//        (`tile_light_visibility`)
+//      `known_hit`, `known_shadows`, `even_color`: consensus of the first samples (truth/sample_consensus.glsl); absent: none
+//      `first_static`, `first_static_mean`, `first_regions`: `static_background`, `static_mean` and `regions` of the samples
+//                 before this loop; absent: none
+// Out: `mean_a`, `mean_b`: updated, like all outputs; rgb: mean linear radiance of each half of the samples; alpha: their
+//                 number
+//      `regions`: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
+//      `static_background`:  surface that the static hits have in common, with its distance; for `pixel` = box, of the moving
+//                 hits if none is static (lib/consensus.glsl)
+//      `static_mean`:   rgb: mean linear radiance of the static hits; alpha: their number
+//      `contrast`:  largest difference of a static sample's radiance from the mean before it, as a share of that mean
+//      `shadows`: visible and blocked lights of two instances (lib/consensus.glsl)
+// Method: draw one of the iteration's times, trace the scene as posed then, shade the hit, add the radiance without clamping.
+//      Exact shortcuts: static surfaces are found once per ray; moving surfaces have a tree of their own. Assumed: a consensus
+//      of the first samples holds for the others (docs/truth.md lists the rays that each consensus saves).
+// Fails: a surface between all first samples is missed. The share `validation_share` of the pixel blocks traces every ray and
+//      counts contradictions.
+#include "lib/validation.glsl"
+#include "lib/mean.glsl"
+#include "lib/moving_rect.glsl"
+#include "lib/regions.glsl"
+#include "lib/consensus.glsl"
+#define STROBE_KEEPS_SHADOWS
+#include "mixin/shade.glsl"
+
+const float kFar = 3.0e38;
+const bool kFrozen = PARAM_shading == shading_frozen;
+
+bool sameTransform(SceneTransform a, SceneTransform b) {
+  return a.row_x == b.row_x && a.row_y == b.row_y && a.row_z == b.row_z;
+}
+
+// True if the instance has the pose of the raster time. False for deformed instances, whose vertices are not compared.
+bool isPosedAlike(uint slice, uint instance) {
+  return !deforms(instance) && sameTransform(transformOf(slice, instance), transformOf(SLICE_RASTER, instance));
+}
+
+bool cameraIsStill(uint slice) {
+  if (frame.camera_rests != 0u) return true;
+  SceneCamera a = scene_cameras[slice], b = scene_cameras[SLICE_RASTER];
+  return a.position == b.position && a.right == b.right && a.up == b.up && a.forward == b.forward &&
+         a.half_extent == b.half_extent;
+}
+
+// A hit in the form of lib/consensus.glsl.
+uvec4 idsOf(Hit hit) {
+  return isHit(hit) ? uvec4(hit.instance + 2u, hit.geometry, hit.primitive, 0u) : uvec4(kSkySurface, 0u, 0u, 0u);
+}
+
+// True if an audited sample contradicts the consensus or the known shadows.
+bool misses = false;
+
+// True for a moving surface, with a static camera.
+bool isMoving(uvec4 ids) {
+  return frame.camera_rests != 0u && isOneSurface(ids) && ids.x != kSkySurface && instanceAt(instanceOf(ids)).moves != 0u;
+}
+
+// True if the point was occluded at the raster time or behind the near plane. The last 2^-12 of the way is not tested: it holds
+// the point's own surface. With a static camera only moving surfaces occlude a static point, and nothing occludes a rigid
+// instance in front of everything.
+bool wasOccluded(ivec2 pixel, Hit hit) {
+  bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
+  if (by_moving && !isReachedAt(SLICE_RASTER, pixel)) return false;
+  vec3 raster_ws = positionOf(SLICE_RASTER, hit);
+  SceneCamera camera = scene_cameras[SLICE_RASTER];
+  vec3 position_vs = viewFromWorld(SLICE_RASTER, raster_ws);
+  if (position_vs.z <= camera.near) return true;
+  bool is_foremost = PARAM_every_ray == 0 && !by_moving && (instanceAt(hit.instance).path & PATH_MAY_BE_OCCLUDED) == 0u;
+  if (frame.camera_rests != 0u && is_foremost) return false;
+  Ray ray = cameraRay(SLICE_RASTER, pixelFromView(SLICE_RASTER, position_vs));
+  uint mask = by_moving ? RAYS_TO_MOVING : RAYS_TO_ALL;
+  return isHidden(SLICE_RASTER, mask, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
+}
+
+// Pixel that shows the point at the raster time; false if the point is outside the image or the near plane.
+bool isInRaster(Hit hit, out ivec2 place) {
+  vec3 position_vs = viewFromWorld(SLICE_RASTER, positionOf(SLICE_RASTER, hit));
+  vec2 place_px = pixelFromView(SLICE_RASTER, position_vs);
+  place = ivec2(0);
+  if (!(position_vs.z > scene_cameras[SLICE_RASTER].near)) return false;
+  if (!all(greaterThanEqual(place_px, vec2(0))) || !all(lessThan(place_px, vec2(frame.size)))) return false;
+  place = ivec2(place_px);
+  return true;
+}
+
+// Regions of occluded points that this sample may add to the pixel; 0 if the pixel has them already.
+uint wantedRegions(ivec2 pixel, Hit hit, uint known) {
+  if (!isHit(hit)) return 0u;
+  uint wanted = hit.instance + 1u == hit_at(pixel).x ? kRegionHidden | kRegionSelf : kRegionHidden;
+  return (known & wanted) != wanted ? wanted : 0u;
+}
+
+// Regions of a sample. `is_static`: neither camera nor instance has moved, so a comparison with the depth of the raster sample
+// replaces the occlusion test. `hidden`: otherwise, the regions of an occluded point; 0 if it is visible at the raster time.
+uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_static, uint hidden) {
+  uvec4 ids = hit_at(pixel);
+  uint id = isHit(hit) ? hit.instance + 1u : 0u;
+  uint found = 0u;
+  bool farther = false;
+  if (id != ids.x) {
+    float before = kFar;
+    if (ids.x != 0u)
+      before = hitOnTriangle(SLICE_RASTER, cameraRay(SLICE_RASTER, samplePosition(pixel)), ids.x - 1u, ids.y, ids.z).t;
+    float now = isHit(hit) ? hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive).t : kFar;
+    farther = now > before;
+    if (farther) found |= kRegionInner;
+    if (now < before) found |= kRegionOuter;
+  }
+  if (is_static) hidden = farther && isHit(hit) ? kRegionHidden : 0u;
+  return found | hidden;
+}
+
+// True if some rays pass through the triangle, because alpha cuts holes into it.
+bool hasHoles(uvec4 ids) {
+#if FACT_alpha
+  if (ids.x == kSkySurface) return false;
+  return (scene_materials[geometryOf(instanceOf(ids), ids.y).material].flags & MATERIAL_ALPHA_MASK) != 0u;
+#else
+  return false;
+#endif
+}
+
+// Adds the sample to the mean of its half. The difference of the halves gives the error of their mean.
+void addSample(ivec2 pixel, uint number, vec3 color) {
+  uint half_of = PARAM_pixel == pixel_box ? stratifiedHalf(number) : frame.iteration & 1u;
+  if (half_of == 0u) imageStore(mean_a_img, pixel, withSample(imageLoad(mean_a_img, pixel), color));
+  else imageStore(mean_b_img, pixel, withSample(imageLoad(mean_b_img, pixel), color));
+}
+
+// Sets all samples of the exposure at once, for pixels where no moving surface can be visible.
+void setSamples(ivec2 pixel, vec3 color) {
+  imageStore(mean_a_img, pixel, vec4(color, float((frame.iteration_count + 1u) / 2u)));
+  imageStore(mean_b_img, pixel, vec4(color, float(frame.iteration_count / 2u)));
+}
+
+// Static surface that earlier samples hit, in this loop or in the one before it.
+uvec4 staticBefore(ivec2 pixel) {
+  uvec4 static_background = imageLoad(static_background_img, pixel);
+  return static_background.x == kNoSurface ? first_static_at(pixel) : static_background;
+}
+
+vec4 staticMeanBefore(ivec2 pixel) {
+  vec4 static_mean = imageLoad(static_mean_img, pixel);
+  return static_mean.a == 0.0 ? first_static_mean_at(pixel) : static_mean;
+}
+
+uint regionsBefore(ivec2 pixel) { return imageLoad(regions_img, pixel).r | first_regions_at(pixel).r; }
+
+// Intersection of a ray with the surface of the consensus; a miss if the ray passes beside it or through a hole.
+Hit hitOnConsensus(uint slice, Ray ray, uvec4 consensus, out float t) {
+  uint instance = instanceOf(consensus);
+  bool one_triangle = isOneTriangle(consensus) && !hasHoles(consensus) && !isMoving(consensus);
+  Hit hit = Hit(instance, consensus.y, consensus.z, vec2(0), 0.0, true);
+  if (!one_triangle) hit = traceInstance(slice, instance, ray, scene_cameras[slice].near, kFar);
+  t = hit.t;
+  if (!isHit(hit)) return hit;
+  hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
+  if (one_triangle) t = hit.t;
+  return hit;
+}
+
+// Surface on a sample's ray that is known without tracing the whole scene.
+struct Known {
+  bool is_known, is_found;  // is_found: static, hit by an earlier sample on the same ray
+  Hit hit;
+  float t;       // as the ray measures it
+  uvec4 consensus;  // consensus of the first samples
+  Hit taken;     // intersection of this ray with `consensus`
+};
+
+Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) {
+  Known known = Known(false, false, noHit(), kFar, uvec4(kNoSurface), noHit());
+  uvec4 found = one_ray ? staticBefore(pixel) : uvec4(kNoSurface);
+  known.is_found = known.is_known = isOneSurface(found);
+  if (known.is_found && found.x != kSkySurface) {
+    known.hit = Hit(instanceOf(found), found.y, found.z, vec2(0), 0.0, true);
+    known.t = uintBitsToFloat(found.w);
+  }
+  if (known.is_found || frame.camera_rests == 0u) return known;
+  known.consensus = known_hit_at(pixel);
+  if (!isOneSurface(known.consensus)) return known;
+  float t = kFar;
+  bool is_sky = known.consensus.x == kSkySurface;
+  if (!is_sky && (spares_rays || isMoving(known.consensus))) known.taken = hitOnConsensus(slice, ray, known.consensus, t);
+  known.is_known = spares_rays && (is_sky || isHit(known.taken));
+  if (known.is_known) known.hit = known.taken;
+  if (isHit(known.hit)) known.t = t;
+  return known;
+}
+
+// True if a fully traced sample hits another surface than the consensus predicts.
+bool contradicts(Known known, Hit hit) {
+  if (!isOneSurface(known.consensus)) return false;
+  uvec4 ids = idsOf(hit);
+  if (isMoving(known.consensus)) return isHit(known.taken) && idsOf(known.taken) != ids;
+  if (!isOneTriangle(known.consensus)) ids.z = known.consensus.z;
+  return isAtRest(hit) && known.consensus.xyz != ids.xyz;
+}
+
+// Known shadows of a point, in the form of lib/consensus.glsl. `is_shown`: the first samples hit its triangle at the raster
+// time.
+uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
+  is_shown = false;
+  if (!kFrozen || !isHit(hit)) return 0u;
+  ivec2 place = pixel;
+  bool camera_rests = frame.camera_rests != 0u;
+  if (camera_rests && !isAtRest(hit)) return 0u;
+  if (!camera_rests && !isInRaster(hit, place)) return 0u;
+  uvec4 shown = known_hit_at(place);
+  is_shown = !camera_rests && isOneTriangle(shown) && shown.xyz == idsOf(hit).xyz;
+  return shadowsOf(known_shadows_at(place), hit.instance);
+}
+
+// Nearest hit on a sample's ray: the static hit `static_background` if it is known, or a moving surface in front. At equal
+// distance the first instance of the scene wins. `t`: distance as the ray computes it.
+Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit static_background, inout float t) {
+  if (is_known && (!isAtRest(static_background) || !isReachedAt(slice, pixel))) return static_background;
+  uint mask = is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
+  float end = is_known && isHit(static_background) ? uintBitsToFloat(floatBitsToUint(t) + 1u) : kFar;
+  Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, end, NO_INSTANCE, NO_INSTANCE);
+  if (is_known && (!isHit(hit) || (hit.t == t && hit.instance > static_background.instance))) return static_background;
+  t = hit.t;
+  // Intersected again as for the raster layer: independent of the device, and bit for bit equal for static surfaces.
+  return isHit(hit) ? hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive) : hit;
+}
+
+// Sets the lights known to be visible (x) and blocked (y).
+void takeAsKnown(uvec2 lights) {
+  known_free = found_free = lights.x;
+  known_blocked = found_blocked = lights.y;
+}
+
+// `known`: lights that are visible (x) and blocked (y).
+vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
+  if (!isHit(hit)) return environment(ray.direction);
+  takeAsKnown(spares_rays ? known : uvec2(0u));
+  vec3 color = shade(kFrozen ? SLICE_RASTER : slice, hit);
+  misses = misses || ((known.x & found_blocked) | (known.y & found_free)) != 0u;
+  return color;
+}
+
+// The surfaces of earlier samples, combined with one more.
+uvec4 withSurface(uvec4 before, uvec4 ids) {
+  if (before.x == kNoSurface) return ids;
+  if (before.xy != ids.xy) return uvec4(kSeveralSurfaces, 0u, 0u, 0u);
+  if (before.z != ids.z) before.z = kSeveralSurfaces;
+  return before;
+}
+
+// Records a moving surface, unless a sample has hit a static one.
+void noteMoving(ivec2 pixel, Hit hit) {
+  uvec4 before = imageLoad(static_background_img, pixel);
+  if (before.x == kNoSurface || isMoving(before)) imageStore(static_background_img, pixel, withSurface(before, idsOf(hit)));
+}
+
+// Records a static surface, or a surface at the raster time, and its shadows, for the consensus and for later samples. False
+// for the first such sample of the pixel.
+bool noteSurface(ivec2 pixel, Hit hit, float background_t) {
+  uvec4 before = imageLoad(static_background_img, pixel);
+  bool is_first = before.x == kNoSurface || isMoving(before);
+  if (is_first) before = uvec4(kNoSurface);
+  imageStore(static_background_img, pixel, withSurface(before, uvec4(idsOf(hit).xyz, floatBitsToUint(background_t))));
+#if PARAM_writes_stats
+  if (isHit(hit)) {
+    uint shadows = shadowsFrom(uvec2(found_free, found_blocked));
+    imageStore(shadows_img, pixel, withShadows(imageLoad(shadows_img, pixel), hit.instance, shadows));
+  }
+#endif
+  return !is_first;
+}
+
+void note(ivec2 pixel, Hit hit, float background_t, vec3 color) {
+  bool was_static = noteSurface(pixel, hit, background_t);
+  vec4 static_mean = imageLoad(static_mean_img, pixel);
+  imageStore(static_mean_img, pixel, withSample(static_mean, color));
+#if PARAM_writes_stats
+  vec3 change = abs(color - static_mean.rgb);
+  float contrast = max(change.r, max(change.g, change.b)) / max(max(static_mean.r, max(static_mean.g, static_mean.b)), 1e-6);
+  if (was_static) imageStore(contrast_img, pixel, vec4(max(contrast, imageLoad(contrast_img, pixel).x)));
+#endif
+}
+
+// Lights visible (x) and blocked (y) from the whole shadow tile, if the raster image shows the hit: its triangle at the pixel,
+// or for samples all over the pixel its surface at the pixel and at the eight around it.
+uvec2 knownShadows(ivec2 pixel, Hit hit) {
+  if (!isHit(hit)) return uvec2(0u);
+  uvec3 ids = uvec3(hit.instance + 1u, hit.geometry, hit.primitive);
+#if PARAM_pixel == pixel_box
+  bool is_shown = true;
+  ivec2 last = textureSize(hit_tex, 0) - 1;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 at = clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
+    is_shown = is_shown && hit_at(at).xy == ids.xy;
+  }
+#else
+  bool is_shown = hit_at(pixel).xyz == ids;
+#endif
+  return is_shown ? light_visibility_at(pixel / params.shadow_tile).xy : uvec2(0u);
+}
+
+#if PARAM_probes
+// Records the surface at the raster time at a position in the pixel, and its shadows. Its radiance is not used, because the
+// camera moves.
+void probe(ivec2 pixel, vec2 position_px) {
+  Ray ray = cameraRay(SLICE_RASTER, position_px);
+  float t = kFar;
+  Hit hit = nearestHit(pixel, SLICE_RASTER, ray, false, noHit(), t);
+  takeAsKnown(knownShadows(pixel, hit));
+  if (isHit(hit)) findShadows(SLICE_RASTER, hit);
+  noteSurface(pixel, hit, t);
+}
+#endif
+
+void run(ivec2 pixel) {
+  uint index = uint(pixel.y) * frame.size.x + uint(pixel.x);
+  uint number = PARAM_in_turn != 0 ? frame.iteration : frame.part;
+  uint slice = TIME_SLICE;
+  if (frame.slice_count > 1u) slice += randomUint(index, number, 0u) % frame.slice_count;
+  vec2 position_px = samplePosition(pixel);
+#if PARAM_pixel == pixel_box
+  position_px = vec2(pixel) + stratified2(index, number);
+#endif
+  Ray ray = cameraRay(slice, position_px);
+  bool validated = isValidated(pixel / kValidationBlock, params.validation_share);
+  bool spares_rays = PARAM_every_ray == 0 && !validated;
+  // With a static camera, all rays through the pixel's centre are one ray.
+  bool one_ray = PARAM_every_ray == 0 && kFrozen && PARAM_pixel == pixel_centre && frame.camera_rests != 0u;
+
+  vec4 even = even_color_at(pixel);
+  bool is_even = kFrozen && even.a != 0.0 && spares_rays && !one_ray && frame.camera_rests != 0u;
+
+  Known known = knownOn(pixel, slice, ray, one_ray, spares_rays);
+  float t = known.t;
+  Hit hit = nearestHit(pixel, slice, ray, known.is_known, known.hit, t);
+  bool at_rest = isAtRest(hit);
+  misses = !spares_rays && contradicts(known, hit);
+
+  // Occlusion at the raster time: tested for regions, and with a moving camera if the known shadows save more than one ray.
+  uint regions = 0u, wanted = 0u;
+  bool is_static = false, is_shown;
+#if PARAM_mark_regions
+  regions = regionsBefore(pixel);
+  is_static = PARAM_pixel == pixel_centre && kFrozen && cameraIsStill(slice) &&
+             (at_rest || isPosedAlike(slice, hit.instance));
+  if (!is_static) wanted = wantedRegions(pixel, hit, regions);
+#endif
+  uint shadows = shadowsAt(pixel, hit, is_shown);
+  bool looks = !(is_shown && spares_rays) && (wanted != 0u || (frame.camera_rests == 0u && countLights(shadows) > 1));
+  bool is_hidden = looks && wasOccluded(pixel, hit);
+  misses = misses || (is_shown && is_hidden);
+  if (frame.camera_rests == 0u && (looks ? is_hidden : !is_shown)) shadows = 0u;
+
+  bool is_sure = kFrozen && frame.camera_rests != 0u && at_rest && shadows == 0u;
+  vec3 color;
+  if (known.is_found && at_rest) color = staticMeanBefore(pixel).rgb;
+  else if (is_even && at_rest) color = even.rgb;
+  else color = colorOf(slice, ray, hit, is_sure ? knownShadows(pixel, hit) : lightsOf(shadows), spares_rays);
+  if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
+  bool stats = frame.camera_rests != 0u && !known.is_known && (PARAM_writes_stats != 0 || one_ray);
+  if (stats && at_rest) note(pixel, hit, t, color);
+  else if (stats && PARAM_pixel == pixel_box) noteMoving(pixel, hit);
+#if PARAM_static_once_per_loop
+  if (isInMovingRect(pixel)) addSample(pixel, number, color);
+  else setSamples(pixel, color);
+#else
+  addSample(pixel, number, color);
+#endif
+
+#if PARAM_mark_regions
+  uint now = regions | regionsOf(pixel, slice, ray, hit, is_static, is_hidden ? wanted : 0u);
+  if (now != regions) imageStore(regions_img, pixel, uvec4(now, 0u, 0u, 0u));
+#endif
+#if HAS_known_hit
+  if (validated) count_validated(1u);
+  if (validated && misses) count_mismatched(1u);
+#endif
+#if PARAM_probes
+  if (kFrozen && frame.camera_rests == 0u) probe(pixel, vec2(pixel) + stratified2(index, number));
+#endif
+}
