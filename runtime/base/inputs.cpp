@@ -20,7 +20,7 @@ size_t behind(const std::string& text, const std::string& close, size_t at) {
 
 size_t endOfLine(const std::string& text, size_t at) { return std::min(text.find('\n', at), text.size()); }
 
-// Position behind the long bracket "[==[ ... ]==]" that begins at `at`; nothing if none does.
+// Position behind the long bracket "[==[ ... ]==]" that begins at `at`; std::nullopt without one.
 std::optional<size_t> behindLongBracket(const std::string& text, size_t at) {
   if (at >= text.size() || text[at] != '[') return std::nullopt;
   size_t second = text.find_first_not_of('=', at + 1);
@@ -28,7 +28,7 @@ std::optional<size_t> behindLongBracket(const std::string& text, size_t at) {
   return behind(text, "]" + std::string(second - at - 1, '=') + "]", second + 1);
 }
 
-// Position behind the Lua string that begins at `at`; `at` if none does.
+// Position behind the Lua string that begins at `at`; `at` without one.
 size_t behindString(const std::string& text, size_t at) {
   const char quote = text[at];
   if (quote != '"' && quote != '\'') return behindLongBracket(text, at).value_or(at);
@@ -36,7 +36,7 @@ size_t behindString(const std::string& text, size_t at) {
   return std::min(at + 1, text.size());
 }
 
-// Position behind the comment that begins at `at`; `at` if none does.
+// Position behind the comment that begins at `at`; `at` without one.
 size_t behindComment(const std::string& text, Language language, size_t at) {
   auto is = [&](const char* mark) { return text.compare(at, 2, mark) == 0; };
   if (language == Language::lua) return is("--") ? behindLongBracket(text, at + 2).value_or(endOfLine(text, at)) : at;
@@ -50,7 +50,7 @@ std::optional<Language> languageOf(const Path& file) {
   return std::nullopt;
 }
 
-// Lines without blanks at their ends; those that are left empty are left out.
+// Lines without blanks at their ends, and without empty lines.
 std::string withoutBlankEnds(const std::string& text) {
   std::string lines;
   for (size_t at = 0, end; at < text.size(); at = end + 1) {
