@@ -1,3 +1,3 @@
 -- SPDX-License-Identifier: MIT
--- Marks the folder of a Strobe project. Commands that run inside it find its files and the shipped files.
+-- This file marks the folder of a Strobe project. Commands that run inside the folder find its files and the shipped files.
 return { name = "PROJECT" }

@@ -1,6 +1,6 @@
 ---@meta
 -- SPDX-License-Identifier: MIT
--- Annotations for editors, which complete and check passes and pipelines. The program does not load this file.
+-- Annotations that editors use to complete and check passes and pipelines. The program does not load this file.
 -- A test compares the fields below with the fields that scripts/strobe accepts.
 
 ---@alias strobe.Format
@@ -14,7 +14,7 @@
 ---| "constant" | "still" | "brief" | "mirrored" | "shifted" | "reversed" | "convex" | "uniform" | "linear" | "scaled"
 ---| "converging" | "unmasked" | "finite" | "permuted"
 
----Role of a parameter: commands find it by its role, without its name. At most one of each in a pipeline.
+---Role of a parameter. Commands find a parameter by its role instead of its name. A pipeline has each role at most once.
 ---@alias strobe.Role
 ---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
 ---| "static_once"
@@ -24,64 +24,64 @@
 ---A number or a boolean; the default is first: `{ 20, min = 1, max = 256, unit = "px", doc = "side of a tile" }`.
 ---@class strobe.ParamTable
 ---@field [1]? boolean|integer|number the default value
----@field default? boolean|integer|number the default value, by name
----@field min? number smallest value; every int and float has one
----@field max? number largest value; every int and float has one
----@field unit? string "px", "m", "image widths"
+---@field default? boolean|integer|number the default value, in place of the first entry
+---@field min? number smallest value; required for int and float
+---@field max? number largest value; required for int and float
+---@field unit? string unit of the value: "px", "m", "image widths"
 ---@field doc string meaning
 ---@field role? strobe.Role role, by which commands find the parameter
----@field wired? boolean for a pass: describes the rest of the graph, so only the pipeline sets it
----@field auto? boolean also accepts "auto" (a float that is never negative)
----@field variant? boolean compiled into the shader instead of passed to it (int and float)
----@field breaks? table<string, table<strobe.Invariant, string>> invariants that a value breaks, with reasons; numbers: `other`
+---@field wired? boolean (passes) describes the rest of the graph, so that only a pipeline may set the parameter
+---@field auto? boolean the parameter also accepts "auto" (for a float that is never negative)
+---@field variant? boolean (int and float) the value is compiled into the shader instead of passed to the shader
+---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a value (a number: `other`) breaks
 
 ---The choices in order, `{ "a", "b", default = "b", doc = "which" }`. Without `default` the first choice is the default.
 ---@class strobe.ChoiceTable
 ---@field [integer] string the choices
 ---@field default? string the default choice
----@field unit? string
+---@field unit? string unit of the choices
 ---@field doc string meaning
 ---@field role? strobe.Role role, by which commands find the parameter
----@field wired? boolean for a pass: describes the rest of the graph, so only the pipeline sets it
+---@field wired? boolean (passes) describes the rest of the graph, so that only a pipeline may set the parameter
 ---@field values? table<string, string> effect of each choice, and its failures
 ---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a choice breaks, with reasons
 
 ---@class strobe.Read
 ---@field doc string meaning, unit, range
 ---@field uint? boolean the texels are unsigned integers
----@field optional? boolean may be left unwired; then HAS_<name> is 0 in the shader
----@field absent? number|number[]|string optional; each texel if it is unwired: a number, four numbers, or a read that stands in
----@field linear? boolean sampled with a linear filter instead of fetched
----@field pointwise? boolean fetched only at the pixel of the invocation
----@field buffer? boolean a buffer of unsigned integers instead of an image
----@field needs? string|string[] reads, possibly itself; if each is unwired or all zeros, this read counts as unwired
+---@field optional? boolean the read may be left unwired; then HAS_<name> is 0 in the shader
+---@field absent? number|number[]|string value of each texel if the read is left unwired: 1 or 4 numbers, or another read
+---@field linear? boolean the shader samples the image with a linear filter, instead of fetching texels
+---@field pointwise? boolean the shader fetches the image only at the pixel of the invocation
+---@field buffer? boolean the read is a buffer of unsigned integers instead of an image
+---@field needs? string|string[] names of reads; if each of them is unwired or all zeros, this read counts as unwired
 
 ---A format chosen by a choice parameter of the pass: `{ by = "precision", fp32 = "rg32f", fp16 = "rg16f" }`.
 ---@class strobe.ChosenFormat
----@field by string name of the parameter
----@field [string] strobe.Format format of each choice
+---@field by string name of the choice parameter
+---@field [string] strobe.Format format for the choice of this name
 
 ---@class strobe.Write
 ---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
----@field cleared? boolean zero when the pass begins, so that the pass may skip pixels (not for raster passes)
----@field each? integer buffer entries per pixel of the pass's size
+---@field cleared? boolean (not raster) the image is zero when the pass begins, so that the pass may skip pixels
+---@field each? integer (buffers) number of entries per output pixel of the pass
 
 ---@class strobe.Update
 ---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
----@field history? boolean kept from frame to frame (zero in the first), instead of zero at the start of each frame
----@field each? integer buffer entries per pixel of the pass's size
+---@field history? boolean true: the image is kept from frame to frame; false: it is zero at the start of each frame
+---@field each? integer (buffers) number of entries per output pixel of the pass
 
 ---@class strobe.Size
----@field of? string as large as the image wired to this read
----@field divide? string int parameter that divides this size, rounding up
+---@field of? string name of a read; the outputs have the size of its image
+---@field divide? string name of an int parameter that divides the size of the image, rounding up
 ---@field [1]? integer width
 ---@field [2]? integer height
 
 ---@class strobe.Counter
 ---@field doc string counted event
----@field limit? string warning if the count is not 0: the change of the picture, and the remedy
+---@field limit? string warning if the count is not 0: how the picture was changed, and the remedy
 
 ---@alias strobe.Runs "everywhere" | "moving_rect" | "moving_instances"
 
@@ -90,24 +90,24 @@
 ---| "after" | "weighted"
 
 ---@class strobe.PassTable
----@field name? string unique; default: path of its file below passes/, without .lua. Its last part is the default name of nodes
+---@field name? string unique name; default: path below passes/ without .lua. Its last part is the default name of nodes
 ---@field shader? string path below shaders/, without .glsl (for a raster pass without .vert.glsl and .frag.glsl)
 ---@field doc string result of the pass
----@field fails? string when its result is wrong, and how
----@field breaks? table<strobe.Invariant, string> invariants that do not hold in a pipeline that uses it, with reasons
----@field size? "frame"|strobe.Size size of its outputs; default "frame"
+---@field fails? string where the result of the pass is wrong, and how
+---@field breaks? table<strobe.Invariant, string> invariants that do not hold in a pipeline that uses the pass, with reasons
+---@field size? "frame"|strobe.Size size of the outputs; default "frame"
 ---@field scene? boolean (compute) the shader reads the scene; raster and trace passes always do
----@field runs? strobe.Runs pixels or instances that it is restricted to; default: moving_rect where if_no has stand-ins for the rest
----@field dispatch_over? string a buffer read whose entries are the pixels for which the pass runs
+---@field runs? strobe.Runs pixels or instances that the pass is restricted to; default "moving_rect", if `if_no` allows
+---@field dispatch_over? string name of a buffer read; the pass runs for the pixels in this buffer
 ---@field group? boolean (compute) one work group per output pixel, instead of one invocation
----@field reads? table<string, strobe.Read> images it samples
----@field writes? table<string, strobe.Write> images it fills, every pixel
----@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame
+---@field reads? table<string, strobe.Read> images that the shader samples
+---@field writes? table<string, strobe.Write> images in which the shader writes every pixel
+---@field updates? table<string, strobe.Update> images that the shader reads and writes; zero before the first execution
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string|strobe.Counter> counters, each with its counted event
 ---@field if_no? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read 0
 
----An image port of a node, to be wired to a read.
+---An image that a node writes. It can be wired to reads of other nodes.
 ---@class strobe.Image
 
 ---Result of a call of a pass: its writes and updates by name.
@@ -117,8 +117,8 @@
 ---Arguments of a call: images for reads, literals or parameters of the pipeline for parameters.
 ---@class strobe.CallTable
 ---@field as? string name of the node
----@field time? strobe.Time time at which it poses the scene
----@field runs? strobe.Runs in place of the restriction that the pass declares
+---@field time? strobe.Time time of the scene that the node reads; default "raster"
+---@field runs? strobe.Runs restriction that replaces the restriction declared by the pass
 ---@field [string] strobe.Image|strobe.Parameter|boolean|number|string
 
 ---@class strobe.Pass
@@ -145,7 +145,7 @@ function pass.family(folder) end
 ---@return strobe.Pass
 function pass.member(folder, name) end
 ---@param called strobe.Pass
----@param images table<string, strobe.Image> by name
+---@param images table<string, strobe.Image> images by the name of the read
 ---@param arguments? strobe.CallTable further arguments; these override the images
 ---@return strobe.CallTable the images that the pass reads, and the further arguments
 function pass.wired(called, images, arguments) end
@@ -162,30 +162,30 @@ function pass.float(t) end
 ---@return strobe.Param
 function pass.choice(t) end
 
----A parameter of a pipeline inside its build. Passed to a pass, it stays adjustable; a call returns its present value.
+---A parameter of a pipeline inside `build`. If it is passed to a pass, it stays adjustable. A call returns its present value.
 ---@class strobe.Parameter
 ---@overload fun(): boolean|integer|number|string
 
 ---@class strobe.PipelineTable
 ---@field doc string result and source of the method
 ---@field params? table<string, strobe.Param>
----@field kind? "method"|"sharp"|"truth"|"list" "truth" has an output `error`; a "list" is not a picture; default "method"
----@field presets? table<string, strobe.Preset> by name, for `--set preset=NAME`
----@field default_preset? string name of the default preset; default "none"
----@field breaks? table<strobe.Invariant, string> invariants that do not hold with any values, with reasons
+---@field kind? "method"|"sharp"|"truth"|"list" "truth" has an output `error`, a "list" is not a picture; default "method"
+---@field presets? table<string, strobe.Preset> presets by name, for `--set preset=NAME`
+---@field default_preset? string name of the preset that is used by default; without it, "none", which sets nothing
+---@field breaks? table<strobe.Invariant, string> invariants that the pipeline breaks with all values, with reasons
 ---@field compare_with? string a pipeline that must not be nearer to truth than this one
----@field equals? strobe.EqualTable[] values with which another pipeline gives the same picture, bit for bit
+---@field equals? strobe.EqualTable[] conditions under which another pipeline gives the same picture, bit for bit
 ---@field regions? table<string, string> outputs that are masks of error regions, each with a description
 ---@field build fun(p: table<string, strobe.Parameter>): table<string, strobe.Image> returns the images; `color` is required
 
 ---@class strobe.Preset
 ---@field doc string purpose
----@field set table<string, boolean|number|string> values by parameter
+---@field set table<string, boolean|number|string> values by the name of the parameter
 
 ---@class strobe.EqualTable
----@field when table<string, boolean|number|string> values of parameters
+---@field when table<string, boolean|number|string> parameter values of this pipeline
 ---@field pipeline string the other pipeline
----@field set? table<string, boolean|number|string> its values
+---@field set? table<string, boolean|number|string> parameter values of the other pipeline
 
 ---@class strobe.Pipeline
 
@@ -193,11 +193,11 @@ function pass.choice(t) end
 ---@field name string
 ---@field count integer|strobe.Parameter number of iterations
 ---@field first? integer number of the first part of the exposure, 0-based; needs `parts`
----@field parts? integer parts of the exposure; the loop takes `count` of these; default: `count`
----@field times? "midpoint"|"stratified"|"even"|"frames"|strobe.Parameter times of the iterations; default "midpoint"
----@field slices? integer|strobe.Parameter scene times per iteration; each pixel draws one; default 1
----@field until_? strobe.Image|fun(results: strobe.Ports): strobe.Image 1x1 r32f image that ends the loop when not zero
----@field body fun(): table<string, strobe.Image> runs once and makes the nodes that the loop repeats
+---@field parts? integer number of parts of the exposure, of which the loop takes `count`; default: `count`
+---@field times? "midpoint"|"stratified"|"even"|"frames"|strobe.Parameter scene times of the iterations; default "midpoint"
+---@field slices? integer|strobe.Parameter scene times per iteration, of which each pixel uses a random one; default 1
+---@field until_? strobe.Image|fun(results: strobe.Ports): strobe.Image 1x1 r32f image; the loop ends when it is not zero
+---@field body fun(): table<string, strobe.Image> function that runs once and makes the nodes that the loop repeats
 
 ---@class strobe.pipeline
 ---@overload fun(t: strobe.PipelineTable): strobe.Pipeline
@@ -205,9 +205,9 @@ local pipeline = {}
 ---@param t strobe.LoopTable
 ---@return strobe.Ports
 function pipeline.loop(t) end
----@param what string names the records in messages
+---@param what string name of the records in messages
 ---@param optional? string[] fields that a record may lack
----@return fun(t: table): table makes a table a record: reading a field that it lacks is an error, except by t:get(name)
+---@return fun(t: table): table makes `t` a record: reading a field that it lacks is an error, except by t:get(name)
 function pipeline.record(what, optional) end
 ---Runs `body` and returns its result. The names of its nodes start with `prefix`, so that a part of a graph can be made twice.
 ---@generic T

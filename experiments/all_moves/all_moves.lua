@@ -7,17 +7,17 @@ local base, layers, best, few = "McGuire 2012", "hybrid, layers alone", "hybrid 
 local drawn = "accumulation buffer"
 
 local left_open = "rays at the sample times resolve nonlinear paths, velocities that the tile's list lacks and pixels " ..
-                  "with more velocities than the layers track; here these are nearly all samples, and mask and layers add " ..
-                  "their cost"
+                  "with more velocities than the layers track. Here these are nearly all samples, and the time of mask and " ..
+                  "layers is added"
 
 local at_rest = "before a camera at rest truth traces and shades pixels without motion only once, so it takes less time " ..
                 "than three post-process frames"
 
-local cheaper = "the hybrid has become faster since this was found, with a ratio of 0.64"
+local cheaper = "the hybrid has become faster since this was found; the ratio was 0.64 then"
 
 local function at(r, arm, shot) return r.at { shot = shot, arm = arm } end
 
--- Largest value over the shots, and its shot.
+-- Returns the largest value of `of(shot)` over `shots`, and the name of that shot.
 local function most(shots, of)
   local found, where = -math.huge, ""
   for _, shot in ipairs(shots) do
@@ -38,7 +38,8 @@ return experiment {
   question = "If the whole picture moves, is the hybrid cheaper than truth or an accumulation buffer with as many samples?",
   note     = "A vase slides before a camera at rest. In the same room a camera follows the vase. A camera moves sideways " ..
              "past posts, balls and boxes. A camera follows a car over a road. All methods have 16 samples. Times are " ..
-             "ratios to McGuire 2012, measured in turn in one run. The timed truth with 16 samples does not mark regions.",
+             "ratios to McGuire 2012, and the arms are timed in turn in one run. The time of truth with 16 samples does not " ..
+             "include the marking of regions.",
   size     = { 480, 270 },
   shots    = {
     { name = "vase", title = "The vase slides, camera at rest", scene = "living_room", camera = "main" },

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
 -- Objects that turn, have many parts, enter or leave the picture, before backgrounds with detail.
--- The floor is the RMSE of truth with 16 midpoint samples. An error e is sqrt(e^2 - floor^2) above the floor, or 0 if e is
--- smaller. Expectations for the hybrid (best) in each shot, written before measuring:
+-- The floor is the RMSE of truth with 16 midpoint samples. The part of an error e above the floor is sqrt(e^2 - floor^2), or 0
+-- if e is smaller than the floor. Expectations for the hybrid (best) in each shot, written before measuring:
 --   in disoccluded regions (inner, hidden, self) its RMSE above the floor is at most a third of the RMSE above the floor of
 --     the best post-process;
 --   in every region its RMSE is at most 1.5 times the floor;
 --   in no region does a baseline have a smaller RMSE. Baselines with layers or rays (`others`) were added later.
 --   strobe sweep experiments/any_object/any_object.lua -o out/any_object
--- The scenes of the last shots are shared data (STROBE_DATA). The shots are skipped if these are missing.
+-- The scenes of the last shots are shared data (STROBE_DATA). These shots are skipped if the data is missing.
 local experiment = require "strobe.experiment"
 
 local hybrid, shaded, floor = "hybrid (best)", "hybrid (every hit shaded)", "truth, 16 samples"
@@ -18,10 +18,11 @@ local others = { "lee2024", "oberberger2022" }
 local regions = { "whole", "inner", "hidden", "outer", "self" }
 local uncovered = { "inner", "hidden", "self" }
 
-local least_pixels = 100  -- smaller regions are not judged
+local least_pixels = 100  -- no rule is tested in a region with fewer pixels
 
--- RMSE in a region of a shot: `own` of the hybrid, `floor`, `best` of the post-processes and `any` of all baselines, the last
--- two with their arm's name. nil if the region has too few pixels or if displacements were shortened.
+-- Returns the RMSE in a region of a shot: `own` of the hybrid, `floor`, `best` of the best post-process and `any` of the best
+-- baseline. `best` and `any` are tables { rmse = , name = } with the name of the arm. Returns nil if the region has too few
+-- pixels or if displacements were shortened.
 local function errors(r, shot, region)
   local function at(arm) return r.at { shot = shot, arm = arm, region = region } end
   local own = at(hybrid)
@@ -41,7 +42,8 @@ end
 
 local function above(error, least) return math.sqrt(math.max(0, error * error - least * least)) end
 
--- Each rule has its regions. `holds` takes the errors of one region and returns true if the rule holds, and the numbers.
+-- Each rule is tested in its `regions`. `holds` takes the errors of one region. It returns whether the rule holds, and a text
+-- with the numbers that were compared.
 local rules = {
   { text = "in disoccluded regions the hybrid's error above the floor is at most a third of the best post-process's",
     regions = uncovered, holds = function(e)
@@ -57,8 +59,8 @@ local rules = {
 }
 
 -- Reasons of the expectations that are known to fail, by shot and number of the rule.
-local fine = "texels of the layers smooth texture that is finer than a pixel, and path deviations of up to half a pixel " ..
-             "are neglected: with every hit shaded and every nonlinear path traced, the error is at the floor"
+local fine = "texture finer than a pixel is smoothed by the texels of the layers, and path deviations of up to half a " ..
+             "pixel are neglected. With every hit shaded and every nonlinear path traced, the error is at the floor"
 local known = {
   truck = { [2] = fine },
   box_rises = { [2] = fine },
@@ -117,10 +119,10 @@ local shots = {
          "its end."),
   object("caged_fan", "Caged fan", "Blades turn by 60 degrees behind and before thin wires at rest."),
   object("pendulum", "Pendulum", "Rod and bob swing by 25 degrees behind the bars of a clock's case."),
-  object("leaves", "Leaves", "Three layers of leaves, one before the other. Each leaf moves and turns differently."),
+  object("leaves", "Leaves", "There are three layers of leaves, one behind the other. Each leaf moves and turns differently."),
   object("car_and_road", "Car and road", "A car drives with rolling wheels. The camera moves by nine tenths of the car's " ..
          "way, so that the road moves most in the picture."),
-  object("car_passes", "Passing car", "The same car, the camera at rest.",
+  object("car_passes", "Passing car", "The car of the shot car_and_road passes a camera at rest.",
          { scene = "objects/car_and_road", ["scene.follow"] = 0 }),
   object("tracking_parallax", "Tracking shot", "The camera moves sideways through posts, balls and boxes at many depths."),
   object("door", "Door", "A door turns about its hinge by 32 degrees, into a room."),
@@ -141,8 +143,8 @@ local shots = {
     note = "A box rises out of another box, which hides more of the first box at the beginning than at the raster time.",
     fps = 4, frame = 2, exposure = 1, view = { 1, 1.9, 2.3, 0, 0.8, 0 } },
   { name = "box_turns", title = "Turning box", scene = samples .. "BoxAnimated.glb",
-    note = "The same box turns by 36 degrees above the other box: a face that is visible at the beginning is hidden at the " ..
-           "raster time.",
+    note = "A box turns by 36 degrees above another box. A face that is visible at the beginning is hidden at the raster " ..
+           "time.",
     fps = 4, frame = 8, exposure = 1, view = { 1.1, 3.1, 1.5, 0, 2.5, 0 } },
 }
 
@@ -162,9 +164,9 @@ return experiment {
   title = "Any object",
   question = "Is the hybrid accurate for objects that turn, have many parts, enter or leave the picture?",
   note = "All methods have 16 samples, the exposure ends at the raster time, and no displacement is shortened. The floor is " ..
-         "the error of truth with 16 samples. Expected of the hybrid (best): in disoccluded regions its error above the " ..
-         "floor is at most a third of the best post-process's; in every region its error is at most 1.5 times the floor " ..
-         "and no baseline has a smaller one.",
+         "the error of truth with 16 samples. The hybrid (best) is expected to have an error above the floor of at most a " ..
+         "third of the best post-process's, in disoccluded regions. In every region its error is expected to be at " ..
+         "most 1.5 times the floor, and no baseline is expected to have a smaller error.",
   size = { 480, 270 },
   regions = regions,
   measures = { "rmse", "flip", "rays", "clamped", "displacement", "pixels" },

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Composites of the raster layer and the revealed layer, and weights of taps.
+-- Compares the errors of composites of the raster layer and the revealed layer, and of weights of the taps.
 local experiment = require "strobe.experiment"
 
 -- Reasons of failed expectations.
 local better = "over a background at rest the error of alpha-over is slightly smaller than the error of layered"
-local cheap = "in scenes that are cheap to draw the composite is most of the frame time"
+local cheap = "in scenes that are cheap to draw, the composite takes most of the frame time"
 
 local shots = { "still", "slower", "against", "two_ways", "vase", "tracking" }
 local names = { mcguire2012 = "over, McGuire", guertin2014 = "over, Guertin", jimenez2014 = "over, Jimenez",
@@ -26,9 +26,11 @@ end
 
 return experiment {
   title    = "Composites and weights",
-  question = "The paper states neither the composite of the two layers nor the weights of taps. Which have the smallest error?",
-  note     = "All arms are hybrid_layered with other composites and weights: \"over\" composites the blurred raster " ..
-             "layer over the blurred revealed layer. Times are ratios to over, McGuire with 8 samples.",
+  question = "The paper states neither the composite of the two layers nor the weights of taps. Which composite and which " ..
+             "weights have the smallest error?",
+  note     = "All arms are hybrid_layered with different composites and weights. The arms \"over\" blur both layers " ..
+             "separately and composite the raster layer over the revealed layer. Times are ratios to the arm \"over, " ..
+             "McGuire\" with 8 samples.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -58,19 +60,21 @@ return experiment {
       local ratio = error_of(r, "still", names.uniform) / error_of(r, "still", "layered")
       return ratio <= 1.1 and ratio >= 1 / 1.1, ("%.2f times"):format(ratio)
     end },
-    { "where the background moves under a moving silhouette alpha-over has at least twice the error of layered", function(r)
+    { "where the background moves behind a moving silhouette alpha-over has at least twice the error of layered", function(r)
       local slower = error_of(r, "slower", names.uniform) / error_of(r, "slower", "layered")
       local against = error_of(r, "against", names.uniform) / error_of(r, "against", "layered")
-      return slower >= 2 and against >= 2, ("%.1f times slower, %.1f times against"):format(slower, against)
+      return slower >= 2 and against >= 2, ("%.1f times in the shot slower, %.1f times in against"):format(slower, against)
     end },
-    { "McGuire's weights hide the revealed background: at least 3 times the error of even weights over a background at rest",
+    { "McGuire's weights hide the revealed background: over a background at rest they have at least 3 times the error of " ..
+      "even weights",
       function(r)
         local bar_ratio = error_of(r, "still", names.mcguire2012) / error_of(r, "still", names.uniform)
         local vase_ratio = error_of(r, "vase", names.mcguire2012) / error_of(r, "vase", names.uniform)
         return bar_ratio >= 3 and vase_ratio >= 3, ("%.1f times on the bar, %.1f in the living room"):format(bar_ratio,
                                                                                                              vase_ratio)
       end },
-    { "Jimenez' weights are linear ramps: at most 1.5 times the error of even weights over a background at rest", function(r)
+    { "over a background at rest Jimenez' weights, which are linear ramps, have at most 1.5 times the error of even weights",
+      function(r)
       local ratio = error_of(r, "still", names.jimenez2014) / error_of(r, "still", names.uniform)
       return ratio <= 1.5, ("%.2f times"):format(ratio)
     end },
@@ -85,8 +89,8 @@ return experiment {
       end
       return most <= 1.1, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "more samples do not repair a composite: alpha-over with McGuire's weights and 32 samples has a larger error than " ..
-      "layered with 8",
+    { "more samples do not repair a composite: in every shot alpha-over with McGuire's weights and 32 samples has a larger " ..
+      "error than layered with 8",
       function(r)
         local least = math.huge
         for _, shot in ipairs(shots) do
@@ -101,12 +105,12 @@ return experiment {
         local ratio = cost "layered" / cost(names.uniform)
         return ratio <= 1.25, ("%.2f times"):format(ratio)
       end },
-    { "found afterwards: over the whole living room layered has the smallest error, and alpha-over has a larger error with " ..
-      "even weights than with Jimenez' weights, which are linear ramps too", shot = "vase", function(r)
+    { "found afterwards: over the whole picture of the living room layered has the smallest error, and alpha-over has a " ..
+      "larger error with even weights than with Jimenez' weights", shot = "vase", function(r)
         local function whole(name) return r.at { arm = name, samples = 16, shot = "vase", region = "whole" }.rmse end
         local even, jimenez = whole(names.uniform), whole(names.jimenez2014)
         return even > jimenez and whole "layered" < math.min(jimenez, whole "in gather"),
-          ("RMSE %.4f, Jimenez' %.4f, in gather %.4f, layered %.4f"):format(even, jimenez, whole "in gather",
+          ("RMSE with even weights %.4f, Jimenez' %.4f, in gather %.4f, layered %.4f"):format(even, jimenez, whole "in gather",
                                                                            whole "layered")
       end },
     { "layered takes at most 1.25 times the time of alpha-over, with 16 samples", known = cheap, function(r)

@@ -1,12 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Time of a frame against pixels, masked pixels, motion, samples, triangles, instances and lights, one at a time.
+-- Measures how the time of a frame depends on pixels, masked pixels, motion, samples, triangles, instances and lights. Only one
+-- of these quantities varies at a time.
 --   strobe bench slopes experiments/costs/costs.lua -o out/slopes
 local experiment = require "strobe.experiment"
 
 local height, displacement = 180, 16
 local seed, best = "hybrid (as published)", "hybrid (best)"
 
--- Returns a function that makes a cost for each of `parts`, which are separated by spaces.
+-- Returns a function that declares one measured cost for each name in `parts`, a string of names separated by spaces. The
+-- costs are expected to grow as `how`, for the reason `why`, in the arm `arm` (default: all arms).
 local function grow(how)
   return function(parts, why, arm)
     local list = {}
@@ -16,7 +18,7 @@ local function grow(how)
 end
 local constant, linear, logarithmic = grow "constant", grow "linear", grow "logarithmic"
 
--- An axis of the shot `cards`. `costs` is a list of lists, which this function joins.
+-- Returns an axis of the shot `cards`. Its field `costs` is a list of lists of costs, which this function joins.
 local function axis(fields)
   local costs = {}
   for _, list in ipairs(fields.costs) do table.move(list, 1, #list, #costs + 1, costs) end
@@ -47,7 +49,7 @@ local masked = axis {
   name = "cover", title = "Masked pixels, by the size of the moving cards", unit = "px", against = "masked",
   values = { 0.1, 0.2, 0.4, 0.6, 0.8 }, at = sets "cover",
   costs = {
-    constant("frame", "it has no mask", "no blur"),
+    constant("frame", "a frame without blur has no mask", "no blur"),
     linear("reveal", "a ray for each masked pixel"),
     constant("shade", "every pixel shows a surface, masked or not"),
   },
@@ -98,11 +100,11 @@ local lights = axis {
   costs = {
     linear("frame shade", "a shadow ray for each light and pixel"),
     linear("reveal", "the revealed background is shaded too"),
-    constant("composite " .. gathers, "independent of lights: they blur shaded images"),
+    constant("composite " .. gathers, "independent of lights, because shaded images are blurred"),
   },
 }
 
--- Published for another model of a living room.
+-- Returns a frame rate that the paper published. It was measured with another model of a living room.
 local function published(fps)
   return { fps = fps, shot = "living room", by = "Tan, Cui and Bhojan 2020, figure 1: GeForce RTX 2080 Ti, size not stated" }
 end

@@ -3,14 +3,15 @@
 --   strobe sweep experiments/curves/curves.lua -o out/curves
 local experiment = require "strobe.experiment"
 
-local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" } -- all turn by less than a fifth of a turn
+local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" } -- rotations by less than a fifth of a turn
 local curves = { "line", "quadratic", "arc" }
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
 local function layers(curve) return "layers, " .. curve end
 
--- Error beyond truth with as many samples, sqrt(e^2 - floor^2): the squares of independent errors add up.
+-- Error of an arm beyond the error of truth with as many samples: sqrt(e^2 - floor^2), since squares of independent errors
+-- add up.
 local function beyond(r, shot, arm, region)
   local own, floor = at(r, shot, arm, region).rmse, at(r, shot, "truth, 16 samples", region).rmse
   return math.sqrt(math.max(own * own - floor * floor, 0))
@@ -26,7 +27,7 @@ add("own times", "hybrid_traced")
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
   set = { samples = 16, times = "midpoint" } }
 
--- Largest value over all shots, and its shot.
+-- Returns the largest value of `of(shot)` over `shots`, and the name of that shot.
 local function largest(of)
   local most, where = 0, ""
   for _, shot in ipairs(shots) do
@@ -39,8 +40,9 @@ end
 return experiment {
   title    = "Curved paths",
   question = "How much error do curved paths save where objects turn or approach?",
-  note     = "\"layers\": layers at the raster time alone, with a background revealed behind all moving surfaces and " ..
-             "paths that are lines, parabolas or arcs. \"own times\": with rays at the sample times.",
+  note     = "The arms \"layers\" use layers at the raster time alone. They reveal a background behind all moving " ..
+             "surfaces, and each point moves along a line, a parabola or an arc. The arm \"own times\" also traces rays at " ..
+             "the sample times.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -57,8 +59,8 @@ return experiment {
   regions  = { "whole", "inner", "hidden", "outer", "self" },
   measures = { "rmse", "flip", "rays", "pixels" },
   expect   = {
-    { "for wheel, fan, pendulum and the approaching box, the error of arcs beyond truth with as many samples is at most " ..
-      "half of the error of lines", function(r)
+    { "for wheel, fan, pendulum and approaching box, the error of arcs is at most half of the error of lines, both beyond " ..
+      "the error of truth with as many samples", function(r)
       local most, where = 0, ""
       for _, shot in ipairs { "wheel", "fan", "pendulum", "nearer" } do
         local ratio = beyond(r, shot, layers "arc") / beyond(r, shot, layers "line")
@@ -66,14 +68,14 @@ return experiment {
       end
       return most <= 0.5, ("at most %.2f (%s)"):format(most, where)
     end },
-    { "the error of arcs is at most 1.02 times the error of parabolas", function(r)
+    { "up to a fifth of a turn, the error of arcs is at most 1.02 times the error of parabolas", function(r)
       local most, where = largest(function(shot)
         return at(r, shot, layers "arc").rmse / at(r, shot, layers "quadratic").rmse
       end)
       return most <= 1.02, ("at most %.3f times the error (%s)"):format(most, where)
     end },
-    { "found afterwards: beyond half a turn, the error of arcs beyond truth with as many samples is at most three quarters " ..
-      "of the error of parabolas", function(r)
+    { "found afterwards: for a fan that turns by more than half a turn, the error of arcs is at most three quarters of the " ..
+      "error of parabolas, both beyond the error of truth with as many samples", function(r)
       local ratio = beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "quadratic")
       return ratio <= 0.75, ("%.2f of the error of parabolas, %.2f of the error of lines"):format(ratio,
         beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "line"))

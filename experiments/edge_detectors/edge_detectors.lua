@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Compares the edge detectors in the published ray mask, and their thresholds.
+-- Compares edge detectors and their thresholds in the published ray mask.
 local experiment = require "strobe.experiment"
 
 -- Reasons of failed expectations.
@@ -14,7 +14,7 @@ local canny_normal = "edge_gradient.normal_threshold"
 
 local steps = "experiments/pipelines/hybrid_steps.lua"
 
--- An arm with the edge detector `name`. `lacks`: thresholds that the detector does not have.
+-- Returns an arm with the edge detector `name`. `lacks`: thresholds that the detector does not have.
 local function arm(name, lacks)
   return { name = name, pipeline = steps, set = { mask = "paper", edge = name }, lacks = lacks }
 end
@@ -43,7 +43,8 @@ return experiment {
   question = "Which edge detector does the published mask need, and which thresholds?",
   note     = "All arms are hybrid_layered with the published mask and one edge detector each. A detector only tests " ..
              "pixels whose displaced position is farther away and on another instance. One shot is the living room. In " ..
-             "the others a panel moves before a wall at 1.5 and at 1.03 times its depth. Times are ratios to no rays.",
+             "the others a panel moves before a wall at 1.5 and at 1.03 times the panel's depth. Times are ratios to the " ..
+             "arm \"no rays\".",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -63,7 +64,7 @@ return experiment {
       region = "inner", values = normals, shots = { "vase" },
       at = function(value) return { [of_normal] = value, [canny_normal] = value } end },
   } },
-  -- Arms without the threshold are drawn once.
+  -- Arms without the varied threshold are drawn once.
   skip     = function(point)
     if point.normal then return not has_normals[point.arm] end
     return point.depth ~= 0.05 and (point.arm == "id" or point.arm == "no rays")
@@ -71,8 +72,8 @@ return experiment {
   regions  = { "whole", "inner" },
   measures = { "rmse", "flip", "ms_ratio", "masked" },
   expect   = {
-    { "gradients differ little before a far background: the errors of Sobel, Scharr, Prewitt and Roberts are within a tenth",
-      function(r)
+    { "gradients differ little before a far background: the errors of Sobel, Scharr, Prewitt and Roberts are within a tenth " ..
+      "of each other", function(r)
         local least, most = math.huge, 0
         for _, name in ipairs(gradients) do
           local error = error_of(r, "far", name)
@@ -80,7 +81,7 @@ return experiment {
         end
         return most <= 1.1 * least, ("RMSE %.4f to %.4f"):format(least, most)
       end },
-    { "the error of id is at most 1.1 times the smallest error of the gradients at any threshold, in every shot", function(r)
+    { "in every shot the error of id is at most 1.1 times the smallest error of the gradients at any threshold", function(r)
       local worst, where = 0, ""
       for _, shot in ipairs { "vase", "far", "near" } do
         local least = math.huge
@@ -97,13 +98,13 @@ return experiment {
       local sobel, id = error_of(r, "near", "sobel"), error_of(r, "near", "id")
       return sobel >= 3 * id, ("RMSE %.4f and %.4f"):format(sobel, id)
     end },
-    { "a high threshold, as in the paper, increases the error: Sobel's at 1 is at least twice Sobel's at 0.005, living room",
-      function(r)
+    { "a high threshold, as in the paper, increases the error: in the living room Sobel's error at 1 is at least twice its " ..
+      "error at 0.005", function(r)
         local high, low = error_of(r, "vase", "sobel", { depth = 1 }), error_of(r, "vase", "sobel", { depth = 0.005 })
         return high >= 2 * low, ("RMSE %.4f and %.4f"):format(high, low)
       end },
-    { "a low threshold does not increase the error, since only candidates are tested: Sobel's at 0.005 is at most 1.05 " ..
-      "times its least",
+    { "a low threshold does not increase the error, since only candidates are tested: in every shot Sobel's error at 0.005 " ..
+      "is at most 1.05 times its smallest error",
       function(r)
         local most = 0
         for _, shot in ipairs { "vase", "far", "near" } do
@@ -117,12 +118,12 @@ return experiment {
       local function cost(depth) return r.at { arm = "sobel", shot = "vase", depth = depth }.ms_ratio end
       return cost(0.005) <= 1.1 * cost(0.05), ("%.2f and %.2f times the time without rays"):format(cost(0.005), cost(0.05))
     end },
-    { "a low threshold marks few more pixels: Sobel's mask at 0.005 has at most 1.2 times the pixels at 0.05, living room",
-      function(r)
+    { "a low threshold marks few more pixels: in the living room Sobel's mask at 0.005 has at most 1.2 times as many pixels " ..
+      "as at 0.05", function(r)
         local function marked(depth) return r.at { arm = "sobel", shot = "vase", depth = depth }.masked end
         return marked(0.005) <= 1.2 * marked(0.05), ("%d and %d pixels, at 1 %d"):format(marked(0.005), marked(0.05), marked(1))
       end },
-    { "Canny's thin edges do not increase the error: it is at most 1.1 times Sobel's in every shot",
+    { "Canny's thin edges do not increase the error: in every shot Canny's error is at most 1.1 times Sobel's error",
       known = thinned, function(r)
       local most, where = 0, ""
       for _, shot in ipairs { "vase", "far", "near" } do
@@ -131,8 +132,8 @@ return experiment {
       end
       return most <= 1.1, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "normals add few edges to the edges of depth: over all thresholds of normals Sobel's error in the living room changes " ..
-      "by at most a tenth", known = creases, function(r)
+    { "normals add few edges to the edges of depth: in the living room Sobel's errors with all thresholds of normals are " ..
+      "within a tenth of each other", known = creases, function(r)
         local least, most = math.huge, 0
         for _, normal in ipairs(normals) do
           local error = error_of(r, "vase", "sobel", { normal = normal })

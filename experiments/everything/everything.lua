@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Varies 11 parameters of the hybrid at once and reports the front of error against time and the effect of each parameter.
--- The points follow the Sobol sequence, so that each value of a parameter meets all values of the others evenly.
+-- Varies 11 parameters of the hybrid at once. Reports the front of error against time and the effect of each parameter.
+-- The points follow the Sobol sequence, so that each value of a parameter is combined evenly with the values of the others.
 local experiment = require "strobe.experiment"
 local sequences = require "strobe.sequences"
 
 -- Reasons of failed expectations.
-local gather = "in_gather is as good in this shot, because only the vase moves"
+local gather = "the composite in_gather is as good as layered in this shot, because only the vase moves"
 
 local count = 64
 local knobs = {
@@ -22,11 +22,11 @@ local knobs = {
   { "jitter", { "none", "ign" } },
 }
 
--- Value of each knob at each point: lists of equal length, as experiment.zip takes them.
+-- Values of each knob, one per point, as lists of equal length for experiment.zip.
 local values, names = {}, {}
 for k, knob in ipairs(knobs) do values[knob[1]], names[k] = {}, knob[1] end
--- Takes the points of a sequence with one more dimension that are below 1/2 in its eighth: they are as evenly spread in
--- the other dimensions.
+-- Keep each point of a Sobol sequence with one more dimension if its coordinate 8 is below 1/2. These points are as evenly
+-- spread in the other dimensions.
 for _, point in ipairs(sequences.sobol(2 * count, #knobs + 1)) do
   if table.remove(point, 8) < 0.5 then
     for k, knob in ipairs(knobs) do table.insert(values[knob[1]], knob[2][1 + math.floor(point[k] * #knob[2])]) end
@@ -46,7 +46,8 @@ local function point(i)
   return wanted
 end
 
--- Points on the front: no other point is at least as good in error and in time and better in one. Also all points.
+-- Returns the indices of the points on the front, and all points. A point is not on the front if another point is at least as
+-- good in error and in time, and better in error or in time.
 local function front(r)
   local all, on = {}, {}
   for i = 1, count do all[i] = r.at(point(i)) end
@@ -61,7 +62,7 @@ local function front(r)
   return on, all
 end
 
--- Number of points on the front by value of a knob, and a text with these numbers.
+-- Returns the number of points on the front for each value of a knob, and a text with these numbers.
 local function on_front(r, name)
   local on, counts, texts, order = front(r), {}, {}, {}
   for _, knob in ipairs(knobs) do if knob[1] == name then order = knob[2] end end
@@ -70,8 +71,8 @@ local function on_front(r, name)
   return counts, ("of %d points on the front: %s"):format(#on, table.concat(texts, ", "))
 end
 
--- Effect of a knob: geometric mean of the inner error and mean of the time, over all points with each value. Returns the
--- largest mean error over the least, and a text.
+-- Effect of a knob. For each value, computes the geometric mean of the inner error and the mean time of all points with this
+-- value. Returns the largest mean error divided by the least, and a text with all means.
 local function effect(r, name, order)
   local texts, least, most = {}, math.huge, 0
   for n, value in ipairs(order) do
@@ -116,7 +117,7 @@ local expected = {
       end
     end
     local _, text = on_front(r, "termination")
-    return found == 0, ("%d; %s"):format(found, text)
+    return found == 0, ("%d such settings; %s"):format(found, text)
   end },
   { "the setting with the least error has the composite layered and a termination other than luminance", known = gather,
     function(r)
@@ -130,8 +131,8 @@ local expected = {
     return values.composite[who] == "layered" and values.termination[who] ~= "luminance",
       ("RMSE %.4f with %s"):format(least, table.concat(parts, ", "))
   end },
-  { "the first increase of time gains most: the front halves its error within 0.1 times McGuire's time from its fastest " ..
-    "setting",
+  { "on the front the first increase of time gains most: within 0.1 times McGuire's time from the fastest setting, the " ..
+    "error is halved",
     function(r)
       local on, all = front(r)
       table.sort(on, function(a, b) return all[a].ms_ratio < all[b].ms_ratio end)
@@ -144,7 +145,7 @@ local expected = {
     end },
 }
 
--- Adds the expectation that a knob changes the mean error by at least a factor; hardly_matters, by less than a factor.
+-- Adds the expectation that the mean errors of a knob's values differ by a factor of at least `factor`.
 local function matters(name, factor)
   for _, knob in ipairs(knobs) do
     if knob[1] == name then
@@ -157,6 +158,7 @@ local function matters(name, factor)
   end
 end
 
+-- Adds the expectation that the mean errors of a knob's values differ by less than a factor of `factor`.
 local function hardly_matters(name, factor, known)
   for _, knob in ipairs(knobs) do
     if knob[1] == name then
@@ -176,8 +178,8 @@ matters("composite", 1.3)
 matters("weights", 1.1)
 matters("samples", 1.1)
 matters("advance", 1.1)
-hardly_matters("tile", 1.15, "64 points do not fully average out the other knobs: alone, the tile size changes less " ..
-  "(experiment samples)")
+hardly_matters("tile", 1.15, "64 points do not fully average out the other parameters: alone, the tile size changes the " ..
+  "error less (experiment samples)")
 for _, name in ipairs { "edge", "on_cap", "tiles", "jitter" } do hardly_matters(name, 1.15) end
 
 return experiment {

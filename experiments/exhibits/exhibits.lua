@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- One exhibit for each of the most frequent complaints about motion blur: the artefact, its error and its remedy.
+-- Shows the most frequent complaints about motion blur, one exhibit each: the artefact, its error and its remedy.
 --   strobe sweep experiments/exhibits/exhibits.lua -o out/exhibits
 local experiment = require "strobe.experiment"
 
@@ -9,7 +9,7 @@ local steps = "experiments/pipelines/hybrid_steps.lua"
 local straight, curved = "layers, straight paths", "layers, curved paths"
 local frozen = "truth, light of the capture"
 
--- Arms of each exhibit: first the arms with the artefact, then the arms that mend it. Times are ratios to the first.
+-- Arms of each exhibit: first the arms with the artefact, then the arms without it. Times are ratios to the first arm.
 local drawn = {
   wheel      = { { straight }, { curved, best } },
   silhouette = { { bevy }, { mcguire, best } },
@@ -35,7 +35,7 @@ local function is_drawn(shot, arm)
   return false
 end
 
--- Adds to the note of each shot the arms with the artefact and the arms that mend it.
+-- Returns `shots`. The note of each shot also lists the arms with the artefact and the arms without it.
 local function labelled(shots)
   for _, shot in ipairs(shots) do
     local wrong, mended = drawn[shot.name][1], drawn[shot.name][2]
@@ -53,7 +53,8 @@ local function at(r, shot, arm, more)
   return r.at(wanted)
 end
 
--- Expects the error of the arm `mended` to be at most `share` of the error of `wrong`, and reports the ratio of their times.
+-- Returns the expectation that the arm `mended` has at most `share` times the error of the arm `wrong`. Its numbers also
+-- have the ratio of their times.
 local function mends(shot, wrong, mended, share, more)
   local where = more and more.region and ", " .. more.region or ""
   return { ("%s%s: %s has at most %g times the error of %s"):format(shot, where, mended, share, wrong), shot = shot,
@@ -76,62 +77,65 @@ end
 return experiment {
   title    = "Complaints about motion blur",
   question = "Which artefacts do users of motion blur report most, how large are their errors, and what reduces them?",
-  note     = "Thirteen complaints; the sixth and the eighth have two shots. In each shot the arms with the artefact are " ..
-             "first, then the arms that mend it, if any. Times are ratios to the first arm, measured in turn in one run. " ..
-             "Errors are against truth with the shading of the raster time. In the tenth, truth is shaded at each time " ..
-             "sample.",
+  note     = "Thirteen complaints have one exhibit each; the sixth and the eighth have two shots. In each shot the first " ..
+             "arms have the artefact, and the other arms, if any, do not. Times are ratios to the first arm of the shot. " ..
+             "The arms are timed in turn in one run. Errors are against truth with the shading of the raster time. In the " ..
+             "tenth exhibit, truth is shaded at each time sample.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = labelled {
     { name = "wheel", title = "1 Wheels blur in straight lines", scene = "objects/spoked_wheel", ["scene.pixels"] = 40,
-      note = "A displacement is a straight line, along which a spoke that turns by 45 degrees changes its length. Mended by " ..
-             "curved paths (trajectory=arc) in the layered composite, or by rays at the sample times." },
+      note = "A displacement is a straight line, so a spoke that turns by 45 degrees changes its length. Remedies: curved " ..
+             "paths (trajectory=arc) in the layered composite, or rays at the sample times." },
     { name = "silhouette", title = "2 Blur stops at the silhouette", scene = "living_room", camera = "main",
       ["scene.pixels"] = 26,
-      note = "Each pixel gathers along its own displacement, which is zero beside the vase. Dominant displacements of tiles " ..
-             "spread the blur outside the silhouette. The background inside the silhouette needs rays." },
+      note = "Each pixel gathers along its own displacement, which is zero beside the vase. Remedy outside the silhouette: " ..
+             "gather along the dominant displacement of the tile. Remedy inside: rays, which find the background." },
     { name = "halo", title = "3 Halos around near objects", scene = "objects/car_and_road", ["scene.follow"] = 1,
       ["scene.pixels"] = 60,
-      note = "The blur of the road beside the car needs road that the car hides at the raster time, and taps that meet " ..
-             "the car are rejected: the remaining taps leave a border around the car. Mended by rays behind the car." },
+      note = "The blur of the road beside the car needs road that the car hides at the raster time. Taps on the car are " ..
+             "rejected, and the remaining taps leave a border around the car. Remedy: rays, which find the road behind it." },
     { name = "glass", title = "4 Transparent objects", scene = "objects/glass",
-      note = "A pixel has one displacement, of the pane or of the wall behind the pane. Blended materials are drawn in a " ..
-             "random share of the pixels, and each pixel has its own displacement. Rays find the background of the pane's " ..
-             "pixels." },
+      note = "A pixel stores one displacement, of the pane or of the wall behind the pane. Here blended materials are drawn " ..
+             "in a random share of the pixels, and each pixel stores the displacement of the surface that it shows. Rays " ..
+             "find the background of the pixels that show the pane." },
     { name = "sky", title = "5 The sky is not blurred", scene = "objects/panorama",
       note = "A renderer that stores no motion vectors for the sky, or draws the sky's dome without them, leaves the sky " ..
              "sharp. Here the sky and domes have the displacement of the camera's motion, in every method." },
-    { name = "share", title = "6 Strength depends on the frame rate: exposure as a share of the frame",
+    { name = "share", title = "6 Strength of blur depends on the frame rate: exposure as a share of the frame",
       scene = "objects/car_and_road", ["scene.follow"] = 0, ["scene.pixels"] = 40, exposure = 0.5,
-      note = "Half a frame at 144 frames per second is a sixth of half a frame at 24, and so is the blur." },
+      note = "An exposure of half a frame lasts a sixth as long at 144 frames per second as at 24, so the blur is a sixth " ..
+             "as long." },
     { name = "seconds", title = "6 Exposure in seconds", scene = "objects/car_and_road", ["scene.follow"] = 0,
       ["scene.pixels"] = 40, exposure_time = 1 / 48,
-      note = "Mended by exposure_time: the exposure is as long as at 24 frames per second." },
+      note = "Remedy: exposure_time gives the exposure in seconds, so it lasts as long as at 24 frames per second." },
     { name = "jump", title = "7 First frame, cut, teleport: a streak over the screen", scene = "objects/jump", frame = 12,
       anchor = "start",
-      note = "A renderer that keeps only the poses of the last frame treats the jump as motion. Mended by the poses of the " ..
-             "exposure (displacement=window), which is after the jump, or by a cut if the jump is within the exposure." },
+      note = "A renderer that keeps only the poses of the last frame treats the jump as motion. Remedy: poses within the " ..
+             "exposure (displacement=window), which is after the jump, or a cut if the jump is within the exposure." },
     { name = "followed", title = "8 The object that the camera follows is blurred", scene = "objects/car_and_road",
       ["scene.follow"] = 1, ["scene.pixels"] = 60, camera_blur = 0.3,
-      note = "Many games let the player reduce the blur of the camera's motion. Then the car, which moves with the " ..
-             "camera, keeps the remaining blur. Mended by --follow car, which reduces the car's motion by the same share." },
+      note = "Many games let the player reduce the blur of the camera's motion. Then the car, which moves with the camera, " ..
+             "is blurred by the motion that the camera loses. Remedy: --follow car reduces the car's motion by the same " ..
+             "share." },
     { name = "follow", title = "8 Blur of the camera reduced, with --follow", scene = "objects/car_and_road",
       ["scene.follow"] = 1, ["scene.pixels"] = 60, camera_blur = 0.3, follow = "car",
       note = "The car is sharp. The road is blurred over three tenths of its displacement." },
     { name = "short", title = "9 The blur is too short", scene = "objects/car_and_road", ["scene.follow"] = 0,
       ["scene.pixels"] = 60,
-      note = "A limit of 5 % of the width shortens the displacement from 60 px to 16 px. Mended by limit=auto, the default." },
+      note = "A limit of 5 % of the width shortens the displacement from 60 px to 16 px. Remedy: limit=auto, the default." },
     { name = "shadow", title = "10 Shadows and reflections do not blur", scene = "objects/shadow",
       truth = { shading = "full" },
       note = "The floor under the shadow does not move, so it has no displacement, and its light is computed at the raster " ..
-             "time. Only truth (shading=full) mends it. Surfaces reflect only the sky." },
+             "time. Only truth with shading=full blurs the shadow. Reflections of objects are not tested, because surfaces " ..
+             "reflect only the sky." },
     { name = "chase", title = "11 The road under a racing car appears on the car", scene = "objects/chase",
       note = "Filters compare depths at the raster time. The road mark before the bumper is nearer than the car then, but " ..
-             "when it is at a pixel of the car it is under the car. Mended by depths at the time of the sample." },
+             "when it reaches a pixel of the car it is under the car. Remedy: compare depths at the time of the sample." },
     { name = "drive", title = "12 Vectors flip behind the near plane", scene = "objects/drive", anchor = "start",
       note = "A post that the camera passes leaves the view frustum through the near plane. The perspective division by a " ..
-             "negative depth reverses its path. Here the path is extrapolated from its part before the near plane, and rays " ..
-             "have no such limit." },
+             "negative depth reverses its path. Here the path is extrapolated from its part in front of the near plane. " ..
+             "Rays need no such division." },
     { name = "skin", title = "13 Skinned and instanced objects", scene = "skin.gltf", fps = 2, frame = 1,
       note = "A skin that has only its node's motion vectors stays sharp, and so do instances without motion vectors. Here " ..
              "motion vectors are differences of vertex positions at shutter open and close, so every method blurs these " ..
@@ -172,7 +176,8 @@ return experiment {
     mends("halo", mcguire, best, 0.5), mends("halo", ue4, best, 0.5),
     mends("glass", mcguire, best, 0.5),
     mends("sky", none, mcguire, 0.5), mends("sky", none, best, 0.2),
-    { "share: at 144 frames per second the blur is a sixth of the blur at 24, in truth too", shot = "share", function(r)
+    { "share: at 144 frames per second the displacement is a sixth of that at 24, and the hybrid's picture changes by more " ..
+      "than five times its error", shot = "share", function(r)
       local fast, slow = at(r, "share", best, { rate = 144 }), at(r, "share", best, { rate = 24 })
       local ratio = fast.displacement / slow.displacement
       return math.abs(ratio * 6 - 1) < 0.02 and fast.change_rms > 5 * slow.rmse,
@@ -180,8 +185,8 @@ return experiment {
           slow.displacement, fast.change_rms, slow.rmse)
     end },
     { "seconds: no picture changes with the frame rate, truth included", shot = "seconds", function(r)
-      return changed(r, "seconds", 144) == 0, ("by %g; as a share by up to %.4f"):format(changed(r, "seconds", 144),
-        changed(r, "share", 144))
+      return changed(r, "seconds", 144) == 0, ("change %g; with the exposure as a share of the frame up to %.4f"):format(
+        changed(r, "seconds", 144), changed(r, "share", 144))
     end },
     mends("jump", last_frame, mcguire, 0.5, { cut = false }), mends("jump", last_frame, best, 0.2, { cut = false }),
     { "found afterwards: jump: a cut removes the streak, but the first frame after the cut has no displacements",
@@ -192,29 +197,30 @@ return experiment {
           cut.flip < streak.flip, ("displacements %.1f and %.1f px, FLIP %.4f and %.4f"):format(streak.displacement,
           cut.displacement, streak.flip, cut.flip)
       end },
-    { "followed: the change by --follow is at least five times the hybrid's error", shot = "followed", function(r)
+    { "followed: --follow changes the hybrid's picture by at least five times the hybrid's error", shot = "followed",
+      function(r)
       local wrong, own = at(r, "followed", best, { follow = "nothing" }).change_rms, at(r, "followed", best,
         { follow = "car" }).rmse
-      return wrong >= 5 * own, ("%.4f and %.4f"):format(wrong, own)
+      return wrong >= 5 * own, ("change %.4f, error %.4f"):format(wrong, own)
     end },
-    { "short: a limit of 5 % shortens displacements, auto does not", shot = "short", function(r)
+    { "short: a limit of 5 % of the width shortens displacements, and limit=auto does not", shot = "short", function(r)
       local clamped, free = at(r, "short", short).clamped, at(r, "short", ue4).clamped + at(r, "short", best).clamped
-      return clamped > 0 and free == 0, ("%d pixels"):format(clamped)
+      return clamped > 0 and free == 0, ("%d pixels shortened"):format(clamped)
     end },
-    { "found afterwards: short: unshortened displacements alone reduce the error little if the background is estimated",
-      shot = "short", function(r)
+    { "found afterwards: short: if the background is estimated, unshortened displacements reduce the error by less than a " ..
+      "fifth", shot = "short", function(r)
       local ratio = at(r, "short", ue4).rmse / at(r, "short", short).rmse
       return ratio > 0.8, ("%.2f of the error"):format(ratio)
     end },
     mends("short", short, best, 0.2),
-    { "shadow: no parameter mends it: nine tenths of the hybrid's error come from the light at the raster time",
+    { "shadow: at least nine tenths of the hybrid's error come from the light of the raster time, which no parameter changes",
       shot = "shadow", function(r)
       local own, light = at(r, "shadow", best).rmse, at(r, "shadow", frozen).rmse
       return light >= 0.9 * own, ("RMSE %.4f, truth with light at the raster time %.4f"):format(own, light)
     end },
     mends("chase", mcguire, best, 0.2),
-    { "found afterwards: chase: layers at the raster time do not mend it, because they lack surfaces that enter at the " ..
-      "border", shot = "chase",
+    { "found afterwards: chase: layers at the raster time reduce the error by less than a fifth, because they lack surfaces " ..
+      "that enter at the border", shot = "chase",
       function(r)
         local ratio = at(r, "chase", straight).rmse / at(r, "chase", mcguire).rmse
         return ratio > 0.8, ("%.2f of the error"):format(ratio)

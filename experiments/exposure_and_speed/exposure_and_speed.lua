@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Errors of post-process blurs and of the hybrid across exposures and speeds.
+-- Measures the errors of post-process blurs and of the hybrid over exposures and speeds.
 local experiment = require "strobe.experiment"
 
 -- Reasons of failed expectations.
@@ -13,7 +13,7 @@ local function at(r, arm, shot, speed, exposure, region)
   return r.at { arm = arm, shot = shot, speed = speed, exposure = exposure, region = region or "inner" }
 end
 
--- Largest value of `of(shot, speed, exposure)` over all points, and its point.
+-- Returns the largest value of `of(shot, speed, exposure)` over all points of `shots`, and the name of its point.
 local function most(shots, of)
   local largest, where = -math.huge, ""
   for _, shot in ipairs(shots) do
@@ -35,15 +35,16 @@ local function best_baseline(r, ...)
   return least
 end
 
--- Expects the error of `arm` to be below `factor` times the error of the best post-process, at every point of `shots`.
+-- Returns the expectation that the error of `arm` is below `factor` times the error of the best post-process, at every point
+-- of `shots`.
 local function less(arm, factor, shots, text, known)
   return { text, known = known, function(r)
     local ratio, where = most(shots, function(...) return at(r, arm, ...).rmse / best_baseline(r, ...) end)
-    return ratio < factor, ("at most %.2f of the best post-process's (%s)"):format(ratio, where)
+    return ratio < factor, ("at most %.2f times the error of the best post-process (%s)"):format(ratio, where)
   end }
 end
 
--- No displacement is clamped: the longest is 52 px of 320, 0.16 of the width.
+-- Limit of the displacements, image widths. It clamps none: the longest one is 52 px of 320, 0.16 of the width.
 local limit = 0.4
 local arms = { { name = "no blur", pipeline = "none" } }
 for i, pipeline in ipairs { "mcguire2012", "guertin2014", "jimenez2014", "ue4" } do
@@ -71,7 +72,7 @@ return experiment {
   base     = "McGuire 2012",
   rounds   = 5,
   vary     = {
-    -- The scene takes the displacement over half a frame.
+    -- The scene's parameter `pixels` is the displacement over half a frame, px.
     experiment.list { name = "speed", title = "Speed", unit = "px a frame", scale = "log", benign = 13, region = "inner",
       values = speeds, at = function(speed) return { ["scene.pixels"] = speed / 2 } end },
     experiment.list { name = "exposure", title = "Exposure", unit = "frames", scale = "log", benign = 0.25,
@@ -81,30 +82,31 @@ return experiment {
   measures = { "rmse", "flip", "ms_ratio", "displacement", "clamped" },
   expect   = {
     less(best, 0.5, { "object" },
-      "before a camera at rest, the inner error of hybrid (best) is less than half of the best post-process's, at every " ..
-      "speed and exposure"),
+      "before a camera at rest, the inner error of hybrid (best) is less than half of that of the best post-process, at " ..
+      "every speed and exposure"),
     less(best, 1, { "tracking" },
-      "in the tracking shot the inner error of hybrid (best) is below the best post-process's, at every speed and exposure"),
+      "in the tracking shot the inner error of hybrid (best) is below that of the best post-process, at every speed and " ..
+      "exposure"),
     less(published, 1, { "object" },
-      "as the paper claims, the inner error of the hybrid as published is below the best post-process's"),
-    { "before a camera at rest, the inner error of hybrid (best) is at most twice the floor of its own 16 samples",
+      "as the paper claims, the inner error of the hybrid as published is below that of the best post-process"),
+    { "before a camera at rest, the inner error of hybrid (best) is at most twice the error of truth with 16 samples",
       function(r)
         local ratio, where = most({ "object" }, function(...)
           return at(r, best, ...).rmse / at(r, "truth, 16 samples", ...).rmse
         end)
         return ratio <= 2, ("at most %.2f times (%s)"):format(ratio, where)
       end },
-    { "found afterwards: from 6 px on the inner error of hybrid (best) is below the best post-process's in the tracking " ..
-      "shot too",
+    { "found afterwards: if the displacement is at least 6 px, the inner error of hybrid (best) is below that of the best " ..
+      "post-process in the tracking shot too",
       function(r)
         local ratio, where = most({ "tracking" }, function(shot, speed, exposure)
           if speed * exposure < 6 then return 0 end
           return at(r, best, shot, speed, exposure).rmse / best_baseline(r, shot, speed, exposure)
         end)
-        return ratio < 1, ("at most %.2f of the best post-process's (%s)"):format(ratio, where)
+        return ratio < 1, ("at most %.2f times the error of the best post-process (%s)"):format(ratio, where)
       end },
-    { "the error of post-process grows with the displacement: its best inner error at 52 px is at least twice its best at 3 px",
-      function(r)
+    { "the error of post-process grows with the displacement: the smallest inner error of all post-processes at 52 px is at " ..
+      "least twice that at 3 px", function(r)
         local short, long = best_baseline(r, "object", 13, 0.25), best_baseline(r, "object", 52, 1)
         return long >= 2 * short, ("%.4f at 3 px, %.4f at 52 px"):format(short, long)
       end },
@@ -115,9 +117,10 @@ return experiment {
           local fast, long = at(r, arm, "object", 52, 0.5).rmse, at(r, arm, "object", 26, 1).rmse
           difference = math.max(difference, math.abs(fast / long - 1))
         end
-        return difference < 0.01, ("at most %.1g of an error"):format(difference)
+        return difference < 0.01, ("largest relative difference %.1g"):format(difference)
       end },
-    { "a hybrid frame costs at most twice a McGuire 2012 frame (the paper reports 1.44)", known = all_moves, function(r)
+    { "a frame of hybrid (best) takes at most twice the time of McGuire 2012 (the paper reports 1.44 times for its hybrid)",
+      known = all_moves, function(r)
       local cost, where = most({ "object", "tracking" }, function(...) return at(r, best, ...).ms_ratio end)
       local mean = r.at { arm = best }.ms_ratio
       return cost <= 2, ("%.2f on average, at most %.2f (%s)"):format(mean, cost, where)

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Reliable range of each method: errors against truth along axes that reach extremes.
+-- Measures the reliable range of each method: the error against truth while one quantity varies to an extreme.
 --   strobe sweep experiments/extremes/extremes.lua -o out/extremes
 local experiment = require "strobe.experiment"
 
@@ -16,7 +16,7 @@ local offsets = { 0, 1, 100, 1e4, 1e6, 1e7 }
 -- Error of an arm at a value of an axis.
 local function error_at(r, axis, value, arm, region) return r.at { [axis] = value, arm = arm, region = region }.rmse end
 
--- `of(r)` is a deviation as a share of the allowed one; the expectation holds up to 1.
+-- Returns an expectation. `of(r)` is a deviation divided by the allowed deviation, and the expectation holds up to 1.
 local function expectation(axis, text, of)
   return { text, axis = axis, function(r)
     local most = of(r)
@@ -24,7 +24,7 @@ local function expectation(axis, text, of)
   end }
 end
 
--- Largest relative difference of `arm`'s errors along an axis from its error at `benign`, in units of `allowed`.
+-- Largest relative difference between the errors of `arm` along an axis and its error at `benign`, divided by `allowed`.
 local function drift(r, axis, values, benign, arm, region, allowed)
   local base, most = error_at(r, axis, benign, arm, region), 0
   for _, value in ipairs(values) do
@@ -41,7 +41,8 @@ local function all_drift(axis, values, benign, allowed)
   end
 end
 
--- Largest drift of a format from its benign value, over all cases and blurs; leaves out pairs with `except(arm, case)`.
+-- Returns a function. It computes the largest relative difference between errors with the formats `values` and errors with
+-- `benign`, divided by `allowed`, over all cases and blurs except pairs with `except(arm, case)`.
 local function format_drift(axis, values, benign, allowed, except)
   return function(r)
     local most = 0
@@ -75,7 +76,8 @@ local expected = {
     end
     return most
   end),
-  expectation("speed", "at every speed the error of hybrid (best) is at most 1.3 times the floor", function(r)
+  expectation("speed", "at every speed the error of hybrid (best) is at most 1.3 times the error of truth with as many " ..
+    "samples", function(r)
     local most = 0
     for _, speed in ipairs(speeds) do
       local floor = error_at(r, "speed", speed, "floor", "whole")
@@ -88,7 +90,8 @@ local expected = {
     for i = 1, #arms - 1 do most = math.max(most, 5 * own / error_at(r, "speed", 12.8, arms[i], "whole")) end
     return most
   end),
-  expectation("samples", "up to 64 samples the error of hybrid (best) is at most 1.3 times the floor", function(r)
+  expectation("samples", "up to 64 samples the error of hybrid (best) is at most 1.3 times the error of truth with as many " ..
+    "samples", function(r)
     local most = 0
     for _, count in ipairs(samples) do
       local floor = error_at(r, "samples", count, "floor", "inner")
@@ -107,13 +110,16 @@ local expected = {
     end
     return most
   end),
-  expectation("scale", "no method's error changes by a thousandth", all_drift("scale", scales, 1, 1e-3)),
-  expectation("offset", "no method's error changes by a thousandth", all_drift("offset", offsets, 0, 1e-3)),
-  expectation("gap", "the error of hybrid (best) does not change by a thousandth, from a millionth to 9999 times the depth",
-    function(r)
+  expectation("scale", "no scale of the scene changes the error of a method by more than a thousandth",
+     all_drift("scale", scales, 1, 1e-3)),
+  expectation("offset", "no distance from the origin changes the error of a method by more than a thousandth",
+     all_drift("offset", offsets, 0, 1e-3)),
+  expectation("gap", "if the background is between a millionth and 9999 times the front's depth beyond the front, the error " ..
+    "of hybrid (best) changes by at most a thousandth", function(r)
     return drift(r, "gap", { 1e-6, 1e-4, 0.01, 10, 9999 }, 0.5, best, "inner", 1e-3)
   end),
-  expectation("gap", "below a thirtieth of the depth hybrid (to the letter) has the error of McGuire 2012", function(r)
+  expectation("gap", "if the background is less than a thirtieth of the front's depth beyond the front, hybrid (to the " ..
+    "letter) has the error of McGuire 2012", function(r)
     local most = 0
     for _, gap in ipairs { 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03 } do
       local base = error_at(r, "gap", gap, "McGuire 2012", "inner")
@@ -121,37 +127,38 @@ local expected = {
     end
     return most
   end),
-  expectation("gap", "at a ten-thousandth of the depth the errors of Jimenez 2014 and UE4-style are a tenth larger than " ..
-    "at half the depth", function(r)
+  expectation("gap", "if the background is a ten-thousandth of the front's depth beyond the front, the errors of Jimenez " ..
+    "2014 and UE4-style are at least a tenth larger than at half of the depth", function(r)
     local most = 0
     for _, arm in ipairs { "Jimenez 2014", "UE4-style" } do
       most = math.max(most, 1.1 * error_at(r, "gap", 0.5, arm, "inner") / error_at(r, "gap", 1e-4, arm, "inner"))
     end
     return most
   end),
-  expectation("angle", "no direction changes the error of hybrid (best) by more than a third", function(r)
+  expectation("angle", "no direction of motion changes the error of hybrid (best) by more than a third", function(r)
     return drift(r, "angle", { 15, 30, 45, 60, 75, 90 }, 0, best, "inner", 1 / 3)
   end),
-  expectation("grazing", "the error of hybrid (best) does not grow by a thousandth up to 89.9 degrees", function(r)
+  expectation("grazing", "up to an angle of 89.9 degrees the error of hybrid (best) grows by at most a thousandth", function(r)
     local most, facing = 0, error_at(r, "grazing", 0, best, "inner")
     for _, angle in ipairs { 30, 60, 75, 85, 88, 89.5, 89.9 } do
       most = math.max(most, (error_at(r, "grazing", angle, best, "inner") / facing - 1) / 1e-3)
     end
     return most
   end),
-  expectation("velocity_format", "half floats change no error by a thousandth",
+  expectation("velocity_format", "half floats for displacements change no error by more than a thousandth",
     format_drift("velocity_format", { "fp16" }, "fp32", 1e-3, nothing)),
-  expectation("color_format", "half floats change no error by a five-hundredth, except hybrid (best) at 1 px",
+  expectation("color_format", "half floats for colours change no error by more than a five-hundredth, except the error of " ..
+    "hybrid (best) at 1 px",
     format_drift("color_format", { "fp16" }, "fp32", 2e-3, slow_best)),
-  expectation("depth_encoding", "no encoding changes an error by a ten-thousandth",
+  expectation("depth_encoding", "no depth encoding changes an error by more than a ten-thousandth",
     format_drift("depth_encoding", { "reversed", "inverse", "unorm24" }, "linear", 1e-4, nothing)),
 }
 
 return experiment {
   title = "Reliable range of each method",
-  note = "Every method against ground truth with the same anchor and pixel centres. One quantity varies to an " ..
-         "extreme, all others are constant. Every method has 16 time samples, except along the axis of samples, and all " ..
-         "pictures go through pixel centres.",
+  note = "Every method is compared with ground truth with the same anchor. One quantity varies to an extreme, and all " ..
+         "others are constant. Every method has 16 time samples, except along the axis of samples. All methods sample the " ..
+         "centres of pixels.",
   size = { 320, 180 },
   size_params = { "width", "height" },
   measures = { "rmse" },
@@ -182,17 +189,18 @@ return experiment {
       name = "speed", title = "Speed", unit = "px over the exposure", scale = "log", benign = 12.8, region = "whole",
       values = speeds,
       shots = { "passage" },
-      fixed = "A panel of 96 x 72 px moves to the right before a wall at 1.5 times its depth.",
-      reading = "Up to half a pixel filters copy the rasterised image: at 0.3 px the error of UE4-style is {UE4-style @ " ..
-                "0.3} of the contrast, equal to no blur. The rasterised image has one sample per pixel, so a filter " ..
-                "cannot locate an edge within its pixel, and edges move in steps of a whole pixel: {UE4-style @ 1} at 1 " ..
-                "px. Rays locate it: the error of hybrid (best) is {hybrid (best) @ 0.3} at 0.3 px, {hybrid (best) @ 1} " ..
-                "at 1 px and {hybrid (best) @ 12.8} at 12.8 px, with floors of {floor @ 0.3}, {floor @ 1} and {floor @ " ..
-                "12.8}, so it is close to the limit of 16 samples. The errors of the others are {Jimenez 2014 @ " ..
-                "12.8} to {McGuire 2012 @ 12.8} there, nearly all inside the leading edge: Jimenez 2014 and UE4-style " ..
-                "mirror colours from outside the edge, and McGuire 2012, Guertin 2014 and hybrid (to the letter) leave " ..
-                "the panel nearly opaque. No displacement is shortened: the error of hybrid (best) is {hybrid (best) @ " ..
-                "40} at 40 px and {hybrid (best) @ 128} at 128 px, where the error of no blur is {no blur @ 128}.",
+      fixed = "A panel of 96 x 72 px moves to the right before a wall at 1.5 times the panel's depth.",
+      reading = "If the displacement is at most half a pixel, filters copy the rasterised image. At 0.3 px the error of " ..
+                "UE4-style is {UE4-style @ 0.3} of the contrast, the same as without blur. The rasterised image has one " ..
+                "sample per pixel, so a filter cannot locate an edge within its pixel, and edges move in steps of a whole " ..
+                "pixel. At 1 px the error of UE4-style is {UE4-style @ 1}. Rays locate the edge. The error of hybrid " ..
+                "(best) is {hybrid (best) @ 0.3} at 0.3 px, {hybrid (best) @ 1} at 1 px and {hybrid (best) @ 12.8} at " ..
+                "12.8 px. Truth with 16 samples has errors of {floor @ 0.3}, {floor @ 1} and {floor @ 12.8} there. At " ..
+                "12.8 px the errors of the other methods are {Jimenez 2014 @ 12.8} to {McGuire 2012 @ 12.8}, nearly all " ..
+                "of them inside the leading edge. There Jimenez 2014 and UE4-style mirror colours from outside the edge, " ..
+                "and McGuire 2012, Guertin 2014 and hybrid (to the letter) leave the panel nearly opaque. No displacement " ..
+                "is shortened: the error of hybrid (best) is {hybrid (best) @ 40} at 40 px and {hybrid (best) @ 128} at " ..
+                "128 px, where the error of no blur is {no blur @ 128}.",
       at = function(value) return { ["scene.speed"] = value } end,
     },
     list {
@@ -200,11 +208,12 @@ return experiment {
       values = samples,
       shots = { "passage" },
       fixed = "The panel moves by 12.8 px. The floor has as many samples as the methods.",
-      reading = "hybrid (best) follows the floor up to 64 samples ({hybrid (best) @ 64}, floor {floor @ 64}) and does not " ..
-                "improve beyond: at 256 its error is {hybrid (best) @ 256}, the floor {floor @ 256} and truth's own error " ..
-                "{truth @ 256}, because rays at the sample times use at most 64 times. The others do not improve with " ..
-                "more samples, since their error is a wrong background and not noise: Jimenez 2014 has {Jimenez 2014 @ " ..
-                "16} with 16 and {Jimenez 2014 @ 256} with 256.",
+      reading = "The error of hybrid (best) follows the floor up to 64 samples: there it is {hybrid (best) @ 64}, and the " ..
+                "floor {floor @ 64}. More samples do not reduce it, because rays at the sample times use at most 64 " ..
+                "times. With 256 samples it is {hybrid (best) @ 256}, the floor {floor @ 256}, and truth's own error " ..
+                "{truth @ 256}. The errors of the other methods do not fall with more samples, because they come from a " ..
+                "wrong background and not from noise: Jimenez 2014 has {Jimenez 2014 @ 16} with 16 and {Jimenez 2014 @ " ..
+                "256} with 256 samples.",
       at = function(value) return { samples = value, truth = { samples = 1024 } } end,
     },
     list {
@@ -212,8 +221,8 @@ return experiment {
       region = "inner", same_picture = true, values = { 1e-6, 1e-4, 0.01, 1, 100, 1e4, 1e6 }, shots = { "passage" },
       fixed = "The panel moves by 12.8 px. Its distance is 10 m at a scale of 1.",
       reading = "The error of hybrid (best) is {hybrid (best) @ 1e-06}, {hybrid (best) @ 1} and {hybrid (best) @ 1000000} " ..
-                "at scales of 1e-6, 1 and 1e6. Methods compare ratios of depths and transforms are relative to the " ..
-                "camera, so no constant of a method is a length.",
+                "at scales of 1e-6, 1 and 1e6. Methods compare ratios of depths, and transforms are relative to the " ..
+                "camera. Therefore no constant of a method is a length.",
       at = function(value) return { ["scene.scale"] = value } end,
     },
     list {
@@ -222,9 +231,9 @@ return experiment {
       values = { 0, 1, 100, 1e4, 1e6, 1e7 }, shots = { "passage" },
       fixed = "Camera and scene are moved together. The panel moves by 12.8 px.",
       reading = "The error of hybrid (best) is {hybrid (best) @ 0} at the origin and {hybrid (best) @ 10000000} at 10 000 " ..
-                "km. Transforms are computed in double precision, relative to the camera, and then converted to single " ..
-                "precision. This is true for the positions of nodes. Vertices that are far from their node are rounded in " ..
-                "the file.",
+                "km from it. Transforms of nodes are computed in double precision, relative to the camera, and then " ..
+                "converted to single precision. Vertices that are far from the origin of their node are already rounded " ..
+                "in the file.",
       at = function(value) return { ["scene.offset"] = value } end,
     },
     list {
@@ -234,12 +243,12 @@ return experiment {
       shots = { "passage" },
       fixed = "The panel moves by 12.8 px, 10 m away. The wall grows with its depth, so that the picture stays the same.",
       reading = "hybrid (best) uses depths only to decide which of two surfaces is nearer, and otherwise compares " ..
-                "instances: its error is {hybrid (best) @ 1e-06} at a millionth and {hybrid (best) @ 9999} at ten " ..
-                "thousand times the depth. Jimenez 2014 and UE4-style mirror only a background that is behind by more " ..
-                "than a hundredth of the depth (depth_extent): for a nearer one their error is {Jimenez 2014 @ 0.0001} " ..
-                "instead of {Jimenez 2014 @ 0.5}. hybrid (to the letter) reveals a background only at edges with a step " ..
-                "of at least a twentieth of the depth; below this step it equals McGuire 2012 bit for bit ({hybrid (to " ..
-                "the letter) @ 0.03}, {McGuire 2012 @ 0.03}).",
+                "instances. Its error is {hybrid (best) @ 1e-06} at a millionth and {hybrid (best) @ 9999} at ten " ..
+                "thousand times the depth. Jimenez 2014 and UE4-style mirror colours only if the background is farther " ..
+                "than the front by more than a hundredth of the depth (depth_extent). For a nearer background the error " ..
+                "of Jimenez 2014 is {Jimenez 2014 @ 0.0001} instead of {Jimenez 2014 @ 0.5}. hybrid (to the letter) " ..
+                "reveals a background only at edges with a step of at least a twentieth of the depth. Below this step it " ..
+                "equals McGuire 2012 bit for bit ({hybrid (to the letter) @ 0.03}, {McGuire 2012 @ 0.03}).",
       at = function(value) return { ["scene.gap"] = value } end,
     },
     list {
@@ -248,7 +257,7 @@ return experiment {
       shots = { "passage" }, fixed = "The panel moves by 12.8 px.",
       reading = "The error of hybrid (best) is {hybrid (best) @ 0} along the rows, {hybrid (best) @ 45} along the diagonal " ..
                 "and {hybrid (best) @ 90} along the columns, with floors of {floor @ 0}, {floor @ 45} and {floor @ 90}. " ..
-                "The errors differ because other cells of wall and panel are occluded and disoccluded.",
+                "The errors differ because each direction occludes and disoccludes other cells of wall and panel.",
       at = function(value) return { ["scene.angle"] = value } end,
     },
     list {
@@ -256,24 +265,24 @@ return experiment {
       scale = "even", benign = 0, region = "inner", same_picture = true,
       values = { 0, 30, 60, 75, 85, 88, 89.5, 89.9 },
       shots = { "grazing" },
-      fixed = "A panel of 96 x 72 px turns about the eye by 8 px.",
-      reading = "A panel that is nearly edge-on changes its depth by up to a tenth from pixel to pixel. It is blurred as " ..
-                "accurately as a panel that faces the camera: the error of hybrid (best) is {hybrid (best) @ 0} at 0 and " ..
-                "{hybrid (best) @ 89.9} at 89.9 degrees, the error of McGuire 2012 {McGuire 2012 @ 0} and " ..
+      fixed = "A panel of 96 x 72 px rotates about the camera, which moves it by 8 px.",
+      reading = "The depth of a panel that is nearly edge-on changes by up to a tenth from pixel to pixel. Such a panel is " ..
+                "blurred as accurately as one that faces the camera. The error of hybrid (best) is {hybrid (best) @ 0} at " ..
+                "0 and {hybrid (best) @ 89.9} at 89.9 degrees. The error of McGuire 2012 is {McGuire 2012 @ 0} and " ..
                 "{McGuire 2012 @ 89.9}.",
       at = function(value) return { ["scene.tilt"] = value } end,
     },
     list { name = "velocity_format", title = "Displacements", shots = cases, benign = "fp32",
       values = { "fp32", "fp16" },
-      reading = "Pixels of McGuire 2012 change by up to {change McGuire 2012, fp16 @ 12.8 px} at 12.8 px. The default is " ..
-                "fp32." },
+      reading = "With half floats, pixels of McGuire 2012 change by up to {change McGuire 2012, fp16 @ 12.8 px} at 12.8 " ..
+                "px. The default is fp32." },
     list { name = "color_format", title = "Colours", shots = cases, benign = "fp32",
       values = { "fp32", "fp16" },
-      reading = "At 12.8 px, pixels of hybrid (to the letter) change by up to {change hybrid (to the letter), fp16 @ 12.8 " ..
-                "px}, pixels of hybrid (best) by up to {change hybrid (best), fp16 @ 12.8 px}. At 1 px the error of " ..
-                "hybrid (best) is so small that half floats increase it: {hybrid (best), fp16 @ 1 px} instead of {hybrid " ..
-                "(best), fp32 @ 1 px}. The default is fp32 for exact measurements. Half floats for colours are the first " ..
-                "choice to save memory." },
+      reading = "With half floats at 12.8 px, pixels of hybrid (to the letter) change by up to {change hybrid (to the " ..
+                "letter), fp16 @ 12.8 px}, and pixels of hybrid (best) by up to {change hybrid (best), fp16 @ 12.8 px}. " ..
+                "At 1 px the error of hybrid (best) is so small that half floats increase it from {hybrid (best), fp32 @ " ..
+                "1 px} to {hybrid (best), fp16 @ 1 px}. The default is fp32 for exact measurements. Half floats for " ..
+                "colours are the first choice to save memory." },
     list { name = "depth_encoding", title = "Depths", shots = cases, benign = "linear",
       values = { "linear", "reversed", "inverse", "unorm24" },
       reading = "All four encodings have 4 bytes per pixel. The default is linear, which adds no rounding." },

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Effect of the largest number of hits that a ray may test (`max_layers`).
+-- Effect of the largest number of hits that a ray may test (`max_layers`, called the cap) on error and time.
 --   strobe sweep experiments/hits_tried/hits_tried.lua -o out/hits_tried
 local experiment = require "strobe.experiment"
 
 -- Reasons of failed expectations.
-local target = "the hit that ends the ray counts as tested: four walls need a cap of 4, twigs and leaves up to 16"
+local target = "the hit that ends the ray counts as tested too, so four walls need a cap of 4, and twigs and leaves up to 16"
 
 local list = experiment.list
 local caps = { 1, 2, 3, 4, 8, 16 }
@@ -19,14 +19,15 @@ end
 return experiment {
   title    = "Hits that a ray may test",
   question = "How many hits must a ray be allowed to test?",
-  note     = "All arms are hybrid_layered. \"one ray\" ignores the instance in front and needs no cap. The other arms " ..
-             "advance from hit to hit until one has another instance or luminance. At the cap they reveal nothing, or the " ..
-             "last hit, as in the paper. Times are ratios to one ray.",
+  note     = "All arms are hybrid_layered. The ray of the arm \"one ray\" ignores the instance in front. The rays of the " ..
+             "other arms advance from hit to hit until a hit has another instance (or luminance), or until the number of " ..
+             "tested hits reaches the cap. At the cap they reveal nothing, or the last hit, as in the paper. Times are " ..
+             "ratios to the arm \"one ray\".",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24,
-      note = "A ray through the hollow vase meets up to three further walls of the vase before the cushion." },
+      note = "A ray through the hollow vase hits up to three further walls of the vase before the cushion." },
     { name = "cells_9", title = "Cells of 9 px", scene = "behind", ["scene.cell"] = 9,
       note = "A closed box of one colour slides past cells of 9 px." },
   },
@@ -45,30 +46,32 @@ return experiment {
   regions  = { "whole", "inner" },
   measures = { "rmse", "flip", "ms_ratio", "rays" },
   expect   = {
-    { "the vase has four walls: a cap of 3 hits suffices, the errors with 3 and 16 are within a hundredth", shot = "vase",
-      known = target, function(r)
+    { "for the vase, which has four walls, a cap of 3 hits suffices: its error is at most 1.01 times the error with 16 hits",
+      shot = "vase", known = target, function(r)
         local three = at(r, "vase", "instance, nothing at the cap", 3).rmse
         local many = at(r, "vase", "instance, nothing at the cap", 16).rmse
         return three <= 1.01 * many, ("RMSE %.4f and %.4f"):format(three, many)
       end },
-    { "found afterwards: the living room needs more than the default cap of 8: the error is at least twice the error with 16",
+    { "found afterwards: in the living room the default cap of 8 hits is too low: it has at least twice the error of 16 hits",
       shot = "vase", function(r)
         local eight = at(r, "vase", "instance, nothing at the cap", 8).rmse
         local many = at(r, "vase", "instance, nothing at the cap", 16).rmse
         return eight >= 2 * many, ("RMSE %.4f and %.4f"):format(eight, many)
       end },
-    { "a cap of 1 hit reveals too little: at least 3 times the error with 16, living room", shot = "vase", function(r)
+    { "in the living room a cap of 1 hit reveals too little: it has at least 3 times the error of 16 hits", shot = "vase",
+      function(r)
       local one = at(r, "vase", "instance, nothing at the cap", 1).rmse
       local many = at(r, "vase", "instance, nothing at the cap", 16).rmse
       return one >= 3 * many, ("RMSE %.4f and %.4f"):format(one, many)
     end },
-    { "if the cap is too low, revealing nothing is better than revealing the last hit", shot = "vase", function(r)
+    { "at a cap of 2 hits, which is too low, revealing nothing has a smaller error than revealing the last hit", shot = "vase",
+      function(r)
       local nothing = at(r, "vase", "instance, nothing at the cap", 2).rmse
       local last = at(r, "vase", "instance, last hit at the cap", 2).rmse
       return nothing < last, ("RMSE %.4f and %.4f"):format(nothing, last)
     end },
-    { "under luminance the cap hardly matters in the living room, since rays end at the vase's walls: errors within a tenth",
-      shot = "vase", function(r)
+    { "with termination by luminance the errors of all caps are within a tenth in the living room, because rays end at the " ..
+      "vase's walls", shot = "vase", function(r)
         local least, most = math.huge, 0
         for _, cap in ipairs(caps) do
           local error = at(r, "vase", "luminance, last hit at the cap", cap).rmse
@@ -76,7 +79,8 @@ return experiment {
         end
         return most <= 1.1 * least, ("RMSE %.4f to %.4f"):format(least, most)
       end },
-    { "an advance from hit to hit with a cap of 16 finds the same surfaces as one ray: errors within a hundredth", function(r)
+    { "an advance from hit to hit with a cap of 16 hits finds the same surfaces as the arm \"one ray\": the errors differ " ..
+      "by at most a hundredth", function(r)
       local most = 0
       for _, shot in ipairs { "vase", "cells_9" } do
         local one = at(r, shot, "one ray", 8).rmse

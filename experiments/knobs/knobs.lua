@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Time that each parameter of cost saves, the error that it adds, and the scenes that require it.
+-- Changes one parameter of the hybrid at a time. Measures the time that the change saves, the error that it adds, and the
+-- scenes that require the unchanged value.
 --   strobe sweep experiments/knobs/knobs.lua -o out/knobs
 local experiment = require "strobe.experiment"
 
 local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots with motion
 
--- A knob replaces the pipeline, parameters (`set`) or options of the shot (`run`). `needed`: shots whose error
--- the knob increases by more than a twentieth.
+-- A knob replaces the pipeline, parameters (`set`) or options of the shot (`run`). `needed`: shots with an
+-- expected increase of the error by more than a twentieth.
 local knobs = {
   { name = "arcs", set = { trajectory = "arc" }, needed = {} },
   { name = "no rays at own times", pipeline = "hybrid_layered", needed = moving },
@@ -48,14 +49,14 @@ local function at(r, shot, knob)
   return r.at { shot = shot, arm = (knob == plain or ways[knob]) and best or knob, run = ways[knob] and knob or plain }
 end
 
--- Ratio of a measure to its value for the unchanged hybrid; 1 if both are 0.
+-- Measure with a knob divided by the same measure of the unchanged hybrid; 1 if both are 0.
 local function ratio(r, shot, knob, measure)
   local own, other = at(r, shot, knob)[measure], at(r, shot, plain)[measure]
   if other == 0 then return own == 0 and 1 or math.huge end
   return own / other
 end
 
--- "time .83 (fan) to 1.01 (still), error 1.00 (still) to 2.3 (fan)"
+-- Text of the least and the greatest ratio over all shots, for example "time 0.83 (fan) to 1.01 (still)".
 local function range(r, knob, measure, what)
   local least, most, least_at, most_at = math.huge, -math.huge, "", ""
   for _, shot in ipairs(shots) do
@@ -86,8 +87,8 @@ return experiment {
   title    = "Knobs of cost",
   question = "How much time does each parameter save, how much error does it add, and which scenes require it?",
   note     = "Each arm or run changes one parameter of the hybrid (best). Times are ratios to McGuire 2012 with 16 " ..
-             "samples in the same shot, measured in turn in one run. In the expectations, times and errors are ratios to " ..
-             "the unchanged hybrid (best).",
+             "samples in the same shot. The arms are timed in turn in one run. In the expectations, times and errors are " ..
+             "ratios to the unchanged hybrid (best).",
   size     = { 320, 180 },
   shots    = shots,
   arms     = arms,

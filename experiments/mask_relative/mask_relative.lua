@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Compares ray masks: the published mask, by the motion of the foreground, and the disocclusion mask, by the motion of the
--- foreground relative to the surface beyond its silhouette.
+-- Compares two ray masks. The published mask depends on the motion of the foreground. The disocclusion mask depends on the
+-- motion of the foreground relative to the surface beyond its silhouette.
 local experiment = require "strobe.experiment"
 
 -- Reasons of failed expectations.
-local many = "in the tracking shot a tile has more velocities than its list holds, so the relative mask misses pixels too"
-local steps = "between twigs one displaced position skips disoccluded surfaces (4 taps have a smaller error), and Sobel " ..
-  "misses small steps"
+local many = "in the tracking shot tiles have more velocities than their lists hold, so the relative mask misses pixels too"
+local steps = "between twigs, a single tested position skips disoccluded surfaces (4 positions have a smaller error), and " ..
+  "Sobel misses small steps in depth"
 
 local moving_background = { "slower", "together", "against", "faster", "only_background", "tracking" }
 local still_background = { "bar", "vase" }
@@ -15,7 +15,7 @@ local still_background = { "bar", "vase" }
 local function error_of(r, shot, arm) return r.at { shot = shot, arm = arm, region = "hidden" }.rmse end
 local function whole(r, shot, arm) return r.at { shot = shot, arm = arm, region = "whole" }.rmse end
 
--- Expects the error with the published mask to be at least `factor` times the error with the relative mask.
+-- Returns the expectation that the error with the published mask is at least `factor` times that with the relative mask.
 local function gains(shot, factor, text, known)
   return { text, shot = shot, known = known, function(r)
     local seed, relative = error_of(r, shot, "seed"), error_of(r, shot, "relative")
@@ -34,11 +34,11 @@ end
 
 return experiment {
   title    = "Ray masks",
-  question = "When does a mask by relative motion gain over the published mask?",
-  note     = "All arms are hybrid_layered with different masks: seed is the published mask, relative the disocclusion " ..
-             "mask, moving all pixels that move or that a moving surface may cover. In six shots a striped bar moves over " ..
-             "a striped background, which may move too. The others are the living room before a camera at rest and before " ..
-             "a camera that follows the vase. Times are ratios to no rays.",
+  question = "When does a mask that depends on relative motion have a smaller error than the published mask?",
+  note     = "All arms are hybrid_layered with different ray masks. \"seed\" is the published mask. \"relative\" is the " ..
+             "disocclusion mask. \"moving\" has all pixels that move or that a moving surface may cover. In six shots a " ..
+             "striped bar moves over a striped background, which may move too. The other two shots are the living room " ..
+             "before a camera at rest and before a camera that follows the vase. Times are ratios to the arm \"no rays\".",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -100,18 +100,19 @@ return experiment {
       end
       return most <= 1.1, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "four taps instead of one change the error by less than a hundredth if one object passes", function(r)
+    { "if one object passes, four tested positions instead of one change the error with the published mask by less than a " ..
+      "hundredth", function(r)
       local most = 0
       for _, shot in ipairs { "bar", "slower", "against", "faster" } do
         most = math.max(most, math.abs(error_of(r, shot, "seed, 4 taps") / error_of(r, shot, "seed") - 1))
       end
       return most < 0.01, ("at most %.2f %%"):format(100 * most)
     end },
-    { "found afterwards: more rays can increase the error: over the whole tracking shot the mask moving has a larger " ..
-      "error than no rays, since behind surfaces that enter at the border its rays find surfaces that are never visible",
+    { "found afterwards: more rays can increase the error. Over the whole picture of the tracking shot the mask moving has " ..
+      "a larger error than no rays: behind surfaces that enter at the border, its rays find surfaces that are never visible",
       shot = "tracking", function(r)
         local moving, none = whole(r, "tracking", "moving"), whole(r, "tracking", "no rays")
-        return moving > none, ("RMSE whole %.4f and %.4f, relative %.4f"):format(moving, none,
+        return moving > none, ("RMSE %.4f and %.4f, relative %.4f"):format(moving, none,
                                                                                  whole(r, "tracking", "relative"))
       end },
     { "in the living room the relative mask marks less than half as many pixels as the mask moving", shot = "vase",

@@ -1,18 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- Compares the hybrid (masked rays, and rays at the sample times) with full layers, and with other methods since 2020.
+-- Compares the hybrid, which traces rays at masked pixels and at sample times, with a method of full layers and with other
+-- methods since 2020.
 --   strobe sweep experiments/peers/peers.lua -o out/peers
 local experiment = require "strobe.experiment"
 
 -- Reasons of failed expectations.
-local own_rays = "rasterised layers need rays only for light, while each traced time sample needs a ray; " ..
-                 "layers in turn draw the scene again for each layer"
+local own_rays = "rasterised layers need rays only for light, while each traced time sample needs a ray. " ..
+                 "Rasterised layers in turn draw the scene again for each layer"
 
 local shots = { "vase", "three", "enters", "tracking" }
 local layers, best = "layers 2024", "hybrid, best"
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region } end
 
--- Expects the error of `arm` in a region to be at most `factor` times the error of `other`, in every shot.
+-- Returns the expectation that the error of `arm` in a region is at most `factor` times the error of `other`, in every
+-- shot.
 local function below(arm, other, region, factor, text)
   return { text, function(r)
     local most, where = 0, ""
@@ -26,7 +28,8 @@ end
 
 return experiment {
   title    = "Peers since 2020",
-  question = "How do the errors of masked rays compare with full layers drawn everywhere, and with other blurs since 2020?",
+  question = "How large are the errors of the hybrid, which traces rays at masked pixels, compared with full layers drawn " ..
+             "at every pixel, and with other blurs since 2020?",
   note     = "All methods have 16 samples, except oberberger2022 with one ray per pixel. Rays include shadow rays: one for " ..
              "each light and shaded texel, unless the light is visible or blocked in the whole tile.",
   size     = { 160, 90 },

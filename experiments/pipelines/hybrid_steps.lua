@@ -37,7 +37,7 @@ function masks.paper(p, raster)
   return range_check { edge = edge, id = raster.id, velocity = raster.velocity, own_edge = p.own_edge, as = "mask" }.mask
 end
 
--- Both layers, blurred separately, for the composite alpha_over.
+-- Returns both layers, blurred separately, as inputs of the composite alpha_over.
 local function blurred(p, raster, revealed)
   local both = p.tiles() == "union" and tiles.dominant(p, raster, { extra = revealed }) or nil
   local function blur(layer, name, background)
@@ -56,7 +56,7 @@ return pipeline {
   params = {
     options.blur(40),
     mask = pipeline.choice { "disocclusion", "paper", "moving", "all", "none", default = "disocclusion",
-      doc = "pixels whose background is revealed",
+      doc = "pixels with a ray that reveals the background",
       values = {
         disocclusion = "The disocclusion mask, as in hybrid_layered.",
         paper  = "The published ray mask, as in hybrid.",
@@ -67,8 +67,8 @@ return pipeline {
     mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "number of positions along the displacement that the mask " ..
       "`paper` tests" },
     edge         = pipeline.choice(edge_choice),
-    own_edge     = pipeline.bool { true, doc = "range check of the mask `paper`: the edge must belong to the instance of " ..
-      "the pixel" },
+    own_edge     = pipeline.bool { true, doc = "the range check of the mask `paper` accepts an edge only if it belongs to " ..
+      "the pixel's instance" },
     termination  = reveal.params.termination,
     tolerance    = reveal.params.tolerance,
     luminance_of = reveal.params.luminance_of,
@@ -79,7 +79,7 @@ return pipeline {
     composite    = pipeline.choice { "alpha_over", "in_gather", "layered", default = "layered",
       doc = "composite of the two layers" },
     tiles        = pipeline.choice { "union", "separate", default = "union", doc = "dominant displacement of a tile",
-      values = { union = "One for both layers: the longest.", separate = "One for each layer, as published." } },
+      values = { union = "The longest displacement of both layers.", separate = "One for each layer, as published." } },
     weights      = pipeline.choice(gathers.choice("uniform", "of the taps, under composite = alpha_over")),
     directions   = mcguire2012.params.directions,
     range        = paths.range,

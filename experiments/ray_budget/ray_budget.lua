@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Compares the hybrid with rays for a share of the pixels, chosen by priority, with full layers drawn everywhere.
+-- Compares full layers drawn at every pixel with the hybrid with rays for a share of the pixels, chosen by priority.
 --   cd experiments/ray_budget; strobe sweep ray_budget.lua -o out/ray_budget
 local experiment = require "strobe.experiment"
 
@@ -20,7 +20,7 @@ local shots = {
   shot("behind", "Behind", "behind"),
   shot("cards", "Cards", "cards"),
 }
--- Displacements, px: the same shares of the picture as in the scenes at their own sizes.
+-- Displacements, px. They are the same shares of the picture as in the scenes at their own sizes.
 local objects = { { "tracking_parallax", 17 }, { "stacked", 27 }, { "enters", 33 }, { "car_and_road", 33 }, { "caged_fan", 27 },
   { "door", 33 }, { "leaves", 20 }, { "nearer" }, { "pendulum", 33 }, { "spoked_wheel", 20 }, { "telescope", 33 },
   { "chase" }, { "drive" }, { "glass", 13 }, { "gloss", 13 }, { "jump", 13 }, { "panorama", 13 }, { "shadow", 17 } }
@@ -57,11 +57,13 @@ end
 local limited = curve[3]
 
 -- Reasons of failed expectations.
-local grain = "alpha-blended surfaces are drawn in a random share of the pixels, and this grain is most of the error: a " ..
-              "layer moves one pattern along its path, rays at the sample times draw a new pattern for each sample"
+local grain = "alpha-blended surfaces are drawn in a random share of the pixels, and this grain is most of the error. A " ..
+              "layer moves one random pattern along its path, and rays at the sample times draw a new pattern for each " ..
+              "sample"
 local blended = "glass"
 
--- Expects at most the error of full layers in a region of every shot with such pixels, except the shot named `but`.
+-- Returns the expectation that the hybrid with limited rays has at most the error of full layers in `region`, in every shot
+-- that has pixels in the region. The shot named `but` is left out.
 local function below(region, but)
   local text = ("in the region %s of every scene%s the hybrid with rays for %g %% of the pixels has at most the error of " ..
     "full layers")
@@ -85,7 +87,7 @@ local function below(region, but)
   end }
 end
 
--- Geometric mean over `curve_shots` of an arm's error as a share of the error without rays.
+-- Error of an arm divided by the error without rays, as geometric mean over `curve_shots`.
 local function over_curve(r, name)
   local sum = 0
   for _, shot_name in ipairs(curve_shots) do
@@ -98,10 +100,11 @@ end
 return experiment {
   title    = "Rays for a share of the pixels",
   question = "With rays for at most 15 % of the pixels, is the error of the hybrid at most the error of full layers drawn " ..
-    "everywhere?",
-  note     = "All scenes of the repository with disocclusions, with the same displacements as shares of the picture as at " ..
-             "their own sizes. Every method has 16 samples. `traced`: pixels with rays of the hybrid, which reveal the " ..
-             "background or trace time samples. Shadow rays do not count, since both methods have them.",
+    "at every pixel?",
+  note     = "The shots are all scenes of the repository with disocclusions. Their displacements are the same shares of the " ..
+             "picture as at the scenes' own sizes. Every method has 16 samples. `traced` is the number of pixels in which " ..
+             "the hybrid traces rays to reveal the background or to resolve time samples. Shadow rays do not count, " ..
+             "because both methods trace them.",
   size     = { width, height },
   shots    = shots,
   arms     = arms,
@@ -115,7 +118,7 @@ return experiment {
   expect   = {
     below("inner"),
     below("hidden"),
-    { ("in no scene more than %g %% of the pixels have rays"):format(100 * most), function(r)
+    { ("in no scene do more than %g %% of the pixels have rays"):format(100 * most), function(r)
       local largest, where = 0, ""
       for _, one in ipairs(shots) do
         local share = r.at { shot = one.name, arm = limited, region = "whole" }.traced / (width * height)
@@ -123,7 +126,7 @@ return experiment {
       end
       return largest <= most, ("at most %.2f %% (%s)"):format(100 * largest, where)
     end },
-    { "over the shots with several shares the error falls with the share", function(r)
+    { "over the shots with several ray budgets, the error falls as the share of pixels with rays grows", function(r)
       local falls, before, texts = true, 2, {}
       for _, name in ipairs(curve) do
         local error = over_curve(r, name)
@@ -138,7 +141,8 @@ return experiment {
     end },
     below("inner", blended),
     below("hidden", blended),
-    { "found afterwards: for blended glass the hybrid with all its rays has a larger error than full layers too", function(r)
+    { "found afterwards: for blended glass, even the hybrid without a ray budget has a larger error than full layers",
+      function(r)
       local own = r.at { shot = blended, arm = curve[#curve], region = "inner" }.rmse
       local ratio = own / r.at { shot = blended, arm = layers, region = "inner" }.rmse
       return ratio > 1, ("%.2f times the error"):format(ratio)

@@ -1,3 +1,3 @@
 -- SPDX-License-Identifier: MIT
--- Marks the folder of a Strobe project: its pipeline extends a shipped one.
+-- Marks this folder as a Strobe project. Its pipeline extends a shipped pipeline.
 return { name = "ray_budget" }

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Tests the paper's claims under different readings of the points that the paper leaves open.
+-- Tests a claim of Tan, Cui and Bhojan 2020 with different interpretations of the points that the paper leaves open.
 local experiment = require "strobe.experiment"
 
 local shots = { "plain", "patterned", "solid", "vase" }
 local mcguire, ue4 = "McGuire 2012", "UE4-style"
 
--- Cumulative readings: the paper as written, then one change at a time; each keeps the changes before it.
+-- Cumulative interpretations. The first is the paper as written. Each later one adds one change to those before it.
 local steps = {
   { "as written", {} },
   { "passes over its own instance", { advance = "instance_filter" } },
@@ -15,7 +15,7 @@ local steps = {
   { "instance ends the ray", { termination = "instance", on_cap = "fallback" } },
 }
 
--- Single readings: each changes one thing of the paper as written.
+-- Single interpretations. Each makes one change to the paper as written.
 local alone = {
   { "geometry ends the ray", { termination = "geometry", advance = "origin_kept" } },
   { "luminance of base colour", { luminance_of = "base_color" } },
@@ -38,12 +38,12 @@ local arms = {
   { name = ue4, pipeline = "ue4", set = { limit = 0.1 } },
 }
 
--- Parameters that need experiments/pipelines/hybrid_steps.lua.
+-- Parameters that only experiments/pipelines/hybrid_steps.lua has.
 local is_step = { mask = true, composite = true, tiles = true }
 local as_written = { mask = "paper", composite = "alpha_over", tiles = "separate", own_edge = false,
                      termination = "luminance", advance = "restart", on_cap = "last_hit", weights = "mcguire2012" }
 
--- An arm with the paper as written, changed by `set`.
+-- Returns an arm with the paper as written, except for the parameters in `set`.
 local function reading_of(name, set)
   for key in pairs(set) do
     if is_step[key] then
@@ -79,10 +79,11 @@ arms[#arms + 1] = reading_of(material, { luminance_of = "material", weights = "u
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
--- Expects a smaller FLIP over the picture with `arm` than with both post-processes: the claim of figure 1 of the paper.
+-- Returns the expectation that `arm` has a smaller FLIP over the picture than both post-processes. Figure 1 of the paper makes
+-- this claim.
 local function bears_out(arm, shot, known)
-  return { ("the paper's claim, a smaller error than McGuire's and UE4's, holds with the reading: %s"):format(arm), shot = shot,
-    known = known, function(r)
+  return { ("the paper's claim, a smaller error than McGuire's and UE4's, holds with the interpretation: %s"):format(arm),
+    shot = shot, known = known, function(r)
       local own, first, second = at(r, shot, arm).flip, at(r, shot, mcguire).flip, at(r, shot, ue4).flip
       return own < math.min(first, second), ("mean FLIP %.4f, McGuire %.4f, UE4-style %.4f"):format(own, first, second)
     end }
@@ -90,12 +91,12 @@ end
 
 return experiment {
   title    = "Readings of the paper",
-  question = "The paper claims that the hybrid corresponds to ground truth and post-process does not. Which readings of the " ..
-             "paper support this claim?",
-  note     = "\"as written\" is the preset text of hybrid, \"+ even weights\" its preset paper. Arms with + change one " ..
-             "thing and keep the changes of the arms with + before them. The other arms change one thing of as written. In " ..
-             "three shots a vase slides past a striped cushion: hollow and of one colour, as in the paper; hollow and " ..
-             "patterned; solid. The fourth shot is the living room.",
+  question = "The paper claims that the hybrid corresponds to ground truth and post-process does not. Which " ..
+             "interpretations of the paper make this claim true?",
+  note     = "\"as written\" is the preset text of hybrid. \"+ even weights\" is its preset paper. An arm with + adds one " ..
+             "change to the changes of the arms with + before it. The other arms make one change to \"as written\". In " ..
+             "three shots a vase slides past a striped cushion. The vase is hollow and of one colour, as in the paper, or " ..
+             "hollow and patterned, or solid. The fourth shot is the living room.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -111,14 +112,14 @@ return experiment {
   regions  = { "whole", "inner" },
   measures = { "rmse", "flip", "ms_ratio" },
   expect   = {
-    bears_out("as written", "plain", "its rays end at the vase's far wall, which has other lighting"),
+    bears_out("as written", "plain", "rays end at the vase's far wall, which is lit differently from its near wall"),
     bears_out("+ passes over its own instance", "plain", "its error is below McGuire's but not below UE4-style's: the " ..
-              "published weights are too opaque inside silhouettes"),
+              "published weights leave the vase too opaque inside its silhouette"),
     bears_out("+ even weights", "plain"),
     bears_out("+ relative mask", "plain"),
     bears_out("+ layered composite", "plain"),
     bears_out("+ instance ends the ray", "plain"),
-    { "found afterwards: two readings suffice: if rays pass over the pixel's own instance and weights are even, the claim " ..
+    { "found afterwards: two changes suffice: if rays pass over the pixel's own instance and weights are even, the claim " ..
       "holds in every shot", function(r)
         local texts, good = {}, true
         for i, shot in ipairs(shots) do
@@ -128,8 +129,8 @@ return experiment {
         end
         return good, "mean FLIP, and of the better post-process: " .. table.concat(texts, ", ")
       end },
-    { "found afterwards: luminance of the material, which does not depend on the light, suffices too: with it and even " ..
-      "weights the claim holds in every shot",
+    { "found afterwards: if rays compare the luminance of the material, which does not depend on the light, and weights are " ..
+      "even, the claim holds in every shot too",
       function(r)
         local texts, good = {}, true
         for i, shot in ipairs(shots) do
@@ -139,8 +140,7 @@ return experiment {
         end
         return good, "mean FLIP, and of the better post-process: " .. table.concat(texts, ", ")
       end },
-    { "each cumulative reading from as written to the last lowers the inner error, averaged over all shots, or keeps it " ..
-      "within a hundredth",
+    { "each cumulative change lowers the inner error, averaged over all shots, or raises it by at most a hundredth",
       function(r)
       local before, good, list = math.huge, true, {}
       for i, step in ipairs(steps) do
@@ -151,9 +151,9 @@ return experiment {
       end
       return good, "RMSE " .. table.concat(list, ", ")
     end },
-    { "the most important reading is to pass over the own instance: it halves the error of as written for the plain hollow " ..
-      "vase, and no other single reading does", shot = "plain", known = "with the published weights slightly more than half " ..
-      "of the error remains, and termination by geometry passes over the same walls", function(r)
+    { "the most important change is that rays pass over the pixel's own instance: for the plain hollow vase it halves the " ..
+      "error of \"as written\", and no other single change does", shot = "plain", known = "with the published weights " ..
+      "slightly more than half of the error remains, and termination by geometry passes over the same walls", function(r)
         local written = at(r, "plain", "as written", "inner").rmse
         local own = at(r, "plain", "+ passes over its own instance", "inner").rmse
         local least, who = math.huge, ""
@@ -164,7 +164,8 @@ return experiment {
         return own <= 0.5 * written and least > 0.5 * written,
           ("RMSE %.4f as written, %.4f with it, %.4f with the best other (%s)"):format(written, own, least, who)
       end },
-    { "no tolerance of luminance helps: for the plain hollow vase the errors with 0, 0.01 and 0.1 are within a fifth",
+    { "no tolerance of luminance helps: for the plain hollow vase the errors with tolerances 0, 0.01 and 0.1 are within a " ..
+      "fifth of each other",
       shot = "plain", function(r)
         local least, most = math.huge, 0
         for _, name in ipairs { "as written", "tolerance 0", "tolerance 0.1" } do

@@ -1,18 +1,20 @@
 -- SPDX-License-Identifier: MIT
 -- Real scenes: an object moves about 40 px over the exposure before a background with detail. No displacement is clamped.
--- Expected, written before measuring: if the background's standard deviation over `inner` is at least a fifth of its mean
--- difference from the foreground, the RMSE of the hybrid (best) in `inner` against frozen truth is at most one fifth of each
--- baseline's with the same anchor, and at most 1.5 times the floor of 16 samples.
+-- The expectation was written before measuring. It applies if the background has detail: its standard deviation over `inner` is
+-- at least a fifth of its mean difference from the foreground. Then the RMSE of the hybrid (best) in `inner` against frozen
+-- truth is at most a fifth of the RMSE of each baseline with the same anchor, and at most 1.5 times the RMSE of truth with 16
+-- samples.
 --   strobe sweep experiments/real_scenes/real_scenes.lua -o out/real_scenes
--- Two of the scenes are shared data (STROBE_DATA). Their shots are skipped if these are missing.
+-- Two of the scenes are shared data (STROBE_DATA). Their shots are skipped if the data is missing.
 local experiment = require "strobe.experiment"
 
 local baselines = { "McGuire 2012", "UE4-style" }
 local hybrid = "hybrid (best)"
 
--- The expectation of one shot. It does not apply if displacements were shortened.
+-- Returns the expectation of one shot. It does not apply if displacements were shortened.
 local function expected(shot)
-  local text = "inner RMSE of " .. hybrid .. ": at most a fifth of each baseline's, and at most 1.5 times the floor's"
+  local text = "the inner RMSE of " .. hybrid .. " is at most a fifth of the RMSE of each baseline, and at most 1.5 times " ..
+               "the RMSE of truth with 16 samples"
   return { text, shot = shot, function(r)
     local function at(arm) return r.at { shot = shot, arm = arm, region = "inner", anchor = "end" } end
     local own, best, clamped = at(hybrid), math.huge, at(hybrid).clamped
@@ -21,22 +23,22 @@ local function expected(shot)
       clamped = clamped + at(name).clamped
     end
     local floor, contrast = at("truth, 16 samples").rmse, own.background_deviation / own.background_difference
-    local detail = ("RMSE %.5f is %.3f times the best baseline's and %.2f times the floor's; the background's deviation " ..
-                    "is %.2f of its difference from the foreground; %d pixels clamped"):format(
+    local detail = ("RMSE %.5f is %.3f times the best baseline's and %.2f times truth's; the background's deviation is " ..
+                    "%.2f of its difference from the foreground; %d pixels clamped"):format(
                     own.rmse, own.rmse / best, own.rmse / floor, contrast, clamped)
     if contrast < 0.2 or clamped > 0 then return nil, detail end
     return own.rmse <= 0.2 * best and own.rmse <= 1.5 * floor, detail
   end }
 end
 
--- One motion for several nodes of one object.
+-- Returns the same motion for each of several nodes of one object.
 local function together(motion, nodes)
   local moves = {}
   for _, name in ipairs(nodes) do moves[name] = motion end
   return moves
 end
 
--- The paper's claim in its figure 1, for its vase.
+-- Returns the expectation that the claim of the paper's figure 1 holds for the vase of that figure.
 local function corresponds(shot)
   return { "our reading of the paper has a smaller error than both post-processes, by RMSE and by FLIP of the whole picture",
     shot = shot, function(r)
@@ -55,8 +57,9 @@ local kitchen_by = "\"Country Kitchen\" by Jay-Artist, CC BY 3.0, pbrt version b
 
 return experiment {
   title = "An object in motion in real scenes",
-  note = "Expected: if the background's deviation is at least a fifth of its difference from the foreground, the hybrid's " ..
-         "error inside the silhouette is at most a fifth of each baseline's and at most 1.5 times the floor of 16 samples.",
+  note = "Expected: if the background's standard deviation is at least a fifth of its mean difference from the foreground, " ..
+         "the hybrid's error inside the silhouette is at most a fifth of the error of each baseline and at most 1.5 times " ..
+         "the error of truth with 16 samples.",
   size = { 960, 540 },
   measures = { "rmse", "flip", "rmse_full", "ms" }, rounds = 3,
   background = { arm = hybrid, front = "no blur", color = "revealed", valid = "revealed_valid" },
@@ -72,7 +75,7 @@ return experiment {
   },
   truth = { pipeline = "ground_truth", set = { samples = 128, times = "stratified" },
             full = { shading = "full", samples = 16 } },
-  -- The baselines also with a centred exposure, each against truth with the same anchor.
+  -- The baselines are measured with a centred exposure too, against truth with the same anchor.
   vary = { experiment.list { name = "anchor", values = { "end", "centre" } } },
   skip = function(point)
     local of_both = point.arm == "truth, 16 samples" or point.arm == baselines[1] or point.arm == baselines[2]

@@ -6,11 +6,11 @@ local function inner(r, arm, samples, tile)
   return r.at { arm = arm, samples = samples, tile = tile, region = "inner" }.rmse
 end
 
-local few_left = "with 64 samples the error is a twenty-fifth of the error with 4, so that a tenth is a small difference"
+local few_left = "with 64 samples the error is a twenty-fifth of the error with 4, so a tenth of it is a small change"
 
 return experiment {
   title    = "Samples and tiles",
-  question = "How do samples, tile size and time change the error?",
+  question = "How does the error change with the number of samples, the tile size and the time of a frame?",
   note     = "The vase of the living room slides past the cushions. Times are ratios to McGuire 2012 with 4 samples and " ..
              "tiles of 10 px.",
   size     = { 320, 180 },
@@ -32,8 +32,8 @@ return experiment {
       for _, arm in ipairs { "McGuire 2012", "UE4-style" } do best = math.min(best, inner(r, arm, 64, 40)) end
       return own < best, ("%.4f and %.4f"):format(own, best)
     end },
-    { "samples do not help methods that estimate the background: from 4 to 64 a baseline's inner error falls by less than " ..
-      "a fifth",
+    { "samples do not help methods that estimate the background: from 4 to 64 samples the inner error of each baseline " ..
+      "falls by less than a fifth",
       function(r)
         local worst = 0
         for _, arm in ipairs { "McGuire 2012", "UE4-style" } do
@@ -41,7 +41,7 @@ return experiment {
         end
         return worst < 0.2, ("at most %.0f %%"):format(100 * worst)
       end },
-    { "samples help the hybrid: from 4 to 64 its inner error falls at least by half", function(r)
+    { "samples help the hybrid: from 4 to 64 samples its inner error falls at least by half", function(r)
       local ratio = inner(r, "hybrid (best)", 64, 40) / inner(r, "hybrid (best)", 4, 40)
       return ratio <= 0.5, ("to %.2f of the error"):format(ratio)
     end },

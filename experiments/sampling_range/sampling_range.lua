@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Position of the exposure relative to the raster time (figure 2 of Tan, Cui and Bhojan 2020), with truth of the same
--- exposure; and one displacement over the exposure against one displacement before and one after the raster time.
+-- Compares positions of the exposure relative to the raster time (figure 2 of Tan, Cui and Bhojan 2020). The errors are against
+-- truth with the same exposure. Also compares one displacement over the exposure with two, one before and one after the raster
+-- time.
 local experiment = require "strobe.experiment"
 
 -- Reasons of failed expectations.
-local sides = "the card's left edge is lighter than its right edge, and the anchor decides which of the two lies inside: " ..
-              "the floors of 16 samples differ by the same factor"
+local sides = "the card's left edge is lighter than its right edge, and the anchor decides which of the two edges lies " ..
+              "inside the region: the errors of truth with 16 samples differ by the same factor"
 
 local best = "hybrid (best)"
 local anchors = { "end", "centre", "start" }
@@ -16,11 +17,12 @@ end
 
 return experiment {
   title    = "Sampling range and anchor",
-  question = "How much does a range of samples that ends at the pixel, as in the paper, gain over a centred range?",
+  question = "How much smaller is the error if the range of samples ends at the pixel, as in the paper, instead of being " ..
+             "centred on it?",
   note     = "The exposure, and with it the range of samples, ends at the raster time (end), surrounds it (centre) or " ..
-             "begins at it (start). Each is measured against truth with the same exposure. \"split\" has one displacement " ..
-             "before and one after the raster time, which makes a difference only with centre. Times are ratios to " ..
-             "McGuire 2012, close.",
+             "begins at it (start). Each anchor is measured against truth with the same exposure. The arm \"split\" has one " ..
+             "displacement before and one after the raster time, which makes a difference only with the anchor centre. " ..
+             "Times are ratios to McGuire 2012 with the anchor end.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -30,7 +32,7 @@ return experiment {
     { name = "straight", title = "Straight on", scene = "turns_back", frame = 1, ["scene.before"] = 12,
       ["scene.after"] = 12, note = "A card moves by 12 px before and 12 px after the raster time, in one direction." },
     { name = "back", title = "Turns back", scene = "turns_back", frame = 1, ["scene.before"] = 12, ["scene.after"] = -12,
-      note = "The card moves back from the raster time on." },
+      note = "A card moves by 12 px until the raster time, and then back by 12 px." },
   },
   arms     = {
     { name = "no blur", pipeline = "none" },
@@ -48,7 +50,7 @@ return experiment {
   regions  = { "whole", "inner", "outer" },
   measures = { "rmse", "flip", "ms_ratio", "pixels" },
   expect   = {
-    { "under straight motion hybrid (best) has a smaller inner error than both post-processes, with every anchor",
+    { "if objects move straight on, hybrid (best) has a smaller inner error than both post-processes, with every anchor",
       function(r)
         local most, where = 0, ""
         for _, shot in ipairs { "vase", "thin", "straight" } do
@@ -58,10 +60,10 @@ return experiment {
             if ratio > most then most, where = ratio, shot .. ", " .. anchor end
           end
         end
-        return most < 1, ("at most %.2f of the better one's (%s)"):format(most, where)
+        return most < 1, ("at most %.2f times the error of the better post-process (%s)"):format(most, where)
       end },
     { "the direction of time does not matter: for the card that moves straight on, the errors over the whole picture with " ..
-      "close and open are within a quarter of each other, for every method", known = sides, function(r)
+      "the anchors end and start are within a quarter of each other, for every method", known = sides, function(r)
         local most, who = 1, ""
         for _, arm in ipairs { "McGuire 2012", "Jimenez 2014", best } do
           local a, b = error_of(r, "straight", arm, "end", "whole"), error_of(r, "straight", arm, "start", "whole")
@@ -70,20 +72,20 @@ return experiment {
         end
         return most <= 1.25, ("at most %.2f times (%s)"):format(most, who)
       end },
-    { "as the paper says, centred blur suits thin objects: McGuire's error over the picture is smaller with centre than " ..
-      "with close",
+    { "as the paper says, centred blur suits thin objects: McGuire's error over the picture is smaller with the anchor " ..
+      "centre than with end",
       shot = "thin", function(r)
         local close = error_of(r, "thin", "McGuire 2012", "end", "whole")
         local centre = error_of(r, "thin", "McGuire 2012", "centre", "whole")
         return centre < close, ("RMSE %.4f and %.4f"):format(centre, close)
       end },
-    { "for the hybrid as published, a range that ends at the pixel has at most the inner error of a centred range",
+    { "for the hybrid as published, the inner error with a range that ends at the pixel is at most that with a centred range",
       shot = "vase", function(r)
         local close = error_of(r, "vase", "hybrid (as published)", "end")
         local centre = error_of(r, "vase", "hybrid (as published)", "centre")
         return close <= centre, ("RMSE %.4f and %.4f"):format(close, centre)
       end },
-    { "the anchor matters little to hybrid (best): its inner error with one anchor is at most 1.5 times its inner error " ..
+    { "the anchor matters little for hybrid (best): its inner error with one anchor is at most 1.5 times its inner error " ..
       "with another",
       known = sides, function(r)
       local most, where = 0, ""
@@ -97,8 +99,8 @@ return experiment {
       end
       return most <= 1.5, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "found afterwards: under straight motion the inner error of hybrid (best) is at most twice the floor of its 16 " ..
-      "samples, with every anchor",
+    { "found afterwards: if objects move straight on, the inner error of hybrid (best) is at most twice the error of truth " ..
+      "with 16 samples, with every anchor",
       function(r)
         local most, where = 0, ""
         for _, shot in ipairs { "vase", "thin", "straight" } do
@@ -109,14 +111,15 @@ return experiment {
         end
         return most <= 2, ("at most %.2f times (%s)"):format(most, where)
       end },
-    { "an object that turns back at the raster time needs two displacements: with one, hybrid (best) has at least 3 times " ..
-      "the error",
+    { "an object that turns back at the raster time needs two displacements: with one displacement, hybrid (best) has at " ..
+      "least 3 times the error",
       shot = "back", function(r)
         local one = error_of(r, "back", best, "centre", "whole")
         local two = error_of(r, "back", "hybrid (best), split", "centre", "whole")
         return one >= 3 * two, ("RMSE over the picture %.4f and %.4f"):format(one, two)
       end },
-    { "two displacements do not matter under straight motion: errors within a twentieth", function(r)
+    { "if objects move straight on, two displacements change the inner error of hybrid (best) by at most a twentieth",
+      function(r)
       local most = 0
       for _, shot in ipairs { "vase", "straight" } do
         local one, two = error_of(r, shot, best, "centre"), error_of(r, shot, "hybrid (best), split", "centre")
@@ -124,10 +127,10 @@ return experiment {
       end
       return most <= 0.05, ("at most %.1f %%"):format(100 * most)
     end },
-    { "two displacements take at most 1.5 times the time, with centre", function(r)
+    { "with the anchor centre, two displacements take at most 1.5 times the time of one", function(r)
       local one, two = r.at { arm = best, anchor = "centre" }.ms_ratio,
                        r.at { arm = "hybrid (best), split", anchor = "centre" }.ms_ratio
-      return two <= 1.5 * one, ("%.2f and %.2f times McGuire 2012"):format(one, two)
+      return two <= 1.5 * one, ("%.2f and %.2f times the time of McGuire 2012"):format(one, two)
     end },
   },
   layout   = { front = { x = "ms_ratio", y = "rmse", region = "inner" }, table = {} },

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Compares the pipeline `selective`, whose parameter `effort` leads from a post-process blur to truth, with all other pipelines
--- by error against cost.
+-- Compares the pipeline `selective` with all other pipelines by error against cost. Its parameter `effort` leads from a
+-- post-process blur to truth.
 --   strobe sweep experiments/selective/selective.lua -o out/selective
 local experiment = require "strobe.experiment"
 
@@ -21,7 +21,7 @@ local shots = {
   shot("behind", "Behind", "behind"),
   shot("cards", "Cards", "cards"),
 }
--- Displacements, px: the same shares of the picture as in the scenes at 480x270.
+-- Displacements, px. They are the same shares of the picture as in the scenes at 480x270.
 local objects = { { "caged_fan", 27 }, { "car_and_road", 33 }, { "door", 33 }, { "enters", 33 }, { "leaves", 20 }, { "nearer" },
   { "pendulum", 33 }, { "spoked_wheel", 20 }, { "stacked", 27 }, { "telescope", 33 }, { "tracking_parallax", 17 } }
 local oracles = { "bar", "half_plane", "hidden_white", "quad_2d", "textured_bar", "wedge" }
@@ -39,7 +39,7 @@ add("oracles", oracles)
 add("stability", properties)
 shots[#shots + 1] = shot("planes", "Planes", "stability/planes", { ["scene.kind"] = 2, ["scene.velocity_x"] = 0.83 })
 
-local arms, others, own = {}, {}, {}  -- all arms; names of arms with other pipelines and with selective
+local arms, others, own = {}, {}, {}  -- all arms; names of those with other pipelines; of those with selective
 local base = "McGuire 2012"
 local postprocess = "UE4-style"  -- equals selective with effort = 0
 local function arm(list, name, pipeline, set)
@@ -58,7 +58,8 @@ arm(others, "Bevy", "bevy")
 arm(others, "HDRP", "hdrp")
 arm(others, "layers 2024", "lee2024")
 arm(others, "oberberger2022", "oberberger2022")
--- Timed truth: from an effort of 0.75 on selective has the plan of ground_truth, at 0.8 with 4 times `samples`.
+-- Truth with a measured time. From an effort of 0.75 on, selective has the plan of ground_truth. At 0.8 it has 4 times
+-- `samples` samples.
 for _, samples in ipairs { 4, 8, 16, 32 } do
   arm(others, ("truth, %d"):format(samples), "selective", { effort = 0.8, samples = samples // 4 })
 end
@@ -70,15 +71,15 @@ arms[#arms + 1] = { name = exact, pipeline = "ground_truth", timed = true, set =
 
 -- ---- curves
 
--- Cost and error of an arm in a shot: time as a multiple of the base's or rays per pixel, and error as a multiple of the
--- base's.
+-- Returns the cost and the error of an arm in a shot. The cost is the frame time divided by the time of the arm `base`, or rays
+-- per pixel. The error is divided by the error of `base`.
 local function in_shot(r, one, name, cost)
   local here, unit = r.at { shot = one.name, arm = name }, r.at { shot = one.name, arm = base }
   local of = cost == "rays" and here.rays / (width * height) or here.ms_ratio
   return of, math.max(here.rmse, 1e-6) / math.max(unit.rmse, 1e-6)
 end
 
--- Geometric means of cost and error over all shots; for rays, which may be 0, the arithmetic mean.
+-- Returns the geometric means of cost and error over all shots. The mean of rays is arithmetic, because rays may be 0.
 local function over_all(r, name, cost)
   local costs, errors = 0, 0
   for _, one in ipairs(shots) do
@@ -98,7 +99,8 @@ local function points(names, at)
   return list
 end
 
--- Least error of the curve up to a cost: linear between its points in logarithms, nil below the cost of the first point.
+-- Returns the least error of the curve up to a cost, or nil below the cost of its first point. Between its points the curve is
+-- linear in logarithms.
 local function on_curve(curve, cost)
   if cost < curve[1].cost then return nil end
   local least = curve[1].error
@@ -113,7 +115,7 @@ local function on_curve(curve, cost)
   return least
 end
 
--- Names of the points that lie below the curve by more than a fiftieth.
+-- Returns the names of the points of `list` that lie below the curve by more than a fiftieth.
 local function below(curve, list)
   local found = {}
   for _, one in ipairs(list) do
@@ -123,7 +125,7 @@ local function below(curve, list)
   return found
 end
 
--- Settings on the front: no other point is at least as good in cost and in error.
+-- Returns the points of `curve` on the front: no point of `list` is at least as good in cost and in error.
 local function on_front(curve, list)
   local names = {}
   for _, own_one in ipairs(curve) do
@@ -141,19 +143,20 @@ end
 
 local function of_curve(cost, words, known)
   return {
-    { ("over all scenes no point of another pipeline lies below the curve of selective, %s"):format(words), function(r)
+    { ("over all scenes, no point of another pipeline lies below the curve of selective (%s)"):format(words), function(r)
       local curve, list = fronts(r, cost)
       local found = below(curve, list)
       return #found == 0, #found == 0 and "none of " .. #list or table.concat(found, ", ")
     end, known = known },
-    { ("over all scenes at least five settings of selective are on the front, %s"):format(words), function(r)
+    { ("over all scenes, at least five settings of selective are on the front (%s)"):format(words), function(r)
       local names = on_front(fronts(r, cost))
       return #names >= 5, ("%d: %s"):format(#names, table.concat(names, ", "))
     end },
   }
 end
 
--- Number of scenes without a point below their curve, and the points below the curve in the other scenes.
+-- Returns the number of scenes without a point below the curve. Also returns the points below the curve in each other scene,
+-- as texts.
 local function scene_by_scene(r, cost)
   local good, texts = 0, {}
   for _, one in ipairs(shots) do
@@ -171,11 +174,11 @@ for _, part in ipairs { of_curve("ms", "error against time"), of_curve("rays", "
 end
 local function also(text, holds, known) expect[#expect + 1] = { text, holds, known = known } end
 
-also("in no single scene does a point of another pipeline lie below the curve of selective, error against time", function(r)
+also("in no single scene does a point of another pipeline lie below the curve of selective (error against time)", function(r)
   local good, texts = scene_by_scene(r, "ms")
   return good == #shots, ("in %d of %d; %s"):format(good, #shots, table.concat(texts, "; "))
 end, "in some scenes layers at the raster time contain all visible surfaces, and have a smaller error for the same time")
-also("the first setting, an effort of 0, is on the front, apart from the post-process that it equals", function(r)
+also("the first setting, an effort of 0, is on the front if the post-process that it equals is not counted", function(r)
   local curve, list = fronts(r, "ms")
   local names = {}
   for _, one in ipairs(list) do
@@ -185,22 +188,22 @@ also("the first setting, an effort of 0, is on the front, apart from the post-pr
   end
   return #names == 0, table.concat(names, ", ")
 end)
-also("an effort of 0 equals UE4-style: the same error in every scene, in at most 1.05 times the time of McGuire 2012",
-  function(r)
+also("an effort of 0 equals UE4-style: it has the same error in every scene, and takes at most 1.05 times the time of " ..
+  "McGuire 2012", function(r)
   local same, cost = true, over_all(r, own[1], "ms")
   for _, one in ipairs(shots) do
     same = same and r.at { shot = one.name, arm = own[1] }.rmse == r.at { shot = one.name, arm = postprocess }.rmse
   end
   return same and cost <= 1.05, ("%.3f times the time"):format(cost)
 end)
-also("an effort of 0.8 equals truth: the error of ground truth with 64 samples in every scene", function(r)
+also("an effort of 0.8 equals truth: it has the error of ground truth with 64 samples in every scene", function(r)
   local same = true
   for _, one in ipairs(shots) do
     same = same and r.at { shot = one.name, arm = own[#own] }.rmse == r.at { shot = one.name, arm = exact }.rmse
   end
   return same, ("%d scenes"):format(#shots)
 end)
-also("over all scenes each step of effort takes more time and has a smaller error", function(r)
+also("over all scenes, each increase of effort takes more time and has a smaller error", function(r)
   local curve, good, texts = fronts(r, "ms"), true, {}
   for i = 2, #curve do
     good = good and curve[i].cost > curve[i - 1].cost and curve[i].error < curve[i - 1].error
@@ -211,12 +214,12 @@ end)
 
 return experiment {
   title    = "Selective",
-  question = "The pipeline selective gathers in cells where a gather is certain and traces all other pixels; one parameter, " ..
-             "effort, leads from a post-process blur to truth. Is it the front of error against time?",
-  note     = "All scenes of the repository except the exhibits, with the same displacements as shares of the picture as " ..
-             "at their own sizes. Errors and times are ratios to McGuire 2012 in the same scene; over all scenes, " ..
-             "geometric means. Between two settings the curve is linear in logarithms. Points that cost less than its " ..
-             "first setting are not compared with it. Pairs are (cost, error).",
+  question = "The pipeline selective gathers in cells where a gather is certain, and traces all other pixels. Its parameter " ..
+             "effort leads from a post-process blur to truth. Do its settings form the front of error against time?",
+  note     = "The shots are all scenes of the repository except the exhibits. Their displacements are the same shares of " ..
+             "the picture as at the scenes' own sizes. Errors and times are ratios to McGuire 2012 in the same scene. Over " ..
+             "all scenes they are geometric means. The curve of selective connects its settings linearly in logarithms. " ..
+             "Points that cost less than its first setting are not compared with it. Pairs are (cost, error).",
   size     = { width, height },
   shots    = shots,
   arms     = arms,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Error of frozen shading: all methods except truth have light, shadows and highlights of the raster time.
+-- Measures the error of frozen shading: all methods except truth use the light, shadows and highlights of the raster time.
 --   strobe sweep experiments/shading_under_motion/shading_under_motion.lua -o out/shading_under_motion
 local experiment = require "strobe.experiment"
 
@@ -18,7 +18,8 @@ local function share(r, shot, arm, region)
   return 1 - frozen * frozen / (full * full)
 end
 
--- Expects the share of frozen shading in an arm's squared error to be between `least` and `most`, in all `shots`.
+-- Returns the expectation that the share of frozen shading in an arm's squared error is between `least` and `most`, in all
+-- `shots`.
 local function of_shading(arm, shots, least, most, text)
   return { text, function(r)
     local low, high, where_low, where_high = math.huge, -math.huge, "", ""
@@ -34,19 +35,19 @@ end
 return experiment {
   title    = "Shading under motion",
   question = "How much of the methods' error is frozen shading?",
-  note     = "`RMSE` is against truth with the shading of the raster time (frozen), `RMSE, full` against truth with " ..
-             "moving light, shadows and highlights. The row of truth has the difference of the two. Surfaces reflect " ..
-             "only the sky, so reflections of objects are not measured.",
+  note     = "`RMSE` is against truth with the shading of the raster time (frozen). `RMSE, full` is against truth with " ..
+             "moving light, shadows and highlights. The row of truth has the RMS difference of the two truths. Surfaces " ..
+             "reflect only the sky, so reflections of objects are not measured.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "lamp", title = "A lamp passes objects at rest", scene = "objects/lamp",
-      note = "No visible surface moves: frozen truth and every method give the rasterised image." },
+      note = "No visible surface moves, so frozen truth and every method give the rasterised image." },
     { name = "shadow", title = "The shadow of a moving ball", scene = "objects/shadow",
       note = "The ball is blurred, its shadow is not." },
     { name = "gloss", title = "A glazed vase turns", scene = "objects/gloss",
-      note = "Shading moves with the surface: highlights that are at rest are blurred, and each side keeps the light of its " ..
-             "direction at the raster time." },
+      note = "Frozen shading moves with the surface. So highlights that are at rest are blurred, and each side of the vase " ..
+             "keeps the light of its direction at the raster time." },
     { name = "telescope", title = "A telescope turns to the camera", scene = "objects/telescope" },
     { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 26,
       note = "The vase slides. Truth with full shading moves its shadow on the table and the highlights on its glaze." },
@@ -66,7 +67,7 @@ return experiment {
   regions  = { "whole", "inner", "outer", "moving" },
   measures = { "rmse", "rmse_full", "flip" },
   expect   = {
-    { "the passing lamp is frozen entirely: all methods give one picture, and at least 0.98 of its squared error against " ..
+    { "if a lamp passes objects at rest, all methods give the same picture, and at least 0.98 of its squared error against " ..
       "full truth is frozen shading", shot = "lamp", function(r)
         local same, least = true, 1
         for _, arm in ipairs { none, mcguire, ue4, best } do
@@ -84,7 +85,7 @@ return experiment {
       "at most a twentieth of McGuire's squared error is frozen shading"),
     of_shading(best, { "telescope", "vase", "car" }, 0.25, 1,
       "found afterwards: if objects move in constant light, at least a quarter of the hybrid's squared error is frozen " ..
-      "shading: with correct visibility the error of light remains"),
+      "shading, because its visibility is correct and only the error of the light remains"),
     { "found afterwards: for the glazed vase that turns, the sharp picture has a smaller error than exact blur with " ..
       "frozen light",
       shot = "gloss", function(r)

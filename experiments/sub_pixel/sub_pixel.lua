@@ -1,12 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Errors under slow motion and with many samples, where steps at silhouettes and textures smoothed by a layer's pixels remain.
+-- Measures errors under slow motion and with many samples. The remaining errors there are steps at silhouettes, and textures
+-- that are smoothed by the pixels of a layer.
 --   strobe sweep experiments/sub_pixel/sub_pixel.lua -o out/sub_pixel
 local experiment = require "strobe.experiment"
 
 local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
 local best, floor = "hybrid (best)", "truth, as many samples"
 
--- Largest and least ratio of two arms' errors over all speeds and numbers of samples, each with its point.
+-- Returns the largest and the least ratio of the errors of `arm` and `other` over all speeds and numbers of samples. The name
+-- of its point follows each ratio.
 local function ratios(r, arm, other)
   local most, least, most_at, least_at = 0, math.huge, "", ""
   for _, speed in ipairs(speeds) do
@@ -25,8 +27,8 @@ local function arm(name, pipeline, set) return { name = name, pipeline = pipelin
 return experiment {
   title    = "Sub-pixel motion",
   question = "Is the hybrid as accurate as truth with as many samples, also under motion by less than a pixel?",
-  note     = "A panel of cells passes a wall of cells along a line at 17 degrees to the rows of pixels. Pictures go through " ..
-             "pixel centres. Speeds are px over the exposure.",
+  note     = "A panel of cells passes a wall of cells along a line at 17 degrees to the rows of pixels. All methods sample " ..
+             "the centres of pixels. Speeds are px over the exposure.",
   size     = { 240, 136 },
   shots    = { { name = "passage", title = "A panel passes a wall", scene = "stability/passage", ["scene.angle"] = 17 } },
   arms     = {
@@ -49,7 +51,7 @@ return experiment {
       return most <= 1.3, ("at most %.2f times the error (%s)"):format(most, where)
     end },
     { "found afterwards: from 4 samples on hybrid (best) needs at most a tenth of the rays of truth with as many samples",
-      known = "truth has come to need fewer rays: it traces moving objects only where they are at the time of the sample",
+      known = "truth now needs fewer rays than then: it traces moving objects only where they are at the time of the sample",
         function(r)
       local most, where = 0, ""
       for _, speed in ipairs(speeds) do

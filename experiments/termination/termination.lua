@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Compares the terminations of a ray, which decide that a hit belongs to the background: luminance (as published), geometry
--- (proposed by the paper), instance and motion.
+-- Compares the rules that end a ray at the first hit on the background. The rules compare luminance (as published), geometry
+-- (proposed by the paper), instance or motion.
 local experiment = require "strobe.experiment"
 
 -- Reasons of failed expectations.
-local turns = "termination by motion treats an instance as one object: it compares motions only between instances"
+local turns = "termination by motion treats each instance as one object: it compares the motions of different instances only"
 
 local ways = { "luminance", "geometry", "instance", "motion" }
 
@@ -12,19 +12,19 @@ local function error_of(r, shot, arm, region)
   return r.at { shot = shot, arm = arm, region = region or "inner" }.rmse
 end
 
--- Expects the error of `arm` to be at least `factor` times the error of `other`.
+-- Returns the expectation that the error of `arm` is at least `factor` times the error of `other`.
 local function worse(shot, arm, other, factor, text, region, known)
   return { text, shot = shot, known = known, function(r)
     local a, b = error_of(r, shot, arm, region), error_of(r, shot, other, region)
-    return a >= factor * b, ("RMSE %.4f under %s, %.4f under %s, %.1f times"):format(a, arm, b, other, a / b)
+    return a >= factor * b, ("RMSE %.4f with %s, %.4f with %s, %.1f times"):format(a, arm, b, other, a / b)
   end }
 end
 
--- Expects the errors of two arms to be within a tenth of each other.
+-- Returns the expectation that the errors of two arms are within a tenth of each other.
 local function alike(shot, arm, other, text, known)
   return { text, shot = shot, known = known, function(r)
     local a, b = error_of(r, shot, arm), error_of(r, shot, other)
-    return a <= 1.1 * b and b <= 1.1 * a, ("RMSE %.4f under %s, %.4f under %s"):format(a, arm, b, other)
+    return a <= 1.1 * b and b <= 1.1 * a, ("RMSE %.4f with %s, %.4f with %s"):format(a, arm, b, other)
   end }
 end
 
@@ -44,11 +44,12 @@ end
 
 return experiment {
   title    = "Termination of rays",
-  question = "When does termination by GeometryIndex, proposed by the paper, gain over termination by luminance?",
-  note     = "All arms are hybrid_layered with the mask moving: a ray behind every moving surface. They differ in the " ..
-             "rule that ends the ray. Rays advance from hit to hit, up to 8 hits; under \"instance, one ray\" one " ..
-             "traversal ignores the instance in front. If no hit ends the ray, the pixel is blurred as without rays. " ..
-             "Times are ratios to no rays.",
+  question = "A revealing ray ends at the first hit that counts as background. When does a test of the GeometryIndex, " ..
+             "proposed by the paper, have a smaller error than the published test of luminance?",
+  note     = "All arms except \"no rays\" are hybrid_layered with the mask moving, which traces a ray behind every moving " ..
+             "surface. They differ in the rule that ends the ray. Rays advance from hit to hit, up to 8 hits. In the arm " ..
+             "\"instance, one ray\" a single traversal ignores the instance in front. If no hit ends the ray, the pixel is " ..
+             "blurred as without rays. Times are ratios to the arm \"no rays\".",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -56,13 +57,13 @@ return experiment {
       note = "A hollow glazed vase with twigs in it slides past a striped cushion." },
     panels("plain", "One colour", "plain", "varied", "A closed box of one colour moves before cells of other luminances."),
     panels("equal", "Equal luminance behind", "plain", "alike",
-           "The box moves before cells of its own luminance, which are before a wall."),
+           "The box moves before cells of the box's luminance. Behind the cells is a wall."),
     panels("textured", "Textured front", "textured", "varied", "The box is checkered in two luminances."),
     panels("parts", "Two parts", "parts", "varied", "One object of two parts with different luminance: a box in a box."),
     panels("alike", "Two parts alike", "alike", "varied", "One object of two parts with equal luminance: a box in a box."),
     panels("nodes", "Two objects as one", "nodes", "varied", "A box in a box, as two objects that move together."),
-    panels("posts", "Covers itself", "posts", "varied", "A turning ring of posts is one object. Its far side moves " ..
-           "against its near side."),
+    panels("posts", "Covers itself", "posts", "varied", "A turning ring of posts is one object. Its far side and " ..
+           "its near side move in opposite directions."),
   },
   arms     = arms,
   truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
@@ -72,26 +73,28 @@ return experiment {
   measures = { "rmse", "flip", "ms_ratio", "pixels" },
   expect   = {
     alike("plain", "luminance", "geometry",
-          "for a box of one colour before a background of another luminance, luminance suffices: errors within a tenth of " ..
-            "geometry"),
+          "for a box of one colour before a background of another luminance, luminance suffices: its error and the error " ..
+            "with geometry are within a tenth of each other"),
     worse("equal", "luminance", "geometry", 3,
-          "before a background of equal luminance the error under luminance is at least 3 times the error under geometry"),
+          "before a background of equal luminance the error with luminance is at least 3 times the error with geometry"),
     worse("textured", "luminance", "geometry", 3,
-          "with a textured foreground the error under luminance is at least 3 times the error under geometry"),
+          "if the foreground is textured, the error with luminance is at least 3 times the error with geometry"),
     worse("vase", "luminance", "geometry", 3,
-          "the vase's far wall has other lighting: the error under luminance is at least 3 times the error under geometry"),
-    alike("vase", "geometry", "instance", "for the vase geometry suffices: errors within a tenth of instance",
-          "twigs and leaves in and behind the vase are separate geometries, at which rays end"),
+          "the vase's far wall is lit differently from its near wall, so the error with luminance is at least 3 times the " ..
+            "error with geometry"),
+    alike("vase", "geometry", "instance",
+          "for the vase geometry suffices: its error and the error with instance are within a tenth of each other",
+          "twigs and leaves in and behind the vase are separate geometries, so rays end at them"),
     worse("parts", "geometry", "instance", 3,
-          "an object of two parts needs the instance: the error under geometry is at least 3 times as large"),
+          "an object of two parts needs instance: the error with geometry is at least 3 times the error with instance"),
     worse("alike", "geometry", "luminance", 3,
-          "geometry is worse than luminance if the parts of an object are equally bright: at least 3 times the error"),
+          "if the parts of an object are equally bright, the error with geometry is at least 3 times the error with luminance"),
     worse("nodes", "instance", "motion", 3,
-          "two objects that move as one need motion: the error under instance is at least 3 times as large"),
+          "two objects that move as one need motion: the error with instance is at least 3 times the error with motion"),
     worse("posts", "instance", "motion", 1.25,
-          "an object that covers itself needs motion: in hidden the error under instance is at least 1.25 times as large",
-          "hidden", turns),
-    { "the error under motion in hidden is at most 1.1 times the smallest error of the others, in every shot",
+          "an object that covers itself needs motion: in the region hidden the error with instance is at least 1.25 times " ..
+            "the error with motion", "hidden", turns),
+    { "in the region hidden of every shot the error with motion is at most 1.1 times the smallest error of the other rules",
       known = turns, function(r)
       local most, where = 0, ""
       for _, shot in ipairs { "vase", "plain", "equal", "textured", "parts", "alike", "nodes", "posts" } do
@@ -104,8 +107,8 @@ return experiment {
       end
       return most <= 1.1, ("at most %.2f times, in the shot %s"):format(most, where)
     end },
-    { "geometry gains for a textured or hollow foreground and a background of equal luminance, and loses for an object of " ..
-      "parts",
+    { "geometry has a smaller error than luminance for a textured or hollow foreground and for a background of equal " ..
+      "luminance, and a larger error for an object of parts",
       function(r)
         local gains, losses = {}, {}
         for _, shot in ipairs { "vase", "plain", "equal", "textured", "parts", "alike", "nodes" } do
@@ -113,13 +116,14 @@ return experiment {
           if ratio >= 1.5 then gains[#gains + 1] = ("%s %.1f"):format(shot, ratio) end
           if ratio <= 1 / 1.5 then losses[#losses + 1] = ("%s %.2f"):format(shot, ratio) end
         end
-        return #gains == 3 and #losses == 1, ("error under luminance over error under geometry: gains %s; losses %s"):format(
+        return #gains == 3 and #losses == 1, ("error with luminance over error with geometry: gains %s; losses %s"):format(
           table.concat(gains, ", "), #losses > 0 and table.concat(losses, ", ") or "none")
       end },
     worse("vase", "instance", "instance, one ray", 1.5,
-          "found afterwards: rays through vase and twigs reach the cap of 8 hits, which one traversal does not have: at " ..
-          "least 1.5 times the error"),
-    { "one traversal that ignores the instance takes at most 1.02 times the time of an advance from hit to hit", function(r)
+          "found afterwards: rays that advance through vase and twigs end at the limit of 8 hits, and have at least 1.5 " ..
+          "times the error of a single traversal, which has no limit"),
+    { "a single traversal that ignores the instance takes at most 1.02 times the time of an advance from hit to hit",
+      function(r)
       local one, many = r.at { arm = "instance, one ray" }.ms_ratio, r.at { arm = "instance" }.ms_ratio
       return one <= 1.02 * many, ("%.2f and %.2f times the time without rays, over all shots"):format(one, many)
     end },

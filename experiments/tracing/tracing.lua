@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Compares the backends that trace rays by frame time and error.
+-- Compares the frame times and the errors of the ray tracing backends.
 local experiment = require "strobe.experiment"
 
 local list = experiment.list
@@ -12,12 +12,12 @@ local function at(r, shot, arm, wanted)
   return r.at(key)
 end
 
--- Time with the runtime's own tree over the time with ray queries.
+-- Frame time with the runtime's own tree, divided by the frame time with ray queries.
 local function share(r, shot, arm)
   return at(r, shot, arm, { backend = "bvh" }).ms_ratio / at(r, shot, arm, { backend = "query" }).ms_ratio
 end
 
--- Largest relative difference of the errors by backend.
+-- Largest relative difference between an error with ray queries and with another backend. `groups`: lists of arms.
 local function most_apart(r, groups)
   local most = 0
   for _, shot in ipairs { "room", "cells" } do
@@ -34,8 +34,8 @@ local function most_apart(r, groups)
 end
 
 -- Reasons of failed expectations.
-local borders = "of truth's tens of millions of rays some pass the border of a triangle within rounding, and backends " ..
-                "place them on different sides; the pictures of methods are equal bit for bit"
+local borders = "some of truth's tens of millions of rays pass so close to the border of a triangle that rounding decides " ..
+                "the hit, and backends round differently. The pictures of methods are equal bit for bit"
 
 return experiment {
   title    = "Rays: backends",
@@ -67,13 +67,13 @@ return experiment {
       local most = most_apart(r, { blurred, truths })
       return most == 0, ("relative difference of up to %.1e"):format(most)
     end },
-    { "found afterwards: between backends errors of methods differ by at most 1 in 50,000, errors of truth by at most 1 " ..
-      "in 500", function(r)
+    { "found afterwards: between backends, the errors of methods differ by at most a fifty-thousandth and the errors of " ..
+      "truth by at most a five-hundredth", function(r)
       local methods, means = most_apart(r, { blurred }), most_apart(r, { truths })
       return methods <= 2e-5 and means <= 2e-3, ("%.1e and %.1e"):format(methods, means)
     end },
-    { "if rays take most of a frame, no method takes longer with the runtime's own tree than with ray queries", shot = "room",
-      function(r)
+    { "where rays take most of a frame, no method takes longer with the runtime's own tree than with ray queries",
+      shot = "room", function(r)
       local most = 0
       for _, arm in ipairs(blurred) do most = math.max(most, share(r, "room", arm)) end
       return most <= 1, ("at most %.2f of the time with ray queries"):format(most)

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Time of truth through whole pixels for a given error, with every ray traced and with rays skipped if their result is known.
+-- Measures the time that truth needs for a given error, if it traces every ray and if it skips rays with a known result. The
+-- samples cover whole pixels.
 --   strobe sweep experiments/truth/truth.lua -o out/truth
 local experiment = require "strobe.experiment"
 
@@ -17,8 +18,8 @@ end
 
 local function at(r, shot, name, samples) return r.at { shot = shot.name, arm = name, samples = samples } end
 
--- Time of an arm with `samples`, as a share of the time that the arm `of` needs for the same error: interpolated and
--- extrapolated linearly in logarithms between the points of `of`.
+-- Time of an arm with `samples` samples, divided by the time that the arm `of` needs for the same error. The time of `of` is
+-- interpolated or extrapolated between its points, linearly in logarithms.
 local function share(r, shot, name, samples, of)
   local own, k = at(r, shot, name, samples), 1
   while k < #counts - 1 and at(r, shot, of, counts[k + 1]).rmse > own.rmse do k = k + 1 end
@@ -30,8 +31,8 @@ end
 return experiment {
   title    = "Cost of truth",
   question = "How much of the time for a given error does truth save by skipping rays with a known result?",
-  note     = "Samples cover the whole pixel. Times are ratios to every ray with 8 samples in the same shot. The reference " ..
-             "has noise too, which adds to all errors equally.",
+  note     = "Samples cover the whole pixel. Times are ratios to the arm \"every ray\" with 8 samples in the same shot. The " ..
+             "reference has noise too, which adds to all errors equally.",
   size     = { 320, 180 },
   shots    = shots,
   arms     = { arm(brute, "brute"), arm(spared, "rays") },
@@ -51,15 +52,15 @@ return experiment {
       end
       return most <= 0.02, ("at most %.2f %%"):format(100 * most)
     end },
-    { "in a lit room before a camera at rest, skipping rays takes at most 0.8 times the time for the same error, from 64 " ..
-      "samples on", function(r)
+    { "in a lit room before a camera at rest, truth that skips rays takes at most 0.8 times the time of truth with every " ..
+      "ray for the same error, from 64 samples on", function(r)
       local most = 0
       for _, samples in ipairs(counts) do
         if samples >= 64 then most = math.max(most, share(r, shots[2], spared, samples, brute)) end
       end
       return most <= 0.8, ("at most %.2f"):format(most)
     end },
-    { "twice the samples leave less than 0.71 of the error, the share of independent samples", function(r)
+    { "twice as many samples leave less than 0.71 of the error, which is the share that independent samples leave", function(r)
       local most = 0
       for _, shot in ipairs(shots) do
         for i = 2, #counts do

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- One time sample of the moving surfaces, added to the mean of earlier samples. Haeberli and Akeley 1990, "The Accumulation
--- Buffer"; reuse of shading for several times: Ragan-Kelley et al. 2011, "Decoupled Sampling".
+-- Buffer"; shading reused for several times: Ragan-Kelley et al. 2011, "Decoupled Sampling".
 local pass  = require "strobe.pass"
 local raster_color = require "passes.lib.raster_color"
 local shade = require "passes.gbuffer.shade"
@@ -16,14 +16,14 @@ return pass.trace {
     depth             = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
     id                = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
     static_background = {
-      doc = "static background behind moving surfaces; alpha: linear view depth, metres, 0 where the raster layer " ..
-                     "is static; rgb is not read" },
+      doc = "alpha: linear view depth of the static background behind a moving surface, metres; 0 where the raster " ..
+                     "layer is static. The colour channels are not read" },
   },
   updates = { moving = { format = "rgba32f",
-    doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples" } },
+    doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples in this mean" } },
   params = {
     reused        = pass.bool { true,
-      doc = "reuse colours of the raster layer where it shows the surface; off: shade every sample" },
+      doc = "reuse the raster layer's colour where this layer shows the surface; off: shade every sample" },
     shades_contrast = raster_color.shades_contrast,
     contrast        = raster_color.contrast,
     detail_below    = raster_color.detail_below,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Mean over time samples: moving surfaces where visible, the static background in all other samples.
+-- Mean over time samples. A sample shows a moving surface if one is visible, otherwise the static background.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
@@ -7,7 +7,7 @@ return pass.compute {
   doc    = "Mean over time samples of the visible moving surfaces, with the static background in all other samples",
   size   = { of = "moving" },
   reads  = {
-    moving            = { doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples" },
+    moving            = { doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples in this mean" },
     static_background = {
       doc = "static background behind moving surfaces, linear radiance; alpha 0 where the raster layer is static" },
     color             = { doc = "colour of the raster layer, linear radiance" },

@@ -5,20 +5,20 @@ local shade = require "passes.gbuffer.shade"
 
 return pass.trace {
   doc    = "Static background behind each moving surface of the raster layer, for a static camera",
-  fails  = "The static background is shaded as at the raster time, with the shadows of that time. A static surface in the " ..
-           "same place as a moving surface behind the first one is not found.",
+  fails  = "The static background is shaded as at the raster time, with the shadows of that time. A static surface " ..
+           "that coincides with a second moving surface, behind the visible one, is not found.",
   size   = { of = "hit" },
   reads  = {
     hit = { uint = true, doc = "surface of the raster layer: instance + 1 (0 for the sky), geometry, primitive" },
   },
   writes = {
     static_background = { format = "rgba32f", cleared = true,
-      doc = "colour of the static background, linear radiance; alpha: linear view depth, metres, +inf without a surface; 0 " ..
+      doc = "colour of the static background, linear radiance. Alpha: linear view depth, metres; +inf for the sky, 0 " ..
             "where the raster layer is static" },
   },
   if_no = { motion = { static_background = 0 }, moving_rect = { static_background = 0 } },
   counters = {
-    rays       = "pixels of moving surfaces, each with a ray to the static background",
+    rays       = "pixels with a moving surface; each has a ray to the static background",
     not_finite = shade.counters.not_finite,
   },
 }

@@ -6,14 +6,14 @@ local max_displacement = require "passes.lib.max_displacement"
 
 return pass.compute {
   doc    = "Cells that a moving surface passes over within the exposure, and cells that a revealed surface passes over",
-  fails  = "Conservative; may mark extra cells around a cell with several motions.",
+  fails  = "The marks are conservative: extra cells around a cell with several motions may be marked.",
   size   = { of = "bounds" },
   reads  = {
     bounds            = { doc = "bounds of the displacements in each cell, px over the exposure" },
     background_bounds = { doc = "bounds of the displacements of the revealed surfaces in each cell, px over the exposure" },
     dominant          = { doc = "longest displacement that reaches each tile, px over the exposure" },
     second         = { absent = "dominant",
-      doc = "displacement around each tile that differs most from the dominant one, px over the exposure" },
+      doc = "displacement around each tile that differs most from the dominant displacement, px over the exposure" },
     second_post   = { absent = "dominant_post",
       doc = "displacement around each tile that differs most from `dominant_post`, px over the exposure" },
     dominant_post = { absent = "dominant",
@@ -29,10 +29,11 @@ return pass.compute {
   },
   writes = {
     moved  = { cleared = true, format = "r8_unorm",
-      doc = "1 if a moving surface is in the cell at some time, 0 if all is static" },
-    background = { cleared = true, format = "r8_unorm", doc = "1 if a revealed surface is in the cell at some time" },
+      doc = "1 if a moving surface is in the cell at some time of the exposure, otherwise 0" },
+    background = { cleared = true, format = "r8_unorm",
+      doc = "1 if a revealed surface is in the cell at some time of the exposure, otherwise 0" },
     unlisted = { cleared = true, format = "r8_unorm",
-      doc = "1 if a surface with a motion outside the candidates reaches the cell" },
+      doc = "1 if a surface reaches the cell by a displacement that differs from all candidate displacements, otherwise 0" },
   },
   params = {
     cell_side = blur.cell_side,
@@ -40,6 +41,6 @@ return pass.compute {
     limit     = blur.limit,
     slowest   = pass.float { 0.5, min = 0, max = 100, unit = "px",
       doc = "largest displacement, before or after the raster time, that counts as static" },
-    samples   = blur.samples { doc = "number of time samples; fewer samples widen the marked cells" },
+    samples   = blur.samples { doc = "number of time samples of the filter; with fewer samples, more cells are marked" },
   },
 }

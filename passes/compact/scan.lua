@@ -4,11 +4,11 @@ local pass = require "strobe.pass"
 
 return pass.compute {
   doc    = "Prefix sums of the numbers of masked pixels per square, along each row of squares, and the sum of each row",
-  fails  = "Never: sums of integers are exact.",
+  fails  = "Does not fail: sums of integers are exact.",
   size   = { of = "bits" },
   reads  = { bits = { uint = true, doc = "mask of each square of 8 x 8 pixels, one bit per pixel" } },
   writes = {
-    before = { format = "r32ui", doc = "number of listed pixels in the row of squares before the square" },
-    totals = { format = "buffer32ui", doc = "number of listed pixels in each row of squares" },
+    before = { format = "r32ui", doc = "number of masked pixels in earlier squares of the same row" },
+    totals = { format = "buffer32ui", doc = "number of masked pixels in each row of squares" },
   },
 }

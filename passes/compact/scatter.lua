@@ -4,13 +4,13 @@ local pass = require "strobe.pass"
 
 return pass.compute {
   doc    = "List of the masked pixels, square by square, in a fixed order",
-  fails  = "Never: every masked pixel is listed once.",
+  fails  = "Does not fail: every masked pixel is listed once.",
   size   = { of = "bits" },
   reads  = {
     bits   = { uint = true, doc = "mask of each square of 8 x 8 pixels, one bit per pixel" },
-    before = { uint = true, doc = "number of listed pixels in the row of squares before the square" },
-    totals = { buffer = true, doc = "number of listed pixels in each row of squares" },
+    before = { uint = true, doc = "number of masked pixels in earlier squares of the same row" },
+    totals = { buffer = true, doc = "number of masked pixels in each row of squares" },
   },
   writes = { list = { format = "buffer32ui", each = 64,
-    doc = "listed pixels, their number and the number of workgroups to dispatch" } },
+    doc = "masked pixels, their number, and the number of work groups to dispatch" } },
 }

@@ -5,7 +5,7 @@ local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   doc    = "Thin edges: strong ridges of the smoothed gradient, and weak ridges connected to strong ones",
-  fails  = "Edges are one pixel wide, so a range check with steps of more than a pixel misses them. A weak part of " ..
+  fails  = "Edges are one pixel wide: the pass `range_check` misses them with steps of more than a pixel. A weak part of " ..
            "an edge is kept only up to `reach` pixels along x or y from a strong part. Edges closer together than " ..
            "about 3 px merge. Planes at grazing angles can have ridges.",
   size   = { of = "ridge" },

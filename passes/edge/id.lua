@@ -5,8 +5,8 @@ local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   doc    = "Pixels beside a farther pixel of another instance",
-  fails  = "Misses self-occlusion of one instance. Marks the contact where static parts touch or intersect, which " ..
-           "costs rays without an error.",
+  fails  = "Misses self-occlusion of one instance. Also marks lines where static parts touch or intersect: the " ..
+           "rays there cost time, but cause no error.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "id"),
   writes = { edge = edge_ports.edge },

@@ -5,8 +5,8 @@ local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   doc    = "Edges where the second difference of inverse depth or of the normal is large",
-  fails  = "Responds on both sides of a step, and to noise more than gradients do. The step is measured in 1/z as " ..
-           "1 - near / far, which is smaller than the depth step of the gradients where the gap is large.",
+  fails  = "Responds on both sides of a step, and to noise more than gradients do. A depth step is measured " ..
+           "as 1 - nearer depth / farther depth, which for large gaps is smaller than the step that gradients measure.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
@@ -14,10 +14,10 @@ return pass.compute {
   params = edge_ports.steps {
     kernel = pass.choice { "four", "eight", "log", default = "four", doc = "kernel of the second difference",
       values = {
-        four  = "The four neighbours. Fails to be isotropic: the response to a diagonal step is twice the response along " ..
-                "an axis.",
+        four  = "The four neighbours. Fails for diagonals: the response to a diagonal step is twice the response to a step " ..
+                "along an axis.",
         eight = "All eight neighbours with equal weights. Responses to diagonal and axis-aligned steps are equal. Fails " ..
-                "with noise as four does.",
+                "with noise as `four` does.",
         log   = "Laplacian of a Gaussian with a standard deviation of 1 px. Fails by merging edges closer than about 3 px; " ..
                 "edges are four pixels wide.",
       } },

@@ -5,7 +5,7 @@ local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   doc    = "Edges from gradients of depth and normal, with the weights whose response depends least on direction",
-  fails  = "Marks planes at grazing angles and curved surfaces, as sobel does. The response is isotropic only for " ..
+  fails  = "Marks planes at grazing angles and curved surfaces, as `sobel` does. The response is isotropic only for " ..
            "smooth changes: it is 15 % larger for a hard step along a diagonal than for one along an axis.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),

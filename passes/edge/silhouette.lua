@@ -4,7 +4,7 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  doc    = "Pixels beside a farther pixel of another instance that is off their own plane",
+  doc    = "Pixels beside a farther pixel of another instance, if the farther pixel is off the plane of the nearer surface",
   fails  = "Misses self-occlusion of one instance, and background in the same plane. An object that rests on another " ..
            "has no silhouette at the contact, which is right only while neither moves.",
   size   = { of = "depth" },
@@ -13,7 +13,7 @@ return pass.compute {
   if_no = edge_ports.nowhere,
   scene  = true,
   params = {
-    depth_threshold = edge_ports.depth_threshold(0.02, "smallest distance of an edge from the plane, divided by the depth"),
+    depth_threshold = edge_ports.depth_threshold(0.02, "smallest distance from the plane at an edge, divided by the depth"),
     measure         = edge_ports.measure(),
   },
 }

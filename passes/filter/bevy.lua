@@ -6,27 +6,28 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
 return pass.compute {
-  doc    = "Blur of each pixel along its own displacement; nearer taps count if they move at least as far as their distance",
+  doc    = "Blur of each pixel along its own displacement; a nearer tap counts if its surface moves at least as far as the " ..
+    "tap is away",
   fails  = "Nothing blurs beyond its silhouette: a static pixel stays unchanged even if a surface passes over it. Inside a "
     .. "silhouette, the background is copied from outside. Nearer surfaces that move along the same line count even if they "
-    .. "move away from the pixel, since the sign of the motion is ignored.",
+    .. "move away from the pixel, because the sign of the motion is ignored.",
   size   = { of = "color" },
   reads  = ports.of { "color", "depth", "velocity" },
   writes = ports.picture,
   if_no = ports.no_motion,
   params = {
-    samples      = blur.samples { doc = "number of taps along the displacement" },
+    samples      = blur.samples { doc = "number of taps along the pixel's own displacement" },
     limit        = blur.limit,
     copy_below   = pass.float { 1, min = 0, max = 16, unit = "px",
-      doc = "smallest displacement over the exposure that is blurred; displacements of up to half a pixel to one side " ..
-            "never are" },
+      doc = "smallest displacement over the exposure that is blurred. Displacements of at most half a pixel before and " ..
+            "after the raster time are never blurred" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },
   counters = {
     clamped = {
-      doc   = "pixels that move farther than the limit",
-      limit = "each displacement was shortened to the limit, so that the blur is too short; ground truth has no limit. " ..
+      doc   = "pixels that move farther than the limit of displacements",
+      limit = "each such displacement was shortened, so that the blur is too short; ground truth has no limit. " ..
               "Raise `limit`, or shorten the exposure",
     },
     copied = "pixels copied because they do not move",

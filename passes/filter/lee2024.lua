@@ -8,25 +8,26 @@ local jitter = require "passes.lib.jitter"
 local more = {
   id = { uint = true, doc = "instance + 1, geometry + 1; 0 for the sky" },
   dominant      = { optional = true,
-    doc = "longest displacement per tile of the first two layers, px over the exposure; absent: only the pixel's own are " ..
-          "searched" },
+    doc = "longest displacement per tile of the first two layers, px over the exposure; absent: only the pixel's own " ..
+          "displacements are searched" },
   deep_dominant = { optional = true,
-    doc = "longest displacement per tile of the third and fourth layer, px over the exposure; absent: not searched" },
+    doc = "longest displacement per tile of the third and fourth layer, px over the exposure; absent: these " ..
+          "displacements are not searched" },
 }
 for number = 2, 4 do
   local layer = ("layer_%d_"):format(number)
   more[layer .. "color"]    = { absent = 0, doc = "colour of a layer behind, linear radiance" }
   more[layer .. "depth"]    = { absent = 0,
-    doc = "linear view depth of a layer behind, metres; +inf for the sky; without it there is no such layer" }
+    doc = "linear view depth of a layer behind, metres; +inf for the sky. A layer without this image is not searched" }
   more[layer .. "velocity"] = { absent = 0, doc = "displacement of a layer behind, px over the exposure" }
 end
 
 return pass.compute {
-  doc    = "For each time sample, the nearest texel of all layers that moves by the displacement that leads to it",
-  fails  = "Surfaces in no layer are missing: surfaces that enter, have left or face away, and surfaces behind more layers "
-    .. "than there are. The background shows through where the missing surface is the nearest. Only the pixel's own "
-    .. "displacements and the longest of its tile are searched; surfaces with other displacements are missed. Motion that "
-    .. "varies over a surface by more than `agreement` is not found.",
+  doc    = "For each time sample, the nearest texel, of all layers, that moves by the searched displacement",
+  fails  = "Surfaces in no layer are missing: surfaces that enter or have left the image, that face away, or that lie behind "
+    .. "the last layer. The background shows through where the missing surface is the nearest. Only the pixel's own "
+    .. "displacements and the longest displacements of its tile are searched: surfaces with other displacements are missed. "
+    .. "Surfaces whose displacement varies by more than `agreement` are missed too.",
   breaks = {
     mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
   },
@@ -39,7 +40,7 @@ return pass.compute {
     tile         = blur.tile,
     limit        = blur.limit,
     agreement    = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "largest difference between the displacement of a texel and the displacement that leads to it" },
+      doc = "largest difference between the displacement of a texel and the searched displacement that leads to the texel" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },
@@ -47,7 +48,7 @@ return pass.compute {
     missed = "time samples that no layer resolves; the mean omits them",
     varied = {
       doc   = "time samples that skip the visible surface because its displacement varies from texel to texel",
-      limit = "a surface behind it was used instead: it shows through. Raise `agreement`, or shorten the exposure",
+      limit = "a surface behind the visible one was used instead: it shows through. Raise `agreement`, or shorten the exposure",
     },
   },
 }

@@ -4,7 +4,8 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Variance of luminance along the dominant displacement; 0 where no pixel along it hit a moving surface",
+  doc    = "Variance of luminance along the dominant displacement; 0 where no pixel along this displacement hits a moving " ..
+    "surface",
   fails  = "A texture that varies along the motion is treated as noise.",
   size   = { of = "noisy" },
   reads  = {

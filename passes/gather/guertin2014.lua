@@ -6,15 +6,15 @@ local ports     = require "passes.lib.blur_ports"
 local jitter    = require "passes.lib.jitter"
 local quantised = require "passes.lib.quantised"
 
-local every_other = "an even number of samples around the pixel alternates between the directions from one end on, as " ..
-  "published, so that reversal swaps the directions"
+local every_other = "if the number of samples is even, the samples alternate between the two directions from one end to the " ..
+  "other, as published, so that reversed time swaps the directions"
 local stands = "the choice of the tile depends on the screen position: it is not mirrored or moved with the scene"
 
 return pass.compute {
   doc    = "Blur along the dominant displacement and a second direction, weighted by the alignment of motions with both",
-  fails  = "Too opaque inside silhouettes, like McGuire's filter; coverage ramps are not straight lines, and the background "
-    .. "inside a silhouette is copied from outside. Surfaces that move along neither direction stay sharp or leave noise. Each "
-    .. "direction gets half of the samples.",
+  fails  = "Inside silhouettes the blur is too opaque, as in McGuire's filter, and the background is copied from outside. "
+    .. "Coverage does not change linearly across an edge. Surfaces that move along neither direction stay sharp or leave "
+    .. "noise. Each direction gets half of the samples.",
   size   = { of = "color" },
   reads  = ports.of_layer({ "second", "slowest" }, {
     variance = { optional = true,
@@ -27,7 +27,7 @@ return pass.compute {
     samples      = blur.samples { doc = "number of taps, both directions together" },
     directions   = blur.directions { default = "two",
       values = {
-        one = "All taps along the dominant displacement. Fails where surfaces cross it: they stay sharp.",
+        one = "All taps along the dominant displacement. Fails where surfaces move across it: they stay sharp.",
         two = "Every other tap along a second direction: the pixel's own displacement, or the perpendicular of the dominant "
           .. "one at static pixels. Fails by halving the samples of each direction.",
       },
@@ -36,19 +36,19 @@ return pass.compute {
     limit        = blur.limit,
     depth_extent = blur.depth_extent,
     kappa        = pass.float { 40, min = 1e-3, max = 1e6,
-      doc = "divisor of the weight of the centre pixel, samples / (kappa * radius); larger values hide static pixels under " ..
-            "blur" },
+      doc = "constant in the weight of the centre pixel, samples / (kappa * blur radius); larger values hide static pixels " ..
+            "under blur" },
     gamma        = pass.float { 1.5, min = 1e-3, max = 1024, unit = "px",
-      doc = "blur radius beyond 1/2 px that makes the pixel's own displacement the second direction; smaller radii mix in " ..
-            "the perpendicular" },
-    eta          = pass.float { 0.95, min = 0, max = 1, doc = "scale of the jitter" },
+      doc = "range of blur radii above 1/2 px over which the second direction turns from the perpendicular of the dominant " ..
+            "displacement to the pixel's own displacement" },
+    eta          = pass.float { 0.95, min = 0, max = 1, doc = "factor on the jitter of the sample times" },
     tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "jitter of the tile lookup",
       values = {
         none = "Each pixel reads its own tile. Fails by showing tile borders where the dominant displacement changes.",
         angle = "Each pixel reads the tile of a point a quarter of a tile away, in a direction that varies per pixel. Fails as "
           .. "noise near borders, and where the other tile's displacement does not reach this tile.",
         axis = "Each pixel reads the tile of a point up to a quarter of a tile away, along x or y depending on its tile. Fails "
-          .. "as angle does.",
+          .. "as `angle` does.",
       },
       breaks = {
         angle = { mirrored = stands, shifted = stands }, axis = { mirrored = stands, shifted = stands },

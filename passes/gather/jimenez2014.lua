@@ -8,15 +8,15 @@ local quantised = require "passes.lib.quantised"
 
 return pass.compute {
   doc    = "Blur by pairs of taps; the nearer and faster tap of a pair sets the weight of both",
-  fails  = "Inside a silhouette the background is copied from outside, so that edges there appear twice. Outside, the "
-    .. "background under a blurred object is copied from the opposite side. Motions that cross the dominant one are blurred "
-    .. "along it.",
+  fails  = "Inside a silhouette the background is copied from outside, so that edges there appear twice. Outside a silhouette, "
+    .. "the background under the blurred object is copied from the opposite side. Surfaces that move across the dominant "
+    .. "displacement are blurred along it.",
   size   = { of = "color" },
   reads  = ports.of_layer { "slowest" },
   writes = ports.layer,
   if_no = ports.no_motion,
   params = {
-    samples      = blur.samples { doc = "largest number of taps along the displacement" },
+    samples      = blur.samples { doc = "largest number of taps along the dominant displacement" },
     count        = pass.choice { "fixed", "adaptive", default = "fixed", doc = "number of taps per pixel",
       values = {
         fixed = "`samples` at every pixel. Fails by reading pixels several times where the displacement is short.",
@@ -25,22 +25,23 @@ return pass.compute {
       } },
     tile         = blur.tile { 16 },
     limit        = blur.limit,
-    depth_extent = blur.depth_extent { doc = "width of the soft depth order, as a fraction of the farther depth" },
+    depth_extent = blur.depth_extent { doc = "width of the soft depth comparison, as a fraction of the farther depth" },
     mirror       = pass.bool { true, doc = "give both taps of a pair the weight of the nearer and faster one" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",
-      doc = "factor on the spread of a tap, by its motion relative to the dominant displacement",
+      doc = "factor on the spread of a tap, by the angle or length of its displacement relative to the dominant displacement",
       values = {
-        none = "Factor 1. Fails where surfaces cross: they are blurred along the dominant displacement.",
-        projected = "Length of the displacement projected on the dominant one, divided by the length of the dominant one. "
-          .. "Fails for slower surfaces with parallel motion: they spread too thinly.",
-        cosine = "Cosine between the two displacements. Fails as none does for slow crossings at acute angles.",
-        opposing = "0 for taps that move away from the pixel, otherwise 1. Has no effect with the anchor `centre`, where all "
-          .. "motion is to both sides. Fails as none does for motions across.",
+        none = "Factor 1. Fails where surfaces move across the dominant displacement: they are blurred along it.",
+        projected = "Length of the tap's displacement projected on the dominant one, divided by the length of the dominant "
+          .. "one. Fails for slower surfaces with parallel motion: they spread too thinly.",
+        cosine = "Cosine of the angle between the tap's and the dominant displacement. Fails as `none` does where slow "
+          .. "surfaces cross at an acute angle.",
+        opposing = "0 for taps that move away from the pixel, otherwise 1. Has no effect with the anchor `centre`, because "
+          .. "surfaces then blur to both sides. Fails as `none` does for motion across the dominant displacement.",
       } },
     copy_below   = pass.float { 0.5, min = 0, max = 16, unit = "px",
       doc = "largest blur radius around a pixel that is copied without a gather" },
     cheap_ratio  = pass.float { 0.9, min = 0, max = 1,
-      doc = "ratio of the shortest to the dominant displacement; above it taps are averaged without weights" },
+      doc = "ratio of the shortest to the dominant displacement above which taps are averaged without weights" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     color_format = quantised.color_format,

@@ -6,26 +6,27 @@ local ports     = require "passes.lib.blur_ports"
 local jitter    = require "passes.lib.jitter"
 local quantised = require "passes.lib.quantised"
 
-local every_other = "an even number of samples around the pixel alternates between the directions from one end on, so that " ..
-  "reversal swaps the directions"
+local every_other = "if the number of samples is even, the samples alternate between the two directions from one end to the " ..
+  "other, so that reversed time swaps the directions"
 
 return pass.compute {
   doc    = "Blur along the dominant displacement, weighted by cones and cylinders",
-  fails  = "Too opaque inside silhouettes (6/7 instead of 1/2), with a step at them; coverage ramps are not straight lines, "
-    .. "and opacity grows with the number of samples. The background inside a silhouette is copied from outside. Motions that "
-    .. "cross the dominant one are blurred along it.",
+  fails  = "Inside silhouettes the blur is too opaque (6/7 instead of 1/2), with a step at the silhouette, and the background "
+    .. "is copied from outside. Coverage does not change linearly across an edge, and opacity grows with the number of "
+    .. "samples. Surfaces that move across the dominant displacement are blurred along it.",
   breaks = {
-    converging = "opacity grows with the number of samples: the weight of the centre pixel does not scale with it",
+    converging = "opacity grows with the number of samples: the weight of the centre pixel does not grow with it",
   },
   size   = { of = "color" },
   reads  = ports.of_layer { "second" },
   writes = ports.layer,
   if_no = ports.no_motion,
   params = {
-    samples      = blur.samples { doc = "number of taps along the displacement" },
+    samples      = blur.samples { doc = "number of taps along the dominant displacement" },
     directions   = blur.directions {
       values = {
-        one = "All taps along the dominant displacement, as published. Fails where surfaces cross it: they blur along it.",
+        one = "All taps along the dominant displacement, as published. Fails where surfaces move across it: they are " ..
+          "blurred along it.",
         two = "Every other tap along the pixel's own displacement, or the perpendicular of the dominant one at static pixels. "
           .. "Fails by spreading surfaces across their motion, since weights depend on distances, not directions.",
       },

@@ -8,15 +8,15 @@ local quantised = require "passes.lib.quantised"
 
 return pass.compute {
   doc    = "Blur along the dominant displacement; each tap stands for an equal fraction of the exposure",
-  fails  = "Without a revealed layer the background inside a silhouette is copied from outside. Where the background moves "
-    .. "under a moving silhouette, the product of two means differs from the mean of the product. Surfaces whose motion leaves "
-    .. "the line of the dominant one by more than 3/4 px are not found.",
+  fails  = "Without a revealed layer the background inside a silhouette is copied from outside. If the background moves under "
+    .. "a moving silhouette, mean coverage times mean background colour differs from the mean of their product over the "
+    .. "exposure. Surfaces whose path is more than 3/4 px off the line of the dominant displacement are not found.",
   size   = { of = "color" },
   reads  = ports.of_layer { "velocity_post", "dominant_post" },
   writes = ports.layer,
   if_no = ports.no_motion,
   params = {
-    samples      = blur.samples { doc = "number of taps along the displacement" },
+    samples      = blur.samples { doc = "number of taps along the dominant displacement" },
     tile         = blur.tile,
     limit        = blur.limit,
     depth_extent = blur.depth_extent,

@@ -11,8 +11,8 @@ return pass.raster {
   params = {
     sides = pass.choice { "front", "all", default = "front", doc = "sides of triangles that form layers",
       values = {
-        front = "Front faces only, as renderers draw them; a closed object takes one or two layers less. Fails for open " ..
-                "surfaces seen from the back.",
+        front = "Front faces only, as renderers draw them; a closed object then needs one or two layers fewer than with " ..
+                "`all`. Fails for open surfaces seen from the back.",
         all = "Front and back faces, as all other passes draw and hit them. Fails by spending layers on the back of the " ..
               "foreground.",
       } },

@@ -13,7 +13,7 @@ return pass.compute {
     normal   = { format = "rgba32f", doc = "unit normal towards the camera, world space; 0 for the sky" },
     id       = { format = "rg32ui", doc = "instance + 1, geometry + 1; 0 for the sky" },
     velocity = { format = quantised.velocity,
-      doc = "displacement of the surface, x right, y down, never clamped, px over the exposure" },
+      doc = "displacement of the surface, x right, y down, px over the exposure; not shortened to the displacement limit" },
   },
   params = {
     velocity_format = quantised.velocity_format,
@@ -24,25 +24,27 @@ return pass.compute {
         window = "True poses at shutter open and shutter close. Fails where the path within the exposure is not a straight " ..
                  "line.",
         extrapolated = "Poses of this frame and the previous one; the path between them is multiplied by the exposure in " ..
-                       "frames. A renderer that keeps one frame has no more. Fails where the velocity changes from frame " ..
-                       "to frame, and at the first frame of a clip. With trajectory = quadratic, two earlier frames are used.",
+                       "frames. A renderer that keeps one earlier frame has no other poses. Fails where the velocity " ..
+                       "changes from frame to frame, and at the first frame of a clip. With trajectory = quadratic, two " ..
+                       "earlier frames are used.",
       } },
   },
   counters = {
     near_plane = {
       doc   = "pixels whose surface is behind the near plane at some time of the exposure",
-      limit = "the displacement is the path up to that plane, extrapolated to full length; no straight line describes the " ..
-              "true path. Ground truth is not affected. Shorten the exposure, or move the near plane towards the camera",
+      limit = "each such displacement is the path up to the near plane, extrapolated to the whole exposure; no straight " ..
+              "line describes the true path. Ground truth is not affected. Shorten the exposure, or move the near plane " ..
+              "towards the camera",
     },
     not_finite = {
       doc   = "pixels whose displacement is not a finite number",
-      limit = "the displacement was replaced by 0, so that the pixel is not blurred. Check the transforms of the visible " ..
-              "objects for lengths beyond single precision",
+      limit = "each such displacement was replaced by 0, so that the pixel is not blurred. Check the transforms of the " ..
+              "visible objects for lengths beyond single precision",
     },
     stretched = {
       doc   = "pixels whose displacement is the path of one frame, stretched over an exposure of more than one frame",
-      limit = "motion outside that frame interval is assumed to be the same. Use displacement = window, or an exposure of " ..
-              "at most 1",
+      limit = "motion outside this frame is assumed to be the same as within it. Use displacement = window, or an exposure " ..
+              "of at most one frame",
     },
     velocity_clamped = quantised.counters.velocity_clamped,
     depth_lost       = quantised.counters.depth_lost,

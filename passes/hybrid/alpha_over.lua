@@ -5,11 +5,13 @@ local pass = require "strobe.pass"
 return pass.compute {
   doc    = "Blurred foreground over blurred background, by the alpha of the foreground",
   fails  = "Wrong where a textured background moves under a moving silhouette: the product of mean coverage and mean " ..
-           "background differs from the mean of their product (errors up to 0.2 with perfect layers). With the weights " ..
-           "mcguire2012 the foreground is far too opaque inside its silhouettes.",
+           "background differs from the mean of their product (errors up to 0.2 with perfect layers). With the filter " ..
+           "`mcguire2012` the foreground is far too opaque inside its silhouettes.",
   breaks = {
-    uniform    = "if the background moves with the foreground, the product of two means differs from the mean of products",
-    converging = "more samples approach the product of two means, which may be farther from the truth",
+    uniform    = "if the background moves with the foreground, mean coverage times mean background colour differs from the " ..
+      "mean of their product over the exposure",
+    converging = "with more samples the result approaches mean coverage times mean background colour, which may be farther " ..
+      "from the truth",
   },
   size   = { of = "front" },
   reads  = {

@@ -6,8 +6,8 @@ local blur = require "passes.lib.blur"
 return pass.compute {
   doc    = "Pixels whose displaced position shows another, farther instance",
   fails  = "With one tap, misses narrow gaps and background that the displacement skips (spokes of a fan). With more taps, " ..
-           "finds gaps as wide as the distance between taps. Misses self-occlusion of one instance, motion of the " ..
-           "background, and depth differences below depth_margin.",
+           "finds gaps that are at least as wide as the distance between taps. Misses self-occlusion of one instance, " ..
+           "motion of the background, and depth differences below `depth_margin`.",
   size   = { of = "depth" },
   reads  = {
     depth    = { doc = "linear view depth, metres; +inf for the sky" },

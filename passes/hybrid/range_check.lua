@@ -5,9 +5,9 @@ local blur = require "passes.lib.blur"
 
 return pass.compute {
   doc    = "Moving pixels with an edge along their displacement",
-  fails  = "Marks by the pixel's own motion, although the motion relative to the background decides: too little over a " ..
-           "background that moves against the pixel, nothing for a static foreground before a moving background, too " ..
-           "much where both move together. Steps longer than the width of an edge miss it.",
+  fails  = "Uses the pixel's own motion, although disocclusion depends on the motion relative to the background. Marks too " ..
+           "few pixels if the background moves against them, none if a static foreground is in front of a moving " ..
+           "background, and too many if both move together. Steps longer than the width of an edge miss the edge.",
   size   = { of = "edge" },
   reads  = {
     edge     = { doc = "edge mask, above 1/2 on an edge" },

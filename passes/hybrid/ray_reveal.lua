@@ -30,56 +30,59 @@ return pass.trace {
   if_no = { mask = nothing, moving_rect = nothing },
   runs   = "everywhere",  -- a mask may be 1 outside of the moving rectangle
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces whose depths differ by at most 4 units in " ..
-           "the last place (more under restart), the second is lost. Glass is revealed as if it were opaque.",
+           "the last place (more with advance = restart), the second is lost. Glass is revealed as if it were opaque.",
   params = {
     displacement = gbuffer.params.displacement,
     velocity_format = quantised.velocity_format,
     color_format    = quantised.color_format,
     depth_encoding  = quantised.depth_encoding,
     termination = pass.choice { "luminance", "geometry", "instance", "motion", "disoccluded", default = "instance",
-      doc = "criterion for a hit on another object than the foreground",
+      doc = "condition for a hit to count as another object than the foreground",
       values = {
         luminance = "First hit whose luminance differs from the luminance of the foreground, as published. Passes through a " ..
                     "background of equal luminance, stops inside an object with a differently lit or painted back, and " ..
                     "never stops in the dark. The picture is not a linear function of the light.",
         geometry  = "First hit on another geometry (a part of a mesh with its own material) or another instance. Stops at " ..
-                    "the next part of the same object, which moves along and is not disoccluded.",
+                    "the next part of the same object, which moves with the foreground and is not disoccluded.",
         instance  = "First hit on another instance. Treats an object made of several instances as several objects, and " ..
                     "misses self-occlusion.",
         motion    = "First hit that does not move as if fixed to the foreground. Misses a background that happens to move " ..
-                    "along, which would be disoccluded only after the exposure.",
-        disoccluded = "First hit that moves differently on the screen than the foreground at this pixel, on any object: " ..
-                      "parts that move along are skipped, a rotating object reveals itself. Visits every hit, also those " ..
-                      "on the foreground. Fails for a rotating closed object with two-sided triangles: the first such hit " ..
-                      "is inside it.",
+                    "with the foreground; such a background would be disoccluded only after the exposure.",
+        disoccluded = "First hit, on any object, whose displacement differs from the foreground's at this pixel. " ..
+                      "Parts that move with the foreground are skipped; other parts of a rotating object are revealed. " ..
+                      "Visits every hit, also hits on the foreground. Fails for a rotating closed object with two-sided " ..
+                      "triangles: the first such hit is inside the object.",
       },
       breaks = { luminance = { linear = "luminances are compared, so that other lighting may reveal another layer" } } },
     advance = pass.choice { "instance_filter", "origin_kept", "restart", default = "instance_filter",
       doc = "continuation of a ray past a hit",
       values = {
-        instance_filter = "One traversal of the same ray that ignores the instance in front (with termination = geometry: " ..
-                          "only its front geometry). Instance and geometry termination need one ray and never reach the " ..
-                          "cap; luminance and motion termination visit the hits on other instances in turn. Luminance " ..
-                          "termination then never stops at the back of the foreground.",
-        origin_kept     = "Hit by hit along the same ray, with its lower bound raised by 4 units in the last place. Loses " ..
-                          "only layers in the same place. Needs a ray per layer, so it may reach the cap.",
+        instance_filter = "One traversal of the same ray that ignores the instance in front (with termination = geometry, " ..
+                          "only the geometry in front). Instance and geometry termination need one ray and never reach " ..
+                          "`max_layers`; luminance and motion termination visit the hits on other instances in turn. " ..
+                          "Luminance termination then never stops at the back of the foreground.",
+        origin_kept     = "Hit by hit along the same ray: the ray's lower bound is set to 4 units in the last place beyond " ..
+                          "the last hit. Loses only layers that coincide. Each layer needs a ray, so `max_layers` may be " ..
+                          "reached.",
         restart         = "Hit by hit with a new ray from the last hit, moved forward by 0.00001 of the depth, as " ..
                           "published. Loses layers closer together than that, and far from the origin may find the same " ..
                           "hit again.",
       } },
-    max_layers = pass.int { 8, min = 1, max = 31, doc = "cap on the number of hits per ray that are not another object" },
+    max_layers = pass.int { 8, min = 1, max = 31,
+      doc = "largest number of hits per ray that do not count as another object; the ray ends at this number" },
     on_cap = pass.choice { "fallback", "last_hit", default = "fallback",
       doc = "result of a ray that reaches `max_layers`",
       values = {
-        fallback = "Nothing is revealed: the pixel is blurred as without rays. A background behind more layers than the cap " ..
-                   "is missed.",
-        last_hit = "The last hit is revealed. It is still the foreground if the foreground has more layers than the cap.",
+        fallback = "Nothing is revealed: the pixel is blurred as without rays. A background behind `max_layers` or more " ..
+                   "layers is missed.",
+        last_hit = "The last hit of the ray counts as the revealed surface, although this hit may still be foreground.",
       } },
     same_motion = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "largest screen distance between the motions of a surface and the foreground that counts as moving along; with " ..
-            "termination = motion or uncovered" },
+      doc = "largest difference between the screen motions of a surface and the foreground that counts as the same motion; " ..
+            "used with termination = motion or disoccluded" },
     tolerance = pass.float { 0.01, min = 0, max = 1,
-      doc = "smallest relative luminance difference of another object, plus 0.0001; with termination = luminance" },
+      doc = "relative luminance difference above which a hit counts as another object; an absolute tolerance of 0.0001 is " ..
+            "added. Used with termination = luminance" },
     luminance_of = pass.choice { "radiance", "base_color", "material", default = "radiance",
       doc = "quantity compared by termination = luminance; the paper does not define the luminance of an object",
       values = {
@@ -94,16 +97,16 @@ return pass.trace {
   counters = {
     revealed  = "rays that reveal a surface or the sky",
     capped    = {
-      doc   = "rays that reach the cap on layers",
-      limit = "the background behind more layers than `max_layers` was not found; `on_cap` chooses the result. Raise " ..
+      doc   = "rays that end because they reach `max_layers`",
+      limit = "the background behind `max_layers` or more layers was not found; `on_cap` chooses the result. Raise " ..
               "`max_layers`, or use advance = instance_filter, which skips the object in front at once",
     },
     passed = {
       doc   = "rays that pass through another instance as bright as the foreground",
-      limit = "the surface behind that instance was revealed instead. Use termination = instance",
+      limit = "a surface behind that instance was revealed instead. Use termination = instance",
     },
     not_finite = shade.counters.not_finite,
-    met_again = "repeated hits on the triangle that the ray left, which do not count as layers",
+    met_again = "repeated hits on the triangle that a ray has just left; these hits do not count as layers",
     velocity_clamped = quantised.counters.velocity_clamped,
     color_clamped    = quantised.counters.color_clamped,
     depth_lost       = quantised.counters.depth_lost,

@@ -8,9 +8,9 @@ return pass.trace {
   size   = { 16, 1 },
   writes = {
     hit      = { format = "rgba32ui", doc = "instance + 1, geometry + 1, primitive, 1 for a front face; 0 after the last hit" },
-    where    = { format = "rgba32f", doc = "linear view depth, metres, and unit normal towards the camera, world space" },
+    where    = { format = "rgba32f", doc = "x: linear view depth, metres; yzw: unit normal towards the camera, world space" },
     velocity = { format = "rg32f", doc = "displacement, x right, y down, px over the exposure" },
-    color    = { format = "rgba32f", doc = "colour of the hit, linear radiance; alpha 1 for a hit" },
+    color    = { format = "rgba32f", doc = "colour of the hit, linear radiance; alpha 1 for a hit, otherwise 0" },
   },
   params = {
     pixel_x = pass.int { 0, min = 0, max = 32767, unit = "px", doc = "column of the pixel, counted from the left" },

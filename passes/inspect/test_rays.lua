@@ -3,27 +3,28 @@
 local pass = require "strobe.pass"
 
 return pass.trace {
-  doc    = "Hits of one random ray per pixel through the scene at the raster time, with rays that are hard to trace exactly",
+  doc    = "Hit of one random ray per pixel through the scene at the raster time; many rays are hard to trace exactly",
   writes = {
     origin    = { format = "rgba32f", doc = "origin of the ray relative to the camera at the raster time, world axes, metres" },
-    direction = { format = "rgba32f", doc = "direction of the ray, of any length; alpha: largest t" },
-    hit       = { format = "rgba32ui", doc = "instance + 1, geometry, primitive, bits of t; 0 for a miss" },
-    color     = { format = "rgba32f", doc = "rgb: t of the hit; 0 for a miss" },
+    direction = { format = "rgba32f", doc = "direction of the ray, of any length; alpha: largest ray parameter t" },
+    hit       = { format = "rgba32ui",
+      doc = "instance + 1, geometry, primitive, ray parameter t as the bits of a float; 0 for a miss" },
+    color     = { format = "rgba32f", doc = "rgb: ray parameter t of the hit; 0 for a miss" },
     blocked   = { format = "r32ui", doc = "1 if any surface lies on the ray" },
   },
   params = {
     ray_kind = pass.choice { "all", "through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane",
       default = "all", doc = "kind of the rays",
       values = {
-        all = "The other eight kinds, one per row in turn.",
+        all = "All eight other kinds, one per row of pixels in turn.",
         through = "From one random point of the scene to another.",
         vertex = "From a random point to the vertex of a triangle.",
         edge = "From a random point to the edge of a triangle.",
         axis = "Parallel to an axis, through a vertex.",
-        grazing = "From a point of a triangle parallel to one of its edges.",
-        afar = "From a point 10,000 times as far away as the scene is large to a surface.",
+        grazing = "From a point of a triangle, in the direction of an edge of this triangle.",
+        afar = "From a point at a distance of 10,000 times the size of the scene, to a surface.",
         surface = "From a surface in a random direction.",
-        plane = "From a random point to a surface, with one component of the direction 0.",
+        plane = "From a random point to a surface; one component of the direction is 0.",
       },
     },
   },

@@ -11,8 +11,8 @@ local velocities = { doc = "two candidate displacements per tile, px over the ex
 
 return pass.compute {
   doc    = "Candidate background displacements per cell that may disocclude a surface there",
-  fails  = "Conservative: a cell across a tile border tries the candidates of each tile, up to eight, and may mark extra " ..
-           "pixels.",
+  fails  = "A cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. Extra pixels may " ..
+           "then be marked, and further candidates are lost.",
   size   = { of = "bounds" },
   reads  = {
     bounds       = { doc = "bounds of the displacements in each cell, px over the exposure" },

@@ -9,9 +9,9 @@ local culled = { doc = "two candidate background displacements per cell, px over
 
 return pass.compute {
   doc    = "Pixels whose background is disoccluded within the exposure, by the relative motion of foreground and background",
-  fails  = "Misses background whose motion is visible nowhere near, self-occlusion of one instance, surfaces that enter the " ..
-           "image from outside, and the ninth and further motions near a tile. Misses objects that move behind a static " ..
-           "surface if all their visible parts are in front of it.",
+  fails  = "Misses background whose motion is not visible near the pixel, self-occlusion of one instance, surfaces that " ..
+           "enter the image from outside, and motions near a tile beyond the first eight. Misses objects that move behind a " ..
+           "static surface if all their visible parts are in front of it.",
   size   = { of = "depth" },
   reads  = {
     depth     = { doc = "linear view depth, metres; +inf for the sky" },
@@ -32,8 +32,8 @@ return pass.compute {
     match     = path.match,
     margin    = path.margin,
     occluder  = pass.float { 0.02, min = 0, max = 1,
-      doc = "smallest relative depth difference of an occluder; a path that ends behind an occluder continues to the end " ..
-            "of the occluder" },
+      doc = "smallest relative depth difference of a nearer surface that counts as an occluder. A path that ends behind an " ..
+            "occluder continues to the end of that occluder" },
   },
   counters = { off_screen = "paths that leave the image, counted as disoccluding nothing" },
 }

@@ -7,9 +7,9 @@ local max_displacement = require "passes.lib.max_displacement"
 local function pair(doc) return { format = "rgba32f", doc = doc } end
 
 return pass.compute {
-  doc    = "Up to eight distinct displacements around each tile, nearest first",
-  fails  = "If there are more than eight motions near a tile, the farthest are lost; among equally far ones, the last in " ..
-           "raster order.",
+  doc    = "Up to eight distinct displacements around each tile, in the order of the tiles' distances",
+  fails  = "If there are more than eight motions near a tile, the motions of the farthest tiles are lost; of equally far " ..
+           "tiles, the last in raster order lose their motions.",
   size  = { of = "velocities" },
   reads = {
     velocities       = { doc = "two displacements of each tile, px over the exposure" },

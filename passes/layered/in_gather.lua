@@ -9,8 +9,9 @@ local jitter = require "passes.lib.jitter"
 return pass.compute {
   doc    = "One gather whose background taps read the revealed layer where the foreground hides them",
   fails  = "A surface in front may be missed if it moves neither by the dominant displacement nor like the pixel's own " ..
-           "surface, above all if it moves against both. The background is assumed to move as it does at the pixel: wrong " ..
-           "where two backgrounds meet or the background turns. Only one layer behind the first is used.",
+           "surface, above all if it moves against both of these motions. The background is assumed to move as it does at " ..
+           "the pixel: this is wrong where two backgrounds meet or the background turns. Only one layer behind the first is " ..
+           "used.",
   size   = { of = "color" },
   reads  = ports.of_both({}, {
     id          = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },

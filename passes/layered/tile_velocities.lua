@@ -5,7 +5,7 @@ local blur = require "passes.lib.blur"
 
 return pass.compute {
   doc    = "Longest displacement of each tile, and the displacement that differs most from it",
-  fails  = "The third of three motions in a tile is lost.",
+  fails  = "A third motion in a tile is lost.",
   size   = { of = "velocity", divide = "tile" },
   group  = true,
   reads  = {
@@ -14,7 +14,7 @@ return pass.compute {
   },
   writes = {
     velocities = { format = "rgba32f",
-      doc = "longest displacement and the displacement farthest from it, px over the exposure" },
+      doc = "xy: longest displacement; zw: displacement that differs most from the longest one, px over the exposure" },
     farthest   = { format = "r32f", doc = "linear view depth of the farthest moving surface, metres; 0 for none" },
     max_displacement = { format = "buffer32ui",
       doc = "entry 0: length of the longest displacement of the image, px over the exposure, as the bits of a float" },

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Parameters that the passes of a blur share. Each name has one meaning in every pass and follows the pipeline's parameter.
+-- Parameters that the passes of a blur share. Each parameter has one meaning in every pass, and takes its value from the
+-- parameter of the pipeline.
 local param = require "strobe.param"
 
 return {
@@ -12,18 +13,20 @@ return {
     doc = "side of a cell, a square of pixels that is skipped if the bounds of its displacements show that it needs no work" },
 
   limit = param.float { "auto", min = 0, max = 10, auto = true, unit = "image widths", role = "reach",
-    doc = "longest displacement that filters handle; longer ones are shortened and counted. auto: no limit; filters search " ..
-      "as far as the longest displacement of the image" },
+    doc = "longest displacement that filters handle; longer displacements are shortened and counted. With `auto` there is " ..
+      "no limit: filters search as far as the longest displacement of the image" },
 
   depth_extent = param.float { 0.01, min = 1e-6, max = 1, role = "depth_tolerance",
     doc = "width of the soft depth comparison, as a fraction of the farther depth" },
 
   trajectory = param.choice { "line", "quadratic", "arc", default = "line",
-    doc = "screen path of a surface point over the exposure; with displacement = extrapolated, fitted to earlier frames",
+    doc = "shape of a surface point's screen path over the exposure; with displacement = extrapolated, it is fitted to " ..
+      "earlier frames",
     values = {
       line = "Straight line at constant speed. Fails for rotation: wheels blur in straight lines.",
       quadratic = "Parabola through the positions at shutter open, in the middle and at shutter close; with displacement = " ..
-        "extrapolated, through the positions in this frame and the two frames before it. Fails beyond a sixth of a turn.",
+        "extrapolated, through the positions in this frame and the two frames before it. Fails for rotations beyond a " ..
+        "sixth of a turn.",
       arc = "Arc about a centre that may move along a line, fitted to seven poses. Covers rotation in the image plane and " ..
         "rolling wheels, up to one and a quarter turns. Needs displacement = window. Fails for circles seen obliquely.",
     } },

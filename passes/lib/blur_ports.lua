@@ -12,7 +12,7 @@ local docs = {
   velocity = { doc = "displacement of the surface, px over the exposure" },
   dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
   second   = { absent = "dominant",
-    doc = "displacement around each tile that differs most from the dominant one, px over the exposure" },
+    doc = "displacement around each tile that differs most from the dominant displacement, px over the exposure" },
   slowest  = { absent = 0, doc = "length of the shortest displacement around each tile, px over the exposure" },
 
   velocity_post = { absent = "velocity", doc = "displacement at times after the raster time, px over the exposure" },
@@ -21,14 +21,16 @@ local docs = {
   second_post   = { absent = "dominant_post",
     doc = "displacement around each tile that differs most from `dominant_post`, px over the exposure" },
 
-  curve          = { absent = 0, needs = "curve", doc = "curve of the screen path, px; 0 for a straight line" },
+  curve          = { absent = 0, needs = "curve",
+    doc = "coefficients of the parabola or arc that the screen path follows; 0 for a straight line" },
   revealed_curve = { absent = 0, needs = "curve",
-    doc = "curve of the screen path of the revealed surface, px; 0 for a straight line" },
+    doc = "coefficients of the parabola or arc that the screen path of the revealed surface follows; 0 for a straight line" },
   dominant_curve = { absent = 0, needs = "curve",
-    doc = "curve of the path of the dominant displacement, px; 0 for a straight line" },
-  dominant_place = { absent = -1, needs = "curve", doc = "texel that has the dominant displacement, px; -1 if unknown" },
+    doc = "coefficients of the parabola or arc that belongs to the dominant displacement; 0 for a straight line" },
+  dominant_place = { absent = -1, needs = "curve",
+    doc = "position of the texel that has the dominant displacement, px; -1 if unknown" },
 
-  -- Ports of one layer in front of a revealed layer.
+  -- Ports of a filter of one layer, if a revealed layer lies behind that layer.
   valid            = { absent = 1, doc = "mask, above 1/2 where the layer has a surface" },
   background_depth = { absent = "depth", doc = "linear view depth of the revealed surface behind each pixel, metres" },
   background_valid = { absent = 0, doc = "mask, above 1/2 where a surface was revealed behind the pixel" },
@@ -53,16 +55,18 @@ local function reads(names, more)
   return list
 end
 
--- Reads of a filter of one image: the named ports and the ports in `more`.
+-- Returns the reads of a filter of one image: the ports that `names` lists, and the ports in `more`.
 function blur_ports.of(names, more) return reads(names, more) end
 
--- Reads of a filter of one layer that may have a revealed layer behind it: its own ports, the named ports and those in `more`.
+-- Returns the reads of a filter of one layer, which may have a revealed layer behind it: the ports of that layer, the ports
+-- that `names` lists, and the ports in `more`.
 function blur_ports.of_layer(names, more)
   local all = { "color", "depth", "velocity", "dominant", "valid", "background_depth", "background_valid" }
   return reads(table.move(names, 1, #names, #all + 1, all), more)
 end
 
--- Reads of a filter of both layers at once: their ports, the named ports and those in `more`.
+-- Returns the reads of a filter of both layers at once: the ports of both layers, the ports that `names` lists, and the ports
+-- in `more`.
 function blur_ports.of_both(names, more)
   local all = { "color", "depth", "velocity", "dominant", "velocity_post", "dominant_post", "revealed_color",
                 "revealed_depth", "revealed_velocity", "revealed_valid", "revealed_velocity_post" }

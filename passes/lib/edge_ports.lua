@@ -11,7 +11,7 @@ local docs = {
   where  = { absent = 1, doc = "mask, above 1/2 where edges are detected" },
 }
 
--- Reads of a detector: the named images and the mask `where`.
+-- Returns the reads of a detector: the images named by the arguments, and the mask `where`.
 function edge_ports.reads(...)
   local reads = { where = docs.where }
   for _, name in ipairs { ... } do
@@ -29,7 +29,8 @@ function edge_ports.depth_threshold(default, doc)
   return pass.float { default, min = 1e-6, max = 16, doc = doc or "smallest relative depth step of an edge" }
 end
 
--- Parameters of detectors by depth and normal: both thresholds, their combination, and the parameters in `more`.
+-- Returns the parameters of detectors that compare depths and normals: the two thresholds, the combination of both steps, and
+-- the parameters in `more`.
 function edge_ports.steps(more)
   local params = {
     depth_threshold  = edge_ports.depth_threshold(0.05),
@@ -39,7 +40,7 @@ function edge_ports.steps(more)
       values = {
         max     = "An edge is a step of depth or of normal. Fails where one of the two responds without a silhouette: " ..
                   "creases and curved surfaces are marked.",
-        sum     = "The steps are added, each divided by its threshold. Fails as max does, on more surfaces.",
+        sum     = "The two steps are added, each divided by its threshold. Fails as `max` does, and marks more surfaces.",
         ["and"] = "An edge is a step of both depth and normal. Fails by missing silhouettes in front of a parallel " ..
                   "surface, where normals are equal.",
       } },
@@ -48,18 +49,19 @@ function edge_ports.steps(more)
   return params
 end
 
--- Parameters of detectors by gradients.
+-- Returns the parameters of detectors that compute gradients.
 function edge_ports.gradients()
   return edge_ports.steps {
-    norm = pass.choice { "l1", "l2", default = "l2", doc = "norm of the gradient of two components",
+    norm = pass.choice { "l1", "l2", default = "l2", doc = "norm of the gradient, a vector of two components",
       values = {
-        l1 = "Sum of the magnitudes. Fails to be isotropic: a diagonal gradient counts 41 % more.",
-        l2 = "Euclidean length.",
+        l1 = "Sum of the magnitudes of both components. Fails for diagonals: a diagonal gradient counts 41 % more than one " ..
+             "along an axis.",
+        l2 = "Euclidean length of the gradient.",
       } },
   }
 end
 
--- Measure of the distance of a surface from a plane.
+-- Returns the parameter `measure`, the measure of the distance of a surface from a plane.
 function edge_ports.measure()
   return pass.choice { "second_difference", "distance", default = "second_difference",
     doc = "measure of the distance of a neighbouring pixel from the plane of the surface",

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Memory formats of colours, displacements and depths between passes: parameters, formats and counters of passes and
--- pipelines whose shaders include mixin/quantised.glsl.
+-- Memory formats of colours, displacements and depths between passes. Declares the parameters, formats and counters for passes
+-- and pipelines whose shaders include mixin/quantised.glsl.
 local param = require "strobe.param"
 
 local quantised = {}
@@ -25,8 +25,8 @@ quantised.color_format = param.choice {
   },
   breaks = {
     fp16 = {
-      constant = "a colour between two half floats is rounded to the nearest",
-      still    = "a colour between two half floats is rounded to the nearest",
+      constant = "a colour between two half floats is rounded to the nearer one",
+      still    = "a colour between two half floats is rounded to the nearer one",
       convex   = "a mean is rounded to a half float, which may lie outside the range of the averaged colours",
       linear   = "the rounding error of a sum differs from the sum of the rounding errors",
       mirrored = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
@@ -43,10 +43,10 @@ quantised.depth_encoding = param.choice {
   values = {
     linear = "View depth in single precision. Never fails: depths keep their computed values.",
     reversed = "Near distance / view depth in single precision, 0 for the sky (reversed z). Fails by about 1e-7 of the "
-      .. "depth: surfaces closer together may swap or tie.",
-    inverse = "1 / view depth in single precision, 0 for the sky. Fails as reversed does.",
-    unorm24 = "1 - near distance / view depth in 24 bits, 1 for the sky (conventional z). Fails in the distance: the error is "
-      .. "up to depth / (near distance * 2^25) of the depth. Surfaces farther than 2^25 near distances become sky and are "
+      .. "depth: surfaces closer together may swap or have equal depths.",
+    inverse = "1 / view depth in single precision, 0 for the sky. Fails as `reversed` does.",
+    unorm24 = "1 - near distance / view depth in 24 bits, 1 for the sky (conventional z). Fails at large depths: the relative "
+      .. "error is up to depth / (near distance * 2^25). Surfaces farther than 2^25 near distances become sky and are "
       .. "counted.",
   },
 }
@@ -57,17 +57,18 @@ quantised.color    = { by = "color_format", fp32 = "rgba32f", fp16 = "rgba16f" }
 quantised.counters = {
   velocity_clamped = {
     doc   = "pixels with a displacement beyond 65504 px, the largest half float",
-    limit = "each displacement was shortened to 65504 px, in its direction. Use velocity_format = fp32, or shorten the " ..
-            "exposure",
+    limit = "each such displacement was shortened to 65504 px in its own direction. Use velocity_format = fp32, or shorten " ..
+            "the exposure",
   },
   color_clamped = {
     doc   = "pixels with a channel beyond 65504, the largest half float",
-    limit = "each channel was clamped to 65504, so that highlights blur too dark. Use color_format = fp32, or " ..
+    limit = "each such channel was clamped to 65504, so that highlights blur too dark. Use color_format = fp32, or " ..
             "scale the lights down",
   },
   depth_lost = {
     doc   = "pixels so far away that the depth encoding does not distinguish them from the sky",
-    limit = "each pixel became sky, at infinite depth. Use another depth_encoding, or move the near plane away from the camera",
+    limit = "each such pixel became sky, at infinite depth. Use another depth_encoding, or move the near plane away from " ..
+            "the camera",
   },
 }
 

@@ -5,9 +5,9 @@ local blur = require "passes.lib.blur"
 
 return pass.compute {
   doc    = "Pixels that move, or whose tile a moving surface may reach",
-  fails  = "Wastes rays: it marks whole tiles around every moving surface, although most of their pixels disocclude " ..
-           "nothing. Never misses a surface that moves by less than the limit. At the border of the image, revealed " ..
-           "surfaces are mistaken for surfaces that enter from outside.",
+  fails  = "Wastes rays: marks whole tiles around every moving surface, although most pixels of these tiles disocclude " ..
+           "nothing. Does not miss surfaces that move by less than the displacement limit. At the border of the image, " ..
+           "revealed surfaces are mistaken for surfaces that enter from outside.",
   size   = { of = "velocity" },
   reads  = {
     velocity = { doc = "displacement of the surface, px over the exposure" },

@@ -5,7 +5,7 @@ local blur = require "passes.lib.blur"
 local max_displacement = require "passes.lib.max_displacement"
 
 return pass.compute {
-  doc    = "Longest displacement of the tiles around each tile that can reach it within the exposure",
+  doc    = "Longest displacement of those surrounding tiles that can reach each tile within the exposure",
   fails  = "A tile is represented by its longest displacement: a slower pixel that reaches this tile is lost if the longest "
     .. "displacement does not reach it. Tile borders show where the dominant displacement changes.",
   size   = { of = "longest" },
@@ -13,16 +13,20 @@ return pass.compute {
     longest = { doc = "longest displacement of each tile, px over the exposure" },
     velocities = { absent = 0, doc = "two displacements that represent each tile besides `longest`, px over the exposure" },
     curve = { absent = 0, needs = "curve",
-      doc = "curve of the path of each tile's longest displacement, px; 0 for a straight line" },
-    place = { absent = 0, needs = "curve", doc = "texel that has the longest displacement of each tile, px" },
+      doc = "coefficients of the parabola or arc that belongs to each tile's longest displacement; 0 for a straight line" },
+    place = { absent = 0, needs = "curve",
+      doc = "position of the texel that has the longest displacement of each tile, px" },
     max_displacement = max_displacement,
   },
   writes = {
     dominant = { format = "rg32f", doc = "longest displacement that reaches each tile, px over the exposure" },
-    dominant_curve = { format = "rgba32f", doc = "curve of the path of the dominant displacement, px" },
-    dominant_place = { format = "rg32f", doc = "texel that has the dominant displacement, px; 0 if paths are straight lines" },
+    dominant_curve = { format = "rgba32f",
+      doc = "coefficients of the parabola or arc that belongs to the dominant displacement; 0 for a straight path" },
+    dominant_place = { format = "rg32f",
+      doc = "position of the texel that has the dominant displacement, px; 0 if paths are straight lines" },
     second   = { format = "rg32f",
-      doc = "displacement that differs most from the dominant one, px over the exposure; equal to it if none differs" },
+      doc = "displacement that differs most from the dominant one, px over the exposure; equal to the dominant one if none " ..
+            "differs" },
   },
   if_no = { motion = { dominant = 0, dominant_curve = 0, dominant_place = 0, second = 0 } },
   params = {
@@ -30,13 +34,15 @@ return pass.compute {
     limit = blur.limit,
     trajectory = blur.trajectory { wired = true },
     rule  = pass.choice { "swept_box", "sign", "all", default = "swept_box",
-      doc = "test for the tiles around that can reach a tile",
+      doc = "test that decides which surrounding tiles can reach a tile",
       values = {
-        swept_box = "Tiles whose box passes over this tile within the exposure. Fails for a slow pixel of a tile whose longest "
-          .. "displacement misses this tile.",
-        sign = "Tiles whose displacement points to this tile on every axis that separates the two (Guertin et al. 2014). Fails "
-          .. "as reach does, and lets distant tiles dominate that stop short of this tile.",
-        all = "Every tile in range (McGuire et al. 2012). Fails by letting motion dominate that never reaches this tile.",
+        swept_box = "Accepts tiles whose box passes over this tile within the exposure. Fails for a slow pixel of a tile whose "
+          .. "longest displacement misses this tile.",
+        sign = "Accepts tiles whose displacement points to this tile on every axis that separates the two tiles (Guertin et "
+          .. "al. 2014). Fails as `swept_box` does, and lets distant tiles dominate although their motion ends before this "
+          .. "tile.",
+        all = "Accepts every tile within the search radius (McGuire et al. 2012). Fails by letting motion dominate that never "
+          .. "reaches this tile.",
       } },
   },
 }

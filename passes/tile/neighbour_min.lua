@@ -5,8 +5,9 @@ local blur = require "passes.lib.blur"
 local max_displacement = require "passes.lib.max_displacement"
 
 return pass.compute {
-  doc    = "Length of the shortest displacement of the tiles in range, including tiles that do not reach this one",
-  fails  = "One static pixel in range makes the whole neighbourhood count as static.",
+  doc    = "Length of the shortest displacement of all tiles within the search radius around each tile",
+  fails  = "One static pixel within the search radius makes the whole neighbourhood count as static. Tiles whose motion " ..
+           "does not reach the tile are included.",
   size   = { of = "shortest" },
   reads  = {
     shortest = { doc = "length of the shortest displacement of each tile, px over the exposure" },

@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Scatter of tile displacements along their motion, as in Unity's HDRP: length of the longest at each tile.
+-- Scatter of tile displacements along their motion, as in Unity's HDRP: length of the longest displacement that
+-- arrives at each tile.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Length of the longest displacement whose tile passes over each tile within the exposure",
+  doc    = "Length of the longest displacement that passes over each tile within the exposure",
   fails  = "A tile is represented by its longest displacement, and its path by the line of its centre: of two motions that " ..
            "cross in a tile, one is lost.",
   size   = { of = "longest" },

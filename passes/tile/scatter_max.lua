@@ -4,8 +4,8 @@ local pass = require "strobe.pass"
 
 return pass.compute {
   doc    = "Longest displacement scattered to each tile or its eight neighbours",
-  fails  = "One displacement represents all that reach a tile: crossing motions are lost. It also dominates one tile " ..
-           "beyond its end.",
+  fails  = "One displacement represents all displacements that reach a tile: crossing motions are lost. A displacement also " ..
+           "dominates one tile beyond its end.",
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "longest displacement of each tile, px over the exposure" },

@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Scatter of tile displacements along their motion, as in Unity's HDRP: origin of the longest at each tile.
+-- Scatter of tile displacements along their motion, as in Unity's HDRP: origin of the longest displacement that
+-- arrives at each tile.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Tile of origin of the longest displacement whose tile passes over each tile within the exposure",
+  doc    = "Tile of origin of the longest displacement that passes over each tile within the exposure",
   fails  = "If equally long displacements cross at a tile, only the one from the first tile in raster order is kept.",
   size   = { of = "longest" },
   reads  = {

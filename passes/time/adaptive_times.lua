@@ -5,8 +5,8 @@ local blur  = require "passes.lib.blur"
 local shade = require "passes.gbuffer.shade"
 
 return pass.trace {
-  doc    = "Mean of rays at adaptively chosen times per pixel, with more rays between two that differ; a gather where it " ..
-           "is reliable",
+  doc    = "Mean of rays at adaptively chosen times per pixel, with more rays between two that differ, and a gather instead " ..
+           "of rays where a gather is reliable",
   breaks = { linear = "the times of the rays depend on differences of colour" },
   size   = { of = "color" },
   reads  = {
@@ -31,10 +31,11 @@ return pass.trace {
     hit_color = pass.choice { "shaded", "kept", default = "shaded", doc = "source of the colour of a hit",
       values = {
         shaded = "Shading of the hit, as at the raster time.",
-        kept = "Colour of the raster texel that shows the surface; hits without such a texel are shaded. Fails by half a " ..
-               "pixel: stairs in textures.",
+        kept = "Colour of the raster texel that shows the surface; hits without such a texel are shaded. Fails by errors " ..
+               "of half a pixel, which show as stairs in textures.",
       } },
-    same_depth = pass.float { 0.01, min = 0, max = 1, doc = "relative tolerance for equal depths" },
+    same_depth = pass.float { 0.01, min = 0, max = 1,
+      doc = "largest relative difference of depths that count as equal" },
   },
   counters = {
     gathered   = "pixels computed from raster colours, without a ray",

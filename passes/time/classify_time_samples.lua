@@ -3,27 +3,29 @@
 local pass  = require "strobe.pass"
 local blur  = require "passes.lib.blur"
 
-local none = { 1e30, 1e30, -1e30, -1e30 }  -- bounds of no displacement: kNoBounds of lib/bounds.glsl
+local none = { 1e30, 1e30, -1e30, -1e30 }  -- bounds that contain no displacement: kNoBounds of lib/bounds.glsl
 
 local function at_end(absent)
   return { absent = absent,
-    doc = "bounds of displacements or path deviations, per cell, of surfaces visible only at shutter open or close, px" }
+    doc = "per cell, least and greatest displacement, or path deviation, of surfaces visible only at shutter open or only " ..
+          "at shutter close, as named by the port, px" }
 end
 
 local function background(absent)
   return { absent = absent,
-    doc = "bounds of displacements or path deviations, per cell, of unreliable texels of the revealed layer, px" }
+    doc = "per cell, least and greatest displacement, or path deviation, of the unreliable texels of the revealed layer, " ..
+          "as named by the port, px" }
 end
 
 return pass.compute {
-  doc    = "Time strata, per cell, with an unreliable surface: its position then does not follow from the layers",
-  fails  = "Conservative: may mark extra cells around a cell with several motions. A path that is not a parabola may leave " ..
-           "the marked cells.",
+  doc    = "Time strata of each cell that may contain a surface at a position that the layers do not describe",
+  fails  = "The marks are conservative: extra cells around a cell with several motions may be marked. A surface whose path " ..
+           "is not a parabola may leave the marked cells.",
   size   = { of = "bounds" },
   reads  = {
     bounds           = { doc = "bounds of the displacements of the unreliable texels in each cell, px over the exposure" },
     deviation_bounds = {
-      doc = "bounds of the path deviations of the unreliable texels in each cell, px in the middle of the exposure" },
+      doc = "bounds of the path deviations of the unreliable texels in each cell, at mid-exposure, px" },
     background_bounds    = background(none), background_deviation_bounds    = background(0),
     shutter_open_bounds  = at_end(none),     shutter_open_deviation_bounds  = at_end(0),
     shutter_close_bounds = at_end(none),     shutter_close_deviation_bounds = at_end(0),

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Cells where a gather is reliable: all surfaces that reach the cell move alike, and a few rays confirm it.
+-- Cells where a gather is reliable, because all surfaces that reach the cell move alike and a few rays confirm this.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local max_displacement = require "passes.lib.max_displacement"
 
 return pass.trace {
-  doc    = "Reliability of a gather per cell: all surfaces that reach the cell move alike, and a few rays confirm it",
+  doc    = "Cells where a gather is reliable, because all surfaces that reach the cell move alike and a few rays confirm this",
   fails  = "Misses objects smaller than a cell that are neither in the raster layer nor hit by a validation ray.",
   breaks = { mirrored = "the choice of the pixels with rays depends on the screen position of the cell" },
   size   = { of = "bounds" },

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Moving surfaces visible at shutter open that both layers of the raster time lack.
+-- Moving surfaces that are visible at shutter open, but are in neither layer.
 local pass        = require "strobe.pass"
 local disoccluded = require "passes.lib.disoccluded"
 

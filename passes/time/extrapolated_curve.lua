@@ -16,13 +16,13 @@ return pass.compute {
     velocity = { format = quantised.velocity,
       doc = "displacement between the ends of the curve, px; a straight path keeps its displacement" },
     path_deviation = { format = quantised.velocity,
-      doc = "path deviation from a straight line in the middle of the exposure, px" },
+      doc = "at mid-exposure, offset of the surface from the straight line between the ends of its path, px" },
     nonlinear = { format = "r8_unorm",
       doc = "1 where the curve misses the true pose at shutter open or close by more than `max_deviation`, or the stretch " ..
             "exceeds `max_stretch`" },
     curve = { format = "rgba32f",
-      doc = "offset b of the parabola, px: at the fraction u of the exposure the path is 4 u (1 - u) b off its straight " ..
-            "line" },
+      doc = "offset b of the parabola, px: at the fraction u of the exposure the path is 4 u (1 - u) b off the straight " ..
+            "line between its ends" },
   },
   if_no = { motion = straight, curves = straight },
   params = {
@@ -31,7 +31,8 @@ return pass.compute {
     max_stretch   = path_curve.params.max_stretch,
   },
   counters = { velocity_clamped = quantised.counters.velocity_clamped },
-  fails  = "A surface that changes direction after the raster time continues as before. Errors of the poses are amplified " ..
-           "the farther the exposure extends beyond them. Wrong in the first frames of a clip, whose earlier frames are " ..
-           "static. A surface in the same position as one frame ago is treated as static.",
+  fails  = "A surface that changes direction after the raster time is extrapolated in the old direction. Errors of the " ..
+           "poses are amplified more if the exposure extends farther beyond these poses. The curve is wrong in the first " ..
+           "frames of a clip, because the frames before the clip count as static. A surface in the same position as one " ..
+           "frame ago is treated as static.",
 }

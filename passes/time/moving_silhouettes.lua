@@ -14,8 +14,8 @@ return pass.compute {
   writes = { near = { format = "r8_unorm", cleared = true, doc = "mask, 1 beside a texel with different motion" } },
   params = {
     slowest = pass.float { 0.5, min = 0, max = 100, unit = "px",
-      doc = "smallest difference of displacements that counts as different motion; for fast motion the threshold is 5 % of " ..
-            "the shorter displacement, up to 1/2 px" },
+      doc = "smallest difference of displacements that counts as different motion. If 5 % of the shorter displacement is " ..
+            "larger, that value is the threshold, up to 1/2 px" },
   },
   if_no = { motion = { near = 0 }, moving_rect = { near = 0 } },
 }

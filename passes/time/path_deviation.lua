@@ -13,7 +13,7 @@ return pass.compute {
   reads  = followed,
   writes = {
     path_deviation = { format = quantised.velocity, cleared = true,
-      doc = "path deviation from a straight line in the middle of the exposure, px" },
+      doc = "at mid-exposure, offset of the surface from the straight line between the ends of its path, px" },
     nonlinear = { format = "r8_unorm", cleared = true,
       doc = "1 where the path deviation exceeds `max_deviation`, or the stretch exceeds `max_stretch`" },
   },
@@ -21,9 +21,10 @@ return pass.compute {
   params = {
     velocity_format = quantised.velocity_format,
     max_deviation = pass.float { 0.5, min = 0, max = 1000, unit = "px",
-      doc = "largest path deviation from a straight line in the middle of the exposure" },
+      doc = "largest path deviation, at mid-exposure, of a path that counts as straight" },
     max_stretch = pass.float { 1.5, min = 1, max = 1000, unit = "px",
-      doc = "largest distance of adjacent texels of a surface after stretching; beyond it the taps of a filter leave holes" },
+      doc = "largest distance, within the exposure, of surface points that are one pixel apart at the raster time; at " ..
+            "larger distances the taps of a filter leave holes" },
   },
   counters = { velocity_clamped = quantised.counters.velocity_clamped },
   fails  = "A path that crosses its straight line in the middle of the exposure, such as a fast oscillation, is treated as " ..

@@ -9,14 +9,14 @@ local drawn = "the sample time of a pixel depends on its screen position"
 
 return pass.trace {
   doc    = "One ray per pixel at a random time of the exposure, in tiles that a moving surface may reach",
-  fails  = "Noise: one time sample represents the whole exposure. Misses surfaces that enter from outside the image where no "
-    .. "tile around has a displacement.",
+  fails  = "The picture is noisy, because one time sample represents the whole exposure. Misses surfaces that enter the image "
+    .. "where no surrounding tile has a displacement.",
   breaks = { mirrored = drawn, shifted = drawn, reversed = drawn, uniform = "a pixel has one random time sample" },
   size   = { of = "color" },
   reads  = {
     color    = { doc = "colour of the raster layer, linear radiance" },
     velocity = { doc = "displacement of the raster layer, px over the exposure" },
-    dominant = { doc = "longest displacement that reaches each tile, at most the limit, px over the exposure" },
+    dominant = { doc = "longest displacement that reaches each tile, at most the displacement limit, px over the exposure" },
   },
   writes = {
     noisy = { format = "rgba32f", doc = "colour of the hit, shaded as at the raster time, linear radiance; alpha 1" },

@@ -25,7 +25,8 @@ return pass.trace {
   if_no = { motion = { picture = "partial" }, moving_rect = { picture = "partial" } },
   params = {
     validation_share      = pass.float { 0.01, min = 0, max = 1,
-      doc = "fraction of the blocks of 4 x 2 pixels, within reach of motion, whose resolved samples are validated by rays" },
+      doc = "fraction of the blocks of 4 x 2 pixels whose resolved samples are validated by rays. Blocks outside " ..
+            "the rectangle that contains all motion are not validated" },
     mismatch_tolerance   = pass.float { 0.1, min = 0, max = 1,
       doc = "largest relative error of the mean of a pixel's resolved samples that passes validation" },
     shades_contrast = raster_color.shades_contrast,

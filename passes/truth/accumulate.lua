@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- One rasterised time sample of ground truth, added to one of two interleaved half buffers; a loop repeats it over the shutter.
+-- One rasterised time sample of ground truth, added to one of two half buffers. A loop repeats the pass over the
+-- exposure.
 local pass = require "strobe.pass"
 
 local function half(which)

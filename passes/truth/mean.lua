@@ -5,7 +5,7 @@ local pass = require "strobe.pass"
 local half = { doc = "mean of one half of the samples, linear radiance; alpha: number of samples in that half" }
 
 return pass.compute {
-  doc    = "Mean of both half buffers, and half of their difference as its error",
+  doc    = "Mean of both half buffers, and half of their difference as the error of this mean",
   size   = { of = "mean_a" },
   reads  = { mean_a = half, mean_b = half },
   writes = {

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- One traced time sample of ground truth per pixel, added to one of two interleaved half buffers; a loop repeats it over the
--- shutter.
+-- One traced time sample of ground truth per pixel, added to one of two half buffers. A loop repeats the pass over the
+-- exposure.
 -- Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH '84.
 local pass  = require "strobe.pass"
 local shade = require "passes.gbuffer.shade"
@@ -19,8 +19,9 @@ return pass.trace {
     even_color    = { absent = 0,
       doc = "colour of the static surface that the first samples agree on, from `sample_consensus`" },
     first_static      = { absent = 0, uint = true,
-      doc = "static or common surface of earlier samples, encoded as `ground`" },
-    first_static_mean = { absent = 0, doc = "mean colour of the static surface in earlier samples, encoded as `still`" },
+      doc = "static or common surface of earlier samples, encoded as `static_background`" },
+    first_static_mean = { absent = 0,
+      doc = "mean colour of the static surface in earlier samples, encoded as `static_mean`" },
     first_regions     = { absent = 0, uint = true, doc = "regions of earlier samples, encoded as `regions`" },
   },
   dispatch_over = "pixel_list",
@@ -29,14 +30,15 @@ return pass.trace {
       doc = "mean of one half of the samples, linear radiance; alpha: number of samples in that half" },
     mean_b  = { format = "rgba32f",
       doc = "mean of the other half of the samples, linear radiance; alpha: number of samples in that half" },
-    regions     = { format = "r32ui", doc = "region of the pixel as bits: 1 inner, 2 hidden, 4 outer, 8 self" },
+    regions     = { format = "r32ui",
+      doc = "regions of the error report that contain the pixel, as bits: 1 inner, 2 hidden, 4 outer, 8 self" },
     static_mean = { format = "rgba32f", doc = "mean colour of the static surface, linear radiance; alpha: number of samples" },
     contrast    = { format = "r32f",
       doc = "largest difference of a sample's colour from the mean of the samples before it, relative to that mean" },
     static_background  = { format = "rgba32ui",
-      doc = "surface found by the samples; x: 0 none, 1 sky, 2 + instance, 2^32 - 1 several; y: geometry; z: triangle; w: " ..
-            "distance as bits of a float. Moving surfaces are recorded only where no sample found a static surface, with " ..
-            "sample positions over the whole pixel" },
+      doc = "surface found by the samples. x: 0 for none, 1 for the sky, 2 + instance, or 2^32 - 1 for several surfaces; y: " ..
+            "geometry; z: triangle; w: distance as the bits of a float. Moving surfaces are recorded only with pixel = box, " ..
+            "where no sample found a static surface" },
     shadows = { format = "rgba32ui",
       doc = "light visibility on two instances; x and z: 2 + instance; y and w: bit i is set if light i of 16 was visible " ..
             "in all samples that tested it, bit 16 + i if it was blocked in all, both if none tested it" },
@@ -44,7 +46,7 @@ return pass.trace {
   counters = {
     not_finite = shade.counters.not_finite,
     validated  = "samples traced in full to validate the rays skipped elsewhere",
-    mismatched   = "validated samples with a mismatch: another surface, triangle or shadow than the first samples agree on",
+    mismatched   = "validated samples with another surface, triangle or shadow than the first samples agree on",
   },
   params = {
     shading = shade.params.shading {
@@ -62,7 +64,7 @@ return pass.trace {
     validation_share = pass.float { 0.01, min = 0, max = 1,
       doc = "fraction of the blocks of 4 x 2 pixels that trace every ray, to validate the rays skipped elsewhere" },
     static_once_per_loop = pass.bool { false, role = "static_once",
-      doc = "sample pixels that no moving surface reaches only once; exact for pixel = centre with frozen shading" },
+      doc = "sample a pixel only once if no moving surface reaches it; exact with pixel = centre and shading = frozen" },
     mark_regions = pass.bool { true, doc = "find the regions for error reports; costs one more ray per sample" },
   },
 }

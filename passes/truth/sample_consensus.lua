@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Consensus of the first samples of ground truth, so that later samples skip the rays for it.
+-- Consensus of the first samples of ground truth, so that later samples need fewer rays.
 local pass = require "strobe.pass"
 
 return pass.compute {
@@ -8,8 +8,8 @@ return pass.compute {
   size   = { of = "static_background" },
   reads  = {
     static_background = { uint = true,
-      doc = "surface found by the samples; x: 0 none, 1 sky, 2 + instance; y: geometry; z: triangle. A moving surface is " ..
-            "stored only if no sample found a static surface" },
+      doc = "surface found by the samples. x: 0 for none, 1 for the sky, or 2 + instance; y: geometry; z: triangle. A " ..
+            "moving surface is stored only if no sample found a static surface" },
     static_mean = { doc = "mean colour of the static surface, linear radiance" },
     contrast    = {
       doc = "largest difference of a sample's colour from the mean of the samples before it, relative to that mean" },
@@ -19,8 +19,8 @@ return pass.compute {
   },
   writes = {
     known_hit = { format = "rgba32ui",
-      doc = "surface that all samples agree on, encoded as `ground`; z: 2^32 - 1 if the triangles differ; x: 0 without " ..
-            "consensus" },
+      doc = "surface that all samples agree on, encoded as `static_background`. x: 0 if the samples do not agree; z: " ..
+            "2^32 - 1 if the triangles differ" },
     known_shadows = { format = "rgba32ui", doc = "light visibility that all samples agree on, encoded as `shadows`" },
     even_color = { format = "rgba32f",
       doc = "colour of the static surface, linear radiance; alpha: 1 if all samples agree on the colour, otherwise 0" },
@@ -30,7 +30,7 @@ return pass.compute {
     even_within = pass.float { 0.02, min = 0, max = 1,
       doc = "largest difference of colours from their mean, relative to the mean, that counts as one colour" },
     one_shading = pass.bool { true, wired = true,
-      doc = "set if all samples are shaded at the raster time, so that one colour may suffice" },
+      doc = "true if all samples are shaded at the raster time, so that one colour may suffice" },
     validation_share = pass.float { 0, min = 0, max = 1, wired = true,
       doc = "fraction of the pixels that take all samples, for validation" },
   },

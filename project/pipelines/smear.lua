@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The raster image, averaged along the displacement of each pixel.
+-- The raster image, averaged along the displacement of each pixel by the pass `smear`.
 local pipeline = require "strobe.pipeline"
 local smear    = require "passes.smear"
 local scene    = require "scripts.pipelines.lib.scene"

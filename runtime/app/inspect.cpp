@@ -195,12 +195,19 @@ void checkCapture(const Home& home, const std::string& file) {
   if (archive::readCapture(home, file).measured) checkExperiment(home, file);
 }
 
+// True if the file lies in that folder of the project. A project may itself lie below such a folder of another root.
+bool liesInProject(const Home& home, const Path& file, const Path& folder) {
+  const std::vector<Path> folders = home.folders(folder);
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](const Path& one) { return liesIn(one, home.project()) && liesIn(file, one); });
+}
+
 // The scripts of the project in a folder, experiments or captures.
 std::vector<std::string> ownFiles(const Home& home, const Path& folder) {
   std::vector<std::string> files;
   for (const std::string& name : home.namesBelow(folder, ".lua")) {
     Path file = home.at(folder / (name + ".lua"));
-    bool is_own = liesIn(file, home.project()) && file.parent_path().filename() != "lib";
+    bool is_own = liesInProject(home, file, folder) && file.parent_path().filename() != "lib";
     if (is_own && !isPreset(home, file)) files.push_back(file);
   }
   return files;

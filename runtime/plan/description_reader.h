@@ -43,7 +43,7 @@ class Reader : public Fields {
 // a-z, then a-z, 0-9 and _; at most 64.
 bool isName(const std::string& name);
 
-// True if `name` is names separated by slashes: "gather/mcguire2012".
+// True if `name` is names separated by slashes: "folder/name".
 bool isPath(const std::string& name);
 std::string nameOf(Reader& reader);
 

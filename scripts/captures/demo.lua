@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Figure 1 of Tan, Cui and Bhojan 2020, with numbers: a vase slides past a cushion, and a camera goes with it.
--- Expected: in the region inner the hybrid (best) has a smaller error than either baseline, by more than two standard
--- errors of truth. Truth's noise shifts each error by at most one (triangle inequality).
+-- Figure 1 of Tan, Cui and Bhojan 2020, with errors. In the first shot a vase slides past a cushion; in the second a camera
+-- follows the vase. Expected: in the region inner the error of hybrid (best) is smaller than the error of either baseline, by
+-- more than two standard errors of truth. The noise of truth shifts each error by at most one standard error (triangle
+-- inequality).
 --   strobe demo
 local capture = require "strobe.capture"
 
 local truth = "ground truth"
-local title = "Hybrid motion blur: what lies behind a moving object"
+local title = "Hybrid motion blur: the background of a moving object"
 local note = "After figure 1 of Tan, Cui and Bhojan, \"Hybrid MBlur\" (SIGGRAPH '20 Posters): inside a moving object's " ..
              "silhouette the blur uncovers a background that the raster image does not have. Letter: the paper's text, " ..
              "step by step. Our reading: the settings under which the paper's claims hold."
@@ -44,9 +45,9 @@ for _, shot in ipairs(shots) do
     boxes[i] = { area = crops[i], color = colors[i], width = 2 }
   end
   add({ shot = shot.name, title = shot.title, boxes = boxes, caption = "RMSE inner {rmse inner}, whole {rmse}",
-        note = "{size}, exposure {exposure} of 1/{fps} s, anchor {anchor}, median displacement of what moves " ..
-               "{displacement} over the exposure" },
-      { caption = "its standard error: whole {standard_error}, inner {standard_error inner}, hidden " ..
+        note = "{size}, exposure {exposure} of 1/{fps} s, anchor {anchor}, median displacement of moving " ..
+               "surfaces {displacement} over the exposure" },
+      { caption = "standard error of truth: whole {standard_error}, inner {standard_error inner}, hidden " ..
                   "{standard_error hidden}, outer {standard_error outer}" })
   for i, crop in ipairs(crops) do
     local where = crop[1] == "inner" and "inner blur" or ("crop at %d,%d"):format(crop[1], crop[2])

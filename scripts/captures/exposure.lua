@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A film of the same moment at longer and longer exposures: the hybrid beside truth. The vase has the same speed in all.
+-- A film of one moment at longer and longer exposures, with the hybrid beside truth. The vase has the same speed in all
+-- pictures.
 --   strobe capture scripts/captures/exposure.lua -o out/exposure
 local capture = require "strobe.capture"
 

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- Figure 1 of Tan, Cui and Bhojan 2020, on the living room: a close-up of a vase whose left edge covers the left edge of a
 -- cushion. The vase moves to the left by 40 px over the exposure, which ends at the raster time, so that its left edge
--- disoccludes the background. According to the paper, the background is hardly visible with McGuire et al.; UE4 mirrors it
--- from outside and shows an additional cushion edge (yellow); the hybrid has the accurate cushion edge (green) of truth.
+-- disoccludes the background. The paper claims the following. With the filter of McGuire et al., the background is hardly
+-- visible. UE4 fills it with a mirror image of the pixels beside the vase, which adds a false cushion edge (yellow arrow). The
+-- hybrid has the cushion edge of truth (green arrow).
 --   strobe capture scripts/captures/figure1.lua -o out/figure1
 local capture = require "strobe.capture"
 
@@ -44,12 +45,12 @@ return capture {
       cells = {
         { row = 1, column = "UE4-style", arrows = { { to = { 446, 257 }, by = { 26, -9 } } } },
         { row = 1, column = "hybrid", arrows = true_edge },
-        { row = 1, column = "ray-traced", arrows = true_edge, caption = "its standard error {standard_error inner %.3f}" },
+        { row = 1, column = "ray-traced", arrows = true_edge, caption = "standard error {standard_error inner %.3f}" },
         { row = 2, column = "ray-traced", empty = true },
       },
     },
-    -- The paper to the letter, and our reading. To the letter, luminance separates foreground from background, and the pattern
-    -- of this vase has several luminances.
+    -- Two interpretations of the paper: to the letter, and ours. To the letter, a ray takes another luminance for the
+    -- background, which fails here because the pattern of the vase has several luminances.
     {
       name = "figure1_presets", crop = crop, zoom = 2, width_mm = 85, text_size = 22, gap = 8,
       caption = "inner RMSE {rmse inner %.3f}",

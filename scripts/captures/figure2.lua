@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Figure 2 of Tan, Cui and Bhojan 2020: the range of samples for each pixel. McGuire et al. 2012 put the pixel in the middle of
--- this range, with half of the exposure before and half after the raster time. The paper puts it at the end.
+-- Figure 2 of Tan, Cui and Bhojan 2020: the range of the samples that a pixel averages. McGuire et al. 2012 put the pixel in
+-- the middle of this range, so that half of the exposure is before and half is after the raster time. Tan et al. put the pixel
+-- at the end of the range.
 --   strobe capture scripts/captures/figure2.lua -o out/figure2
 local capture = require "strobe.capture"
 
@@ -27,8 +28,8 @@ return capture {
         { shot = "start", label = "start: raster time at the start of the exposure" },
       },
       rows = {
-        { label = "what is sampled", view = "shade.color", ranges = ranges },
-        { label = "what it gives" },
+        { label = "raster image and samples", view = "shade.color", ranges = ranges },
+        { label = "blurred picture" },
       },
     },
   },

@@ -3,17 +3,18 @@
 --   strobe capture scripts/captures/hybrid_passes.lua -o out/hybrid_passes
 local capture = require "strobe.capture"
 
--- Outputs in the order of their passes, three per row: the image, its caption, the longest displacement of its scale in px.
+-- Outputs in the order of their passes, three per row. Each entry has an image, a caption and, for displacements, the upper end
+-- of the colour scale in px.
 local passes = {
   { "visibility.hit", "visibility: instances" },
   { "depth", "gbuffer: depth" },
   { "normal", "gbuffer: normals" },
   { "velocity", "gbuffer: displacement over the exposure", 25 },
-  { "shade.color", "shade: colour at the capture" },
+  { "shade.color", "shade: colour at the raster time" },
   { "tile_velocities.velocities", "tile_velocities: displacements of a tile", 25 },
-  { "mask", "mask: pixels to look behind" },
-  { "revealed", "reveal: colour behind them" },
-  { "revealed_depth", "reveal: depth behind them" },
+  { "mask", "mask: pixels that trace a ray" },
+  { "revealed", "reveal: colour of the background" },
+  { "revealed_depth", "reveal: depth of the background" },
   { "tile_max.longest", "tile_max: longest displacement", 25 },
   { "neighbour_max.dominant", "neighbour_max: dominant displacement", 25 },
   { "color", "composite: the picture" },

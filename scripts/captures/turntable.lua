@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A film around the table of the living room: blur by the motion of the camera alone.
+-- A film of a camera that moves around the table of the living room. Only the motion of the camera causes blur.
 --   strobe capture scripts/captures/turntable.lua -o out/turntable
 local capture = require "strobe.capture"
 

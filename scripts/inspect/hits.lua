@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Input of a pixel inspector: all hits along the camera's ray through one pixel. Not a picture of the scene.
+-- Data for an inspector of pixels: all hits along the ray of the camera through one pixel. The output is not a picture of the
+-- scene.
 local pipeline = require "strobe.pipeline"
 local hits     = require "passes.inspect.hits"
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Rays for comparing tracing backends with each other. Not a picture of the scene.
+-- Test rays that compare tracing backends with each other. The output is not a picture of the scene.
 local pipeline = require "strobe.pipeline"
 local rays     = require "passes.inspect.test_rays"
 

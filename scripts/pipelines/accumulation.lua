@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The accumulation buffer: the mean of the scene drawn at many times. Haeberli and Akeley 1990.
+-- The accumulation buffer: the scene is drawn at many times, and the pictures are averaged. Haeberli and Akeley 1990.
 local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
 local raster_color = require "passes.lib.raster_color"
@@ -9,26 +9,26 @@ local static_background = require "passes.accumulation.static_background"
 local visibility_moving = require "passes.gbuffer.visibility_moving"
 local scene    = require "scripts.pipelines.lib.scene"
 
-local snapped = "vertices are snapped to 1/256 px, so a silhouette this close to a pixel's centre may fall to either side"
+local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
 
 return pipeline {
-  doc = "Mean of the scene drawn at each time sample, shaded as at the raster time (Haeberli and Akeley 1990)",
+  doc = "Mean of pictures of the scene at each time sample, shaded as at the raster time (Haeberli and Akeley 1990)",
   breaks = { mirrored = snapped, scaled = snapped },
   params = {
-    samples = blur.samples { doc = "number of times, each with its own drawing of the scene" },
+    samples = blur.samples { doc = "number of time samples; the scene is drawn once for each" },
     reuse   = pipeline.choice { "none", "blended", "detailed", default = "detailed",
-      doc = "source of a surface's colour at other times: shading, or the raster image where it shows the surface",
+      doc = "colour of a surface in a time sample: shaded, or read from the raster image where it shows the surface",
       values = {
-        none = "Shading, in the pose of the raster time, of every sample. Costs a shadow ray per sample and light.",
-        blended = "Blend of the four nearest texels of the raster image if they show the surface, otherwise shading. Fails " ..
-                  "by smoothing textures.",
-        detailed = "The blend, except where the four texels differ by more than `contrast` and the surface moves by at most " ..
-                   "`detail_below` from sample to sample: there shading.",
+        none = "Every sample is shaded in the pose of the raster time. Costs a shadow ray per sample and light.",
+        blended = "The four nearest texels of the raster image are blended if they show the surface. Otherwise the sample " ..
+                  "is shaded. Fails by smoothing textures.",
+        detailed = "Like `blended`, but a sample is shaded if its four texels differ by more than `contrast` and the " ..
+                   "surface moves by at most `detail_below` from sample to sample.",
       } },
     contrast = raster_color.contrast {
-      doc = "with reuse = detailed: largest difference of the four texels that are blended, share of their colour" },
+      doc = "with reuse = detailed: largest difference of four texels that are always blended, as a share of their colour" },
     detail_below = raster_color.detail_below {
-      doc = "with reuse = detailed: motion from sample to sample above which the four texels are always blended" },
+      doc = "with reuse = detailed: displacement from sample to sample above which the four texels are always blended" },
   },
   build = function(p)
     local raster = scene.raster()

@@ -6,7 +6,7 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc = "Bevy engine: blur of each pixel along its own displacement, without tiles; no surface blurs beyond its silhouette",
+  doc = "Bevy engine: each pixel is blurred along its own displacement, so no surface is blurred beyond its silhouette",
   params = { options.picture, copy_below = filter.params.copy_below },
   build = function()
     local raster = scene.raster()

@@ -16,9 +16,9 @@ local truth      = require "scripts.pipelines.lib.truth"
 local drawn = "a sample's random time or position depends on the coordinates of its pixel"
 local smooth = "samples cover the whole pixel, so static silhouettes are smooth too"
 
-local snapped = "vertices are snapped to 1/256 px, so a silhouette this close to a pixel's centre may fall to either side"
+local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
 
--- One time sample by raster. It shares no visibility code with rays, so that each can check the other.
+-- One time sample by rasterisation. Rasterisation and rays share no visibility code, so that each can check the other.
 local function rastered_sample(p)
   if p.pixel() == "box" then error("mode = raster samples pixel centres only: pixel = box needs mode = rays", 0) end
   if p.slices() > 1 then error("mode = raster draws one time per iteration: slices > 1 needs mode = rays", 0) end
@@ -47,53 +47,55 @@ return pipeline {
     inner  = "pixels that show a farther instance at some time of the exposure than at the raster time",
     hidden = "pixels that show at some time of the exposure a point that is occluded at the raster time",
     outer  = "pixels that show a nearer instance at some time of the exposure than at the raster time",
-    self   = "pixels that show at some time of the exposure a point of their raster-time instance that is occluded then",
+    self   = "pixels that show at some time of the exposure a point of their raster-time instance that is occluded at the " ..
+             "raster time",
   },
   params = {
     mode         = choice { "rays", "brute", "raster", default = "rays",
-      doc = "method that finds the nearest surface at each time; only rays find the regions",
+      doc = "method that finds the nearest surface at each time; `raster` finds no error regions",
       values = {
-        rays   = "Rays through whole pixels or their centres, several times at once; finds the regions. Static surfaces are " ..
-                 "found once, and moving ones are traced in front of them at each time. Rays are skipped where all first " ..
-                 "samples of a pixel and its neighbours agree: with a static camera about a surface, its shadows or one " ..
-                 "static colour; with a moving camera about the surface and shadows at the raster time, for points that " ..
-                 "are visible then. An audit traces the skipped rays in some pixels. Fails to find surfaces that lie " ..
-                 "between all of the first samples.",
-        brute  = "The same samples, each traced in full with its shadow rays: the reference of the audit, in all pixels.",
-        raster = "Raster, one time after another: a check of the rays that shares none of their traversal. Fails to " ..
-                 "find the regions, and samples pixel centres only.",
+        rays   = "Rays through the whole pixel or its centre, at several times in one iteration. Static surfaces are traced " ..
+                 "once, moving surfaces at each time. A ray is skipped if the first samples of the pixel and its " ..
+                 "neighbours agree on the result. With a static camera they agree on a surface, its shadows or one static " ..
+                 "colour. With a moving camera they agree on the surface and shadows of a point that is visible at the " ..
+                 "raster time. Validation rays test the skipped rays in some pixels. Fails to find surfaces that none of " ..
+                 "the first samples hits.",
+        brute  = "The samples of `rays`, each traced in full with its shadow rays. No ray is skipped: a reference for `rays`.",
+        raster = "The scene is rasterised at one time after another. This checks `rays`, because it shares no traversal " ..
+                 "code with them. Fails to find the error regions, and samples pixel centres only.",
       },
       breaks = { raster = { mirrored = snapped } } },
     samples      = int { 1024, min = 1, max = 65536, role = "sample_count", doc = "largest number of time samples" },
     times        = choice { "midpoint", "stratified", default = "midpoint", role = "sample_times",
       doc = "time of a sample in its stratum",
       values = {
-        midpoint   = "The middle: an error of at most half a sample per silhouette. Fails with bands where samples are few.",
-        stratified = "A random time; with several slices each pixel draws one of their times. Right on average, with noise " ..
-                     "instead of bands. Fails by up to twice the error of midpoint at each silhouette.",
+        midpoint   = "The middle. The error is at most half a sample per silhouette. Fails with bands where samples are few.",
+        stratified = "A random time. With several slices, each pixel takes the time of one slice. Unbiased, with noise " ..
+                     "instead of bands. Fails by up to twice the error of `midpoint` at each silhouette.",
       },
       breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
-    slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; each pixel draws one",
+    slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; each pixel uses a random one",
       breaks = { other = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
     shading      = shade.params.shading,
     pixel        = choice { "centre", "box", default = "centre", doc = "position of a sample in its pixel",
       values = {
-        centre = "The centre, as in the methods: differences from truth are errors of the blur. Fails with stairs at static " ..
-                 "silhouettes.",
-        box    = "Positions spread evenly over the pixel, a box filter. Fails as the reference of methods that sample " ..
-                 "centres: they differ from it at every silhouette.",
+        centre = "The centre, as in the blur pipelines, so differences from truth are errors of the blur alone. Fails with " ..
+                 "stairs at static silhouettes.",
+        box    = "Positions spread evenly over the pixel: a box filter. Fails as the reference of pipelines that sample " ..
+                 "centres, because their pictures differ at every silhouette.",
       },
       breaks = { box = {
         still = smooth, brief = smooth, uniform = smooth, mirrored = drawn, shifted = drawn, reversed = drawn,
       } } },
     first_samples = int { 0, min = 0, max = 4096,
-      doc = "samples that every pixel traces in full, before rays are skipped; 0 = an eighth of all, at least 8, and with a " ..
-            "tolerance at most 64" },
+      doc = "number of samples that every pixel traces in full before rays are skipped; 0: an eighth of `samples`, at " ..
+            "least 8, and at most 64 if `tolerance` is above 0" },
     even_within  = agreement.params.even_within,
     mark_regions = bool { true, role = "regions",
       doc = "find the error regions; costs one more ray per sample" },
     validation_share = trace.params.validation_share,
-    tolerance        = float { 0, min = 0, max = 1e6, doc = "standard error of the mean that stops sampling; 0 = never" },
+    tolerance        = float { 0, min = 0, max = 1e6,
+      doc = "standard error of the mean that stops sampling, linear radiance; 0: sampling does not stop early" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"

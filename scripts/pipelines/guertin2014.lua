@@ -15,15 +15,16 @@ return pipeline {
     second_share = pipeline.choice { "half", "variance", default = "half",
       doc = "share of the samples that follow the second direction",
       values = {
-        half = "Every other sample, at every pixel. Fails by wasting samples where all surfaces move in one direction.",
-        variance = "More samples where the directions of the tiles around differ more. Fails where motions cross in a tile.",
+        half = "Half of the samples, at every pixel. Fails by wasting samples where all surfaces move in one direction.",
+        variance = "A larger share where the motion directions of the surrounding tiles differ more. Fails where motions " ..
+                   "cross within one tile.",
       } },
     kappa        = gather.params.kappa,
     gamma        = gather.params.gamma,
     eta          = gather.params.eta,
     tile_jitter  = gather.params.tile_jitter,
     uniform_path = pipeline.bool { true,
-      doc = "use the dominant displacement for all surfaces where the shortest one around is at least 0.65 as long" },
+      doc = "use the dominant displacement for all surfaces if the shortest one around is at least 0.65 times as long" },
   },
   build = function(p)
     local raster = scene.raster()

@@ -13,7 +13,8 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
--- Dominant displacement per tile, like tiles.dominant, but scattered: each tile writes to the tiles along its displacement.
+-- Dominant displacement of each tile. Unlike in tiles.dominant, a tile writes its displacement to all tiles along this
+-- displacement.
 local function dominant(raster)
   local tile = tile_max { velocity = raster.velocity }
   local longest = tile.longest
@@ -26,7 +27,7 @@ local function dominant(raster)
 end
 
 return pipeline {
-  doc = "Unity HDRP: pairs of taps as in Jimenez 2014, tiles scattered along their motion, weights by the alignment of motions",
+  doc = "Unity HDRP: tap pairs of Jimenez 2014, tiles that scatter along their motion, and weights by the alignment of motions",
   params = {
     options.picture,
     tile         = blur.tile { 16 },
@@ -37,7 +38,7 @@ return pipeline {
     direction    = gather.params.direction { default = "projected" },
     copy_below   = gather.params.copy_below,
     cheap_ratio  = gather.params.cheap_ratio,
-    cheap        = pipeline.bool { true, doc = "average the taps without weights where all surfaces around move alike" },
+    cheap        = pipeline.bool { true, doc = "use equal weights for all taps where all surfaces around a pixel move alike" },
   },
   build = function(p)
     local raster = scene.raster()

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Tan, Cui and Bhojan 2020, "Hybrid MBlur: Using Ray Tracing to Solve the Partial Occlusion Artifacts in Real-Time
--- Rendering of Motion Blur Effect", SIGGRAPH '20 Posters. One function per section of the paper.
+-- Rendering of Motion Blur Effect", SIGGRAPH '20 Posters. Each section of the paper has a function here.
 local pipeline    = require "strobe.pipeline"
 local candidate   = require "passes.hybrid.displaced_position"
 local range_check = require "passes.hybrid.range_check"
@@ -13,15 +13,15 @@ local options     = require "scripts.pipelines.lib.options"
 local scene       = require "scripts.pipelines.lib.scene"
 local tiles       = require "scripts.pipelines.lib.tiles"
 
--- Ray Mask: pixels in range of an edge. Only pixels whose displaced position is farther and belongs to another object can be
--- edges.
+-- Ray Mask: moving pixels with an edge along their displacement. An edge is searched only at pixels whose displaced position
+-- shows another, farther object.
 local function ray_mask(p, raster)
   local where = candidate { depth = raster.depth, id = raster.id, velocity = raster.velocity, taps = p.mask_taps }.candidate
   local edge = edges.detected(p.edge(), raster, where)
   return range_check { edge = edge, id = raster.id, velocity = raster.velocity, own_edge = p.own_edge, as = "mask" }.mask
 end
 
--- Ray Reveal: one ray per masked pixel, advanced past the foreground to the next object.
+-- Ray Reveal: one ray per masked pixel, which passes the foreground and ends at the next object.
 local function ray_reveal(raster, mask)
   local found = reveal { hit = raster.hit, mask = mask }
   return scene.layer {
@@ -29,7 +29,7 @@ local function ray_reveal(raster, mask)
   }
 end
 
--- Post-Process: tile-dilate and gather of one layer. `background`: the background layer that its silhouettes disocclude.
+-- Post-Process: tile dilation and gather of one layer. `background`: the layer that silhouettes of `layer` disocclude, or nil.
 local function blurred(p, layer, name, background)
   local dominant = tiles.dominant(p, layer, { prefix = name .. "_" })
   return gathers.blurred(p.weights(), gathers.images(layer, dominant, background), "gather_" .. name, p.color_format)
@@ -42,17 +42,18 @@ local text = {
   edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit",
   weights = "mcguire2012",
 }
--- Two readings of the paper, where its text is silent or contradicts its claims: rays pass the object in front at once, and
--- each tap is an equal share of the exposure.
+-- Two settings where the text of the paper is silent or contradicts its claims: a ray passes the whole foreground object at
+-- once, and each tap has an equal share of the exposure.
 local paper = { text, advance = "instance_filter", weights = "uniform" }
 
 return pipeline {
-  doc = "The published method: raster and ray-revealed background, blurred and composited (Tan, Cui and Bhojan 2020)",
+  doc = "The published method: raster image and ray-traced background, blurred and composited (Tan, Cui and Bhojan 2020)",
   params = {
     options.blur(40),
-    mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "positions along the displacement that the ray mask tests" },
+    mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "positions along a displacement that the ray mask tests" },
     edge         = pipeline.choice(edge_choice),
-    own_edge     = pipeline.bool { true, doc = "require that the edge in range belongs to the instance of the pixel" },
+    own_edge     = pipeline.bool { true,
+      doc = "require that the first edge along the displacement belongs to the pixel's own instance" },
     termination  = reveal.params.termination,
     tolerance    = reveal.params.tolerance,
     luminance_of = reveal.params.luminance_of,
@@ -64,10 +65,10 @@ return pipeline {
     directions   = mcguire2012.params.directions,
   },
   presets = {
-    paper = { doc = "the paper, read so that its claims hold: rays pass the object in front at once, taps have equal weight",
+    paper = { doc = "the paper, so that its claims hold: a ray passes the foreground object at once, taps have equal weights",
               set = paper },
     text = { doc = "the paper to the letter", set = text },
-    geometry_index = { doc = "the paper with its proposed termination: another geometry, instead of another luminance",
+    geometry_index = { doc = "like `paper`, but a ray ends at another geometry instead of luminance (proposed in the paper)",
                        set = { paper, termination = "geometry" } },
   },
   default_preset = "paper",

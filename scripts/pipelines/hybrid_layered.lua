@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Extension of the hybrid: rays where relative motion disoccludes a background, a composite of both layers per time sample.
+-- Extension of the hybrid: rays are traced where relative motion disoccludes a background, and both layers are composited per
+-- time sample.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.layered.layered_composite"
@@ -9,7 +10,7 @@ local options  = require "scripts.pipelines.lib.options"
 local paths    = require "scripts.pipelines.lib.paths"
 
 return pipeline {
-  doc = "Hybrid with a disocclusion mask by relative motion and a composite of its layers per time sample",
+  doc = "Hybrid that traces rays where relative motion disoccludes a background, and composites two layers per time sample",
   params = {
     options.tiles(40),
     termination  = reveal.params.termination,

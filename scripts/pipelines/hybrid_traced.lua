@@ -10,10 +10,10 @@ local time_samples = require "scripts.pipelines.lib.time_samples"
 
 local by_cell = "cells decide which samples are traced, and the grid of cells starts at the corner of the picture"
 local by_threshold = "thresholds decide which samples are traced, and rounding may cross a threshold"
-local slowest = 0.02  -- px over the exposure; a slower silhouette changes the coverage of a pixel by less than 0.02
+local slowest = 0.02  -- px over the exposure: a slower silhouette changes the coverage of a pixel by less than 0.02
 
 return pipeline {
-  doc = "hybrid_layered with a ray for each time sample that the layers do not resolve",
+  doc = "Hybrid like hybrid_layered, with a ray for each time sample that its two layers do not resolve",
   params = { options.tiles(40), range = paths.range, trajectory = layered.params.trajectory },
   breaks = { mirrored = by_cell, shifted = by_cell, scaled = by_threshold },
   compare_with = "mcguire2012",

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Post-process blur of Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", any anchor.
+-- Post-process blur of Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any
+-- anchor.
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.jimenez2014"
 local gathers  = require "scripts.pipelines.lib.gathers"
@@ -8,7 +9,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "Jimenez 2014: pairs of taps along the dominant displacement, linear ramps, mirrored background",
+  doc = "Jimenez 2014: gather of tap pairs along the dominant displacement, linear weight ramps, mirrored background",
   params = {
     options.blur(20),
     mirror      = gather.params.mirror,
@@ -16,7 +17,7 @@ return pipeline {
     direction   = gather.params.direction,
     copy_below  = gather.params.copy_below,
     cheap_ratio = gather.params.cheap_ratio,
-    cheap       = pipeline.bool { true, doc = "average the taps without weights where all surfaces around move alike" },
+    cheap       = pipeline.bool { true, doc = "use equal weights for all taps where all surfaces around a pixel move alike" },
   },
   build = function(p)
     local raster = scene.raster()

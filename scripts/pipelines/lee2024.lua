@@ -38,12 +38,14 @@ return pipeline {
   doc = "Lee, Kwon and Oh 2024: full raster layers by depth peeling, searched backwards along displacements",
   params = {
     options.tiles(40),
-    layer_count = pipeline.int { 4, min = 1, max = 4, doc = "number of depth layers, the visible one included" },
+    layer_count = pipeline.int { 4, min = 1, max = 4, doc = "number of depth layers, including the visible layer" },
     sides  = peel.params.sides,
     paths = pipeline.choice { "tiles", "own", default = "tiles", doc = "displacements that the search of a pixel follows",
       values = {
-        tiles = "Its own in every layer, and the longest of the tiles around. Fails where a third motion passes the pixel.",
-        own = "Its own in every layer. Fails beside silhouettes: surfaces that pass over the pixel at other times are missed.",
+        tiles = "The pixel's own displacement in each layer, and the longest one of the surrounding tiles. Fails where a " ..
+                "third motion crosses the pixel.",
+        own = "The pixel's own displacement in each layer. Fails beside silhouettes, where surfaces that cross the pixel " ..
+              "only at other times are missed.",
       } },
     agreement = filter.params.agreement,
   },

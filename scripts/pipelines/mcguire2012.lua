@@ -13,7 +13,7 @@ return pipeline {
   params = {
     options.blur(40),
     weights = pipeline.choice(gathers.choice("mcguire2012",
-      "weights of the taps: as published, or each tap an equal share of the exposure", { "mcguire2012", "uniform" })),
+      "weights of the taps: as published, or equal for all taps", { "mcguire2012", "uniform" })),
     directions = gather.params.directions,
     range = paths.range,
   },

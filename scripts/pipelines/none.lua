@@ -6,7 +6,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 return pipeline {
   doc = "Raster image without blur",
   kind = "sharp",
-  breaks = { uniform = "it does not blur" },
+  breaks = { uniform = "the pipeline does not blur" },
   build = function()
     local raster = scene.raster()
     return scene.outputs(raster, { color = raster.color })

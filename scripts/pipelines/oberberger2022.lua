@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- One ray per pixel at a random time, and a filter along the motion. Oberberger, Chajdas and Westermann 2022.
+-- One ray per pixel at a random time, then a filter along the motion. Oberberger, Chajdas and Westermann 2022.
 local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
 local jitter   = require "passes.lib.jitter"
@@ -14,7 +14,7 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 return pipeline {
   doc = "Oberberger et al. 2022 on one frame: one ray per pixel at a random time, then a wavelet filter along the motion",
   params = {
-    octaves = pipeline.int { 4, min = 0, max = 6, doc = "levels of the filter, each twice as wide as the last; 0: no filter" },
+    octaves = pipeline.int { 4, min = 0, max = 6, doc = "filter levels, each twice as wide as the one before; 0: no filter" },
     deviations = along_motion.params.deviations,
     tile   = blur.tile,
     limit  = blur.limit,

@@ -1,15 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- A closed object slides past panels by `speed` px over the exposure. A ray through it hits its parts and far side before it
--- hits the disoccluded background. All materials are unlit, so the colours determine the luminances.
+-- A closed object slides past panels by `speed` px over the exposure. A ray through the object hits its parts and its far side
+-- before it hits the disoccluded background. All materials are unlit, so the colours determine the luminances.
 -- cell    side of the cells of the background, px
 -- front   plain     a box of one colour
 --         textured  the same box, checkered: its far side is as bright as its near side at half of the pixels
 --         parts     an object of two parts of different luminance: a box inside a box
---         alike     the same object, both parts of one luminance
---         nodes     the two parts as two objects with the same motion
---         posts     a rotating ring of posts, one object: far posts move against near ones
+--         alike     the object of `parts`, but both parts have one luminance
+--         nodes     the two parts of `parts` as two objects with the same motion
+--         posts     a rotating ring of posts, one object: far posts move in the opposite direction of near posts
 -- behind  varied    a wall of cells of different luminance
---         alike     a panel in front of that wall; its cells are as bright as the plain box, in other colours
+--         alike     a panel in front of the wall of `varied`; its cells have the luminance of the plain box, but other colours
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 
@@ -20,7 +20,7 @@ local w, h = stage.width, stage.height
 
 -- ---- colours
 
--- `color` scaled so that its luminance is `luminance`.
+-- Returns `color`, scaled to the luminance `luminance`.
 local function as_bright(color, luminance)
   local factor = luminance / (0.2126 * color[1] + 0.7152 * color[2] + 0.0722 * color[3])
   return { factor * color[1], factor * color[2], factor * color[3] }
@@ -33,7 +33,7 @@ local function flat(name, color) return scene.material { name = name, color = co
 
 -- ---- moving object
 
--- A box; its width and height are in pixels at its near side.
+-- A box. Its width and height are in pixels, measured at its near side.
 local function box(pixels_wide, pixels_high, deep)
   local metre = stage:point(w / 2 + 1, h / 2, depth)[1]
   return scene.box { size = { pixels_wide * metre, pixels_high * metre, deep * stage.scale } }
@@ -83,7 +83,7 @@ function fronts.posts()
       material = flat("post_" .. i % 3, ({ orange, alike[1], as_bright(orange, 0.1) })[1 + i % 3]),
     }
   end
-  -- The near side moves by `speed` pixels.
+  -- The near side of the object moves by `speed` px over the exposure.
   local near = (depth + thickness / 2) * stage.scale - radius
   local degrees = math.deg(speed * near / stage.focal_px / radius)
   return { object("posts", { parts = parts,

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- A card slides in front of a wall with small cards on it. Each parameter varies one quantity that the cost of a frame may
--- depend on. Lengths are shares of the picture's height, so that the picture looks the same at every size.
--- cover      side of the moving card
--- shift      displacement of this card over the exposure
--- instances  number of small cards on the wall; a square number of cards covers a quarter of the picture
--- cells      squares along a side of the wall, two triangles each
--- lights     point lights, all with shadows; together as bright as one
+-- A card slides in front of a wall with small cards on it. Each parameter varies one quantity that may influence the cost of a
+-- frame. Lengths are shares of the picture's height, so that the picture looks the same at every size.
+-- cover      side of the moving card, as a share of the height
+-- shift      displacement of this card over the exposure, as a share of the height
+-- instances  number of small cards on the wall; if it is a square number, they cover a quarter of the picture
+-- cells      number of squares along a side of the wall; each square has two triangles
+-- lights     number of point lights, all with shadows; their total intensity does not depend on the number
 local scene = require "strobe.scene"
 
 local cover, shift = scene.param("cover", 0.4), scene.param("shift", 0.09)

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A living room in low evening sun. A vase with twigs slides past a striped cushion, by `pixels` pixels over the
--- exposure at frame 0 in a picture of `height` lines at `fps` and `exposure`. Camera "main" is static; camera
--- "tracking" follows the vase.
+-- A living room in low evening sun. A vase with twigs slides past a striped cushion. It moves by `pixels` px over the exposure
+-- at frame 0, in a picture of `height` lines with `fps` and `exposure`. Camera "main" is static; camera "tracking" follows the
+-- vase.
 local scene = require "strobe.scene"
 local furniture = require "scripts.scenes.lib.furniture"
 
@@ -17,7 +17,7 @@ local fov = 31
 local eye, aim = { 0.66, 0.98, 2.15 }, { 0.06, 0.80, -0.9 }
 local vase_at = { 0.26, 0.42, -0.35 }
 
--- Distance of a point along the view direction.
+-- Distance of a point from the eye, along the view direction, metres.
 local function view_depth(point)
   local length, along = 0, 0
   for i = 1, 3 do
@@ -30,7 +30,7 @@ end
 local metres_per_pixel = 2 * math.tan(math.rad(fov / 2)) * view_depth(vase_at) / height
 local motion = { velocity = { pixels * metres_per_pixel * fps / exposure, 0, 0 } }
 
--- Seconds until the vase leaves the picture of camera "main": it moves by 0.42 of the width.
+-- Time until the vase leaves the picture of camera "main", seconds. It then has moved by 0.42 of the width.
 local loop = 0.42 * width * exposure / fps / math.max(math.abs(pixels), 1)
 
 -- ---- materials

@@ -1,23 +1,28 @@
 -- SPDX-License-Identifier: MIT
--- Cases at the limits of numbers, tiles, cameras and scenes, each for every pipeline and each of its presets. The correct
--- result is known from a closed form, from truth, or from a picture that must be equal.
+-- Cases at the limits of numbers, tiles, cameras and scenes. Each case runs with every pipeline and each of its presets. The
+-- correct result follows from a closed form, from truth, or from a picture that must be equal.
 --   strobe stability --extremes --write docs/extreme-cases.md
 --
--- A case has a name, a clause (its category), says (the requirement in words) and a function that returns its checks. A check
--- names a requirement on the picture of `shot`, and the methods that it applies to (`by`). Every picture must be finite.
---   draws         no further requirement
---   as_captured   all but `pixels` pixels equal, bit for bit, the sharp picture (of the shot `of` if given)
---   within        no colour leaves the range `low` to `high`; does not apply if a warning contains the text `unless`
+-- A case has a name, a clause (its category), a text `says` (its requirement in words) and a function that returns its checks.
+-- A check has a requirement on the picture of `shot`, and in `by` the pipelines that it applies to. Every picture must be
+-- finite. The requirements are:
+--   draws         every picture is finite (no further requirement)
+--   as_captured   all but `pixels` pixels are equal, bit for bit, to the sharp picture of `shot` or, if given, of the shot `of`
+--   within        all colours are in the range `low` to `high`; not required if a warning contains the text `unless`
 --   nearer        the picture is nearer to truth than the sharp picture
 --   same          at most `share` of the pixels differ by more than `tolerance` from the picture of the shot `other`
---   displacement  velocities are `exact`, within `share` of their length and `tolerance_px`; false: not checked there
---   truth         truth's red channel is `exact`, within `tolerance`
+--   displacement  velocities equal `exact` within `share` of their length plus `tolerance_px`; entries that are false are not
+--                 checked
+--   truth         the red channel of truth equals `exact` within `tolerance`
 --   sharp_at      the sharp picture has the red value `value` at a pixel, within `tolerance`
 --   warns         a warning contains `text`
 --   silent        no warning contains `text`
--- by: "all", "blurs" (all but truth and the sharp picture), "filters" (blurs with a parameter `limit`), "others" (all but
--- filters), "truth", "all_but_truth".
--- Settings of a shot that a pipeline does not have are left out.
+-- Values of `by`:
+--   "all", "truth", "all_but_truth"
+--   "blurs"       all pipelines except truth and the sharp picture
+--   "filters"     blurs with a parameter `limit`
+--   "others"      all pipelines except filters
+-- If a pipeline lacks a parameter that a shot sets, this setting is left out.
 local wanted = ...
 
 local truth_times = 64
@@ -41,14 +46,14 @@ local function same(shot, other, tolerance, share)
   return { check = "same", shot = shot, other = other, tolerance = tolerance, share = share }
 end
 
--- Calls `visit(x, y)` with the centre of each pixel, in reading order.
+-- Calls visit(x, y) for each pixel, row by row from the top left. x, y: centre of the pixel.
 local function each_pixel(shot, visit)
   for y = 0, shot.size[2] - 1 do
     for x = 0, shot.size[1] - 1 do visit(x + 0.5, y + 0.5) end
   end
 end
 
--- `path(x, y)` returns the exact displacement of a pixel, px, or nothing.
+-- Check of displacements. path(x, y) returns the exact displacement of a pixel, px over the exposure; nil if it is not checked.
 local function displacement(shot, path, share, tolerance_px)
   local exact = {}
   each_pixel(shot, function(x, y)
@@ -75,7 +80,7 @@ local function merged(...)
   return result
 end
 
--- Settings whose whole numbers are integers, as typed on the command line.
+-- Returns the settings with whole numbers as integers, as if they were typed on the command line.
 local function plain(settings)
   local result = {}
   for name, value in pairs(settings) do
@@ -102,8 +107,8 @@ end
 
 local function bar(displacement_px, set, more) return bar_in(48, 4, displacement_px, 16, 32, set, more) end
 
--- Share of the window [from, to] (in exposures, relative to the raster time) while a bar [left, right) that moves by `d` px
--- covers x.
+-- Share of the interval [from, to] during which a bar covers x. Times are in exposures, relative to the raster time. The bar
+-- covers [left, right) at the raster time and moves by `d` px over the exposure.
 local function coverage(left, right, d, from, to, x)
   if d == 0 then return x >= left and x < right and 1 or 0 end
   local a, b = (x - left) / d, (x - right) / d -- the bar covers x between these times
@@ -114,7 +119,7 @@ local function bar_over_time(left, right, d, from, to)
   return function(x) return back_value + (bar_value - back_value) * coverage(left, right, d, from, to, x) end
 end
 
--- Two silhouettes with a jump of 0.8, each wrong by at most half a time sample.
+-- The bar has two silhouettes, each with a jump of 0.8. Each silhouette is wrong by at most half a time sample.
 local bar_tolerance = 2 * (bar_value - back_value) / (2 * truth_times) + 1e-4
 
 local function between(a_shot) return within(a_shot, back_value, bar_value) end
@@ -128,7 +133,7 @@ end
 
 for _, v in ipairs { { "zero", 0 }, { "1e_8", 1e-8 }, { "0_49", 0.49 }, { "half", 0.5 }, { "minus_half", -0.5 } } do
   case("displacement_" .. v[1] .. "_px", "displacement",
-       "half a pixel does not reach another pixel centre: the raster image, bit for bit",
+       "half a pixel does not reach another pixel centre, so the picture is the raster image, bit for bit",
        function() return { as_captured(bar(v[2], { limit = 10 })) } end)
 end
 
@@ -138,7 +143,8 @@ for _, anchor in ipairs(anchors) do
 end
 
 for _, v in ipairs { { "one_tile", 8 }, { "minus_one_tile", -8 }, { "two_tiles", 16 }, { "one_picture", 48 } } do
-  case("displacement_" .. v[1], "displacement", "truth is the exact coverage; every blur is nearer to it than none",
+  case("displacement_" .. v[1], "displacement",
+       "truth equals the exact coverage; every blur is nearer to truth than the picture without blur",
        function()
          local checks = exact_bar(v[2], 16, 32)
          checks[#checks + 1] = nearer(bar(v[2], { limit = 10, tile = 8 }))
@@ -147,23 +153,25 @@ for _, v in ipairs { { "one_tile", 8 }, { "minus_one_tile", -8 }, { "two_tiles",
 end
 
 for _, v in ipairs { { "ten_pictures", 480 }, { "1e7_px", 1e7 }, { "minus_1e7_px", -1e7 } } do
-  case("displacement_" .. v[1], "displacement", "truth is the exact coverage; filters stay between the colours",
+  case("displacement_" .. v[1], "displacement",
+       "truth equals the exact coverage; colours stay between the colours of bar and background",
        function() return exact_bar(v[2], 16, 32) end)
 end
 
 for _, v in ipairs { { "enters", -4, 24 }, { "has_entered", 8, 24 }, { "has_left", -24, -24 },
                      { "passes_by", 60, 160 } } do
   case("object_" .. v[1], "displacement",
-       "truth includes objects from outside of the picture; filters stay between the colours",
+       "truth includes objects that move through the border; colours stay between the colours of bar and background",
        function() return exact_bar(v[3], v[2], v[2] + 16) end)
 end
 
 for _, v in ipairs { { "one_pixel", 24, 25 }, { "a_tenth_of_a_pixel", 24.45, 24.55 } } do
-  case("bar_of_" .. v[1], "displacement", "a bar thinner than its path: truth is its width over its displacement",
+  case("bar_of_" .. v[1], "displacement",
+       "truth of a bar narrower than its displacement is its width divided by its displacement",
        function() return exact_bar(12, v[2], v[3]) end)
 end
 
-case("displacement_over_the_limit", "displacement", "filters warn about shortened displacements; truth is exact", function()
+case("displacement_over_the_limit", "displacement", "filters warn that they shorten displacements; truth is exact", function()
   local far = bar(40, { limit = 0.1, tile = 8 })
   return {
     between(far), warns(far, "farther than the limit", "filters"), silent(far, "farther than the limit", "others"),
@@ -173,7 +181,8 @@ end)
 
 for _, v in ipairs { { "diagonal", 8, 8 }, { "diagonal_back", -8, 8 }, { "steep", 3, -17 },
                      { "far_diagonal", 34, 34 } } do
-  case("displacement_" .. v[1], "displacement", "every blur is nearer to truth than none", function()
+  case("displacement_" .. v[1], "displacement", "every blur is nearer to truth than the picture without blur",
+       function()
     local numbers = { left = 16, right = 32, top = 16, bottom = 32, d_x = v[2], d_y = v[3] }
     local square = shot("oracles/quad_2d", 48, 48, numbers, { limit = 2, tile = 8 })
     return { within(square, 0.1, 0.9), nearer(square) }
@@ -185,7 +194,8 @@ end
 for _, v in ipairs { { 1, 1 }, { 1, 40 }, { 40, 1 }, { 2, 2 }, { 37, 23 }, { 7, 61 } } do
   local width, height = v[1], v[2]
   case(("size_%dx%d"):format(width, height), "picture sizes",
-       "static: the raster image; moving: between the colours, finite", function()
+       "a static bar gives the raster image; for a moving bar, colours stay between the colours of bar and background",
+       function()
     local left, right = width // 4, width // 4 * 3 + 1
     return {
       as_captured(bar_in(width, height, 0, left, right)),
@@ -195,7 +205,7 @@ for _, v in ipairs { { 1, 1 }, { 1, 40 }, { 40, 1 }, { 2, 2 }, { 37, 23 }, { 7, 
 end
 
 case("size_1xN_shortens_and_says", "picture sizes",
-     "the limit is a share of the width: in a picture of width 1 all motion exceeds it, with a warning", function()
+     "the displacement limit is a share of the width; all motion exceeds it in a picture 1 px wide, with a warning", function()
   local numbers = { left = 0, right = 1, top = 12, bottom = 28, d_x = 0, d_y = 9 }
   return {
     warns(shot("oracles/quad_2d", 1, 40, numbers, { limit = 0.1 }), "farther than the limit", "filters"),
@@ -204,23 +214,26 @@ case("size_1xN_shortens_and_says", "picture sizes",
 end)
 
 for _, tile in ipairs { 1, 7, 1024 } do
-  case("tile_" .. tile, "tiles", "every blur is nearer to truth than none, whatever the tile", function()
+  case("tile_" .. tile, "tiles", "with any tile size, every blur is nearer to truth than the picture without blur",
+       function()
     local moving = bar_in(48, 4, 12, 17, 31, { limit = 0.5, tile = tile })
     return { between(moving), nearer(moving) }
   end)
 end
 
-case("tile_1_limit_10", "tiles", "a limit of hundreds of tiles ends at the picture's border", function()
+case("tile_1_limit_10", "tiles",
+     "a displacement limit of hundreds of tiles: the search for tiles ends at the border of the picture", function()
   local moving = bar_in(36, 8, 12, 17, 31, { limit = 10, tile = 1 })
   return { between(moving), nearer(moving) }
 end)
 
-case("limit_0", "tiles", "no blur, and a warning about all motion", function()
+case("limit_0", "tiles", "with a displacement limit of 0, filters do not blur, and warn about all motion", function()
   local held = bar(12, { limit = 0 })
   return { merged(as_captured(held), { by = "filters" }), warns(held, "farther than the limit", "filters") }
 end)
 
-case("opposite_motions_in_one_tile", "tiles", "every blur is nearer to truth than none", function()
+case("opposite_motions_in_one_tile", "tiles", "every blur is nearer to truth than the picture without blur",
+       function()
   return { nearer(bar_in(48, 8, 10, 16, 32, { limit = 1, tile = 64 }, { moves = { "background=-6,0,0" } })) }
 end)
 
@@ -229,11 +242,11 @@ end)
 local window_start = { ["end"] = -1, centre = -0.5, start = 0 }
 
 for _, anchor in ipairs(anchors) do
-  case("exposure_0_" .. anchor, "exposure", "an exposure of 0 is the raster image, bit for bit", function()
+  case("exposure_0_" .. anchor, "exposure", "an exposure of 0 gives the raster image, bit for bit", function()
     return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, { anchor = anchor, exposure = 0 })) }
   end)
   case("exposure_3_" .. anchor, "exposure",
-       "longer than a frame: displacements span the window, and truth is the exact coverage", function()
+       "longer than a frame: displacements span the whole exposure, and truth equals the exact coverage", function()
     -- 4 px over an exposure of 0.5 are 24 px over an exposure of 3.
     local long, from = bar(4, { limit = 10, tile = 8 }, { anchor = anchor, exposure = 3 }), window_start[anchor]
     return {
@@ -243,7 +256,8 @@ for _, anchor in ipairs(anchors) do
   end)
 end
 
--- Share of the weight before time t, for a shutter that opens and closes linearly.
+-- Share of the total weight that a shutter which opens and closes linearly has before time t (0: shutter open, 1: shutter
+-- close).
 local function triangle(t)
   t = math.max(0, math.min(1, t))
   return t < 0.5 and 2 * t * t or 1 - 2 * (1 - t) * (1 - t)
@@ -251,10 +265,11 @@ end
 
 for _, anchor in ipairs(anchors) do
   case("shutter_curve_" .. anchor, "exposure",
-       "unequal weights of times: truth is the exact weighted coverage; every blur is nearer to it than none", function()
+       "unequal weights: truth equals the weighted coverage; every blur is nearer to truth than the picture without blur",
+       function()
     local from = window_start[anchor]
     local curved = bar(12, { limit = 10, tile = 8 }, { anchor = anchor, shutter_curve = "triangle" })
-    local function covered(x) -- share of the weight while the bar covers x
+    local function covered(x) -- total weight of the times while the bar covers x
       return triangle((x - 16) / 12 - from) - triangle((x - 32) / 12 - from)
     end
     local function value(x) return back_value + (bar_value - back_value) * covered(x) end
@@ -262,23 +277,24 @@ for _, anchor in ipairs(anchors) do
   end)
 end
 
-case("no_share_of_motion_blurs", "exposure", "no share of camera or object motion: the raster image, bit for bit",
+case("no_share_of_motion_blurs", "exposure", "if neither camera nor objects blur, the picture is the raster image, bit for bit",
      function()
   local still = { camera_blur = 0, object_blur = 0 }
   return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, still)) }
 end)
 
-case("exposure_1", "exposure", "a whole frame: every blur is nearer to truth than none",
+case("exposure_1", "exposure", "an exposure of a whole frame: every blur is nearer to truth than the picture without blur",
      function() return { nearer(bar(6, { limit = 10, tile = 8 }, { exposure = 1 })) } end)
 
-case("exposure_3_extrapolated", "exposure", "a warning that the path of one frame is stretched over three", function()
+case("exposure_3_extrapolated", "exposure", "filters warn that the path of one frame is stretched over three frames", function()
   local long = bar(4, { limit = 10, displacement = "extrapolated" }, { exposure = 3 })
   local text = "stretched over an exposure of more than one"
   return { warns(long, text, "filters"), silent(long, text, "others") }
 end)
 
 for _, samples in ipairs { 1, 2, 3, 15 } do
-  case("samples_" .. samples, "samples", "few and odd numbers of samples: exact if static, otherwise between the colours",
+  case("samples_" .. samples, "samples",
+       "few or odd numbers of samples: exact if the bar is static, otherwise between the colours of bar and background",
        function()
     local checks = { as_captured(bar(0, { samples = samples })) }
     for _, anchor in ipairs(anchors) do
@@ -288,7 +304,8 @@ for _, samples in ipairs { 1, 2, 3, 15 } do
   end)
 end
 
-case("samples_1_truth", "samples", "one midpoint sample is the raster image of the bar half way back", function()
+case("samples_1_truth", "samples",
+     "one sample at the midpoint gives the raster image of the bar half a displacement back", function()
   return { merged(as_captured(bar(8, { samples = 1 })), { of = bar_in(48, 4, 0, 12, 28), by = "truth" }) }
 end)
 
@@ -299,13 +316,13 @@ local function room(numbers, more)
 end
 
 for _, v in ipairs { { "minus_20", 1 / 1048576 }, { "20", 1048576 } } do
-  case("scale_2_to_" .. v[1], "scale", "powers of two change no bit",
+  case("scale_2_to_" .. v[1], "scale", "a scale that is a power of two changes no bit of the picture",
        function() return { same(room(), room { scale = v[2] }, 0, 0) } end)
 end
 
--- With other scales, rounding may change pixels at silhouettes: up to 0.1 % of the pixels.
+-- With a scale that is not a power of two, rounding may change pixels at silhouettes: up to 0.1 % of all pixels.
 for _, v in ipairs { { "1e_6", 1e-6 }, { "1e_3", 1e-3 }, { "0_37", 0.37 }, { "1e3", 1e3 }, { "1e6", 1e6 } } do
-  case("scale_" .. v[1], "scale", "the same picture: 0.1 % of the pixels may differ by more than 1e-5",
+  case("scale_" .. v[1], "scale", "a scale does not change the picture; only 0.1 % of the pixels may differ by more than 1e-5",
        function() return { same(room(), room { scale = v[2] }, 1e-5, 1e-3 + 1 / 1536) } end)
 end
 
@@ -314,7 +331,7 @@ local nestings = { [0] = "", "_in_a_node", "_there_and_back", "_in_its_vertices"
 for _, v in ipairs { { "1e5", 1e5 }, { "1e6", 1e6 }, { "1e7", 1e7 } } do
   for nesting = 0, v[2] == 1e7 and 3 or 0 do
     case("offset_" .. v[1] .. nestings[nesting], "world offset",
-         "a static scene stands still within 1e-3 px; a moving one looks as at the origin", function()
+         "a static scene has displacements below 1e-3 px; a moving scene gives the same picture as at the origin", function()
       local there, pan = { offset = v[2], nesting = nesting }, { camera_speed = 6.0625, turn = 3 }
       return {
         displacement(room(merged(there, { speed = 0 })), function() return 0, 0 end, 0, 1e-3),
@@ -325,7 +342,7 @@ for _, v in ipairs { { "1e5", 1e5 }, { "1e6", 1e6 }, { "1e7", 1e7 } } do
 end
 
 for _, v in ipairs { { "1e6", 1000000 }, { "2_to_31", 2147483647 } } do
-  case("frame_" .. v[1], "far times", "the same motion at any time", function()
+  case("frame_" .. v[1], "far times", "the same motion gives the same picture at any time", function()
     local late = room({ rest_s = v[2] / 24, camera_speed = 6.0625 }, { frame = v[2] })
     return { same(room { camera_speed = 6.0625 }, late, 1e-4, 2e-3) }
   end)
@@ -342,8 +359,8 @@ end
 
 local function pixel_of(p) return focal * p[1] / p[3], focal * p[2] / p[3] end
 
--- Displacement on the screen from `from` to `to` (x right, y down, z ahead; metres), in double precision. If it ends behind the
--- plane at `near`: the displacement up to this plane, extrapolated to the whole length.
+-- Displacement on the screen, px, of a point that moves from `from` to `to` (x right, y down, z ahead; metres), in double
+-- precision. If the path ends behind the plane at `near`, the displacement up to this plane is extrapolated to the whole path.
 local function path_of(from, to, near)
   local s = 1
   if to[3] < near then
@@ -364,8 +381,8 @@ local function floor_at(x, y, below)
   return z > near_m and { (x - wide / 2) * z / focal, below, z } or nil
 end
 
--- Displacement, px, of a point that moves by `step` relative to the camera (x right, y down, z ahead; metres over the
--- exposure).
+-- Displacement, px over the exposure, of a point that moves by `step` relative to the camera (x right, y down, z ahead; metres
+-- over the exposure).
 local function displacement_of(point, step, anchor)
   local back, ahead = anchor == "centre" and 0.5 or 1, anchor == "centre" and 0.5 or 1
   if anchor == "start" then back = 0 end
@@ -384,7 +401,7 @@ local function turned_sky(x, y, angle)
   return { dx * math.cos(angle) + math.sin(angle), dy, math.cos(angle) - dx * math.sin(angle) }
 end
 
--- Errors of single precision at the ends of a path: a few units in the last place of depths near the near plane.
+-- Tolerances for single precision at the ends of a path: a few units in the last place of depths near the near plane.
 local path_share, path_px = 1e-4, 2e-3
 
 local function over_a_floor(name, ahead, anchor)
@@ -402,7 +419,7 @@ end
 
 local function moving_card(name, away, anchor)
   case(("card_%s_%s"):format(name, anchor), "near plane",
-       "displacements equal the closed form in double precision, with a warning about extrapolated ones", function()
+       "displacements equal the closed form in double precision, with a warning about extrapolated displacements", function()
     local card = planes(2, { velocity_z = -away, velocity_x = 0.5 }, nil, { anchor = anchor })
     local function path(x, y)
       if math.abs(x - wide / 2) >= 15 or math.abs(y - high / 2) >= 15 then return nil end
@@ -429,7 +446,7 @@ end
 
 for _, turn in ipairs { 10, 45, 85, 100, 170, -170 } do
   case(("turn_%s%d"):format(turn < 0 and "minus_" or "", math.abs(turn)), "all sky",
-       "displacements of the sky follow its directions, and its colour stays", function()
+       "displacements of the sky equal the closed form, and the colour of the sky does not change", function()
     local function path(x, y)
       local dx, dy = path_of(turned_sky(x, y, 0), turned_sky(x, y, -turn * math.pi / 180), 1 / 64)
       return -dx, -dy
@@ -444,18 +461,19 @@ for _, turn in ipairs { 10, 45, 85, 100, 170, -170 } do
   end)
 end
 
-case("only_sky_at_rest", "all sky", "the raster image", function() return { as_captured(planes(0)) } end)
+case("only_sky_at_rest", "all sky",
+     "a picture of the sky only is the raster image", function() return { as_captured(planes(0)) } end)
 
 for _, v in ipairs { { "", 0.1, 0.9, 0.9 }, { "_that_the_near_plane_cuts", 3.2, 0.2, 0.9 },
                      { "_all_before_the_near_plane", 5, 0.2, 0.2 } } do
   case("inside_a_ball" .. v[1], "camera inside",
-       "raster and rays agree; one colour stays one, or a warning says that other surfaces show through", function()
+       "raster and rays agree; one colour stays one colour, or a warning says that other surfaces show through", function()
     local inside = within(planes(4, { near = v[2], velocity_x = 1 }), v[3], v[4])
     return { as_captured(planes(4, { near = v[2] })), merged(inside, { unless = "it shows through" }) }
   end)
 end
 
-case("orthographic_far_away", "near plane", "an orthographic camera has no far limit", function()
+case("orthographic_far_away", "near plane", "an orthographic camera shows surfaces at any distance", function()
   local parallel = planes(2, { orthographic = 1, focal = 32000, aside = 10 })
   return { as_captured(parallel), within(parallel, 0.2, 0.2) }
 end)
@@ -464,7 +482,7 @@ end)
 
 for _, v in ipairs { { "2e4", 2e4 }, { "2e7", 2e7 } } do
   case(("floor_%s_m_wide"):format(v[1]), "scale",
-       "near points of a large triangle move as precisely as points of a small one", function()
+       "displacements of near points on a large triangle are as precise as those on a small triangle", function()
     local flight = planes(1, { camera_x = 0.5, camera_z = -1, depth = 1.5, extent = v[2] })
     local function path(x, y)
       local point = floor_at(x, y, 1.5)
@@ -476,7 +494,7 @@ end
 
 for _, turns in ipairs { 32, 1000 } do
   case(("spin_of_%d_turns"):format(turns), "displacement",
-       "an object that turns many times within the exposure is found at every pose: rays equal raster", function()
+       "an object that turns many times within the exposure is found in every pose: rays and raster agree", function()
     local function spun(set)
       return planes(2, {}, merged({ samples = 23, mark_regions = false }, set),
                     { spins = { ("card=0,0,1,%d"):format(2 * 360 * turns) } })
@@ -488,7 +506,8 @@ end
 -- ---- surfaces
 
 for _, v in ipairs { { "1_mm", 1e-3 }, { "1_um", 1e-6 }, { "0", 1e-12 } } do
-  case(("floor_%s_below"):format(v[1]), "grazing", "raster and rays agree if static; otherwise between the colours",
+  case(("floor_%s_below"):format(v[1]), "grazing",
+       "raster and rays agree on a static floor; a moving floor stays within the range of the colours",
        function()
     return { as_captured(planes(1, { depth = v[2] })), within(planes(1, { depth = v[2], camera_x = 0.5 }), 0.25, 1) }
   end)
@@ -504,7 +523,7 @@ for _, order in ipairs { 1, -1 } do
       { check = "sharp_at", shot = cards, pixel = { 32, 16 }, value = order > 0 and 0.9 or 0.5, tolerance = 1e-6 },
     }
   end)
-  case("coplanar_cards_that_lean" .. suffix, "equal depths", "depths that differ by rounding: either of the two cards is shown",
+  case("coplanar_cards_that_lean" .. suffix, "equal depths", "where depths differ by rounding only, either card may be shown",
        function()
     local still = planes(3, { order = order, lean = 50 })
     return {
@@ -514,7 +533,7 @@ for _, order in ipairs { 1, -1 } do
   end)
 end
 
-case("cards_a_hair_apart", "equal depths", "1e-5 of the depth apart: raster and rays show the nearer card", function()
+case("cards_a_hair_apart", "equal depths", "cards 1e-5 of their depth apart: raster and rays show the nearer card", function()
   return {
     as_captured(planes(3, { gap = 4e-5, lean = 50 })),
     within(planes(3, { gap = 4e-5, lean = 50, velocity_x = 1 }), 0.2, 0.9),
@@ -522,7 +541,7 @@ case("cards_a_hair_apart", "equal depths", "1e-5 of the depth apart: raster and 
 end)
 
 case("one_triangle_over_the_picture", "triangles",
-     "a triangle that extends behind the camera: the raster image if static; one colour",
+     "a triangle that extends behind the camera gives the raster image if static, and one colour if it moves",
      function()
   return { as_captured(planes(5)), same(planes(5, { velocity_x = 3 }), planes(5), 1e-6, 0.25) }
 end)
@@ -533,9 +552,9 @@ case("triangles_of_no_area", "triangles",
   return { same(planes(6, motion), planes(2, motion), 1e-6, 0) }
 end)
 
-for _, v in ipairs { { "thousands_of_instances", 8, 0.7, 8, "raster and rays agree; between the colours" },
+for _, v in ipairs { { "thousands_of_instances", 8, 0.7, 8, "raster and rays agree; colours stay in their range" },
                      { "a_million_triangles", 9, 0.9, 2,
-                       "triangles smaller than pixels: raster and rays agree; between the colours" } } do
+                       "triangles smaller than pixels: raster and rays agree; colours stay in their range" } } do
   case(v[1], "triangles", v[5], function()
     local motion = { velocity_x = 0.7, velocity_y = 0.3 }
     return { within(planes(v[2], motion), 0.2, v[3]), as_captured(planes(v[2], motion, nil, { exposure = 0 }), v[4]) }
@@ -544,13 +563,13 @@ end
 
 for _, v in ipairs { { "black", 0 }, { "equal_luminance", 0.9 } } do
   case(v[1], "equal colours", "motion between equal colours does not change the picture", function()
-    -- Termination by luminance cannot separate the two surfaces, and warns about it.
+    -- A pipeline whose rays end by luminance cannot separate the two surfaces, and warns about this.
     return { merged(within(planes(7, { value = v[2], velocity_x = 0.7 }), v[2], v[2]),
                     { unless = "as bright as the foreground" }) }
   end)
 end
 
-case("light_of_1e29", "equal colours", "radiance near the end of single precision stays finite",
+case("light_of_1e29", "equal colours", "a radiance near the largest number of single precision stays finite",
      function() return { draws(room { brightness = 3e26 }) } end)
 
 -- ---- the requested cases with their checks, or all
@@ -562,6 +581,6 @@ for _, one in ipairs(list) do one.checks = (not wanted.cases or asked[one.name])
 return {
   sharp = { pipeline = "none" },
   truth = { pipeline = "ground_truth", set = { samples = truth_times, mark_regions = false } },
-  truth_method = { samples = 16 }, -- settings of ground truth as a method
+  truth_method = { samples = 16 }, -- settings of ground truth if it is tested like a blur
   cases = list,
 }

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Captures: pictures that can be rendered again bit for bit, and figures and films of these pictures. `capture { ... }` is
--- checked as a whole and reports all mistakes at once. docs/captures.md describes each field.
+-- Captures: pictures that can be rendered again bit for bit, and figures and films of these pictures. All mistakes of `capture
+-- { ... }` are reported at once. docs/captures.md describes each field.
 local check      = require "strobe.check"
 local experiment = require "strobe.experiment"
 local fields     = require "strobe.fields"
@@ -13,35 +13,45 @@ local capture = {}
 local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local copied = fields.copied
 
--- Fields of each table, with their types; optional fields may be left out. A shot also has the options of the command line.
+-- Fields of each table, with their types. Optional fields may be left out. A shot may also have options of the command line.
 capture.fields = {
-  -- layers: images in a picture's file besides its colour: "all" (every output of every pass) or a list of outputs and
-  -- "node.port". most_flip: a picture of another device counts as equal if its mean FLIP is not larger. truth: name of the arm
-  -- that is the reference of errors. figures, films: see strobe.figure.
+  -- Fields of a capture:
+  -- layers     images in the file of a picture besides its colour: "all" (every output of every pass), or a list of outputs and
+  --            "node.port"
+  -- most_flip  largest mean FLIP of two pictures that count as equal, if they are from different devices
+  -- truth      name of the arm that is the reference of errors
+  -- figures    list of figures, checked by strobe.figure
+  -- films      list of films, checked by strobe.figure
   capture = {
     title = { text }, note = { text, optional = true }, size = { list, optional = true },
     seed = { number, optional = true }, shots = { list }, arms = { list }, truth = { text, optional = true },
     layers = { fields.any, optional = true }, most_flip = { number, optional = true },
     figures = { list, optional = true }, films = { list, optional = true },
   },
-  -- truth, crops, note, attribution: as in an experiment. frames: { from, to, step } of a sequence.
-  -- vary: { NAME = { values } }, a sequence over the values of an option of the shot, a parameter of its scene
-  -- ("scene.NAME") or of the arms' pipelines. stops, curve: exposure and tone curve of displayed pictures.
+  -- Fields of a shot:
+  -- frames        frame numbers { from, to, step } of a sequence
+  -- vary          a sequence over values, { NAME = { values } }; NAME is an option of the shot, a parameter of its scene
+  --               ("scene.NAME") or a parameter of the pipelines of the arms
+  -- stops, curve  exposure and tone curve of the displayed pictures
+  -- truth, crops, note, attribution: as in an experiment.
   shot = {
     name = { text }, title = { text, optional = true }, frames = { list, optional = true },
     vary = { map, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
     truth = { map, optional = true }, crops = { list, optional = true }, note = { text, optional = true },
     attribution = { text, optional = true },
   },
-  -- shots: names of the shots that the arm renders; default: all. files: a folder beside the script with replacements of
-  -- scripts and shaders, in strobe/ for shipped files, in project/ for files of the project. role, shown: as in an experiment.
+  -- Fields of an arm, a pipeline with settings:
+  -- shots  names of the shots that the arm renders; default: all
+  -- files  a folder beside the script with other versions of scripts and shaders: in strobe/ for shipped files, in project/ for
+  --        files of the project
+  -- role, shown: as in an experiment.
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, shots = { list, optional = true },
     layers = { fields.any, optional = true }, files = { text, optional = true }, role = { text, optional = true },
     shown = { bool, optional = true },
   },
 }
--- Fields of an experiment; a capture with `measures` is also an experiment.
+-- Fields that a capture shares with experiments. A capture with `measures` is also an experiment.
 local measuring = { "question", "regions", "measures", "rounds", "most_rounds", "within", "base", "background", "expect",
                     "layout" }
 for _, name in ipairs(measuring) do capture.fields.capture[name] = experiment.fields.experiment[name] end
@@ -56,12 +66,13 @@ local function three(value, default)
   return value
 end
 
--- Camera path on a horizontal circle of `radius` metres, `height` metres above `target`. The angle goes from `from` to `to`
--- degrees (0: on the +z axis, 90: on the +x axis) between frames `first` and `last`.
+-- Returns a camera path on a horizontal circle of `radius` metres, `height` metres above `target`. Between frames `first` and
+-- `last`, the angle goes from `from` to `to` degrees (0: on the +z axis, 90: on the +x axis).
 function capture.orbit(t)
   local target, keys = three(t.target), {}
   local from, to = math.rad(t.from or 0), math.rad(t.to or 360)
-  -- Keys at most 10 degrees apart, and one more at each end: the cubic through them is a circle to within 3e-5 of the radius.
+  -- The keys are at most 10 degrees apart, with one extra key beyond each end. A cubic curve through such keys deviates from
+  -- the circle by at most 3e-5 of the radius.
   local count = math.max(1, math.ceil(math.abs(to - from) / math.rad(10)))
   for i = -1, count + 1 do
     local angle = from + (to - from) * i / count
@@ -72,7 +83,8 @@ function capture.orbit(t)
   return keys
 end
 
--- Straight camera path between frames `first` and `last`: the eye from `from` to `to`, its target from `target` to `to_target`.
+-- Returns a straight camera path between frames `first` and `last`. The eye moves from `from` to `to`. The point that it looks
+-- at moves from `target` to `to_target`.
 function capture.dolly(t)
   local function key(frame, eye, target)
     return { frame, eye[1], eye[2], eye[3], target[1], target[2], target[3] }
@@ -86,7 +98,7 @@ end
 local Checker = fields.checker(capture.fields)
 shots.extend(Checker, capture.fields.shot)
 
--- Checks `layers`: "all", or a list of names.
+-- Checks `layers`, which is "all" or a list of names of images, and returns it.
 function Checker:layers(value, path, what)
   if value == nil or value == "all" then return value end
   if type(value) ~= "table" then
@@ -99,7 +111,7 @@ function Checker:layers(value, path, what)
   return value
 end
 
--- The settings of each step of the sequence `vary`; nil without a sequence.
+-- Returns the settings of each step of the sequence `vary`; nil if the shot has no such sequence.
 function Checker:steps(t, path)
   local names = type(t) == "table" and check.names(t) or {}
   if t == nil then return nil end
@@ -138,7 +150,7 @@ function Checker:captured_arm(entry, path, shot_names)
   return result
 end
 
--- Checks the parts of a capture that make it an experiment.
+-- Checks the fields of a capture that it shares with an experiment.
 function Checker:measured(t, shot_names)
   for _, name in ipairs(measuring) do
     if t.measures == nil and t[name] ~= nil then
@@ -185,7 +197,7 @@ function Checker:whole(t)
   return result
 end
 
--- The capture as a table for strobe.experiment.
+-- Returns the capture `t` as the table of an experiment, for strobe.experiment.
 local function as_experiment(t)
   local result = { title = t.title, note = t.note, size = t.size, seed = t.seed, shots = t.shots, arms = {} }
   for _, name in ipairs(measuring) do result[name] = t[name] end
@@ -205,7 +217,7 @@ end
 
 local Made = { kind = "capture" }
 
--- The capture that a file returned, as plain data, checked against `given.options`, the known options of shots. If `given` has
+-- Returns the capture that a file returned, as plain data. `given.options`: the known options of shots. If `given` has
 -- `measures`, a capture with `measures` is returned as an experiment.
 function Made.finished(result, given)
   local self = Checker.at(result.place)

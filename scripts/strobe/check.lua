@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Collects the mistakes of one table and raises them together, each at the user's line.
+-- Collects the mistakes of a table and raises one error for all mistakes. Each mistake has the file and line of the user's
+-- script.
 local native = require "strobe.native"
 
 local check = {}
@@ -13,7 +14,7 @@ function check.problems()
   return setmetatable({ list = {} }, Problems)
 end
 
--- Adds a mistake at `place`; text and values as for string.format.
+-- Adds a mistake at `place`. The text and the values after it are formatted by string.format.
 function Problems:add(place, text, ...)
   self.list[#self.list + 1] = { place = { file = place.file, line = place.line }, message = text:format(...) }
 end
@@ -22,7 +23,7 @@ function Problems:raise()
   if #self.list > 0 then error({ problems = self.list }, 0) end
 end
 
--- Raises one mistake.
+-- Raises an error with one mistake.
 function check.fail(place, text, ...)
   local problems = check.problems()
   problems:add(place, text, ...)
@@ -33,7 +34,7 @@ function check.is_name(value)
   return type(value) == "string" and #value <= 64 and value:find("^[a-z][a-z0-9_]*$") ~= nil
 end
 
--- True if `value` is names separated by slashes.
+-- True if `value` consists of names that are separated by slashes.
 function check.is_path(value)
   if type(value) ~= "string" or value:find("^/") or value:find("/$") then return false end
   for part in value:gmatch("[^/]+") do
@@ -42,8 +43,8 @@ function check.is_path(value)
   return not value:find("//", 1, true)
 end
 
--- `t` and the tables in its list part as one table: `{ options.blur, { a = 1 } }`, `{ options.blur, a = 1 }`. Later ones
--- win, named fields last.
+-- Merges `t` and the tables in its list part into one table, as in `{ options.blur, { a = 1 } }` or `{ options.blur, a = 1 }`.
+-- A later table overrides an earlier one, and the named fields of `t` override all tables.
 function check.merged(t)
   if t[1] == nil then return t end
   local result = {}
@@ -51,7 +52,7 @@ function check.merged(t)
     if check.is_plain(part) then
       for key, value in pairs(check.merged(part)) do result[key] = value end
     else
-      result[i] = part  -- not a table of declarations: reported with its key
+      result[i] = part  -- not a table of declarations; it is reported later, with its key
     end
   end
   for key, value in pairs(t) do
@@ -60,7 +61,7 @@ function check.merged(t)
   return result
 end
 
--- `t`, or a copy that has one table instead of a list of tables as its field `key`.
+-- Returns `t`. If its field `key` has a list of tables, returns a copy of `t` with these tables merged into one.
 function check.with_merged(t, key)
   if type(t[key]) ~= "table" or t[key][1] == nil then return t end
   local copy = {}
@@ -99,7 +100,7 @@ function check.quoted(value)
   return type(value) == "string" and ("'%s'"):format(value) or tostring(value)
 end
 
--- Reports every key of `t` that is not in `known`. `path` leads from the call at `place` to `t`.
+-- Reports every key of `t` that is not in `known`. `path`: keys that lead from the call at `place` to `t`.
 function check.keys(problems, t, known, place, what, path)
   if type(t) == "table" and not native.has_other_keys(t, known) then return end
   path = path or {}
@@ -131,7 +132,7 @@ function check.field(problems, t, key, kind, place, what, path)
   return false
 end
 
--- The text `doc` of a table, which must not be empty.
+-- Returns the text `doc` of a table. Reports a mistake if the text is missing or empty.
 function check.doc(problems, t, place, what, path)
   if type(t.doc) == "string" and t.doc:find("%S") then return t.doc end
   local where = native.key_place(place, table.unpack(path or {}))
@@ -139,8 +140,8 @@ function check.doc(problems, t, place, what, path)
   return ""
 end
 
--- Checks `breaks = { invariant = "reason" }`, the invariants that do not hold, and returns it; nil if it is empty. `path` leads
--- from the call at `place` to the table.
+-- Checks `given`, a table `breaks = { invariant = "reason" }` of the invariants that do not hold. Returns the valid entries;
+-- nil without any. `path`: keys that lead from the call at `place` to the table.
 function check.breaks(problems, given, place, what, path)
   if given == nil then return nil end
   local at = native.key_place(place, table.unpack(path))
@@ -196,7 +197,7 @@ function check.is_plain(value)
   return type(value) == "table" and (meta == nil or meta.is_record == true)
 end
 
--- A function that makes a table a record: `local layer = record("a layer", { "curve" })`, then `layer { depth = ... }`.
+-- Returns a function that makes a table a record: `local layer = record("a layer", { "curve" })`, then `layer { depth = ... }`.
 function check.record(what, optional)
   local meta = check.index_of_records({ is_record = true }, what, optional)
   return function(t) return setmetatable(t, meta) end

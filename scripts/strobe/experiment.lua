@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Experiments: arms render shots along axes, the pictures are measured against truth, and expectations check the numbers.
--- `experiment { ... }` is checked as a whole and reports all mistakes at once. docs/writing-experiments.md lists its fields.
+-- Experiments: arms (pipelines with settings) render shots (scenes with options) with the values of axes. The pictures are
+-- measured against truth, and expectations test the results. All mistakes of `experiment { ... }` are reported at once.
+-- docs/writing-experiments.md lists its fields.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local judge  = require "strobe.judge"
@@ -13,7 +14,7 @@ local experiment = {}
 local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local func, shown, copied = fields.func, fields.shown, fields.copied
 
--- Fields of each table, with their types; optional fields may be left out. A shot also has the options of the command line.
+-- Fields of each table, with their types. Optional fields may be left out. A shot may also have options of the command line.
 experiment.fields = {
   experiment = {
     title = { text }, question = { text, optional = true }, note = { text, optional = true },
@@ -25,35 +26,50 @@ experiment.fields = {
     background = { map, optional = true }, expect = { list, optional = true },
     layout = { map, optional = true },
   },
-  -- title: shown instead of the name. truth: settings of truth for this shot. crops: { x, y, width, height } in pixels of the
-  -- experiment's size, or "inner". picture_aa: sub-pixel samples of the displayed pictures. stops, curve: their exposure and
-  -- tone curve. frames: { from, to, step } of a sequence.
+  -- Fields of a shot:
+  -- title       text that is displayed instead of the name
+  -- truth       settings of truth for this shot
+  -- crops       list of areas { x, y, width, height } in pixels of the experiment's size, or "inner": where inner blur is
+  --             most frequent
+  -- picture_aa  number of sub-pixel samples of the displayed pictures
+  -- stops       exposure of the displayed pictures
+  -- curve       tone curve of the displayed pictures
+  -- frames      frame numbers { from, to, step } of a sequence
   shot = {
     name = { text }, title = { text, optional = true }, note = { text, optional = true },
     attribution = { text, optional = true }, truth = { map, optional = true }, crops = { list, optional = true },
     picture_aa = { number, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
     frames = { list, optional = true },
   },
-  -- role: "method", or "floor" (truth with as many samples as a method). lacks: axes, or single parameters of axes, that do
-  -- not set this arm. box: extra settings of displayed pictures that have several samples per pixel. shown: show its pictures
-  -- on sheet and page. timed: measure times; default: true for methods, false for truth. published: frames per second from a
-  -- publication, for one shot.
+  -- Fields of an arm, a pipeline with settings:
+  -- role       "method", or "floor" (truth with as many samples as a method)
+  -- lacks      axes, or single parameters of axes, that do not apply to this arm
+  -- box        extra settings of displayed pictures that have several samples per pixel
+  -- shown      true: the sheet and the page show the pictures of this arm
+  -- timed      true: frame times are measured; default: true for methods, false for truth
+  -- published  frames per second from a publication, for one shot
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, role = { text, optional = true },
     lacks = { list, optional = true }, box = { map, optional = true },
     shown = { bool, optional = true }, timed = { bool, optional = true }, published = { map, optional = true },
   },
   published = { fps = { number }, shot = { text }, by = { text } },
-  -- full: settings of a second truth, for the measure rmse_full.
+  -- full: settings of a second truth, which is the reference of the measure rmse_full.
   truth = {
     name = { text, optional = true }, pipeline = { text }, set = { map, optional = true },
     full = { map, optional = true },
   },
-  -- at: function from a value to its settings; default: the value sets the parameter or option of the axis' name. shots: names
-  -- of the shots that vary; default: all. benign: the value without extremes, the reference for the others. region: region of
-  -- the curves. same_picture: the picture does not depend on the value. fixed, note, reading: texts; {ARM @ VALUE} in a reading
-  -- is replaced by the error of ARM at VALUE. against, costs: for `strobe bench slopes`, the measure used instead of the values
-  -- and the expected growth of times.
+  -- Fields of an axis:
+  -- at            function from a value to its settings; default: the value sets the parameter or option with the name of the
+  --               axis
+  -- shots         names of the shots that vary along the axis; default: all
+  -- benign        the harmless value; the other values are compared with it
+  -- region        error region of the plotted errors
+  -- same_picture  true: the picture does not depend on the value
+  -- fixed, note   texts
+  -- reading       text in which {ARM @ VALUE} is replaced by the error of ARM at VALUE
+  -- against       measure that replaces the values in `strobe bench slopes`
+  -- costs         expected growth of times in `strobe bench slopes`
   axis = {
     name = { text }, values = { list }, at = { func, optional = true }, shots = { list, optional = true },
     title = { text, optional = true }, unit = { text, optional = true }, scale = { text, optional = true },
@@ -62,9 +78,11 @@ experiment.fields = {
     fixed = { text, optional = true }, note = { text, optional = true }, reading = { text, optional = true },
     against = { text, optional = true }, costs = { list, optional = true },
   },
-  -- part: "frame", "passes" (each pass that no other entry names) or a node. arm: the entry applies only to this arm.
+  -- An expected growth of times. part: "frame", "passes" (each pass that no other entry names) or a node. arm: the entry
+  -- applies to this arm only; default: to all arms.
   cost = { part = { text }, grows = { text }, arm = { text, optional = true }, why = { text, optional = true } },
-  -- arm: the arm whose outputs `color` and `valid` hold the background. front: the arm that shows the foreground.
+  -- arm: the arm with the background; `color` and `valid` are the names of its outputs. front: the arm that shows the
+  -- foreground.
   background = { arm = { text }, color = { text }, valid = { text }, front = { text } },
   layout = {
     pictures = { map, optional = true }, curves = { map, optional = true }, front = { map, optional = true },
@@ -72,25 +90,31 @@ experiment.fields = {
   },
   -- crop_size: { width, height } in pixels of the experiment's size. difference_gain: factor on differences from truth.
   pictures = { crop_size = { list, optional = true }, difference_gain = { number, optional = true } },
-  -- factor: an arm counts as good as its samples allow if its error is at most `factor` times the floor's error.
+  -- factor: the error of an arm counts as sampling noise if it is at most `factor` times the error of the arm with role
+  -- "floor".
   curves = { factor = { number, optional = true } },
-  -- x, y: measures. y is taken in `region`; x too, if it is measured by region.
+  -- The Pareto front of each shot. x, y: names of the measures on the axes of the chart. region: error region for the measure
+  -- y, and also for x if x is measured by region.
   front = {
     x = { text, optional = true }, y = { text, optional = true }, region = { text, optional = true },
     title = { text, optional = true }, note = { text, optional = true },
   },
-  -- axes: names of axes, one table for each. cells: measures of each shot. once: measures of the first shot only.
-  -- share: show errors as a share of the contrast of truth. title: title of the section.
+  -- Fields of the layout `table`:
+  -- axes   names of axes; each gets a table
+  -- cells  measures that are shown for every shot
+  -- once   measures that are shown for the first shot only
+  -- share  true: errors are given relative to the contrast of truth
+  -- title  title of the section
   table = {
     axes = { list, optional = true }, cells = { list, optional = true }, once = { list, optional = true },
     share = { bool, optional = true }, title = { text, optional = true }, note = { text, optional = true },
   },
 }
 
--- Scales of an axis: logarithmic (0 has a separate place), linear, or values at even distances.
+-- Scales of an axis: "log" is logarithmic, with a separate place for 0; "even" puts the values at even distances.
 experiment.scales = { "log", "linear", "even" }
 experiment.roles = { "method", "floor" }
--- Measures against which times may be drawn instead of an axis' values. They depend on the picture only.
+-- Measures against which times may be drawn, instead of the values of an axis. These measures depend on the picture only.
 experiment.counted = { "masked", "displacement" }
 -- Expected growth of times along an axis.
 experiment.growths = { "constant", "linear", "logarithmic" }
@@ -127,7 +151,8 @@ function Checker:truth(t)
   return result
 end
 
--- Settings that `value`, the value number `at` of an axis, makes.
+-- Returns the settings for one value of an axis. `axis`: the checker; `t`: the fields of the axis; `value`: its value number
+-- `at`.
 local function value_of(axis, t, value, at)
   local result = { value = value, label = shown(value), truth = {} }
   local sets = { [t.name or ""] = value }
@@ -155,7 +180,7 @@ end
 
 local function is_finite(value) return type(value) == "number" and value == value and math.abs(value) ~= math.huge end
 
--- Checks the expected growth of times along an axis. Without `against`, the values must be numbers.
+-- Checks the expected growth of times along the axis `t`. Without `against`, the values of the axis must be numbers.
 function Checker:costs(t)
   if t.costs == nil and t.against == nil then return end
   self:one_of(t.against, experiment.counted, { "against" }, "'against' of an axis")
@@ -172,7 +197,7 @@ function Checker:costs(t)
   end
 end
 
--- Checks an axis; mistakes have the place where the axis was made.
+-- Checks an axis and returns it as plain data. The place of a mistake is the line that made the axis.
 function Checker:axis(made)
   local axis = setmetatable(copied(self), Checker)
   axis.place = made.place
@@ -244,7 +269,8 @@ local function allowed(axes, combination, shot)
   return true
 end
 
--- A function that makes the argument of `skip`: a point with its shot, its arm, and the value of each axis that varies there.
+-- Returns a function that makes the argument of `skip`: a point with the names of its shot and its arm, and with the value of
+-- each axis of its combination.
 local function points_of(axes)
   local names = {}
   for i, axis in ipairs(axes) do names[i] = axis.name end
@@ -256,8 +282,8 @@ local function points_of(axes)
   end
 end
 
--- Groups of points that share one truth: a shot, a combination of values, and the arms that render it. Ordered by shot,
--- combination and arm, independent of the order of `pairs`.
+-- Groups of points that share one picture of truth. A group has a shot, a combination of axis values, and the arms that render
+-- them. Groups are ordered by shot and combination, and the arms in a group by their number.
 function Checker:groups(result, skip, combinations)
   local groups, point_of = {}, points_of(result.axes)
   for s, shot in ipairs(result.shots) do
@@ -282,7 +308,7 @@ end
 
 -- ---- other fields
 
--- Names that `lacks` of an arm may contain: axes, and the parameters that they set.
+-- Names that the field `lacks` of an arm may contain: the axes, and the parameters that axes set.
 local function lackable(axes)
   local names = {}
   for _, axis in ipairs(axes) do
@@ -313,7 +339,7 @@ end
 -- Placeholder results for expectations: each measure is 1 at each point.
 local function placeholders(result, given)
   local values = {}
-  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- more than `measures`: layouts add some
+  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- all known measures: layouts add some
   local arms = copied(result.arms)
   arms[#arms + 1] = { name = result.truth.name, role = "truth" }
   local groups = {}
@@ -444,7 +470,7 @@ end
 -- ---- entry points
 
 -- Checks the experiment `t`, made at `place`, and returns it as plain data. `given` has the known options, regions and
--- measures. If `given` has `results`, returns the outcomes of the expectations on them instead.
+-- measures. If `given` has `results`, returns the outcomes of the expectations on these results instead.
 function experiment.finished(t, place, given)
   local self = Checker.at(place)
   self.known, self.options = given, shots.by_name(given.options)
@@ -458,7 +484,7 @@ end
 
 local Made = { kind = "experiment" }
 
--- The experiment that a file returned, as plain data; only its kind if `given` has no measures.
+-- Returns the experiment that a file returned, as plain data. If `given` has no measures, returns only the kind of the file.
 function Made.finished(result, given)
   if not given.measures then return { kind = "experiment" } end
   return experiment.finished(result.fields, result.place, given)

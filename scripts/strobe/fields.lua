@@ -1,14 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Checks of tables with typed fields, as experiments and captures have. All mistakes of a table are collected.
+-- Checks of tables with typed fields, such as the tables of experiments and captures. All mistakes of a table are collected.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
--- Types of fields.
+-- Types of fields: the type that Lua must report for the value, or list, map or any.
 local fields = { text = "string", number = "number", bool = "boolean", list = "list", map = "map", func = "function",
                  any = "any" }
 
--- A class of checkers for tables of the kinds `declared`: kind = { field = { type, optional = true or nil } }. A checker of the
--- table at `place` notes each mistake at the path of its keys.
+-- Returns a class of checkers. `declared` has the fields of each kind of table: kind = { field = { type, optional = true or nil
+-- } }. A checker belongs to the table at `place` and records each mistake with the keys that lead to it.
 function fields.checker(declared)
   local Checker = {}
   Checker.__index = Checker
@@ -17,7 +17,7 @@ function fields.checker(declared)
 
   function Checker:add(path, ...) self.problems:add(native.key_place(self.place, table.unpack(path)), ...) end
 
-  -- Checks the fields of `t` and returns it; returns an empty table if `t` is not a table. `what` names it in messages.
+  -- Checks the fields of `t` and returns it; returns an empty table if `t` is not a table. `what` names the table in messages.
   function Checker:fields(t, kind, path, what)
     what = what or "the " .. kind
     if type(t) ~= "table" then
@@ -40,7 +40,7 @@ function fields.checker(declared)
     self:add(path, "%s is %s, none of %s%s", what, check.quoted(value), table.concat(allowed, ", "), near)
   end
 
-  -- The entries of the list t[name], each checked by one(entry, i, path).
+  -- Calls one(entry, i, path) to check each entry of the list t[name], and returns the list of the results.
   function Checker:each(t, name, one)
     local result = {}
     if type(t[name]) ~= "table" then return result end
@@ -52,7 +52,7 @@ function fields.checker(declared)
   return Checker
 end
 
--- A value as text of the command line.
+-- The value as a text that the command line accepts.
 function fields.shown(value) return math.type(value) == "float" and ("%.14g"):format(value) or tostring(value) end
 
 function fields.copied(t)

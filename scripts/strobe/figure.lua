@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Figures and films of a capture: checks of their tables, and their form as plain data. docs/figures.md describes each field.
--- A field of a cell may also be set in its figure, row or column. The cell overrides its column, the column its row, the row
--- its figure; marks and insets add up.
+-- Checks the figures and films of a capture, and returns them as plain data. docs/figures.md describes each field.
+-- A field of a cell may also be set in its figure, row or column. The cell has priority, then its column, its row and the
+-- figure. Marks and insets of all four are drawn.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local native = require "strobe.native"
@@ -12,14 +12,14 @@ local figure = {}
 local text, number, bool, list, any = fields.text, fields.number, fields.bool, fields.list, fields.any
 local copied, joined = fields.copied, check.joined
 
--- The fields { field = type }, all optional, added to the fields of `more`.
+-- Returns the fields of `more` together with the fields `types` = { field = type }, which become optional.
 local function optional(types, more)
   local result = copied(more or {})
   for name, kind in pairs(types) do result[name] = { kind, optional = true } end
   return result
 end
 
--- Marks drawn over a picture. Positions and lengths in pixels of the captured picture, x right, y down.
+-- Marks drawn over a picture. Positions and lengths are in pixels of the captured picture, x right, y down.
 local marks = optional { arrows = list, circles = list, boxes = list, ranges = list, texts = list }
 
 -- Fields of a cell: its picture, display options, and texts.
@@ -58,7 +58,8 @@ figure.colors = {
   white = "#ffffff", black = "#000000", yellow = "#ffd21e", green = "#35d04f", red = "#ff4b3e", blue = "#3f7bff",
   cyan = "#26c6f2", magenta = "#f24fc0", orange = "#ff8c1a", grey = "#9a9aa2",
 }
--- Measures in a caption: errors against the capture's truth; standard_error and displacement of truth itself.
+-- Measures that a caption may contain. `standard_error` and `displacement` are properties of truth; the others are errors
+-- against the truth of the capture.
 figure.measures = { "rmse", "mse", "relmse", "smape", "psnr", "ssim", "flip", "standard_error", "displacement" }
 figure.kinds = { "auto", "colour", "depth", "normal", "velocity", "arrows", "id", "mask", "scalar" }
 figure.differences = { "mean", "channels", "flip" }
@@ -77,7 +78,7 @@ shots.extend(Checker, {})
 
 function Checker:place_of(path) return native.key_place(self.place, table.unpack(path)) end
 
--- Checks that a number is from `least` to `most`, and a whole number unless `fraction` is true.
+-- Checks that `value` is a number from `least` to `most`. It must be a whole number unless `fraction` is true.
 function Checker:amount(value, least, most, path, what, fraction)
   if type(value) ~= "number" then return end
   local good = value >= least and value <= most and (fraction or math.tointeger(value))
@@ -86,7 +87,7 @@ function Checker:amount(value, least, most, path, what, fraction)
   self:add(path, "%s is %s; it is %s from %s to %s", what, fields.shown(value), kind, fields.shown(least), fields.shown(most))
 end
 
--- The colour "#rrggbb" or with this name, as three numbers from 0 to 1; nil after a mistake.
+-- Returns the colour `value`, which is "#rrggbb" or a name, as three numbers from 0 to 1; nil after a mistake.
 function Checker:color(value, path)
   if type(value) ~= "string" then return nil end
   local r, g, b = (rawget(figure.colors, value) or value):match("^#(%x%x)(%x%x)(%x%x)$")
@@ -100,8 +101,8 @@ function Checker:color(value, path)
   return { tonumber(r, 16) / 255, tonumber(g, 16) / 255, tonumber(b, 16) / 255 }
 end
 
--- Checks an area: { x, y, width, height } in whole pixels, or { REGION, width, height }, placed where a region of truth has the
--- most pixels.
+-- Checks an area: { x, y, width, height } or { REGION, width, height }, in whole pixels. The second form is placed where the
+-- error region REGION of truth has the most pixels.
 function Checker:area(value, path, what)
   local before = #self.problems.list
   if type(value) == "table" and type(value[1]) == "string" then
@@ -122,7 +123,7 @@ function Checker:area(value, path, what)
   end
 end
 
--- The entries of the list t[name], each checked by one(entry, path), with their places.
+-- Calls one(entry, path) to check each entry of the list t[name]. Returns the list of the results, each with its place.
 function Checker:entries(t, name, path, one)
   local result, given = {}, t[name]
   if type(given) ~= "table" then return result end
@@ -177,7 +178,7 @@ function Checker:mark(entry, kind, path)
   return result
 end
 
--- Checks each list of marks of a table.
+-- Checks the lists of marks in the table `t` and stores them in `result`.
 function Checker:marks(t, result, path)
   for _, name in ipairs(mark_names) do
     result[name] = self:entries(t, name, path, function(entry, at) return self:mark(entry, mark_kinds[name], at) end)
@@ -194,7 +195,7 @@ function Checker:inset(entry, path)
   return result
 end
 
--- Parses the text between braces in a caption: "rmse inner %.3f", "exposure", "set.samples".
+-- Parses the text between braces in a caption, such as "rmse inner %.3f", "exposure" or "set.samples".
 function Checker:inserted(inside, path)
   local rest, digits, style = inside:match("^(.-)%s+%%%.(%d)([fg])%s*$")
   local name, region = (rest or inside):match("^%s*([%w_.]+)%s*([%w_]*)%s*$")
@@ -226,7 +227,7 @@ function Checker:inserted(inside, path)
   return part
 end
 
--- A caption as a list of texts and insertions.
+-- Returns a caption as a list of texts and insertions; an insertion is the parsed text between braces.
 function Checker:caption(value, path)
   if type(value) ~= "string" then return nil end
   local parts, at = {}, 1
@@ -263,7 +264,8 @@ function Checker:look(t, path)
   return result
 end
 
--- Returns the labels of rows or columns, and their fields of cells. Without any, a single row or column without a label.
+-- Checks the rows or the columns of the figure `t`. Returns two lists: their labels, and the fields that they set in their
+-- cells. If `t` has no such list, the figure has a single row or column without a label.
 function Checker:lines(t, name, path)
   local looked = {}
   local labels = self:entries(t, name, path, function(entry, at)
@@ -277,7 +279,7 @@ function Checker:lines(t, name, path)
   return labels, looked
 end
 
--- The number of a row or column that is given by its number or its label.
+-- Returns the number of the row or column that `value` names by its number or its label.
 function Checker:line_number(value, labels, path, what)
   local names = {}
   for i, line in ipairs(labels) do
@@ -289,7 +291,8 @@ function Checker:line_number(value, labels, path, what)
   self:add(path, "%s of a cell is %s: a number from 1 to %d, or a label%s", what, check.quoted(value), #labels, near)
 end
 
--- Merges fields of a cell from `parts`, general to particular: later ones override, marks and insets add up.
+-- Merges the fields of a cell from `parts`, a list from general to particular. A later part overrides an earlier part; marks
+-- and insets of all parts are kept.
 local function united(parts)
   local result = {}
   for _, part in ipairs(parts) do
@@ -305,7 +308,7 @@ local function united(parts)
   return result
 end
 
--- Checks the merged fields of a cell.
+-- Checks the fields of a cell after they have been merged.
 function Checker:finish_cell(cell, path)
   local where = ("the cell in row %d, column %d"):format(cell.row, cell.column)
   cell.shot = cell.shot or (#self.shot_names == 1 and self.shot_names[1]) or nil
@@ -330,7 +333,7 @@ function Checker:finish_cell(cell, path)
   end
 end
 
--- All cells, row by row, with their merged fields.
+-- Returns all cells, row by row. The fields of a cell are merged from the figure, its row, its column and its entry in `cells`.
 function Checker:cells(t, result, path, rows, columns)
   local of_figure, given = self:look(t, path), {}
   self:entries(t, "cells", path, function(entry, at)
@@ -399,8 +402,8 @@ local function checked(self, entry, kind, path, names)
   return own_checker:whole(entry, kind, path)
 end
 
--- A figure or a film at `path` of the capture that `self` checks, as plain data. `names` has the known `shots` and `arms`, and
--- `truth` = false if the capture has no truth arm.
+-- Checks the figure or film at `path` of the capture that `self` checks, and returns it as plain data. `names` has the names of
+-- the known `shots` and `arms`; its field `truth` is false if the capture has no truth arm.
 function figure.checked(self, entry, path, names) return checked(self, entry, "figure", path, names) end
 function figure.checked_film(self, entry, path, names) return checked(self, entry, "film", path, names) end
 

@@ -1,17 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- Checks of the expectations of an experiment on its results.
+-- Checks whether the expectations of an experiment hold on its results.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local shown  = require "strobe.fields".shown
 
 local judge = {}
 
--- Finished results. `at` returns the means, by measure, over the points that match `wanted` { arm =, shot =, region =,
--- AXIS = value }.
+-- The results of an experiment. The method `at` returns the mean of each measure over the points that match the table `wanted`,
+-- { arm =, shot =, region =, AXIS = value }.
 local Results = {}
 Results.__index = Results
 
--- Stops an expectation with a message at `place`, the line with an unknown name.
+-- Raises an error about an unknown name in an expectation. `place`: the line that contains the name.
 local function mistaken(place, text, ...) error({ mistake = text:format(...), place = place }, 0) end
 
 local function require_known(place, name, allowed_names, what)
@@ -58,7 +58,7 @@ local function group_matches(group, wanted)
   return true
 end
 
--- True if the point is of the arm. Without an arm all methods match, but neither floors nor truth.
+-- True if the point belongs to the arm. If `arm` is nil, true if the point belongs to an arm with the role "method".
 local function point_matches(point, arm)
   if arm == nil then return point.role == "method" end
   return point.arm == arm
@@ -116,22 +116,22 @@ end
 
 local record = check.record "r"
 
--- The argument `r` of an expectation.
+-- Returns the argument `r` of the function of an expectation.
 local function results_of(data, known)
   local results = setmetatable({ data = data, known_measures = known.measures }, Results)
   return record { at = native.at_caller(function(place, wanted) return results:at(place, wanted) end) }
 end
 
--- Outcomes of expectations { text, function, shot =, axis =, known = } on `data`, finished results as plain data. `known` has
--- the known names.
+-- Returns the outcomes of expectations { text, function, shot =, axis =, known = }. `data`: the results of the experiment as
+-- plain data. `known`: the known names of measures.
 function judge.outcomes(expectations, data, known)
   local r, outcomes = results_of(data, known), {}
   for i, entry in ipairs(expectations) do outcomes[i] = judged(entry, r, data) end
   return outcomes
 end
 
--- Adds a mistake for each expectation with an unknown arm, shot, region, axis, value or measure. Each
--- measure is 1 in `data`, the placeholder results. The outcome is ignored.
+-- Adds a mistake for each expectation that contains an unknown arm, shot, region, axis, value or measure. To find such
+-- mistakes, each expectation is tested on the placeholder results `data`: each measure is 1 there. Outcomes are ignored.
 function judge.rehearse(problems, expectations, data, known)
   local r = results_of(data, known)
   for _, entry in ipairs(expectations) do

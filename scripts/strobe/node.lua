@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Nodes: a call of a pass inside a pipeline's `build` makes a node. Its outputs are values that wire it to other nodes.
+-- Nodes: a call of a pass inside a pipeline's `build` makes a node. The outputs of a node are values that wire the node to
+-- other nodes.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local param  = require "strobe.param"
@@ -8,13 +9,13 @@ local node = {}
 
 node.times = { "raster", "shutter_open", "shutter_close", "sample" }
 
--- The pipeline being built: { nodes, passes, loop = name or nil, params = its declarations, p = the build's `p` }. Nil
--- outside of a `build`.
+-- The graph of the pipeline that is being built, nil outside of a `build`: { nodes, passes, loop = name of the current loop or
+-- nil, params = parameters of the pipeline, p = argument of `build` }.
 node.graph = nil
 
 -- ---- values
 
-local Value = {}  -- a port of a node: { node = , port = , format = , formats = by choice or nil }
+local Value = {}  -- a port of a node: { node = , port = , format = , formats = { CHOICE = format } or nil }
 local Ports = {}  -- the result of a call; its fields are values
 
 Value.__index = native.at_caller(function(place, value, key)
@@ -80,9 +81,9 @@ end
 -- ---- parameters
 
 -- A reference to a parameter of the pipeline, as in p.x: { name = , declaration = }. Only a call, p.x(), returns its value. The
--- call is noted, because the value may then decide the graph.
+-- name is then added to `noted`, because the value may decide the graph.
 local Reference = {}
-local taken = setmetatable({}, { __mode = "k" })  -- by reference: the function of its call
+local taken = setmetatable({}, { __mode = "k" })  -- key: a reference; value: the function that its call runs
 Reference.__call = function(reference) return taken[reference]() end
 Reference.__index = native.at_caller(function(place, reference, key)
   check.fail(place, "parameter '%s' has no field %s; its value is p.%s()", rawget(reference, "name"), check.quoted(key),
@@ -122,14 +123,15 @@ local function cannot_follow(wanted, source)
                                                                               source.min, source.max)
 end
 
--- The parameter of the pipeline that a pass's parameter follows if its call does not set it: one with the same name that is the
--- same parameter; otherwise nil.
+-- The parameter `p.NAME` of the pipeline that the parameter `wanted` of a pass follows if the call of the pass does not set it.
+-- The two must have one name and come from one declaration; otherwise nil.
 local function shared(wanted)
   local declared = param.find(node.graph.params, wanted.name)
   return declared and param.same(declared, wanted) and node.graph.p[wanted.name] or nil
 end
 
--- The binding of the parameter `wanted` to `given`: a literal, a reference p.x, or nil for the default.
+-- Binds the parameter `wanted` of a pass to `given`: a literal, a reference p.x, or nil for the default. Returns the binding;
+-- nil after a mistake.
 function node.bind(problems, wanted, given, place, owner)
   if given == nil then return { value = wanted.default, place = wanted.place } end
   if node.is_reference(given) then
@@ -149,7 +151,7 @@ end
 
 -- ---- calls
 
-local argument_names = setmetatable({}, { __mode = "k" })  -- by pass
+local argument_names = setmetatable({}, { __mode = "k" })  -- key: a pass
 
 local function argument_names_of(pass)
   local known = argument_names[pass]
@@ -251,7 +253,7 @@ local function choose_time(problems, pass, arguments, place)
   return time
 end
 
--- Notes a pass; two different passes of one name are a mistake.
+-- Adds a pass to the graph. Reports a mistake if the graph has another pass of the same name.
 local function note_pass(problems, pass, place)
   local known = node.graph.passes[pass.name]
   node.graph.passes[pass.name] = known or pass
@@ -261,7 +263,7 @@ local function note_pass(problems, pass, place)
   end
 end
 
--- Makes the node of a call at `place` and returns its outputs; raises all mistakes together.
+-- Makes the node of a call at `place` and returns the outputs of the node. Raises one error with all mistakes of the call.
 function node.create(place, pass, arguments)
   if not node.graph then check.fail(place, "pass '%s' is called outside of a pipeline's build", pass.name) end
   if not check.is_plain(arguments) then

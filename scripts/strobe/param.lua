@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Parameter declarations of passes and pipelines alike: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
--- The constructors store the table and its place. `declare` checks them once the name is known.
+-- Declarations of parameters, for passes and for pipelines: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
+-- A constructor stores the table and its place. `declare` checks the table once the name of the parameter is known.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -10,7 +10,7 @@ param.keys = {
   bool   = { 1, "default", "doc", "unit", "role", "wired", "breaks" },
   int    = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "breaks" },
   float  = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "auto", "breaks" },
-  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
+  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and 1, 2, 3, ...: the choices
 }
 
 -- Reserved words of GLSL, which cannot name a parameter.
@@ -40,7 +40,8 @@ function param.new(kind, place, given, origin)
   return made
 end
 
--- Keys that a use of a shared parameter may change, as in `blur.tile { 16 }`. The result still counts as the same parameter.
+-- Keys that a pass or a pipeline may change when it uses a shared parameter, as in `blur.tile { 16 }`. The changed declaration
+-- still counts as the same parameter.
 param.changed_keys = {
   bool = { 1, "default", "doc", "wired", "breaks" },
   int = { 1, "default", "min", "max", "doc", "wired" },
@@ -101,11 +102,11 @@ local function check_values(problems, given, choices, place, what)
   return values
 end
 
--- Largest values in a shader: 32-bit integers, single-precision numbers.
+-- Largest number of each type in a shader: of 32-bit integers, and of single-precision floats.
 local LARGEST = { int = 2147483647, float = 3.4028234e38 }
 
--- Checks `breaks = { value = { invariant = "reason" } }`: invariants that a value breaks. For a bool, `value` is "true" or
--- "false"; for a number it is "other": any value but the default.
+-- Checks `breaks = { value = { invariant = "reason" } }`: invariants that a value of the parameter breaks. The value of a bool
+-- is "true" or "false". The value of a number is "other", which means any value except the default.
 local function check_breaks(problems, given, choices, place, what)
   if given.breaks == nil or not check.field(problems, given, "breaks", "table", place, what) then return nil end
   local breaks = {}
@@ -146,7 +147,8 @@ end
 
 local roles = native.roles()
 
--- The role: commands find a parameter by its role, without its name. One of native.roles(), or nil.
+-- Checks the role of a parameter, one of native.roles(), and returns it; nil without a role. Commands find a parameter by its
+-- role, so its name is free.
 local function check_role(problems, given, place, what)
   if given.role == nil then return nil end
   if check.contains(roles, given.role) then return given.role end
@@ -156,15 +158,16 @@ local function check_role(problems, given, place, what)
   return nil
 end
 
--- The origin of each checked declaration, and the origins of the parameters of passes.
+-- The origin of a declaration is the first declaration of the parameter; its uses may have changed some keys. `origins`: key: a
+-- checked declaration; value: its origin. `of_passes`: the set of the origins of all parameters of passes.
 local origins, of_passes = setmetatable({}, { __mode = "k" }), {}
 
--- True if two checked declarations are of one parameter.
+-- True if two checked declarations have the same origin: they are uses of one parameter.
 function param.same(a, b)
   return origins[a] ~= nil and origins[a] == origins[b]
 end
 
--- Notes the parameters of a pass: a parameter of a pipeline with the same origin counts as used.
+-- Records the parameters of a pass. A parameter of a pipeline with the same origin then counts as used.
 function param.note_pass(list)
   for _, one in ipairs(list) do of_passes[origins[one]] = true end
 end
@@ -173,7 +176,7 @@ function param.is_of_a_pass(declared)
   return of_passes[origins[declared]] == true
 end
 
--- Cache of checked declarations without mistakes: many passes share a parameter.
+-- Cache of checked declarations without mistakes, because many passes share a parameter.
 local checked = setmetatable({}, { __mode = "k" })
 
 local function copy_of(declaration)
@@ -183,7 +186,7 @@ local function copy_of(declaration)
   return copy
 end
 
--- The checked declaration of the parameter `name`; nil after a mistake. `at` is the place of the name.
+-- Checks the declaration of the parameter `name` and returns it; nil after a mistake. `at`: place of the name.
 function param.declare(problems, name, declared, at, owner)
   local same = checked[declared]
   if same and same.name == name then return copy_of(same) end
@@ -246,7 +249,7 @@ function param.declare(problems, name, declared, at, owner)
   return result
 end
 
--- The value in canonical form, or nil and a message. Unlike in a typed setting, a text is not converted to a number.
+-- Returns `value` in canonical form, or nil and a message. Unlike on the command line, a text is not converted to a number.
 function param.check(declared, value)
   if type(value) == "string" and declared.type ~= "choice" and not (declared.auto and value == "auto") then
     return nil, ("'%s' = '%s' is a text instead of a value of type %s"):format(declared.name, value, declared.type)
@@ -278,7 +281,7 @@ function param.refuse_twins(problems, list, owner)
   end
 end
 
--- The first declaration named `name` in a list, or nil. A list is indexed once: there are thousands of lookups.
+-- The first declaration named `name` in a list, or nil. The index of a list is kept, because there are thousands of lookups.
 local indices = setmetatable({}, { __mode = "k" })
 function param.find(list, name)
   local index = indices[list]

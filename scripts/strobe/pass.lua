@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Constructors of passes: `pass.compute { ... }`, `pass.raster { ... }`, `pass.trace { ... }`. Each checks a description and
--- returns a pass. A pipeline makes a node by calling the pass with images and values.
+-- Constructors of passes: `pass.compute { ... }`, `pass.raster { ... }`, `pass.trace { ... }`. Each constructor checks a
+-- description and returns a pass. A pipeline makes a node by calling the pass with images and values.
 local check   = require "strobe.check"
 local native  = require "strobe.native"
 local param   = require "strobe.param"
@@ -15,11 +15,11 @@ pass.keys = {
 pass.read_keys  = { "doc", "uint", "optional", "absent", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
 pass.update_keys = { "doc", "format", "history", "each" }
-pass.format_keys = { "by" }  -- and one key for each choice of the parameter that `by` names
+pass.format_keys = { "by" }  -- and each choice of the parameter that `by` names
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.runs       = { "everywhere", "moving_rect", "moving_instances" }  -- pixels or instances that a pass is restricted to
-pass.call_keys  = { "as", "time", "runs", "get" }  -- keys of a call in a pipeline; ports and parameters cannot have these names
+pass.call_keys  = { "as", "time", "runs" }  -- reserved in calls: not names of ports and parameters
 
 local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
@@ -35,7 +35,7 @@ local function is_port_table(problems, name, port, place, what)
     problems:add(place, "%s is not a name for %s (a-z, then a-z, 0-9 and _)", check.quoted(name), what)
     return false
   end
-  if check.contains(pass.call_keys, name) then
+  if check.contains(pass.call_keys, name) or name == "get" then
     problems:add(place, "%s cannot be called '%s', which has a meaning in every call", what, name)
   end
   if type(port) ~= "table" then
@@ -45,7 +45,8 @@ local function is_port_table(problems, name, port, place, what)
   return true
 end
 
--- The list `needs` of an optional read: at least one of these reads must be wired.
+-- Checks `needs` of an optional read and returns it as a list of reads. If none of these reads is wired, the optional read
+-- counts as unwired.
 local function check_needs(problems, reads, port, at, what)
   local needs = type(port.needs) == "string" and { port.needs } or port.needs or {}
   if type(needs) ~= "table" then
@@ -73,8 +74,8 @@ local function is_texel(value, uint)
   return true
 end
 
--- The value `absent` of a read that may be left unwired: four numbers, or the name of the read that stands in. A number stands
--- for four.
+-- Checks `absent`, the value of each texel of a read that is left unwired. Returns four numbers, or the name of the read that
+-- replaces it; nil after a mistake. A single number is the value of all four components.
 local function check_absent(problems, reads, name, at, what)
   local port = reads[name]
   local given = port.absent
@@ -148,8 +149,8 @@ local function deciding_parameter(problems, format, params, declared, at, what)
   return nil
 end
 
--- Checks `format = { by = "parameter", choice = "format", ... }`, a format for each choice. Returns the format of the default
--- choice, the parameter's name, and the formats by choice; nil after a mistake.
+-- Checks `format = { by = "PARAMETER", CHOICE = "FORMAT", ... }`, which has a format for each choice of a parameter. Returns
+-- the format of the default choice, the name of the parameter, and the formats by choice; nil after a mistake.
 local function chosen_format(problems, format, params, declared, path, place, what)
   local function at(key) return native.key_place(place, table.unpack(check.joined(path, key))) end
   local by = deciding_parameter(problems, format, params, declared, at("by"), what)
@@ -195,7 +196,7 @@ local function format_of(problems, port, params, declared, path, place, what)
   return port.format
 end
 
--- A buffer lives for one frame, and raster passes do not write it.
+-- Checks the rules for buffers: a buffer is not kept from frame to frame, and raster passes cannot write one.
 local function check_buffer(problems, port, kind, at, what)
   local each = port.each or 1
   if math.type(each) ~= "integer" or each < 1 or each > MAX_EACH then
@@ -234,8 +235,8 @@ local function has_text(value)
   return type(value) == "string" and value:find("%S") ~= nil
 end
 
--- A counter is a text, its counted event, or { doc = text, limit = text }. `limit` describes how the picture was changed at
--- these events, and the remedy.
+-- Checks the counters of a pass and returns them as a list. A counter is { doc = text, limit = text }, or the text `doc` alone.
+-- `doc` names the counted event. `limit` is a warning: how the picture was changed at these events, and the remedy.
 local function declare_counters(problems, t, place, owner)
   local list = {}
   for name, given in pairs(t.counters or {}) do
@@ -253,7 +254,8 @@ local function declare_counters(problems, t, place, owner)
   return list
 end
 
--- `dispatch_over`: name of a buffer read. The pass runs once for each entry, which is a pixel.
+-- Checks `dispatch_over`, the name of a buffer read, and returns it; "" without it. The pass runs once for each entry of this
+-- buffer. Each entry is a pixel.
 local function declare_over(problems, t, kind, result, place, owner)
   if t.dispatch_over == nil then return "" end
   local at = native.key_place(place, "dispatch_over")
@@ -276,7 +278,7 @@ local function declare_over(problems, t, kind, result, place, owner)
   return t.dispatch_over
 end
 
--- `group`: one work group per pixel, instead of one invocation.
+-- Checks `group` and returns it. If it is true, the pass runs one work group per output pixel, instead of one invocation.
 local function declare_group(problems, t, kind, result, place, owner)
   if t.group == nil or not check.field(problems, t, "group", "boolean", place, owner) or not t.group then return false end
   local at = native.key_place(place, "group")
@@ -292,7 +294,7 @@ local function declare_group(problems, t, kind, result, place, owner)
   return true
 end
 
--- True if `runs` is one of pass.runs and suits the pass `result`.
+-- True if `runs` is one of pass.runs and is allowed for the kind of the pass `result`. Otherwise reports a mistake.
 function pass.check_runs(problems, runs, result, at, owner)
   if not check.contains(pass.runs, runs) then
     local near = type(runs) == "string" and native.nearest(runs, pass.runs) or ""
@@ -305,13 +307,13 @@ function pass.check_runs(problems, runs, result, at, owner)
   return false
 end
 
-local restrictions = setmetatable({}, { __mode = "k" })  -- by description
+local restrictions = setmetatable({}, { __mode = "k" })  -- key: description of a pass
 
--- The restriction of a pass, by its description.
+-- Returns the restriction `runs` of the pass with this description.
 function pass.restriction_of(description) return restrictions[description] end
 
--- `runs`: restriction of the pass; a call may give another. By default the moving rectangle, if `if_no` has stand-ins for the
--- other pixels.
+-- Checks `runs` and returns it. It restricts the pass to some pixels or instances; a call may give another restriction.
+-- Default: the moving rectangle, which has an effect only if `if_no` has stand-ins for the other pixels.
 local function declare_runs(problems, t, result, place, owner)
   if t.runs == nil then return "moving_rect" end
   return pass.check_runs(problems, t.runs, result, native.key_place(place, "runs"), owner) and t.runs or "moving_rect"
@@ -367,7 +369,8 @@ local function declare_size(problems, t, place, result, owner)
   return { kind = "fixed", width = width, height = height, place = at }
 end
 
--- Reads and parameters share the arguments of a call. Writes and updates share the fields of its result.
+-- Reports equal names. Reads and parameters are arguments of the same call, so their names must differ. Writes and updates are
+-- fields of the result of the call, so their names must differ too.
 local function check_twins(problems, result, owner)
   local seen = {}
   for _, list in ipairs { result.reads, result.params } do
@@ -388,13 +391,14 @@ local function check_twins(problems, result, owner)
   end
 end
 
--- Path below passes/ of the file at `place`, without its ending; nil for a file outside of passes/ and for libraries.
+-- Path of the file at `place` below passes/, without .lua; nil for a file outside of passes/ and for a file of passes/lib.
 local function path_of(place)
-  local path = ("/" .. place.file):match(".*[/:]passes/(.+)%.lua$")  -- a colon after the name of a root
+  local path = ("/" .. place.file):match(".*[/:]passes/(.+)%.lua$")  -- a colon ends the name of a root folder
   return path and not path:find("^lib/") and path or nil
 end
 
--- Name and shader of a pass. Both default to the path of the file that declares it; the shader also defaults to the name.
+-- Name and shader of a pass. The default of both is the path of the file that declares the pass. Outside of passes/, the
+-- default of the shader is the name of the pass.
 local function named_by_file(problems, t, place)
   local name = t.name or path_of(place)
   if name == nil then
@@ -419,10 +423,11 @@ local function check_shader(problems, shader, place, owner)
   if shader:find("%.glsl$") then problems:add(at, "shader '%s' of %s is written without its ending .glsl", shader, owner) end
 end
 
--- Descriptions of the passes that files declare. Passes that a `build` declares are left out: they may differ each time.
+-- Descriptions of the passes that files declare. Passes that a `build` declares are left out, because they may differ each time
+-- that `build` runs.
 pass.declared = {}
 
--- Declarations of a pass by name; reading an unknown name is an error.
+-- Returns declarations of a pass (its parameters or its counters) by name. Reading an unknown name is an error.
 local function named(what, owner, declared)
   local copy = {}
   for name, one in pairs(declared) do copy[name] = one end
@@ -484,7 +489,7 @@ function pass.is_pass(value)
   return getmetatable(value) == Pass
 end
 
--- Sorted names of the files in passes/`folder`. They are alternatives for one job; a new file adds an alternative.
+-- Sorted names of the files in passes/`folder`. Their passes are alternatives for one job, and a new file adds an alternative.
 function pass.family(folder)
   return native.files("passes/" .. folder)
 end
@@ -494,7 +499,8 @@ function pass.member(folder, name)
   return require(("passes.%s.%s"):format(folder, name))
 end
 
--- `arguments`, and each image of `images` whose name is a read of the pass: `sobel(pass.wired(sobel, seen, { as = "edge" }))`.
+-- Returns the arguments of a call: `arguments`, and all images of `images` that the pass reads, by name. An example is
+-- `sobel(pass.wired(sobel, raster, { as = "edge" }))`.
 function pass.wired(called, images, arguments)
   local result = {}
   for key, value in pairs(arguments or {}) do result[key] = value end

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Pipelines: `pipeline { doc, params, presets, default_preset, build = function(p) ... end }`. The function `build` calls
--- passes and returns named images. `describe` runs it once and returns the graph as plain data.
+-- passes and returns named images. `pipeline.describe` runs `build` once and returns the graph as plain data.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local node   = require "strobe.node"
@@ -9,7 +9,8 @@ local preset = require "strobe.preset"
 
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
--- Makes reading an unknown field of a table an error. `t:get(name)` reads a field that may be absent.
+-- Returns a function that makes a table a record: reading an unknown field of a record is an error. `t:get(name)` reads a field
+-- that may be absent.
 pipeline.record = check.record
 
 pipeline.keys = {
@@ -33,7 +34,7 @@ local function check_kind(problems, t, place)
   return t.kind
 end
 
--- Outputs that are masks of error regions: `{ OUTPUT = "description of the region" }`.
+-- Checks `regions`, the outputs that are masks of error regions: `{ OUTPUT = "description of the region" }`.
 local function declare_regions(problems, t, place)
   local list = {}
   for name, text in pairs(t.regions or {}) do
@@ -151,7 +152,7 @@ local function check_results(problems, results, place)
   end
 end
 
--- Source of `until_`, a 1x1 image that ends the loop when its texel is not zero; "" after a mistake.
+-- Checks `until_`, a 1x1 image that ends the loop when its texel is not zero. Returns it as "NODE.PORT"; "" after a mistake.
 local function check_until(problems, t, loop, results, place)
   local value = t.until_
   if type(value) == "function" then value = value(results) end
@@ -165,7 +166,8 @@ local function check_until(problems, t, loop, results, place)
   return ""
 end
 
--- Checks `first` and `parts`: the exposure has `parts` parts, and the loop takes `count` parts from number `first` (0-based).
+-- Checks `first` and `parts` of a loop. The exposure is divided into `parts` parts. The loop takes `count` parts, beginning
+-- with part number `first` (0-based).
 local function check_parts(problems, t, place)
   for _, key in ipairs { "first", "parts" } do
     local at_least = key == "first" and 0 or 1
@@ -221,7 +223,8 @@ pipeline.loop = native.at_caller(function(place, t)
   return ports
 end)
 
--- Runs `body` and returns its result. The names of its nodes start with `prefix`, so that a part of a graph can be made twice.
+-- Runs `body` and returns its result. The names of the nodes that `body` makes start with `prefix`, so that a part of a graph
+-- can be made twice.
 pipeline.prefixed = native.at_caller(function(place, prefix, body)
   if not node.graph then check.fail(place, "pipeline.prefixed is called outside of a pipeline's build") end
   if not check.is_name(prefix) then check.fail(place, "%s cannot start the name of a node", check.quoted(prefix)) end
@@ -235,7 +238,7 @@ end)
 
 -- ---- evaluation
 
--- Notes a setting that does not fit: in `dropped` if that is given, otherwise as a mistake.
+-- Handles a setting that does not fit the pipeline. It is added to the list `dropped`; if that is nil, it is a mistake.
 local function refuse(problems, dropped, set, text, ...)
   if not dropped then return problems:add(set.place, text, ...) end
   dropped[#dropped + 1] = { name = set.name, value = tostring(set.value), reason = text:format(...) }
@@ -318,7 +321,7 @@ local function check_outputs(problems, outputs, build)
   return sources
 end
 
--- The declared regions among the outputs of this graph. A graph with other values may have other outputs.
+-- The declared regions that are outputs of this graph. With other values of parameters, the graph may have other outputs.
 local function regions_of(self, sources)
   local list = {}
   for _, region in ipairs(self.regions) do
@@ -327,8 +330,8 @@ local function regions_of(self, sources)
   return list
 end
 
--- Reports unused parameters and results. A graph with other values may use a parameter that this one does not, so a parameter
--- also counts as used if a loaded file contains `p.name`, in any branch, or if a loaded pass has the parameter.
+-- Reports unused parameters and results. With other values, the graph may use parameters that this graph does not use. So a
+-- parameter also counts as used if a loaded file contains `p.name`, in any branch, or if a loaded pass has the parameter.
 local function check_unused(problems, self, graph, used)
   for _, one in ipairs(self.params) do
     for _, place in ipairs(native.conditions_on(one.name)) do
@@ -354,7 +357,8 @@ local function settable_names(self, graph)
   return names
 end
 
--- Hint for `--set tile=...` if only nodes have a parameter `tile`; nil otherwise.
+-- Hint for a message about `--set NAME=...`: the nodes that have a parameter NAME, which the pipeline lacks. Nil if no node has
+-- this parameter.
 local function nodes_with(graph, name)
   local found = {}
   for _, made in ipairs(graph.nodes) do
@@ -364,7 +368,8 @@ local function nodes_with(graph, name)
   return #found > 0 and "; nodes have it: " .. table.concat(found, ", ") or nil
 end
 
--- Applies `--set node.param=value`, which replaces the value from the build. Reports settings that match no parameter.
+-- Applies the settings `--set NODE.PARAM=VALUE`, which replace the values given in `build`. Reports settings that match no
+-- parameter.
 local function apply_node_sets(problems, self, graph, sets, unknown, dropped)
   for _, set in ipairs(unknown) do
     local hint = nodes_with(graph, set.name) or native.nearest(set.name, settable_names(self, graph))
@@ -397,8 +402,8 @@ local function in_order(by_name)
   return list
 end
 
--- The graph of a pipeline for the settings { { name = , value = }, ... }, as plain data. With `lenient`, settings that do not
--- fit are left out and listed in `dropped`; otherwise they are mistakes.
+-- Returns the graph of a pipeline for the settings { { name = , value = }, ... }, as plain data. If `lenient` is true, settings
+-- that do not fit are left out and listed in the field `dropped`; otherwise they are mistakes.
 function pipeline.describe(self, name, file, sets, lenient)
   for _, set in ipairs(sets) do set.place = { file = ("--set %s=%s"):format(set.name, set.value), line = 0 } end
   local problems = check.problems()

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Presets: named sets of values of a pipeline's parameters. A pipeline declares its own. `--set preset=FILE.lua` takes one
--- from a file, `return preset { doc = "...", set = { tile = 16 } }`, and checks it against the pipeline's parameters.
+-- Presets: named sets of values of a pipeline's parameters. A pipeline declares its own presets. `--set preset=FILE.lua` takes
+-- a preset from a file, which contains `return preset { doc = "...", set = { tile = 16 } }`. The preset is checked against the
+-- parameters of the pipeline.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local param  = require "strobe.param"
@@ -17,7 +18,8 @@ setmetatable(preset, { __call = native.at_caller(function(place, _, t)
 end) })
 check.closed(preset, "preset")
 
--- The values of a preset by the names of parameters. `path` leads from the call at `place` to the table `set`.
+-- Checks the table `set` of a preset and returns the values of its parameters by name. `path`: keys that lead from the call at
+-- `place` to `set`.
 local function values_of(problems, what, set, params, place, path)
   local names, values = {}, {}
   for i, one in ipairs(params) do names[i] = one.name end
@@ -35,7 +37,7 @@ local function values_of(problems, what, set, params, place, path)
   return values
 end
 
--- The preset that the table at `path` from the call at `place` declares.
+-- Checks the table `given` and returns the preset that it declares. `path`: keys that lead from the call at `place` to `given`.
 local function declared_by(problems, name, given, params, place, path)
   local what = ("preset '%s'"):format(name)
   check.keys(problems, given, preset.keys, place, what, path)
@@ -62,7 +64,8 @@ local function none()
   return { name = "none", doc = "every parameter has its default", default = true, values = {} }
 end
 
--- The presets of a pipeline, by name. The default is `default_preset`, or an added preset "none" that sets nothing.
+-- Checks the presets of a pipeline and returns them as a list. The default preset is the one named by `default_preset`. Without
+-- this name, a preset "none" that sets nothing is added and is the default.
 function preset.declare_all(problems, t, params, place)
   local list, names = {}, {}
   if t.presets == nil then return list end
@@ -95,8 +98,8 @@ function preset.default_of(presets)
   return nil
 end
 
--- Returns `presets` with the preset of the requested file appended, and its name; nil, nil and a message if the file does not
--- exist.
+-- Appends the preset of the requested file to a copy of `presets`. Returns the copy and the name of the added preset; nil, nil
+-- and a message if the file does not exist.
 local function with_file(problems, presets, params, name)
   local there, given, shown = native.preset()
   if not there then return nil, nil, ("there is no preset file '%s'"):format(name) end
@@ -111,8 +114,8 @@ local function with_file(problems, presets, params, name)
   return list, name
 end
 
--- Resolves `--set preset=VALUE`: returns the available presets and the name of the chosen one. After a mistake the name is nil;
--- a message follows unless `problems` has it already.
+-- Resolves `--set preset=VALUE`: returns the available presets and the name of the chosen one. After a mistake the name is nil.
+-- A third result is the message, unless `problems` has the message already.
 function preset.taken(problems, presets, params, value)
   if is_file(value) then return with_file(problems, presets, params, value) end
   local choice = { name = "preset", type = "choice", choices = {}, unit = "" }

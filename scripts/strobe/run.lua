@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Requests that a script child process evaluates. Each function takes the request as a table and returns plain data.
+-- Requests to the child process that evaluates scripts. Each function takes a request as a table and returns plain data.
 local check    = require "strobe.check"
 local native   = require "strobe.native"
 local pass     = require "strobe.pass"
@@ -7,8 +7,9 @@ local pipeline = require "strobe.pipeline"
 
 local run = {}
 
--- Loads a pipeline's file before its settings are known. Returns the parts that all later answers share: the declared passes,
--- which answers name by their numbers, and the pipeline's parameters, which answers leave out.
+-- Loads the file of a pipeline before its settings are known. Returns the data that the results of all later requests share:
+-- the passes that files declare, and the parameters of the pipeline. A later result has the numbers of these passes instead of
+-- the passes, and no parameters.
 local loaded
 local numbers = {}
 function run.load()
@@ -29,7 +30,7 @@ function run.pipeline(request)
   return described
 end
 
--- The kind of each pipeline, by the name of its file. Files that do not load are left out.
+-- The kind of each pipeline, by the name of its file. Files with errors are left out.
 function run.kinds(request)
   local kinds = {}
   for _, name in ipairs(request.names) do
@@ -47,7 +48,8 @@ local function typed(text)
   return tonumber(text) or text
 end
 
--- `scene_params.x` is the value set on the command line, or nil: `local count = scene_params.count or 5`.
+-- The global `scene_params` of a scene. `scene_params.x` is the value that the command line sets, or nil. An example:
+-- `local count = scene_params.count or 5`. `asked` becomes the set of the names that the scene reads.
 local function scene_params(sets, asked)
   local values = {}
   for _, set in ipairs(sets) do values[set.name] = typed(set.value) end
@@ -78,7 +80,7 @@ end
 function run.data(request)
   local result = native.main(request.arguments)
   if result == nil then check.fail({ file = request.file, line = 0 }, "returns nothing; it should end in 'return'") end
-  local finished = (getmetatable(result) or {}).finished  -- experiments and captures have it
+  local finished = (getmetatable(result) or {}).finished  -- experiments and captures have this function
   return finished and finished(result, request.arguments) or result
 end
 
@@ -87,7 +89,7 @@ function run.kind()
   return { kind = (getmetatable(native.main()) or {}).kind or "" }
 end
 
--- The descriptions of the passes in all files; raises all mistakes of all files together.
+-- Returns the descriptions of the passes in all files. Raises one error with the mistakes of all files.
 function run.passes(request)
   local problems, passes, by_name = check.problems(), {}, {}
   for _, module in ipairs(request.modules) do
@@ -106,7 +108,7 @@ function run.passes(request)
       local other = by_name[description.name]
       if other then
         local second, first = description.place, other.place
-        if second.file:find("^strobe:") then second, first = first, second end  -- report the project's pass
+        if second.file:find("^strobe:") then second, first = first, second end  -- report the pass of the project
         problems:add(second, "another pass is called '%s': %s:%d", description.name, first.file, first.line)
       end
       by_name[description.name] = description

@@ -1,14 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- Constructors of scenes. Each returns its table as plain data, with its kind and its place in the script. Keys are checked
--- when the scene is built, and all mistakes are reported at once. The program makes vertices and texels, not this script.
--- Lengths in metres, angles in degrees, times in seconds, y up; colours are linear { r, g, b } or { r, g, b, a }.
+-- Constructors of scenes. Each constructor returns its table as plain data, with the kind of the object and its place in the
+-- script. Keys are checked
+-- when the scene is built, and all mistakes are reported at once. Vertices and texels are made later, by the program.
+-- Lengths are in metres, angles in degrees, times in seconds; y is up. Colours are linear { r, g, b } or { r, g, b, a }.
 local scene = {}
 local type_of = type
 
--- A global of the sandbox; absent if a plain interpreter reads the file.
+-- A global function of Strobe's interpreter; nil in another Lua interpreter.
 local caller_place = rawget(_ENV, "caller_place")
 
--- The file and line of the call of the constructor.
+-- The file and line of the script that calls the constructor.
 local function place()
   return caller_place and caller_place(1) or nil
 end
@@ -30,21 +31,22 @@ end
 -- box { size = {x, y, z}, radius, segments, tile }    edges rounded by `radius`
 -- sphere { radius, segments }
 -- torus { radius, tube_radius, segments, tube_segments }
--- superellipsoid { size, north, east, segments }      1 ellipsoid, near 0 box, 2 octahedron
+-- superellipsoid { size, north, east, segments }      north = east = 1: ellipsoid; near 0: box; 2: octahedron
 -- cylinder { radius, top_radius, height, segments, bevel }
--- lathe { profile = { {radius, y}, ... }, segments, smooth, crease }   from the bottom up, outside to the right
+-- lathe { profile = { {radius, y}, ... }, segments, smooth, crease }   profile from bottom to top, outside on its right
 -- tube { path = { {x, y, z}, ... }, radius | radii, segments, smooth, flatten, up }
--- cushion { size, pinch, quilt, quilt_depth, segments }   in the xy plane
+-- cushion { size, pinch, quilt, quilt_depth, segments }   lies in the xy plane
 -- cloth { size = {w, h, depth}, folds, flare, thickness, segments, segments_down }
--- triangles { positions, normals, uvs, indices }      indices from 1; without them every three positions
+-- triangles { positions, normals, uvs, indices }      indices start at 1; without indices, three positions each are a triangle
 for _, name in ipairs { "quad", "box", "sphere", "torus", "superellipsoid", "cylinder", "lathe", "tube", "cushion",
                         "cloth", "triangles" } do
   scene[name] = constructor("shape", name)
 end
 
--- Textures. All: size = {w, h}, wrap = "repeat" | "mirror" | "clamp", filter = "linear" | "nearest", name. Patterns:
--- colors = { ... }, count (or {u, v}), widths, amount, line, seed. texels { width, height, texels = { {r, g, b [, a]},
--- ... } } is sampled without any filter, top row first. image { file }: a PNG or JPEG, relative to the scene's file.
+-- Textures. Every texture may have size = {w, h}, wrap = "repeat" | "mirror" | "clamp", filter = "linear" | "nearest" and name.
+-- Patterns: colors = { ... }, count (or {u, v}), widths, amount, line, seed.
+-- texels { width, height, texels = { {r, g, b [, a]}, ... } }   top row first; sampled without a filter
+-- image { file }                                               a PNG or JPEG; path relative to the file of the scene
 scene.texture = {}
 for _, name in ipairs { "image", "stripes", "checker", "quilt", "rug", "wood", "noise", "weave", "spine", "painting",
                         "gradient", "leaf", "texels" } do
@@ -58,24 +60,28 @@ scene.use = constructor "use"
 --            emissive, emissive_texture, unlit, alpha_cutoff, blend, double_sided }
 scene.material = constructor "material"
 
--- point_light { color, intensity, range, shadow, name }  candela; spot_light adds inner_cone, outer_cone (half angles);
--- directional_light: lux. Lights shine along the node's -z.
+-- point_light { color, intensity, range, shadow, name }    intensity in candela
+-- spot_light           has also inner_cone and outer_cone, which are half angles
+-- directional_light    intensity in lux
+-- Spot lights and directional lights shine along the -z axis of their node.
 scene.point_light = constructor("light", "point")
 scene.spot_light = constructor("light", "spot")
 scene.directional_light = constructor("light", "directional")
 
--- camera { name, fov, near } (vertical angle); orthographic_camera { name, half_height, near }
+-- camera { name, fov, near }: fov is the vertical angle; orthographic_camera { name, half_height, near }
 scene.camera = constructor("camera", "perspective")
 scene.orthographic_camera = constructor("camera", "orthographic")
 
--- gltf { file, animation = "all" | "none" | "NAME", variant }: a .glb or .gltf file, relative to the scene's file. Loaded at a
--- node "fan", its node "blade" is named "fan/blade"; its clips, cameras and lights have the same prefix.
+-- gltf { file, animation = "all" | "none" | "NAME", variant }: a .glb or .gltf file; its path is relative to the file of the
+-- scene. `variant`: name of the material variant. If the file is loaded at a node "fan", a node "blade" of the file is named
+-- "fan/blade"; names of clips, cameras and lights get the same prefix.
 scene.gltf = constructor "gltf"
 
 -- node { name, position, rotation = {x, y, z} | look_at = {x, y, z}, scale, shape, material | parts, gltf, light, camera,
 --        motion = { velocity, axis, degrees_per_second, rest_time }, cuts = { seconds }, children }
 -- parts: a list of { shape, material, position, rotation, look_at, scale }, drawn as one object.
--- Rotations turn about z, then x, then y. Motion is in world axes, the spin about the node's own origin.
+-- A rotation turns about z, then x, then y. The motion is along the axes of the world. The spin turns about the origin of the
+-- node.
 scene.node = constructor "node"
 
 -- animation { name, tracks, duration }
@@ -84,7 +90,7 @@ scene.node = constructor "node"
 scene.animation = constructor "animation"
 scene.track = constructor "track"
 
--- Linear { r, g, b } of an sRGB colour written "#rrggbb", times `factor`.
+-- Returns the linear { r, g, b } of an sRGB colour "#rrggbb", multiplied by `factor` (default: 1).
 function scene.srgb(text, factor)
   local r, g, b = tostring(text):match "^#(%x%x)(%x%x)(%x%x)$"
   if not r then error("srgb takes a colour like '#c08040', got '" .. tostring(text) .. "'", 2) end
@@ -95,7 +101,8 @@ function scene.srgb(text, factor)
   return { linear(r), linear(g), linear(b) }
 end
 
--- A number, text or boolean of the scene that `--set scene.NAME=VALUE` may replace. Its type is the type of `default`.
+-- Returns a parameter of the scene: a number, text or boolean of the type of `default`, which is its value unless `--set
+-- scene.NAME=VALUE` gives another.
 function scene.param(name, default)
   local given = rawget(_ENV, "scene_params") and scene_params[name]
   if given == nil then return default end

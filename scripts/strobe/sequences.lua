@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Sobol points and random numbers in the unit cube, equal on every machine.
+-- Sobol points and random numbers in [0, 1). They are equal on every machine.
 local sequences = {}
 
--- Each dimension from the second: its primitive polynomial (the coefficients are the bits of a number), then its initial
--- direction numbers. S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM
--- J. Sci. Comput. 30 (2008), the set new-joe-kuo-6.21201.
+-- One row for each dimension from the second on. The first number of a row is the primitive polynomial, whose coefficients are
+-- the bits of the number. The initial direction numbers follow. S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better
+-- two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), the set new-joe-kuo-6.21201.
 local dimensions = {
   { 3, 1 },
   { 7, 1, 3 },
@@ -35,7 +35,7 @@ sequences.most_dimensions = #dimensions + 1
 
 local bits = 30
 
--- Direction numbers of a dimension as fractions of `bits` bits.
+-- Direction numbers of a dimension, as fixed-point fractions with `bits` bits.
 local function directions(dimension)
   local v = {}
   if dimension == 1 then
@@ -70,7 +70,7 @@ function sequences.sobol(count, width)
   return points
 end
 
--- A function that returns the next random number in [0, 1) (SplitMix64: Steele, Lea and Flood 2014).
+-- Returns a function that returns another random number in [0, 1) at each call (SplitMix64: Steele, Lea and Flood 2014).
 function sequences.random(seed)
   local state = seed
   return function()

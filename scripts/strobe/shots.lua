@@ -15,7 +15,7 @@ local Methods = {}
 
 function Methods:place_of(path) return native.key_place(self.place, table.unpack(path)) end
 
--- A table of settings as a list in the order of their names, with typed values and places.
+-- Returns the table of settings `t` as a list of { name, value, place }, in the order of their names.
 function Methods:settings(t, path)
   local result, names = {}, type(t) == "table" and check.names(t) or {}
   table.sort(names)
@@ -36,7 +36,8 @@ function Methods:numbers(value, count, path, what)
   if not good then self:add(path, "%s takes %d numbers", what, count) end
 end
 
--- `NODE = { x, y, z }` as arguments of the command line, in the order of the nodes' names.
+-- Returns the motions `t`, such as { NODE = { x, y, z } }, as arguments of the command line, in the order of the names of the
+-- nodes. Each motion has `count` numbers.
 function Methods:motions(t, count, path, what)
   local result, names = {}, type(t) == "table" and check.names(t) or {}
   table.sort(names)
@@ -55,13 +56,13 @@ local motions = { move = 3, spin = 4 }
 local lua_types = { number = "number", integer = "number", choice = "string", text = "string", size = "table",
                     view = "table", texts = "table", bool = "boolean" }
 
--- A number as text: 15 digits if they read back as the same number, otherwise 17.
+-- Returns a number as text: with 15 digits if they read back as the same number, otherwise with 17 digits.
 local function digits(value)
   local short = ("%.15g"):format(value)
   return tonumber(short) == value and short or ("%.17g"):format(value)
 end
 
--- A camera path, { { frame, eye x, y, z, target x, y, z }, ... }, as arguments of the command line.
+-- Returns a camera path, { { frame, eye x, y, z, target x, y, z }, ... }, as arguments of the command line.
 function Methods:camera_path(keys, path)
   local result = {}
   for i, key in ipairs(type(keys) == "table" and keys or {}) do
@@ -123,7 +124,7 @@ function Methods:distinct(entries, key, group)
   return seen
 end
 
--- Checks { from, to, step } of a sequence: 2 to 1000 frames.
+-- Checks the frame numbers { from, to, step } of a sequence, which has 2 to 1000 frames.
 function Methods:sequence(frames, shot, path)
   if frames == nil then return end
   local good = type(frames) == "table" and #frames == 3
@@ -162,8 +163,8 @@ function Methods:shot(t, path)
   return result
 end
 
--- Adds these methods to a checker of fields (strobe.fields). `shot_fields`: fields of a shot besides the options of the command
--- line. The checker's `options` holds these options by name.
+-- Adds the methods of this file to a class of checkers (strobe.fields). `shot_fields`: fields of a shot besides the options of
+-- the command line. The field `options` of a checker must hold these options by name.
 function shots.extend(Checker, shot_fields)
   for name, method in pairs(Methods) do Checker[name] = method end
   Checker.shot_fields = shot_fields

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- The field `if_no` of a pass: stand-ins for its writes if a fact of the frame does not hold, or if a read is all zeros.
--- `if_no = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`. The key `moving_rect` has the stand-ins for
--- pixels that no moving surface covers at any time.
+-- The field `if_no` of a pass. It has stand-ins, which replace the writes of the pass if a fact of the frame is false, or if a
+-- read is all zeros: `if_no = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`. The key `moving_rect` has
+-- the stand-ins for pixels that no moving surface covers at any time.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -70,7 +70,8 @@ local function declare_one(problems, name, given, result, place, owner)
   return { name = name, place = at, writes = given }
 end
 
--- The checked `if_no` of the pass `result` as a list; nil if `given` is nil. The ports of `result` are declared already.
+-- Checks `given`, the field `if_no` of the pass `result`, and returns it as a list; nil if `given` is nil. The ports of
+-- `result` must have been declared.
 function stand_in.declare(problems, given, result, place, owner)
   if given == nil then return nil end
   if next(result.updates) ~= nil then

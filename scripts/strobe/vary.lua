@@ -1,20 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- Axes of an experiment, each a name with values, and the combinations of their values that are points.
--- docs/writing-experiments.md describes each kind. Nothing depends on the order of `pairs`.
+-- Axes of an experiment, and the combinations of their values that the experiment measures. An axis has a name and values.
+-- docs/writing-experiments.md describes each kind of axis.
 local check     = require "strobe.check"
 local native    = require "strobe.native"
 local sequences = require "strobe.sequences"
 
 local vary = {}
 
--- { axes = , combine = }. combine(entries) returns the combinations. entries[axis][i] is value i of an axis, as a list of one
--- { axis, value }. A combination is such a list with one entry per axis.
+-- A way to vary axes: { axes = , combine = }. A combination is a list of { axis, value }, one per axis. entries[axis][i] is the
+-- list that holds only value i of that axis. combine(entries) returns the combinations.
 local Varied = {}
 local function varied(axes, combine) return setmetatable({ axes = axes, combine = combine }, Varied) end
 
 function vary.is_varied(value) return getmetatable(value) == Varied end
 
--- Cartesian product of the lists; the last list varies fastest.
+-- Cartesian product of lists of combinations. The last list varies fastest.
 function vary.multiplied(lists)
   local product = { {} }
   for _, entries in ipairs(lists) do
@@ -29,7 +29,8 @@ function vary.multiplied(lists)
   return product
 end
 
--- One axis for each name of a table, sorted by name; `values_of` returns its values.
+-- Returns one axis for each name in the table `t`, sorted by name. `values_of` is a function that returns the values of an
+-- axis. `usage`: form of the call, for messages.
 local function axes_of(t, place, usage, values_of)
   local axes = {}
   local names = type(t) == "table" and check.names(t) or {}
@@ -48,7 +49,7 @@ end
 
 local function as_they_are(values) return values end
 
--- One combination per row: axis k has its value number row[k]. Equal rows count once.
+-- Returns a function that makes one combination per row. Axis k then has its value number row[k]. Equal rows count once.
 local function combined(axes, rows)
   return function(entries)
     local all, known = {}, {}
@@ -61,7 +62,7 @@ local function combined(axes, rows)
   end
 end
 
--- The index of `value` in `values`; appends it if it is absent.
+-- Returns the index of `value` in `values`. A value that is absent is appended.
 local function number_in(values, value)
   for i, known in ipairs(values) do
     if known == value and math.type(known) == math.type(value) then return i end
@@ -98,7 +99,7 @@ end)
 
 -- ---- combinations
 
--- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis with its fields.
+-- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis; the table has the fields of the axis.
 vary.list = native.at_caller(function(place, t)
   if type(t) ~= "table" then check.fail(place, "list takes a table: list { name = ..., values = { ... } }") end
   local axis = { fields = t, place = place }
@@ -132,8 +133,8 @@ vary.zip = native.at_caller(function(place, t)
   return varied(axes, combined(axes, rows))
 end)
 
--- `each { list { ... }, grid { ... } }`: the combinations of one entry after another, not multiplied. A point has only the axes
--- of its entry.
+-- `each { list { ... }, grid { ... } }`: the combinations of the first entry, then of the second entry, and so on. Entries are
+-- not multiplied: a point has only the axes of its entry.
 vary.each = native.at_caller(function(place, t)
   local axes = {}
   for i, part in ipairs(type(t) == "table" and t or {}) do
@@ -151,7 +152,8 @@ vary.each = native.at_caller(function(place, t)
   end)
 end)
 
--- `ablation({ samples = 16, tile = 40 }, { samples = { 4, 8 }, tile = { 20 } })`: the base, then the base with one change each.
+-- `ablation({ samples = 16, tile = 40 }, { samples = { 4, 8 }, tile = { 20 } })`: the base, then the base with one change at a
+-- time.
 vary.ablation = native.at_caller(function(place, base, changes)
   local usage = "ablation({ NAME = value, ... }, { NAME = { values }, ... })"
   if type(base) ~= "table" then check.fail(place, "ablation takes a base and its changes: %s", usage) end
@@ -179,9 +181,11 @@ end)
 
 -- ---- samples of a space
 
--- The value of a range at `u` in [0, 1). Two whole numbers: a whole number between them, both included. Two other numbers: a
--- number between them. With log = true, values are spread by their logarithm. A list of texts, or of more than two numbers: one
--- of its entries.
+-- The value of a range at `u` in [0, 1). The range is one of these lists:
+--   two whole numbers                a whole number between them, both included, is returned
+--   two other numbers                a number between them is returned
+--   texts, or more than two numbers  one of the entries is returned
+-- With log = true, values between two numbers are spread by their logarithm.
 local function value_at(range, u)
   local from, to = range[1], range[2]
   if type(from) ~= "number" or #range ~= 2 then return range[1 + math.floor(u * #range)] end
@@ -202,7 +206,8 @@ local function check_range(range, place, name)
   return {}
 end
 
--- Axes with the names of `ranges`, and one combination for each point of the unit cube.
+-- Returns axes with the names of `ranges`. They have one combination for each point in the unit cube that points_of(dimensions)
+-- returns.
 local function spread(place, ranges, usage, points_of)
   local axes, rows = axes_of(ranges, place, usage, check_range), {}
   for i, point in ipairs(points_of(#axes)) do

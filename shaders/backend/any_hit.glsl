@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any-hit stage of the ray tracing pipeline: rejects hits on the instance or geometry that the ray skips, on texels cut out by
-// alpha, and on the back of one-sided materials.
+// Any-hit stage of the ray tracing pipeline. Rejects hits on the instance or geometry that the ray skips, hits on points that
+// alpha cuts out, and hits on the back of one-sided materials.
 #include "mixin/trace_payload.glsl"
 layout(location = 0) rayPayloadInEXT TracePayload payload;
 hitAttributeEXT vec2 barycentrics;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Edge hysteresis: keeps strong ridges and the weak ridges connected to them (Canny 1986); last of three steps.
+// Edge hysteresis: keeps strong ridges and the weak ridges connected to them; last of three steps of the Canny detector (Canny
+// 1986).
 // In:  `ridge`: 1 strong, 1/2 weak, 0 none (edge/canny/thin)
 //      `where`: above 1/2 where to mark; absent: everywhere
 // Out: `edge`:  1 on an edge, one pixel wide
-// Method: flood from each weak pixel along ridges, to eight neighbours and within `reach` px to either side, until a strong
-//      pixel is met or no pixel is left. A set of pixels is one word per row with one bit per column.
-// Fails: connections longer than `reach` px along x or y, or with a detour out of that square: the weak part of such an edge
-//      ends `reach` px from its strong part.
+// Method: flood from each weak pixel along ridges, to eight neighbours and within `reach` px to either side, until the flood
+//      meets a strong pixel or has no pixel left. A set of pixels is one word per row, with one bit per column.
+// Fails: weak and strong ridges with a connection longer than `reach` px along x or y, or with a detour out of that square,
+//      count as not connected. The weak part of such an edge ends `reach` px from its strong part.
 #include "lib/blur.glsl"
 #include "mixin/edge.glsl"
 
-const int kMostSide = 31;  // 2 * 15 + 1, with 15 the largest `reach`: a row fits into a word
+const int kMostSide = 31;  // 2 * 15 + 1, where 15 is the largest `reach`; a row of bits fits into a word
 
 float ridgeAt(ivec2 pixel) {
   return isInside(pixel, textureSize(ridge_tex, 0)) ? texelFetch(ridge_tex, pixel, 0).x : 0.0;

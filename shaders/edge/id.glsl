@@ -4,8 +4,8 @@
 //      `id`:    instance + 1; 0 for the sky
 //      `where`: above 1/2 where to test; absent: everywhere
 // Out: `edge`:  1 on an edge: one pixel wide, on the nearer side
-// Method: compare id and depth with the four neighbours. At equal depths neither pixel is an edge.
-// Fails: contacts and intersections of static parts are edges too; self-occlusion of one instance is missed.
+// Method: compare id and depth with the four neighbours. If the depths of two instances are equal, neither pixel is an edge.
+// Fails: contacts and intersections of static parts are edges too. Self-occlusion of one instance is missed.
 #include "mixin/edge.glsl"
 #include "mixin/edge_id.glsl"
 

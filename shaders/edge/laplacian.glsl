@@ -4,12 +4,13 @@
 //      `normal`: unit, world; 0 for the sky
 //      `where`:  above 1/2 where to test; absent: everywhere
 // Out: `edge`:   1 on an edge: two pixels wide at a step, four for the kernel `log`
-// Method: sum of the second differences over the four or eight neighbours; `log` is the Laplacian of a Gaussian of standard
-//      deviation 1 px, (r^2 - 2) exp(-r^2 / 2), up to 3 px. Each kernel is scaled so that a unit step along an axis responds 1
-//      beside it. 1/z is affine in screen space on a plane, so planes respond 0 at any angle. 1/z is multiplied by the pixel's
-//      own depth, which makes it independent of scale. A pair of opposite neighbours with one outside the image is ignored.
-// Fails: a step responds on both of its sides. Noise responds more than with gradients. The depth step is a step of 1/z, 1 -
-//      near / far, smaller than the step of z where the gap is large.
+// Method: sum the second differences over the four or eight neighbours. The kernel `log` is the Laplacian of a Gaussian of
+//      standard deviation 1 px, (r^2 - 2) exp(-r^2 / 2), up to 3 px. Each kernel is scaled so that its response beside a unit
+//      step along an axis is 1. 1/z is affine in screen space on a plane, so the response on planes is 0 at any angle. 1/z is
+//      multiplied by the pixel's own depth, which makes it independent of scale. A pair of opposite neighbours with one outside
+//      the image is ignored.
+// Fails: a step gives edges on both of its sides. Noise gives more edges than with gradients. The depth step is a step of 1/z,
+//      1 - near / far, and smaller than the step of z where the gap is large.
 #include "mixin/edge.glsl"
 #include "mixin/edge_features.glsl"
 #include "mixin/edge_steps.glsl"

@@ -4,12 +4,12 @@
 //      `normal`: unit, world; 0 for the sky
 //      `where`:  above 1/2 where to test; absent: everywhere
 // Out: `edge`:   1 on an edge: two pixels wide at a step
-// Method: depth: the largest distance from the plane over the four neighbours (mixin/edge_plane.glsl). Normal: the largest
-//      difference to a neighbour, for creases. Each is divided by its threshold; a pixel is an edge if the combination exceeds
-//      1.
-// Fails: a farther surface in the same plane is missed; quantised depths make edges. With second differences, pixels whose two
-//      neighbours are as much nearer as farther (in 1/z) and the border of the image are missed. With distances, silhouettes of
-//      curved surfaces are missed, where the plane runs along the view ray.
+// Method: the depth step is the largest distance of the four neighbours from the pixel's plane (mixin/edge_plane.glsl). The
+//      normal step, for creases, is the largest difference to the normal of a neighbour. Each step is divided by its threshold.
+//      A pixel is an edge if the combination of both exceeds 1.
+// Fails: a farther surface in the same plane is missed. Quantised depths make edges. With second differences, two places are
+//      missed: pixels with one neighbour as much nearer as the other is farther (in 1/z), and the border of the image. With
+//      distances, silhouettes of curved surfaces are missed, where the plane runs along the view ray.
 #include "mixin/edge.glsl"
 #include "mixin/edge_plane.glsl"
 #include "mixin/edge_steps.glsl"

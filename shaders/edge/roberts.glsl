@@ -4,11 +4,12 @@
 //      `normal`: unit, world; 0 for the sky
 //      `where`:  above 1/2 where to test; absent: everywhere
 // Out: `edge`:   1 on an edge: one pixel wide at a step
-// Method: differences along both diagonals of the pixel and its neighbours to the right and below, scaled so that a unit step
-//      along an axis responds 1. They are centred on the common corner of the four, half a pixel to the right and below: a step
-//      is marked on the pixel to its left or above it, whichever side is nearer. Depths as in edge/sobel.
+// Method: differences along both diagonals of the pixel and its neighbours to the right and below, scaled so that the response
+//      to a unit step along an axis is 1. The differences are centred on the common corner of the four pixels, half a pixel to
+//      the right and below. A step is therefore marked on the pixel to its left or above it, whichever side is nearer. Depths
+//      are relative to the pixel's own, as in edge/sobel.
 // Fails: a silhouette whose nearer side is to the right or below is marked on the farther side, where a mask that reads the
-//      nearer side misses it; noise; planes at grazing angles.
+//      nearer side misses it. Noise and planes at grazing angles are marked too.
 #include "mixin/edge_gradient.glsl"
 
 // A unit step along an axis changes both diagonal differences by 1: the l1 norm is 2, the l2 norm sqrt(2).

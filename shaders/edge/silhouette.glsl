@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Silhouettes between instances that are apart: pixels with a neighbour on another instance, farther and off the pixel's plane.
+// Silhouettes between instances that do not touch: pixels with a neighbour that shows another instance, farther than the pixel
+// and off the pixel's plane.
 // In:  `depth`:  view depth, m; +inf for the sky
 //      `id`:     instance + 1; 0 for the sky
 //      `normal`: unit, world; 0 for the sky
 //      `where`:  above 1/2 where to test; absent: everywhere
 // Out: `edge`:   1 on an edge: one pixel wide, on the nearer side
-// Method: compare id, depth and distance from the plane (mixin/edge_plane.glsl) with the four neighbours. An object that rests
-//      on another, as a box on the floor, has no silhouette along the contact.
-// Fails: self-occlusion of one instance, and backgrounds in the same plane, are missed. With distances, the plane of a curved
-//      surface contains the background at its silhouette.
+// Method: compare id, depth and distance from the pixel's plane (mixin/edge_plane.glsl) with the four neighbours. An object
+//      that rests on another, for example a box on the floor, has no silhouette along the contact.
+// Fails: self-occlusion of one instance is missed. A background in the same plane is missed too. With distances, the plane of a
+//      curved surface contains the background at the silhouette of this surface.
 #include "mixin/edge.glsl"
 #include "mixin/edge_id.glsl"
 #include "mixin/edge_plane.glsl"

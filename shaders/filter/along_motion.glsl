@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 // One level of an a-trous wavelet filter along the motion (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal
 // Variance-Guided Filtering for Motion Blur", after SVGF, Schied et al. 2017).
-// In:  noisy: linear, of the level before.
-//      variance: variance of the tone (mixin/along_motion.glsl), of the level before.
+// In:  noisy: linear radiance, from the previous level.
+//      variance: variance of the tone (mixin/along_motion.glsl), from the previous level.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
-// Out: blurred: linear, alpha 1.
+// Out: blurred: linear radiance, alpha 1.
 //      less: variance of the tone in blurred.
-// Method: blurred = sum h(k) w(k) C(k) / sum h(k) w(k), k = -2..2, at k * 2^octave px along the dominant displacement; the
-//   B-spline h = 1/16, 1/4, 3/8, 1/4, 1/16; w = exp(-|difference of tones| / (deviations * standard deviation + kSlack)), with
-//   the standard deviation of 3 pixels along the line. less = sum h^2 w^2 variance / (sum h w)^2.
-//   The level copies where the variance is 0, and where 2^octave px exceed half of the displacement (at least 1 px).
-// Fails: different motions are all blurred along the longest one; textures and silhouettes along it are blurred as far as they
-//   pass for noise; noise at larger distances than the levels reach stays.
+// Method: blurred = sum h(k) w(k) C(k) / sum h(k) w(k), for k = -2..2, at k * 2^octave px along the dominant displacement. h is
+//   the B-spline 1/16, 1/4, 3/8, 1/4, 1/16. w = exp(-|difference of tones| / (deviations * standard deviation + kSlack)), with
+//   the standard deviation over 3 pixels along the line. less = sum h^2 w^2 variance / (sum h w)^2.
+//   A level copies the pixel where the variance is 0, and where 2^octave px exceed half of the displacement (at least 1 px).
+// Fails: surfaces with different motions are all blurred along the longest displacement. Textures and silhouettes along it are
+//   blurred if their contrast is within the noise. Noise at distances beyond the last level stays.
 #include "mixin/along_motion.glsl"
 
 const float kSpline[3] = float[3](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 
-// Difference of tones that counts as rounding.
+// Difference of tones that counts as rounding error.
 const float kSlack = 1e-3;
 
 float varianceAt(ivec2 at) { return max(finite(texelFetch(variance_tex, at, 0).x), 0.0); }

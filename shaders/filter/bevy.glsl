@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Motion blur of the Bevy engine (bevy_core_pipeline, motion_blur; since 0.14, 2024) for any anchor: each pixel gathers along
 // its own displacement, without tiles. Written after the documentation and source of the engine.
-// In:  color: linear.
+// In:  color: linear radiance.
 //      depth: view depth, metres; +inf for the sky.
 //      velocity: displacement d, px over the exposure.
-// Out: blurred: linear, alpha 1.
-// Method: N taps Y = X - d(X)*t at the midpoints (i + 1/2 + jitter)/N of the exposure; taps outside the image are left out. The
-//   engine's exposure surrounds the raster time: anchor `centre`.
-//   A tap counts if it is farther than X, or sky. Another tap counts if its displacement along d(X), in either sense, covers
-//   the way to it: |d(Y) . d(X)|/|d(X)| * reach >= |Y - X|, with reach 1/2 for `centre` and 1 for the other anchors. The result
-//   is the mean of the taps that count.
-//   Copied: pixels that move by less than copy_below, and pixels without a tap that counts.
-// Fails: surfaces do not blur beyond their silhouettes; inside, the background is the image from outside.
+// Out: blurred: linear radiance, alpha 1.
+// Method: for pixel X, N taps Y = X - d(X)*t are at the midpoints (i + 1/2 + jitter)/N of the exposure. Taps outside the image
+//   are left out. The engine's exposure surrounds the raster time: anchor `centre`.
+//   A tap counts if it is farther than X, or sky. Any other tap counts if its displacement along d(X), in either sense, covers
+//   the distance to X: |d(Y) . d(X)|/|d(X)| * reach >= |Y - X|, with reach 1/2 for `centre` and 1 for the other anchors. The
+//   result is the mean of the taps that count.
+//   Pixels that move by less than copy_below, and pixels without a tap that counts, are copied.
+// Fails: surfaces do not blur beyond their silhouettes. Inside a silhouette, the background is copied from outside.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
@@ -23,7 +23,8 @@ vec2 displacementAt(ivec2 pixel) {
 
 float depthAt(ivec2 pixel) { return saneDepth(texelFetch(depth_tex, pixel, 0).x); }
 
-// True if the displacement of a nearer tap covers the distance. The slack 1e-4 keeps the last tap of an equal displacement.
+// True if the displacement `d_tap` of a nearer tap, along the pixel's displacement d, covers the distance between tap and
+// pixel. The factor 1 - 1e-4 keeps the last tap on a surface that moves by d too.
 bool comesAsFar(vec2 d_tap, vec2 d, float distance_px, float spread_factor) {
   float d_length = lengthOf(d);
   return abs(dot(d_tap / d_length, d)) * spread_factor >= distance_px * (1.0 - 1e-4);

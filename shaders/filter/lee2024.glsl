@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Search through up to four full layers, back along displacements (Lee, Kwon, Oh 2024, "Real-Time Motion Blur Using Multi-Layer
-// Motion Vectors", Applied Sciences 14, 4626), for any anchor.
-// In:  color, depth, velocity: first layer: linear; view depth, metres, +inf for the sky; displacement, px over the exposure.
-//      layer_2_* to layer_4_*: the same three images of the surfaces behind it, over the whole image (optional).
+// Search through up to four full layers for the surface at a pixel, back along displacements, for any anchor (Lee, Kwon, Oh
+// 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors", Applied Sciences 14, 4626).
+// In:  color: linear radiance of the first layer.
+//      depth: view depth of the first layer, metres; +inf for the sky.
+//      velocity: displacement of the first layer, px over the exposure.
+//      layer_2_* to layer_4_*: the same three images of the surfaces behind the first layer, for every pixel (optional).
 //      id: instance + 1, geometry + 1 of the first layer; for the counter `varied` only.
-//      dominant, deep_dominant: longest displacement per tile of the first two layers, and of the others (optional).
-// Out: blurred: linear, alpha 1.
-// Method: for each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each displacement g searched, and each layer, the texel
-//   Y = X - t_i*g, clamped to the image, counts if its displacement differs from g by at most `agreement` px and by at most
-//   half of the longer one (at least half a pixel). The nearest texel that counts is the sample, at equal depths the texel of
-//   the first g. The result is the mean over the samples found; X itself if none is found.
-//   Searched: the displacements of X in all layers, and of its tile. The paper takes a colour if its displacement agrees with
-//   the displacement of the search; the text at hand does not say which displacements start at a pixel that another surface
-//   passes over, so they are found here as in the other filters.
+//      dominant: longest displacement per tile of the first two layers, px over the exposure (optional).
+//      deep_dominant: longest displacement per tile of the third and fourth layer, px over the exposure (optional).
+// Out: blurred: linear radiance, alpha 1.
+// Method: for each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each searched displacement g and each layer, test the
+//   texel Y = X - t_i*g, clamped to the image. Y counts if its displacement differs from g by at most `agreement` px and by at
+//   most half of the longer one (at least half a pixel). The nearest texel that counts is the sample; at equal depths, the
+//   texel of the first g. The result is the mean over the samples found, or the colour of pixel X if none is found.
+//   Searched displacements: the displacements of X in all layers, and the dominant ones of its tile. The paper's text at hand
+//   does not say which displacements start at a pixel that another surface passes over; they are found here as in the other
+//   filters.
 //   `varied` counts samples of a deeper layer where the path of X's own surface leads to another part of this surface, with a
 //   different displacement.
-// Fails: surfaces in no layer; displacements that are neither the pixel's nor the longest of its tile.
+// Fails: surfaces in no layer are missed, and surfaces whose displacement is neither the pixel's nor the longest of its tile.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 const int kLayers = 1 + HAS_layer_2_depth + HAS_layer_3_depth + HAS_layer_4_depth;
-const int kMost = 6;  // displacements: of four layers, and two of the tile
+const int kMost = 6;  // searched displacements: of the pixel in four layers, and two of the tile
 
 // Depths that differ by less than 2^-16 of the depth count as equal: rounding separates the depths of one surface.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
@@ -93,7 +96,8 @@ struct Nearest {
   float depth;
 };
 
-// True if two displacements agree. A displacement of 0 and a displacement of a pixel never agree, whatever `agreement` is.
+// True if two displacements agree within `agreement`. A displacement of 0 and a displacement of a pixel never agree, whatever
+// `agreement` is.
 bool agree(vec2 a, vec2 b) {
   float apart = lengthOf(a - b);
   return apart <= params.agreement && apart <= max(0.5 * max(lengthOf(a), lengthOf(b)), 0.5);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Variance of an image with one time sample per pixel, along the motion (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal
 // Variance-Guided Filtering for Motion Blur"; here from one frame, without earlier frames).
-// In:  noisy: linear, one time sample per pixel.
+// In:  noisy: linear radiance, one time sample per pixel.
 //      moved: displacement of the surface at the pixel's time, px over the exposure.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
 // Out: variance: variance of the tone (mixin/along_motion.glsl).
-// Method: variance over the pixels within 3 px along the dominant displacement. 0 if no pixel within 8 px along it shows a
-//   moving surface: these pixels then most likely show the same surface at all times.
+// Method: variance over the pixels within 3 px along the dominant displacement. The variance is 0 if no pixel within 8 px along
+//   the displacement shows a moving surface. These pixels then most likely show the same surface at all times.
 // Fails: a texture along the motion counts as noise.
 #include "mixin/along_motion.glsl"
 
 const int kWide = 3;  // px
-const int kLooks = 8;  // px: a moving surface at one pixel in a few is at the others at other times
+const int kLooks = 8;  // px; a surface that moves across shows at some of these pixels at their sample times
 
 bool seesMotion(ivec2 at, ivec2 size) {
   return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStaticRadius;

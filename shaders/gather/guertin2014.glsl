@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Feature-aware gather along two directions, for any anchor (Guertin, McGuire, Nowrouzezahrai 2014, "A Fast and Stable
 // Feature-Aware Motion Blur Filter", HPG).
-// In:  color: linear.
+// In:  color: linear radiance.
 //      depth: view depth, metres; +inf for the sky.
 //      velocity: displacement d, px over the exposure.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
-//      second: another displacement around, per tile, px over the exposure (optional).
-//      variance: spread of the directions around, per tile, 0 to 1 (absent: half of the samples take the second direction).
-//      slowest: shortest displacement around, per tile, px over the exposure (absent: no path for uniform motion).
+//      second: displacement around each tile that differs most from dominant, px over the exposure (optional).
+//      variance: variance of the directions around each tile, 0 to 1 (absent: half of the samples take the second direction).
+//      slowest: length of the shortest displacement around each tile, px over the exposure (absent: no fast path).
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
 //      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
-// Out: blurred: colour times alpha, and alpha.
-// Method: t_i = lerp(-1, 1, (i + eta*jitter + 1)/(N + 1)), along d = dominant. If the exposure surrounds the raster time, taps
-//   lie at |d|/2 * t_i and the tap on the pixel itself (odd N) is left out; otherwise at |d| (t_i + 1)/2.
-//   round(N/2 * smoothstep(0, 1/2, variance)) taps lie along the second direction v_c (mixin/directions.glsl) instead; they are
-//   skipped if it does not exist.
-//   Weight of a tap Y at the distance D: f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB), with e
-//   the direction sampled, wA = |v_c . e|, wB = |unit d(Y) . e|, r the blur radius, at least 1/2 px, f and b the depth
-//   comparisons as shares of the depth. The pixel itself: N/(kappa*rX). The sum is normalised.
-//   Copied if the largest radius is at most 0.505 px. d(Y) = d, unread, if the shortest displacement is at least 0.65 of d and
-//   its radius at least 4 px. Alpha: as in mcguire2012.glsl, with cylinder(D, rY) * wB for the taps.
-// Fails: like McGuire's filter too opaque inside silhouettes, over background from outside; thin objects across both
-//   directions; noise and gaps where many directions meet.
+// Out: blurred: rgb: linear radiance times alpha; a: alpha.
+// Method: the filter blurs pixel X along d = dominant, with t_i = lerp(-1, 1, (i + eta*jitter + 1)/(N + 1)). If the exposure
+//   surrounds the raster time, taps lie at |d|/2 * t_i, without the tap on X itself (odd N). Otherwise they lie at |d| (t_i +
+//   1)/2.
+//   round(N/2 * smoothstep(0, 1/2, variance)) taps lie along the second direction v_c (mixin/directions.glsl) instead. They are
+//   skipped if v_c is 0.
+//   A tap Y at the distance D has the weight f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB). Here
+//   e is the sampled direction, wA = |v_c . e|, wB = |unit d(Y) . e|, r is the blur radius (at least 1/2 px), and f and b
+//   compare the depths as shares of the depth. X itself has the weight N/(kappa*rX). The sum is normalised.
+//   X is copied if the blur radius of d is at most 0.505 px. If the shortest displacement is at least 0.65 |d| and its radius
+//   at least 4 px, d(Y) = d. Alpha: as in mcguire2012.glsl, with cylinder(D, rY) * wB for the taps.
+// Fails: the blur inside silhouettes is too opaque, over background from outside. Surfaces that move along neither direction
+//   stay sharp. Where many directions meet, there are noise and gaps.
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
@@ -37,7 +38,7 @@ struct Tap {
   vec3 color;
   float depth;
   float radius;    // px
-  vec2 direction;  // unit, 0 at rest
+  vec2 direction;  // unit; 0 for a static surface
 };
 
 Tap tapFrom(Texel texel, vec2 d, float spread_factor) {
@@ -58,7 +59,7 @@ Sample sampleAt(int i, vec2 d, vec2 second, bool along_second, float jitter) {
   return Sample(t, roundSymmetric(offset), abs(t) * d_length, along_second ? second : unitOf(d));
 }
 
-// Number of samples along the second direction.
+// Number of the pixel's samples that are taken along the second direction.
 int secondCount(ivec2 tile) {
 #if HAS_variance
   float share = smoothstep(0.0, 0.5, variance_at(tile).x);
@@ -83,7 +84,7 @@ float tapWeight(Tap here, Tap tap, Sample taken, vec2 second) {
          2.0 * cylinder(taken.distance_px, min(here.radius, tap.radius)) * max(along_here, along_tap);
 }
 
-// Coverage of the pixel by the motion of a tap, 0 to 1.
+// Share of the pixel that the motion of a tap covers, 0 to 1.
 float covers(Tap tap, Sample taken) {
   float along_tap = tap.radius > 0.5 ? abs(dot(tap.direction, taken.direction)) : 1.0;
   return cylinder(taken.distance_px, tap.radius) * along_tap;

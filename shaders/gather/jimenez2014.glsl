@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
 // Gather of paired taps with linear ramps and mirrored background (Jimenez 2014, "Next Generation Post Processing in Call of
 // Duty: Advanced Warfare", SIGGRAPH course), as its public descendants implement it.
-// In:  color: linear.
+// In:  color: linear radiance.
 //      depth: view depth, metres; +inf for the sky.
 //      velocity: displacement d, px over the exposure.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
-//      slowest: shortest displacement around, per tile, px over the exposure (absent: no cheap path).
+//      slowest: length of the shortest displacement around each tile, px over the exposure (absent: no cheap path).
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
 //      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
-// Out: blurred: colour times alpha, and alpha.
-// Method: copy if no radius around exceeds copy_below; the mean of the taps if slowest > cheap_ratio * |dominant| and no
-//   surface was revealed behind X; otherwise the full gather (counters). d = dominant, s = i + 1/2 + jitter, in steps of |d|/N.
-//   If the exposure surrounds the raster time, pairs of taps at +-s (N even, rounded up); otherwise N single taps at s. With
-//   count = adaptive at most |d| taps, an even number, at least 2.
-//   Weight of a tap Y, with r the blur radius in steps:
-//   back * clamp(r(X) - max(s - 1, 0), 0, 1) + front * clamp(r(Y) - max(s - 1, 0), 0, 1). back + front = 1 by the order of the
-//   depths, 1/2 each if equal. `direction` scales the second term. Mirror: if one tap of a pair is nearer and faster, both have
-//   its weight; ties keep theirs, so that mirrored images have mirrored results.
+// Out: blurred: rgb: linear radiance times alpha; a: alpha.
+// Method: d = dominant. Copy pixel X if the blur radius of d is at most copy_below. Average the taps if slowest > cheap_ratio *
+//   |d| and no surface was revealed behind X. Otherwise weight the taps ("full gather"). Counters count the three cases.
+//   Taps are s = i + 1/2 + jitter steps of |d|/N from X: pairs at +-s if the exposure surrounds the raster time (N is even,
+//   rounded up), otherwise single taps. With count = adaptive, N is an even number of at most |d| taps, at least 2.
+//   A tap Y has the weight back * clamp(r(X) - max(s - 1, 0), 0, 1) + front * clamp(r(Y) - max(s - 1, 0), 0, 1), with r the
+//   blur radius in steps. back + front = 1 by the order of the depths; both are 1/2 if the depths are equal. The parameter
+//   `direction` scales the second term. With `mirror`, if one tap of a pair is nearer and faster, both taps have its weight. In
+//   a tie both keep their own weights, so that mirrored images have mirrored results.
 //   Result: sum of weight * colour over N; the rest of the exposure is the colour of X.
-//   Alpha: 1; over a revealed surface the foreground alone. A tap then counts to the degree that it is in front of that surface
-//   and spreads over X, the rest of the exposure to the degree that X is in front.
-// Fails: inside a silhouette the background is the image from outside, so its edges appear twice; outside, the background under
-//   the object comes from the opposite side; one direction per tile.
+//   Alpha: 1. Over a revealed surface, the result is the foreground alone. A tap then counts to the degree that it is in front
+//   of that surface and spreads over X. The rest of the exposure counts to the degree that X is in front.
+// Fails: inside a silhouette the background is copied from outside, so its edges appear twice. Outside a silhouette, the
+//   background under the object comes from the opposite side. There is one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
 #include "mixin/quantised.glsl"
@@ -37,14 +37,15 @@ struct Tap {
 // Inputs of the gather at one pixel.
 struct Gather {
   Tap here;
-  vec2 d;             // dominant, px over the exposure
+  vec2 d;             // dominant displacement, px over the exposure
   float spread_factor;
   float step_length;  // px
   bool over;          // a surface was revealed behind the pixel
-  float background;
+  float background;   // depth
 };
 
-// Sums over taps: weighted colours and weights of the visible part, and all weights.
+// Sums over taps. `shown`: rgb: weighted colours of the visible part; alpha: weights of the visible part. `all`: weights of all
+// taps.
 struct Sums {
   vec4 shown;
   float all;
@@ -55,7 +56,7 @@ Tap tapAt(ivec2 pixel, float spread_factor) {
   return Tap(texel.color, texel.depth, texel.d, spread_factor * lengthOf(texel.d));
 }
 
-// Share, 0 to 1, of the blur of a tap that falls along the dominant displacement.
+// Share, 0 to 1, of a tap's blur that counts along the dominant displacement. The parameter `direction` chooses the rule.
 float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 #if PARAM_direction == direction_projected
   float longest = lengthOf(gather.d);
@@ -69,9 +70,10 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 #endif
 }
 
-// Share of a step, `steps` away from the pixel, that a surface with this blur radius (px) covers, on the side of the times
-// before or after the raster time. With a shutter curve, all steps have the same weight: the radius in steps is the
-// number of steps times the share of the weight until the dominant motion has covered the radius.
+// Share of a step that a surface covers, 0 to 1. The step is `steps` away from the pixel; the surface has the blur radius
+// `radius`, px. `after`: the step is on the side of the times after the raster time. With a shutter curve, all steps have the
+// same weight: the radius in steps is the number of steps times the share of the weight until the dominant motion has covered
+// the radius.
 float colorRangeOver(Gather gather, float radius, float steps, bool after) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -96,12 +98,12 @@ vec2 mirrored(Tap a, Tap b, vec2 weights) {
   return weights;
 }
 
-// Share of a tap's weight that is foreground, if the background was revealed.
+// Share of a tap's weight that belongs to the foreground, over a revealed background.
 float frontShare(Gather gather, Tap tap, float steps, bool after) {
   return inFrontOf(tap.depth, gather.background, params.depth_extent) * colorRangeOver(gather, tap.radius, steps, after);
 }
 
-// Offsets of the two taps of a pair from the pixel: for a time before the raster time, and for a time after it.
+// Offsets of the two taps of a pair from the pixel, one for a time before the raster time and one for a time after it.
 struct Pair {
   ivec2 before, after;
 };
@@ -118,7 +120,7 @@ Pair pairAt(vec2 d, int count, float steps) {
   return Pair(offset, -offset);
 }
 
-// Adds a pair of taps. `sides`: weights of the times before and after the raster time.
+// Add a pair of taps. `sides`: weights of the times before (x) and after (y) the raster time.
 Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, vec2 sides) {
   ivec2 size = textureSize(color_tex, 0);
   ivec2 at_a = clampToImage(pixel + pair.before, size), at_b = clampToImage(pixel + pair.after, size);
@@ -136,8 +138,8 @@ Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, v
   return sums;
 }
 
-// Each branch adds its own sums, so that the result with a box shutter is the same, bit for bit, with and without
-// FACT_weighted.
+// Add a pair of taps, with the weights of both sides if the shutter has a curve. Each branch adds its own sums, so that the
+// result with a box shutter is the same, bit for bit, with and without FACT_weighted.
 Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -159,7 +161,7 @@ Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   return sums;
 }
 
-// Number of taps: even where taps come in pairs.
+// Number of taps at a pixel; even if taps come in pairs.
 int sampleCount(vec2 d) {
   int most = isCentred(frame.shutter) ? (params.samples + 1) / 2 * 2 : params.samples;
 #if PARAM_count == count_adaptive
@@ -169,7 +171,7 @@ int sampleCount(vec2 d) {
 #endif
 }
 
-// True if all surfaces around move nearly as fast as the dominant displacement.
+// True if all surfaces around the tile move nearly as fast as the dominant displacement.
 bool movesAsOne(ivec2 pixel, vec2 d) {
   return slowest_at(pixel / params.tile).x > params.cheap_ratio * lengthOf(d);
 }

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Gather along the dominant displacement of the tile, for any anchor (McGuire, Hennessy, Bukowski, Osman 2012, "A
 // Reconstruction Filter for Plausible Motion Blur", section 2.3).
-// In:  color: linear.
+// In:  color: linear radiance.
 //      depth: view depth, metres; +inf for the sky.
 //      velocity: displacement d, px over the exposure.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
-//      second: another displacement around, per tile, px over the exposure (optional).
+//      second: displacement around each tile that differs most from dominant, px over the exposure (optional).
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
 //      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
-// Out: blurred: colour times alpha, and alpha.
-// Method: t_i = lerp(-1, 1, (i + jitter + 1)/(S + 1)), d = dominant. If the exposure surrounds the raster time, as in the
-//   paper, taps lie at X + d/2 * t_i, the blur radius is |d|/2, and the tap on the pixel itself (odd S) is left out, because
-//   the centre sample stands for it. If the exposure ends at the raster time, taps lie at X + d (t_i + 1)/2, mirrored if it
-//   begins there, the radius is |d|, and all S taps count (Tan, Cui, Bhojan 2020). With two directions odd samples lie as far
-//   along the second one (mixin/directions.glsl, gamma = 3/2 px; not in the paper, in later code).
-//   Weight of a tap Y at the distance D: f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX); the centre: 1/rX.
-//   The sum is normalised. f and b compare depths as shares of the depth, not as lengths, and so have no scale.
-//   Alpha: 1; over a revealed surface the result is the foreground alone, and alpha its share of all weights. A tap is
-//   foreground to the degree that it is in front of the revealed surface (otherwise it samples the background, as the revealed
-//   layer does better) and that its own motion covers D (otherwise it does not pass over X, for example a floor that slopes up
-//   to the viewer). The centre is foreground if it is in front.
-// Fails: opaque inside silhouettes (6/7 in place of 1/2; docs/derivations.md), a step at silhouettes, ramps that are not
-//   linear, opacity that depends on S, one direction per tile.
+// Out: blurred: rgb: linear radiance times alpha; a: alpha.
+// Method: the filter blurs pixel X along d = dominant, with t_i = lerp(-1, 1, (i + jitter + 1)/(S + 1)). If the exposure
+//   surrounds the raster time, as in the paper, taps lie at X + d/2 * t_i and the blur radius is |d|/2. The tap on X itself
+//   (odd S) is left out, because the centre sample stands for it. If the exposure ends at the raster time, taps lie at X + d
+//   (t_i + 1)/2, mirrored if it begins there, the radius is |d|, and all S taps count (Tan, Cui, Bhojan 2020). With two
+//   directions, not in the paper but in later code, every odd tap lies along the second one (mixin/directions.glsl, gamma = 3/2
+//   px).
+//   A tap Y at the distance D has the weight f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX). The centre has
+//   the weight 1/rX. The sum is normalised. f and b compare depths as shares of the depth and so have no scale.
+//   Alpha: 1. Over a revealed surface the result is the foreground alone, and alpha the foreground's share of all weights. A
+//   tap is foreground to the degree that it is in front of the revealed surface and that its own motion covers D (otherwise its
+//   surface does not pass over X, for example a floor that slopes up to the viewer). The centre is foreground if it is in
+//   front.
+// Fails: the blur is too opaque inside silhouettes (6/7 in place of 1/2; docs/derivations.md) and has a step at silhouettes.
+//   Ramps are not linear. Opacity depends on S. There is one direction per tile.
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"

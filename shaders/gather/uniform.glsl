@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Time-uniform gather: each tap along the dominant displacement is an equal share of the exposure, and counts or does not.
-// Ramps are linear; the coverage by a moving object over a static one is exact up to sampling.
-// In:  color: linear.
+// Time-uniform gather: each tap along the dominant displacement stands for an equal share of the exposure. Ramps are linear,
+// and the coverage by a moving object over a static one is exact up to sampling.
+// In:  color: linear radiance.
 //      depth: view depth, metres; +inf for the sky.
 //      velocity: displacement d, px over the exposure.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
-//      velocity_post, dominant_post: both displacements after the raster time (absent: motion is linear).
+//      velocity_post, dominant_post: velocity and dominant after the raster time (absent: motion is linear).
 //      valid: > 1/2 where the layer has a surface (absent: everywhere).
 //      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
-// Out: blurred: colour times alpha, and alpha.
-// Method: N taps Y = X - d*t at the midpoints (i + 1/2 + jitter)/N of the exposure, d = dominant.
-//   Foreground: taps in front of the surface behind X (revealed, or otherwise the surface at X) that pass over X within the
-//   exposure. Weight: |d|/|d(Y)| / N, because fewer taps meet a slower surface, which passes over X for the whole exposure.
-//   alpha is the sum of these weights, at most 1. A static surface at X, in front of a revealed one, has the rest of the
-//   exposure.
-//   Background: none over a revealed surface. Otherwise alpha becomes 1 by adding (1 - alpha) times the mean of the taps at the
-//   depth of X that pass over X, and of farther taps within the distance moved by the surface at X, which stand in for the
-//   background it disoccludes. X fills the mean up to the weight of one tap, so that no tap of little weight dominates it.
+// Out: blurred: rgb: linear radiance times alpha; a: alpha.
+// Method: for pixel X, N taps Y = X - d*t at the midpoints (i + 1/2 + jitter)/N of the exposure, d = dominant.
+//   Foreground: taps in front of the background of X that pass over X within the exposure. The background is the revealed
+//   surface or, without one, the surface at X. Weight of a tap: |d|/|d(Y)| / N, because fewer taps meet a slower surface, which
+//   passes over X for the whole exposure. alpha is the sum of these weights, at most 1. A static surface at X, in front of a
+//   revealed one, has the rest of the exposure.
+//   Background: none over a revealed surface. Otherwise (1 - alpha) times a mean of taps is added, and alpha becomes 1. The
+//   mean is over the taps at the depth of X that pass over X, and over farther taps within the distance moved by the surface at
+//   X, which stand in for the background it disoccludes. X fills the mean up to the weight of one tap, so that no tap of little
+//   weight dominates the mean.
 //   Split exposure: a tap counts by the path of its surface in the tap's own half. It also counts if its surface passes over X
 //   in the other half only, since the taps of that half lie on the other side of X and miss it. If the dominant motion turns
-//   back, the taps of both halves lie on one side and find it, so it counts in its own half only.
-// Fails: without revealed layer the background inside a silhouette is the image from outside; a moving background counts as
-//   uncorrelated with its cover (product of two means); one direction per tile.
+//   back, the taps of both halves lie on one side and find the surface, so a tap counts in its own half only.
+// Fails: without a revealed layer, the background inside a silhouette is copied from outside. A moving background counts as
+//   uncorrelated with its cover (product of two means). There is one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
 #include "mixin/quantised.glsl"
@@ -38,7 +39,8 @@ Tap tapAt(ivec2 pixel) {
   return Tap(texel.color, texel.depth, texel.d, limited(velocity_post_at(pixel)));
 }
 
-// True if a tap at `offset` for time t passes over the pixel, and its displacement then, px over the exposure.
+// Result of the test if a tap's surface passes over the pixel. `d`: displacement of the surface while it passes, px over the
+// exposure.
 struct Passing {
   bool passes;
   vec2 d;
@@ -58,8 +60,8 @@ Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
 }
 
 #if FACT_weighted
-// Weight, by the shutter curve, of the times when a surface that moves by `d` passes over the i-th part of the dominant
-// displacement.
+// Weight, by the shutter curve, of the times when a surface with the displacement d passes over part i of the dominant
+// displacement `along`.
 float weightOfPart(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5);
   float longer = dominant_px / clamp(lengthOf(d), 0.5, dominant_px) * (dot(d, along) < 0.0 ? -1.0 : 1.0);
@@ -68,7 +70,7 @@ float weightOfPart(int i, vec2 d, vec2 along) {
 }
 #endif
 
-// Weight of a tap in the mean of taps with surfaces that move by `d`: 1 with a box shutter.
+// Weight of tap i in the mean of the taps, for a surface with the displacement d; 1 with a box shutter.
 float shareOfMean(int i, vec2 d, vec2 along) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -79,9 +81,9 @@ float shareOfMean(int i, vec2 d, vec2 along) {
   return 1.0;
 }
 
-// Time at the pixel of the i-th tap's surface, which moves by `d`, as a share of the exposure. The tap stands for the i-th of N
-// parts of the dominant displacement, and a slower surface passes over this part for longer. With a shutter curve: the weight
-// of this time.
+// Share of the exposure during which the surface of tap i, with the displacement d, is at the pixel. The tap stands for part i
+// of N of the dominant displacement `along`, and a slower surface passes over this part for longer. With a shutter curve, the
+// result is the weight of these times.
 float timeShare(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5), speed = lengthOf(d);
 #if FACT_weighted
@@ -92,8 +94,8 @@ float timeShare(int i, vec2 d, vec2 along) {
 
 bool rests(vec2 d) { return lengthOf(d) < 0.5; }
 
-// Weight of the i-th tap as a sample of the pixel's background; the caller multiplies by its share that is not foreground.
-// `here_d`: displacement of the pixel's surface.
+// Weight of tap i as a sample of the pixel's background. The caller multiplies the weight by the share of the tap that is not
+// foreground. `here_d`: displacement of the pixel's surface.
 float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
   float same = softDepth(here.depth, tap.depth, params.depth_extent);  // 1 also for a nearer tap
   float moved_px = spreadFactor(frame.shutter) * lengthOf(here_d);
@@ -102,8 +104,8 @@ float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Pass
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
-// 1 for a static surface at the pixel in front of the revealed one, less near the same depth; 0 if it moves. It is there for
-// the whole exposure, but only a tap on the pixel itself would meet it.
+// 1 if the pixel's surface is static and in front of the revealed one, less if both are near the same depth; 0 if the pixel's
+// surface moves. A static surface is at the pixel for the whole exposure, but only a tap on the pixel itself would meet it.
 float restsInFront(Tap here, float background) {
   if (!rests(here.d) || !rests(here.d_after)) return 0.0;
   return inFrontOf(here.depth, background, params.depth_extent);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Displaced-position test of the ray mask: moving pixels that, displaced by their motion, land on another instance farther away
-// (Tan, Cui, Bhojan 2020, section Ray Mask).
+// Displaced-position test of the ray mask. It marks moving pixels that, displaced by their motion, land on another instance
+// that is farther away (Tan, Cui, Bhojan 2020, section Ray Mask).
 // In:  depth: view depth, metres; +inf for the sky.
 //      id: instance + 1; 0 for the sky.
 //      velocity: displacement d, px over the exposure.
-// Out: candidate: 1 on a candidate, otherwise 0.
+// Out: candidate: 1 where the test marks the pixel, otherwise 0.
 // Method: a pixel X with |d| >= `min_displacement` is tested at X + d if the exposure lies before the raster time, at X - d if
-//   it lies after, and at X + d/2 and X - d/2 if it lies around. X is a candidate if that pixel has another instance and is
-//   farther by more than `depth_margin` of the depth of X. A position outside the image makes X a candidate too, because the
-//   surface there is unknown (counter `off_screen`). Sky pixels are not candidates.
+//   it lies after, and at both X + d/2 and X - d/2 if it lies around. X is marked if the pixel there shows another instance
+//   that is farther by more than `depth_margin` times the depth of X. If the position is outside the image, X is marked too,
+//   because the surface there is unknown (counter `off_screen`). Sky pixels are not marked.
 //   With several `taps` the test is repeated at equal parts of the way: four taps at 1/4, 1/2, 3/4 and 1.
-// Fails: one tap skips gaps (spokes of a fan), several taps skip narrower ones; self-occlusion of one instance and motion of
-//   the background are not detected.
+// Fails: one tap skips gaps (spokes of a fan), and several taps skip narrower gaps. Self-occlusion of one instance and motion
+//   of the background are not detected.
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 

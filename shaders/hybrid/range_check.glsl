@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Range check of the ray mask: moving pixels with an edge on the segment of their displacement (Tan, Cui, Bhojan 2020, section
-// Ray Mask).
+// Range check of the ray mask. It marks moving pixels with an edge on the segment of their displacement (Tan, Cui, Bhojan 2020,
+// section Ray Mask).
 // In:  edge: > 1/2 on an edge.
 //      id: instance + 1; 0 for the sky.
 //      velocity: displacement d, px over the exposure.
-// Out: mask: 1 where a surface is to be revealed, otherwise 0.
+// Out: mask: 1 where `ray_reveal` is to look for the surface behind, otherwise 0.
 // Method: a pixel X with |d| >= `min_displacement` is marked if a pixel of the segment is an edge. The segment, X included, is
-//   [X, X + d] if the exposure lies before the raster time, [X - d, X] if it lies after, and [X - d/2, X + d/2] around.
-//   `taps` steps per side; 0 = one step per pixel, because an edge may be one pixel wide and longer steps miss it.
+//   [X, X + d] if the exposure lies before the raster time, [X - d, X] if it lies after, and [X - d/2, X + d/2] if it lies
+//   around.
+//   Each side of X is tested in `taps` steps. 0 means one step per pixel, because an edge may be one pixel wide and longer
+//   steps miss it.
 //   With own_edge, the first edge met must belong to the instance of X.
-// Fails: marks by the motion of the pixel itself, although its motion relative to the background decides.
+// Fails: the motion of the pixel itself decides, although its motion relative to the background matters.
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 

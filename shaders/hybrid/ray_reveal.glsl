@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The surface behind the foreground, on the ray of the raster sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
+// Surface behind the foreground, on the ray of the raster sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
 // In:  `hit`:      foreground: instance + 1 (0 = sky), geometry, primitive
-//      `mask`:     above 1/2 where to reveal
+//      `mask`:     above 1/2 where to look for the surface behind
 // Out: `color`:    linear radiance, quantised; this and all other outputs are 0 where nothing is revealed
 //      `depth`:    view depth, m; +inf for the sky; quantised
 //      `id`:       instance + 1, geometry + 1; 0 for the sky
@@ -9,34 +9,35 @@
 //      `valid`:    1 where a surface or the sky is revealed
 //      `found`:    instance + 1 (0 = sky), geometry, primitive
 // Method: go from hit to hit by `advance` until `termination` holds, or until `max_layers` hits have not ended the search
-//      (counter `capped`). With `instance_filter` the traversal skips the foreground's instance (under `geometry` termination
-//      its geometry), so that `instance` and `geometry` termination end at the first hit and never reach the cap. A surface
+//      (counter `capped`). With `instance_filter` the ray skips the foreground's instance (under `geometry` termination its
+//      geometry). `instance` and `geometry` termination then end at the first hit and never reach `max_layers`. A surface
 //      within 4 representable depths of the previous hit (`restart`: within 1e-5 of its depth) counts as the same hit.
-// Fails: `luminance` stops inside an object whose back is lit differently, passes through a background of equal luminance, and
-//      is not linear in the light (with base colours it is). `instance` and `geometry` miss a foreground that covers itself and
-//      split an object of several instances; `motion` does not split it.
+// Fails: `luminance` stops inside an object whose back is lit differently and passes through a background of equal luminance.
+//      It is not linear in the light, except with base colours. `instance` and `geometry` miss a foreground that covers itself
+//      and split an object of several instances; `motion` does not split it.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
 #include "mixin/quantised.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 
-// The radiance shaded for the luminance test is also the colour of the result.
+// 1 if the radiance that the termination rule `luminance` compares is also the colour of the result.
 #if PARAM_termination == termination_luminance && PARAM_luminance_of == luminance_of_radiance
 #define COLOR_IS_FOUND 1
 #else
 #define COLOR_IS_FOUND 0
 #endif
 
-// Poses compared with the raster time: both ends of the exposure, or the previous frame if displacements are extrapolated.
+// Poses that are compared with the pose at the raster time: both ends of the exposure, or the previous frame if displacements
+// are extrapolated.
 #if PARAM_displacement == displacement_extrapolated
 const uint kFirstPose = SLICE_PREVIOUS, kLastPose = SLICE_PREVIOUS;
 #else
 const uint kFirstPose = SLICE_SHUTTER_OPEN, kLastPose = SLICE_SHUTTER_CLOSE;
 #endif
 
-// True if the surface moves on the screen as if it were fixed to the foreground, at each of these poses. Such a surface (a load
-// on a truck, a lamp in its shade) hides the same background as the foreground.
+// True if the surface moves on the screen as if it were fixed to the foreground, at each of the poses kFirstPose to kLastPose.
+// Such a surface (a load on a truck, a lamp in its shade) hides the same background as the foreground.
 bool goesAlong(Hit hit, uint instance) {
   if (hit.instance == instance) return true;
   vec3 raster_ws = positionOf(SLICE_RASTER, hit);
@@ -60,21 +61,23 @@ Hit nextHit(Ray ray, Hit front, Hit last) {
 #endif
 }
 
-// The hit, intersected with its triangle by the function that the raster layer uses: the result does not depend on the device.
+// The hit, recomputed: the ray is intersected with the hit triangle by the function that the raster layer uses, so that the
+// result does not depend on the device.
 Hit exactly(Ray ray, Hit hit) {
   return hitOnTriangle(SLICE_RASTER, ray, hit.instance, hit.geometry, hit.primitive);
 }
 
 vec3 pointOn(Ray ray, Hit hit) { return ray.origin + ray.direction * hit.t; }
 
-// True if the displacements of surface and foreground at this pixel differ by more than `same_motion` px.
+// True if the displacements of hit and foreground at this pixel differ by more than `same_motion` px.
 bool movesApart(Ray ray, Hit hit, Hit front) {
   Hit exact = exactly(ray, hit);
   return !(distance(displacementOf(exact, pointOn(ray, exact)), displacementOf(front, pointOn(ray, front))) <=
            params.same_motion);
 }
 
-// True if the hit belongs to another object than the foreground, by every `termination` except luminance.
+// True if the hit belongs to another object than the foreground, by the parameter `termination`. The function does not serve
+// `termination` = luminance.
 bool isOther(Ray ray, Hit hit, Hit front) {
 #if PARAM_termination == termination_motion
   return !goesAlong(hit, front.instance);
@@ -89,12 +92,12 @@ bool isOther(Ray ray, Hit hit, Hit front) {
 
 struct Found {
   Hit hit;
-  vec3 color;  // compared by luminance termination
+  vec3 color;  // colour that the termination rule `luminance` compared
   bool capped;
-  bool passed;  // luminance termination passed through another instance
+  bool passed;  // true if the termination rule `luminance` passed through another instance
 };
 
-// Colour of a hit that luminance termination compares, linear.
+// Linear colour of a hit. The termination rule `luminance` compares it with the colour of the foreground.
 vec3 comparedColor(Hit hit) {
 #if PARAM_luminance_of == luminance_of_base_color
   Surface surface = surfaceOf(SLICE_RASTER, hit);
@@ -107,10 +110,11 @@ vec3 comparedColor(Hit hit) {
 #endif
 }
 
-// First hit behind `front` on another object, or a miss; at the cap the last hit tried. Luminance termination evaluates the
-// foreground in a round of its own, so that this function contains the shading code once: each copy takes seconds to compile.
-// A search also ends after 8 hits on the triangle just left: far from the origin `restart` may repeat a hit without end.
-// The 1e-4 in the luminance test keeps black from ending at black (docs/derivations.md).
+// First hit behind `front` on another object, or a miss. If the ray reaches `max_layers`, the result is the last hit tried.
+// With `termination` = luminance, the foreground is evaluated in a round of its own, so that this function contains the shading
+// code once: each copy takes seconds to compile. A search also ends after 8 repeated hits on the same triangle: far from the
+// origin, `restart` may repeat a hit without end. The 1e-4 in the luminance test keeps a search behind black from ending at
+// black (docs/derivations.md).
 Found firstBackground(Ray ray, Hit front) {
   Found found = Found(front, vec3(0), false, false);
   bool under_way = PARAM_termination != termination_luminance;

@@ -4,7 +4,7 @@
 // In:  color, depth: raster layer, linear; view depth, metres, +inf for the sky.
 //      velocity, dominant, second: displacement d per pixel; per tile, the longest and another one; px over the exposure.
 //      revealed_color, _depth, _velocity, _dominant: the same images of the revealed layer; _valid: > 1/2 if present.
-//      after_*, revealed_after_*: displacements after the raster time (absent: as before it).
+//      velocity_post, dominant_post, second_post, revealed_*_post: displacements after the raster time (absent: as before it).
 //      curve, revealed_curve, dominant_curve, dominant_place: deviation of paths from lines, px; texel of dominant (optional).
 //      moved, background: per cell, > 1/2 where a moving (a revealed) surface is at some time (absent: everywhere).
 //      unlisted: per cell, > 1/2 where a surface may arrive that the displacements of the tile do not lead to.
@@ -13,7 +13,7 @@
 // Out: blurred: linear, alpha 1; with `marks_unresolved` the sum of the resolved samples over N, alpha: their share. Equals
 //        color in cells without motion.
 //      unresolved: bit i is set if stratum i of at most 64 is unresolved.
-//      fallback_estimate: with GUESSES, a fallback estimate of the unresolved samples, over N; alpha: its expected error (see
+//      fallback_estimate: with WRITES_ESTIMATE, a fallback estimate of the unresolved samples, over N; alpha: its expected error (see
 //        Guess).
 // Method: at each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each candidate displacement g leads to the texel
 //   Y = X - t_i*g of both layers. Y is at X if |Y + t_i*d(Y) - X| <= max(3/4, .99 min(|g|, |d(Y)|)/(2N)) px (see Constants). If
@@ -185,7 +185,7 @@ Nearest sampleAt(ivec2 pixel, Own own, Candidates candidates, bool background, f
 // Colour of the surface found. With taps = linear, the bilinear mean of the four texels around the sample that are at the pixel
 // at time t too, within 1.5 px; corners of weight below 1e-3 are skipped. `alike`: with marks_contrast, false if one of the
 // four is missing or their contrast is above `contrast`; always true above `detail_below` px per sample. `color_range`: range
-// of their colours; with GUESSES, raster colours stand in for missing texels.
+// of their colours; with WRITES_ESTIMATE, raster colours stand in for missing texels.
 vec3 colorFound(Nearest nearest, ivec2 pixel, float t, out bool alike, out ColorRange color_range) {
   alike = true;
   color_range = emptyColorRange();

@@ -6,8 +6,8 @@
 #ifndef STROBE_BLUR_GLSL
 #define STROBE_BLUR_GLSL
 
-// Largest distance that a static surface may move, px: a shift of half a pixel reaches no other pixel's centre. The slack
-// makes a motion of exactly half a pixel static, however a projection rounds it.
+// Longest motion of a surface that counts as static, px. A shift of half a pixel reaches no other pixel's centre. The added
+// 1e-4 keeps a motion of exactly half a pixel static, although projections round it.
 const float kStaticRadius = 0.5 + 1e-4;
 
 // --- Lengths and places
@@ -19,7 +19,7 @@ float lengthOf(vec2 d) {
   return largest > 0.0 ? largest * length(d / largest) : 0.0;
 }
 
-// `d` shortened to the length `limit`; bit for bit `d` if it is not longer.
+// Displacement d, shortened to the length `limit`. If d is not longer, the result is d, bit for bit.
 vec2 clampLength(vec2 d, float limit) {
   if (dot(d, d) <= limit * limit) return d;
   float d_length = lengthOf(d);
@@ -29,15 +29,16 @@ vec2 clampLength(vec2 d, float limit) {
   return scaled * (limit / length(scaled));
 }
 
-// Integers that the floats `whole` hold, clamped to [-2^22, 2^22 - 1]. The sum with 1.5 * 2^23 has the integer in its lowest
-// bits. This takes one step on devices that convert float to int for each component and invocation separately.
+// Integers from the floats `whole`, which hold integers, clamped to [-2^22, 2^22 - 1]. The sum of a float and 1.5 * 2^23 has
+// the integer in its lowest bits. The sum takes one step on devices that convert float to int for each component and invocation
+// separately.
 ivec2 wholeOf(vec2 whole) { return floatBitsToInt(clamp(whole, -4194304.0, 4194303.0) + 12582912.0) - 0x4B400000; }
 
 // Nearest integer, ties away from zero, so that mirrored offsets stay mirrored. Offsets beyond 2^22 px, far outside of any
 // image, are clamped.
 ivec2 roundSymmetric(vec2 offset) { return wholeOf(trunc(offset + 0.5 * sign(offset))); }
 
-// Nearest pixel of the image.
+// Pixel of the image that is nearest to `pixel`.
 ivec2 clampToImage(ivec2 pixel, ivec2 size) { return clamp(pixel, ivec2(0), size - 1); }
 
 // True if the pixel is in the image.
@@ -48,14 +49,14 @@ bool isInside(ivec2 pixel, ivec2 size) {
 // --- The exposure window
 // -----------------------------------------------------------------------------------------------
 
-// Time at the fraction part / parts of the window `shutter`. The reversed window has the same times with the opposite sign,
-// bit for bit, so a tap half-way between two pixels rounds to the same one.
+// Time at the fraction part / parts of the exposure window `shutter`. A reversed window has the same times with the opposite
+// sign, bit for bit, so a tap half-way between two pixels rounds to the same pixel.
 float evenTimeAt(float part, int parts, vec2 shutter) {
   return (shutter.x * (float(parts) - part) + shutter.y * part) / float(parts);
 }
 
-// Largest distance from the place at the raster time within the window, as a share of the displacement: 1 if the window is
-// one-sided, 1/2 if it is centred.
+// Largest distance of a surface from its place at the raster time, within the exposure window, as a share of its displacement:
+// 1 if the window is one-sided, 1/2 if it is centred.
 float spreadFactor(vec2 shutter) { return max(abs(shutter.x), abs(shutter.y)); }
 
 // True if the window has times before and after the raster time.
@@ -76,9 +77,9 @@ int tilesInReach(float limit_px, int tile_px, vec2 shutter, ivec2 tiles) {
 // Position at the raster time, relative to the pixel, of the surface that moves by d and is at the pixel at time t.
 vec2 tapOffset(vec2 d, float t) { return -d * t; }
 
-// True if the surface at the texel `now` at the raster time, which moves by d, is at the pixel at time t, within the
-// tolerance. The slack makes the result independent of rounding where the distance equals the tolerance, as for the pixel's
-// own texel half a sample's share of its path away.
+// True if the surface at the texel `now` at the raster time, which moves by d, is at the pixel at time t, within the tolerance.
+// The factor 1 + 1e-4 makes the result independent of rounding if the distance equals the tolerance, as it does for the pixel's
+// own texel at half the time between two samples.
 bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
   vec2 off = vec2(now - pixel) + t * d;
   float within_px = tolerance_px * (1.0 + 1e-4);
@@ -86,8 +87,8 @@ bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
 }
 
 // True if the displacements of two texels differ so much that a silhouette may lie between them. The threshold is 5 % of the
-// shorter displacement, because displacements vary from texel to texel on one surface. It is at least `slowest` and at most
-// half a pixel (or `slowest`, if that is larger).
+// shorter displacement, because displacements vary from texel to texel on one surface. The threshold is at least `slowest`, px,
+// and at most half a pixel (or `slowest`, if that is larger).
 bool movesOtherwise(vec2 d, vec2 other, float slowest) {
   if (d == other && slowest > 0.0) return false;
   return lengthOf(d - other) >= clamp(0.05 * min(lengthOf(d), lengthOf(other)), slowest, max(slowest, 0.5));
@@ -108,7 +109,7 @@ bool motionReaches(vec2 offset, vec2 d, vec2 shutter) {
 // --- Weights (distance and radius in px)
 // -------------------------------------------------------------------------------
 
-// Weight, at a distance from it, of a point that is spread over `radius_px` to either side. McGuire et al. 2012.
+// Weight of a point at `distance_px` from it, if the point is spread over `radius_px` to either side (McGuire et al. 2012).
 float cone(float distance_px, float radius_px) { return clamp(1.0 - distance_px / radius_px, 0.0, 1.0); }
 
 // 1 within the radius and 0 outside, with a smooth step over 10 % of the radius. McGuire et al. 2012.

@@ -20,14 +20,14 @@ float longestIn(vec4 bounds) { return lengthOf(max(abs(lowOf(bounds)), abs(highO
 // Length of the shortest displacement in the box, px.
 float shortestIn(vec4 bounds) { return lengthOf(clamp(vec2(0), lowOf(bounds), highOf(bounds))); }
 
-// Box of the differences d - of, for all d in the box.
+// Box of the differences d - of, for all displacements d in the box.
 vec4 relativeTo(vec4 bounds, vec2 of) { return bounds - vec4(of, of); }
 
 // Length of the longest difference between a displacement in one box and a displacement in the other, px.
 float farthestApart(vec4 a, vec4 b) { return lengthOf(max(abs(highOf(a) - lowOf(b)), abs(highOf(b) - lowOf(a)))); }
 
-// Box of the offsets from the place at the raster time that surfaces reach within the window, for all displacements in the
-// box, px; contains 0.
+// Box of the offsets that surfaces reach within the exposure window `shutter`, from their places at the raster time, for all
+// displacements in the box `bounds`, px. The box of offsets contains 0.
 vec4 travelled(vec4 bounds, vec2 shutter) {
   vec4 earliest = bounds * shutter.x, latest = bounds * shutter.y;
   vec2 low = min(min(lowOf(earliest), highOf(earliest)), min(lowOf(latest), highOf(latest)));

@@ -3,7 +3,7 @@
 #ifndef STROBE_LIST_GLSL
 #define STROBE_LIST_GLSL
 
-// Entry of a pixel; the sides of the image are below 2^16.
+// List entry of a pixel: x in the lower 16 bits, y in the upper 16 bits. The sides of the image are below 2^16 px.
 uint entryOf(ivec2 pixel) { return uint(pixel.x) | uint(pixel.y) << 16; }
 
 // Work groups of 64 invocations for `count` entries, in rows of at most 2^15 groups.

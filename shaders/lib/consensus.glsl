@@ -4,7 +4,8 @@
 #ifndef STROBE_SEEN_GLSL
 #define STROBE_SEEN_GLSL
 
-// Values of the first component besides instance + 2. The triangle may be kSeveralSurfaces too.
+// Special values of the first component, which otherwise is instance + 2. The third component, the triangle, may be
+// kSeveralSurfaces as well.
 const uint kNoSurface = 0u, kSkySurface = 1u, kSeveralSurfaces = 0xffffffffu;
 
 // True if all samples hit one geometry of one instance, or the sky.
@@ -14,26 +15,27 @@ bool isOneTriangle(uvec4 ids) { return isOneSurface(ids) && ids.z != kSeveralSur
 
 uint instanceOf(uvec4 ids) { return ids.x - 2u; }
 
-// Shadows of the first 16 lights on an instance, one word. Bit i is set if light i was visible from all samples that traced
-// it, bit 16 + i if it was blocked from all these samples. Both are set if no sample traced it, for example on a surface
-// that faces away from the light. A texel holds two instances: (first instance + 2, its shadows, second instance + 2, its
-// shadows). If samples hit a third instance, the second becomes kSeveralSurfaces.
-// `free_and_blocked`: bits of the lights found visible (x) and found blocked (y).
+// Shadows of the first 16 lights on an instance, packed into one word. Bit i is set if light i was visible from all samples
+// that traced its shadow ray. Bit 16 + i is set if the light was blocked from all these samples. Both bits are set if no sample
+// traced the light, for example on a surface that faces away from it.
+// A texel holds the shadows of two instances: (first instance + 2, its shadows, second instance + 2, its shadows). If samples
+// hit a third instance, the third component becomes kSeveralSurfaces.
+// `free_and_blocked`: bits of the lights found visible (x) and of the lights found blocked (y).
 uint shadowsFrom(uvec2 free_and_blocked) {
   uvec2 never = ~free_and_blocked.yx;
   return (never.x & 0xffffu) | (never.y << 16u);
 }
-// Bits of the lights that are known to be visible, and of the lights that are known to be blocked.
+// Bits of the lights that are known to be visible (x), and of the lights that are known to be blocked (y).
 uvec2 lightsOf(uint shadows) { return uvec2(shadows & ~(shadows >> 16u) & 0xffffu, (shadows & ~(shadows << 16u)) >> 16u); }
 // Number of lights that are known to be visible or blocked.
 int countLights(uint shadows) { return bitCount((shadows ^ (shadows >> 16u)) & 0xffffu); }
 
-// Shadows of the instance in the texel; 0, which means unknown, if the texel does not hold it.
+// Shadows that the texel `kept` holds for an instance; 0, which means unknown, if the texel does not hold this instance.
 uint shadowsOf(uvec4 kept, uint instance) {
   return kept.x == instance + 2u ? kept.y : kept.z == instance + 2u ? kept.w : 0u;
 }
 
-// Texel with the shadows of one more sample on the instance.
+// Texel `kept` after one more sample, which hit `instance` and found `shadows` there.
 uvec4 withShadows(uvec4 kept, uint instance, uint shadows) {
   uint whose = instance + 2u;
   if (kept.x == kNoSurface) return uvec4(whose, shadows, kNoSurface, 0u);

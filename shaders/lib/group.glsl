@@ -5,10 +5,11 @@
 
 const int kGroupSide = 8;
 
-// First texel of the tile that this invocation reads. It reads every eighth texel along both axes.
+// First texel that this invocation reads in a tile that begins at the texel `first`. From there, the invocation reads every
+// eighth texel along both axes.
 ivec2 ownFirst(ivec2 first) { return first + ivec2(gl_LocalInvocationID.xy); }
 
-// Index of a texel, in raster order, in a tile of that width.
+// Index of a texel, in raster order, in a tile that begins at the texel `first` and is `width` texels wide.
 uint placeInTile(ivec2 texel, ivec2 first, int width) {
   ivec2 within = texel - first;
   return uint(within.y * width + within.x);
@@ -24,7 +25,7 @@ bool isGreatest(float value, uint place) {
     group_first = ~0u;
   }
   barrier();
-  uint bits = floatBitsToUint(value);  // bits of floats of at least 0 have the order of the floats
+  uint bits = floatBitsToUint(value);  // floats of at least 0 have the order of their bits
   atomicMax(group_greatest, bits);
   barrier();
   bool as_great = bits == group_greatest;

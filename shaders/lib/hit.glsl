@@ -8,7 +8,7 @@ struct Hit {
   uint geometry;      // within the instance
   uint primitive;     // triangle within the geometry, in the order of tracing
   vec2 barycentrics;  // weights of the second and third corner
-  float t;            // distance along the ray that found it (a camera's ray: view depth, metres)
+  float t;            // distance along the ray that found the hit; for a camera's ray: view depth, metres
   bool front;         // hit on the front, where the corners run counter-clockwise
 };
 

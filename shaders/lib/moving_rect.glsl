@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Test for the rectangle of the image that moving surfaces can reach within the exposure.
+// Test if a pixel is in the rectangle of the image that moving surfaces can reach within the exposure.
 #ifndef STROBE_REACHED_GLSL
 #define STROBE_REACHED_GLSL
 
-// True if a moving surface may be visible at the pixel at some time of the exposure. Conservative; may be true elsewhere.
+// True if a moving surface may be visible at the pixel at some time of the exposure. Conservative: also true for some other
+// pixels.
 bool isInMovingRect(ivec2 pixel) {
   return all(greaterThanEqual(pixel, frame.moving_rect.xy)) && all(lessThan(pixel, frame.moving_rect.zw));
 }

@@ -17,7 +17,7 @@ int countParts(uvec2 parts) { return bitCount(parts.x) + bitCount(parts.y); }
 
 bool hasParts(uvec2 parts) { return (parts.x | parts.y) != 0u; }
 
-// First part of a set that is not empty.
+// Number of the first part in a set. The set must not be empty.
 int firstPart(uvec2 parts) { return parts.x != 0u ? findLSB(parts.x) : 32 + findLSB(parts.y); }
 
 #endif

@@ -5,8 +5,9 @@
 
 const int kSquareSide = 8;
 
-// Number of a pixel of the square in the order of the list, and of its bit. Eight successive numbers are a block of 4x2
-// pixels, because their rays are closer together than the rays of eight pixels in a row.
+// Number of a pixel in its square, 0 to 63. The number is the pixel's place in the order of the list and the number of its bit.
+// Eight successive numbers are a block of 4x2 pixels, because their rays are closer together than the rays of eight pixels in a
+// row.
 uint pixelNumber(ivec2 place) {
   return uint((place.x >> 2) + (place.y >> 1) * 2) * 8u + uint((place.y & 1) * 4 + (place.x & 3));
 }
@@ -16,7 +17,7 @@ ivec2 pixelOf(uint i) {
   return block * ivec2(4, 2) + ivec2(i & 3u, i >> 2 & 1u);
 }
 
-// Number of pixels of the square in the list.
+// Number of pixels of the square that are in the pixel list.
 uint pixelCount(uvec2 bits) { return uint(bitCount(bits.x) + bitCount(bits.y)); }
 
 #endif

@@ -26,8 +26,8 @@ uint scrambled(uint value, uint seed) {
   return bitfieldReverse(x);
 }
 
-// Point `number`, in [0, 1)^2, of the first two dimensions of the Sobol sequence, scrambled per pixel. The first `count`
-// points are evenly spread, and stay so with number / count as a third dimension.
+// Point `number`, in [0, 1)^2, of the first two dimensions of the Sobol sequence, scrambled per pixel. The first n points are
+// evenly spread. They are also evenly spread in three dimensions, with number / n as the third coordinate.
 vec2 stratified2(uint pixel, uint number) {
   uvec2 point = uvec2(0u), bit = uvec2(0x80000000u);
   for (uint rest = number; rest != 0u; rest >>= 1u) {
@@ -38,8 +38,9 @@ vec2 stratified2(uint pixel, uint number) {
   return vec2(x >> 8u, y >> 8u) * (1.0 / 16777216.0);
 }
 
-// Half of the sequence, 0 or 1, that contains a point: the parity of two of every three bits of the number. The highest bits
-// of the coordinates are parities of other sets of bits, so that each half is spread nearly as evenly as the whole.
+// Half of the sequence, 0 or 1, that contains point `number`: the parity of two of every three bits of the number. The highest
+// bits of the coordinates are parities of other sets of bits, so that each half is spread nearly as evenly as the whole
+// sequence.
 uint stratifiedHalf(uint number) { return uint(bitCount(number & 0xdb6db6dbu)) & 1u; }
 
 #endif

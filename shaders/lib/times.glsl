@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sample times of equal weight under the frame's shutter curve, for all filters (docs/exposure.md, docs/derivations.md).
-// They depend on the frame alone. With the curve `box` they are even. FACT_weighted is 0 if the frame has no other curve;
-// then the code for curves is not compiled.
+// Sample times of equal weight under the frame's shutter curve, for all filters (docs/exposure.md, docs/derivations.md). The
+// times depend on the frame alone. With the curve `box` they are evenly spaced. FACT_weighted is 0 if the frame has no other
+// curve; then the code for curves is not compiled.
 // The frame stores a curve from both ends of the exposure to the middle of its weight. A symmetric curve therefore has
 // mirrored times, bit for bit.
 #ifndef STROBE_TIMES_GLSL
@@ -11,11 +11,11 @@
 #if FACT_weighted
 bool isWeighted() { return frame.curve_counts.x > 0u; }
 
-// Knot i, counted from shutter close (`closing`) or shutter open: distance from that end, share of the weight so far, weight,
-// slope of the weight.
+// Knot i of the shutter curve, counted from shutter close (if `closing`) or shutter open. x: distance from that end, as a share
+// of the exposure. y: share of the weight up to the knot. z: weight. w: slope of the weight.
 vec4 curveKnot(bool closing, uint i) { return closing ? frame.curve_closing[i] : frame.curve_opening[i]; }
 
-// Last knot with a distance (`what` = 0) or share (`what` = 1) that is not above the value.
+// Last knot whose distance (`what` = 0) or share (`what` = 1) is at most `value`.
 vec4 curveKnotBefore(bool closing, int what, float value) {
   uint low = 0u, high = closing ? frame.curve_counts.y : frame.curve_counts.x;
   while (high - low > 1u) {
@@ -26,7 +26,8 @@ vec4 curveKnotBefore(bool closing, int what, float value) {
   return curveKnot(closing, low);
 }
 
-// Distance from an end, as a share of the exposure, within which the share of the weight lies; `share` is at most 1/2.
+// Distance from an end of the exposure, as a share of the exposure, within which the share `share` (at most 1/2) of the weight
+// lies.
 float distanceToShare(bool closing, float share) {
   vec4 knot = curveKnotBefore(closing, 1, share);
   float more = share - knot.y;
@@ -34,13 +35,14 @@ float distanceToShare(bool closing, float share) {
   return more > 0.0 && twice_mean > 0.0 ? knot.x + 2.0 * more / twice_mean : knot.x;
 }
 
-// Time at a distance from an end.
+// Time at the distance `away`, a share of the exposure, from shutter close (if `closing`) or shutter open.
 float timeFromEnd(bool closing, float away) {
   return closing ? frame.shutter.y * (1.0 - away) + frame.shutter.x * away
                  : frame.shutter.x * (1.0 - away) + frame.shutter.y * away;
 }
 
-// Time with `share` of the weight between it and an end, and `others` between it and the other end.
+// Time that divides the weight: `share` of the weight lies between this time and one end, `others` between this time and the
+// other end.
 float timeBetween(bool closing, float share, float others) {
   if (share < others) return timeFromEnd(closing, distanceToShare(closing, share));
   if (share > others) return timeFromEnd(!closing, distanceToShare(!closing, others));
@@ -53,14 +55,14 @@ float distanceFromEnd(bool closing, float t) {
   return clamp((closing ? window.y - t : t - window.x) / (window.y - window.x), 0.0, 1.0);
 }
 
-// Share of the weight within this distance from an end, at most 1/2.
+// Share of the weight within the distance `away` from an end of the exposure. The share is at most 1/2.
 float shareToDistance(bool closing, float away) {
   vec4 knot = curveKnotBefore(closing, 0, away);
   float more = away - knot.x;
   return min(knot.y + more * (knot.z + 0.5 * knot.w * more), 0.5);
 }
 
-// Share of the weight between a time and an end.
+// Share of the weight between a time and an end of the exposure.
 float shareFromEnd(bool closing, float t) {
   float away = distanceFromEnd(closing, t);
   uint last = (closing ? frame.curve_counts.y : frame.curve_counts.x) - 1u;
@@ -77,11 +79,11 @@ float timeAt(float part, int parts) {
   return evenTimeAt(part, parts, frame.shutter);
 }
 
-// Midpoint of part i of n parts of equal weight, moved by a jitter in [-1/2, 1/2] of a part.
+// Time of sample i of n: midpoint of part i of n parts of equal weight, moved by a jitter in [-1/2, 1/2] of a part.
 float sampleTime(int i, int n, float jitter) { return timeAt(float(i) + 0.5 + jitter, n); }
 
-// Index of the sample that falls on the raster time in the middle of the exposure, for n samples at the fractions 1 ... n of
-// n + 1; -1 if no sample does.
+// Index of the sample that falls on the raster time in the middle of the exposure; -1 if no sample does. The n samples are at
+// the fractions 1/(n + 1) to n/(n + 1) of the weight.
 int sampleAtRasterTime(int n) {
   if (!isCentred(frame.shutter) || n % 2 == 0) return -1;
 #if FACT_weighted
@@ -92,7 +94,8 @@ int sampleAtRasterTime(int n) {
 
 // ---- one side of the exposure: from the raster time to shutter close (`after`) or back to shutter open
 
-// Weight of a side as a multiple of half of all weight, if the exposure has both sides and a curve; otherwise 1.
+// Weight of one side of the exposure, as a multiple of half of the total weight. 1 if the exposure has only one side or the
+// curve `box`.
 float sideFactor(bool after) {
 #if FACT_weighted
   if (isWeighted() && isCentred(frame.shutter)) return 2.0 * (after ? frame.curve_sides.y : frame.curve_sides.x);
@@ -100,7 +103,7 @@ float sideFactor(bool after) {
   return 1.0;
 }
 
-// Time such that the share of a side's weight lies between the raster time and it.
+// Time on one side of the exposure, such that `share` of the side's weight lies between the raster time and this time.
 float timeOutwards(bool after, float share) {
   float end = after ? frame.shutter.y : frame.shutter.x;
 #if FACT_weighted

@@ -5,7 +5,7 @@
 #define STROBE_AUDIT_GLSL
 #include "lib/random.glsl"
 
-// Pixels per block: a software device traces the rays of 4x2 pixels together, so a block costs as much as one pixel.
+// Size of a block, pixels. A software device traces the rays of 4x2 pixels together, so a block costs as much as one pixel.
 const ivec2 kValidationBlock = ivec2(4, 2);
 
 // True if the block is chosen; `share`: share of all blocks, 0 to 1.

@@ -5,7 +5,7 @@
 
 const int kMaxVelocities = 8;  // entries per tile
 
-// Marks an unused entry. Displacements, which are limited to image widths, stay far below.
+// x of an unused entry. Displacements are limited to image widths and stay far below this number.
 const float kNoVelocity = 1e9;
 
 // True if the entry holds a displacement.

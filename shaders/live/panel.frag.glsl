@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Fragments of the window's panels: texture times vertex color, blended over the window.
-// In:  uv; color (sRGB-encoded); panel_tex (sRGB-encoded).
+// In:  uv: position in the texture.
+//      color: vertex color, sRGB-encoded.
+//      panel_tex: texture of the panel, sRGB-encoded.
 // Out: color of the window.
 // Method: blend the encoded values without decoding, so that the window shows the values of the image files.
 layout(location = 0) in vec2 uv;

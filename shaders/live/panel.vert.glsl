@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Vertices of the window's panels.
-// In:  position_px (from the window's top left corner, y down); uv of the texture; color (sRGB-encoded, straight alpha).
+// In:  position_px: position from the window's top left corner, px, y down.
+//      uv: position in the texture.
+//      color: vertex color, sRGB-encoded, straight alpha.
 // Out: clip position; uv and color unchanged.
 layout(location = 0) in vec2 position_px;
 layout(location = 1) in vec2 uv;

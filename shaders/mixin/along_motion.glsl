@@ -9,7 +9,7 @@
 // Dominant displacement of the pixel's tile, px over the exposure.
 vec2 dominantAt(ivec2 pixel) { return vec2(texelFetch(dominant_tex, pixel / params.tile, 0)); }
 
-// Pixel at the distance `distance_px` from the pixel, in the direction of d.
+// Pixel at the distance `distance_px` from `pixel`, in the direction of d.
 ivec2 alongBy(ivec2 pixel, vec2 d, float distance_px) { return pixel + roundSymmetric(d * (distance_px / lengthOf(d))); }
 
 // Luminance mapped to [0, 1], so that differences between bright colours are comparable with differences between dark ones.

@@ -5,13 +5,13 @@
 #define STROBE_CAMERA_GLSL
 #include "lib/hit.glsl"
 
-// Position in [-1, 1] (x right, y up) of a pixel coordinate.
+// Normalised device coordinates, in [-1, 1] (x right, y up), of a pixel coordinate.
 vec2 ndcOf(vec2 position_px) {
   vec2 unit = position_px / vec2(frame.size);
   return vec2(2.0 * unit.x - 1.0, 1.0 - 2.0 * unit.y);
 }
 
-// Ray through a pixel coordinate; its parameter is the view depth, metres.
+// Ray through a pixel coordinate. The parameter t of the ray is the view depth, metres.
 Ray cameraRay(uint slice, vec2 position_px) {
   SceneCamera camera = scene_cameras[slice];
   vec2 offset = ndcOf(position_px) * camera.half_extent;
@@ -20,7 +20,7 @@ Ray cameraRay(uint slice, vec2 position_px) {
   return Ray(camera.position, camera.forward + sideways);
 }
 
-// True if a moving surface may be visible at the pixel at the time of the slice. Conservative; may be true elsewhere.
+// True if a moving surface may be visible at the pixel at the time of the slice. Conservative: also true for some other pixels.
 bool isReachedAt(uint slice, ivec2 pixel) {
   ivec4 area = scene_cameras[slice].moving;
   return all(greaterThanEqual(pixel, area.xy)) && all(lessThan(pixel, area.zw));
@@ -32,7 +32,7 @@ vec2 samplePosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.subpixel; }
 // The functions below compute with `precise`. Without it, a device may contract a product and a difference to one rounding at
 // one end of a path and not at the other. Static points would then move by some millionths of a pixel.
 
-// View space: x right, y up, z the view depth (positive in front).
+// Position in view space of a world position: x right, y up, z the view depth (positive in front).
 vec3 viewFromWorld(uint slice, vec3 position_ws) {
   SceneCamera camera = scene_cameras[slice];
   vec3 offset = position_ws - camera.position;
@@ -52,8 +52,9 @@ vec2 pixelFromView(uint slice, vec3 position_vs) {
 // True if this invocation has extrapolated a path from the near plane.
 bool met_near_plane = false;
 
-// Screen displacement of a point from the raster time to another slice, px. If the point passes behind the near plane on the
-// way, the path up to that plane is extrapolated to its full length. The projection therefore never divides by a depth <= 0.
+// Screen offset of a point from the raster time to the time of `slice`, px. `raster_vs`, `other_vs`: positions of the point in
+// view space at these two times. If the point passes behind the near plane on the way, the path up to that plane is
+// extrapolated to its full length. The projection therefore never divides by a depth <= 0.
 vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs, float near) {
   vec2 start = pixelFromView(SLICE_RASTER, raster_vs);
   bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || raster_vs.z <= near;

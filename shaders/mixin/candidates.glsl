@@ -4,8 +4,8 @@
 //   velocity_post_tex, dominant_curve_tex, dominant_place_tex, revealed_dominant_post_tex, revealed_velocity_post_tex,
 //   revealed_dominant_tex, second_tex; may have: PARAM_trajectory, curve_tex, max_displacement_buf, revealed_curve_tex,
 //   max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
-// Candidate displacements for a composite of layers, which uses them to search for the surface at a pixel at a time. They are
-// the displacements of the tile, of the pixel and of taps along the motion, as far as they differ.
+// Candidate displacements for a composite of layers. The composite uses them to search for the surface at a pixel at a time.
+// The candidates are the different displacements of the tile, of the pixel and of taps along the motion.
 // layered/layered_composite.glsl has the rules and the reasons.
 #ifndef STROBE_CANDIDATES_GLSL
 #define STROBE_CANDIDATES_GLSL
@@ -18,7 +18,8 @@ const int kMaxCandidates = 4;
 // Tolerance for the rounding of a position to a texel, px: sqrt(1/2), rounded up.
 const float kNearest = 0.75;
 
-// Candidate displacements, with the curves of their paths and the texels that have them. Unused entries are out of reach.
+// Candidate displacements, the curves of their paths and the texels that have them. Unused entries have the displacement
+// kUnused, which leads to no texel of the image.
 struct Candidates {
   vec4 x, y;
 #if HAS_curve
@@ -27,7 +28,7 @@ struct Candidates {
 #endif
   vec4 tolerance_px;
   int count;
-  bool overflowed;  // the list overflowed by a displacement that differs from all entries by more than 2 px and 14 %
+  bool overflowed;  // a displacement did not fit that differs from all entries by more than 2 px and 14 %
 };
 
 const float kUnused = 1e9;
@@ -37,9 +38,10 @@ const float kUnused = 1e9;
 // samples before and after the raster time.
 float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
 
-// True if the texel's surface projects to the pixel at time t, within the tolerance of nearest texels. Where displacements vary
-// over a surface, the nearest match may be almost half-way to the next sample. The larger tolerance for this case is the
-// smaller one of the candidate's (`tolerance_px`) and the texel's own.
+// True if the surface at the texel `now` at the raster time is at the pixel at time t. The tolerance is kNearest or a larger
+// one: where displacements vary over a surface, the nearest match may be almost half-way to the next sample. The larger
+// tolerance is the smaller one of `tolerance_px`, which belongs to the candidate, and of the tolerance for the texel's own
+// displacement.
 bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
   if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
   return isAt(pixel, now, path, t, kNearest) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)));
@@ -54,7 +56,8 @@ Path candidate(Candidates candidates, int k) {
 #endif
 }
 
-// Add a path, unless it is within half a pixel of a candidate. If the list is full, mark the overflow instead.
+// Add a path, unless it differs from a candidate by half a pixel or less. If the list is full and the path differs from all
+// candidates by more than 2 px and 14 %, set `overflowed` instead.
 Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   vec2 d = path.d;
   vec4 x = candidates.x - d.x, y = candidates.y - d.y;
@@ -79,32 +82,33 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   return candidates;
 }
 
-// Add the paths of both layers at a texel; the revealed layer only with `background` and if it has a surface there.
+// Add the path of the raster layer at a texel. If `background` is true and the revealed layer has a surface there, add the path
+// of this surface too. `after`: paths for the times after the raster time.
 Candidates withAllLayers(Candidates candidates, ivec2 at, bool background, bool after) {
   for (int layer = kRaster; layer == kRaster || (background && layer <= kRevealed && isRevealed(at)); ++layer)
     candidates = withCandidate(candidates, pathOf(layer, at, after), at);
   return candidates;
 }
 
-// True if further taps cannot change the list: it is full, and an overflow is already marked or has no effect.
+// True if further taps cannot change the candidates: the list is full, and `overflowed` is already true or has no effect.
 bool isFull(Candidates candidates) {
   return candidates.count == kMaxCandidates && (PARAM_marks_unresolved == 0 || candidates.overflowed);
 }
 
-// Index of the k-th nearest tap. With the raster time in the middle, of two taps at equal distance the tap before the raster
-// time comes first.
+// Index of the tap that is k-th nearest to the raster time. If two taps are equally near (the raster time is in the middle of
+// the exposure), the earlier tap comes first.
 int nearest(int k) {
   if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
   return frame.shutter.x < 0.0 ? params.samples - 1 - k : k;
 }
 
-// Displacements of the tile: longest, a second one, longest of the revealed layer.
+// Displacements of a tile: the longest one, a second one, and the longest one of the revealed layer.
 struct Dominant {
   Path longest, second, revealed;
   ivec2 place;  // texel with the longest displacement
 };
 
-// Displacements for the times before the raster time; for all times if motion is not in two segments.
+// Displacements of a tile for the times before the raster time. If motion is not in two segments, they hold for all times.
 Dominant dominantBefore(ivec2 tile) {
   Path longest = onCurve(vec2(dominant_at(tile)), dominant_curve_at(tile)), second = straight(vec2(second_at(tile)));
   Dominant dominant = Dominant(longest, second, longest, ivec2(dominant_place_at(tile)));
@@ -112,15 +116,15 @@ Dominant dominantBefore(ivec2 tile) {
   return dominant;
 }
 
-// Displacements for the times after the raster time.
+// Displacements of a tile for the times after the raster time.
 Dominant dominantAfter(ivec2 tile) {
   return Dominant(straight(vec2(dominant_post_at(tile))), straight(vec2(second_post_at(tile))),
                   straight(vec2(revealed_dominant_post_at(tile))), kNoTexel);
 }
 
-// Add the displacements at the pixel, then at the taps along the tile's longest and second displacement. Only the first few
-// count, so taps go from the pixel outwards: the result is then the same whichever way time runs. One loop serves all, because
-// each inlined copy of its body takes long to compile.
+// Add the displacements at the pixel, then at the taps along the tile's longest and second displacement. The list keeps only
+// the first displacements that fit. The taps therefore go from the pixel outwards, so that the list is the same if time is
+// reversed. One loop serves all taps, because each inlined copy of the loop's body takes long to compile.
 Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   int ways = PARAM_search_taps == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
@@ -129,7 +133,7 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
     Path path = dominant.longest;
     if (way == 2) path = dominant.second;
     int taps = along ? params.samples : 1;
-    int sides = along && !isCentred(frame.shutter) ? 2 : 1;  // a centred window has taps on both sides already
+    int sides = along && !isCentred(frame.shutter) ? 2 : 1;  // the taps of a centred exposure are on both sides
     for (int k = 0; k < taps && !isFull(candidates); ++k) {
       ivec2 offset = ivec2(0);
       if (along) {
@@ -145,7 +149,8 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
   return candidates;
 }
 
-// Candidates of a pixel. `background`: search the revealed layer too. `after`: for the times after the raster time.
+// Candidates of a pixel. `background`: add displacements of the revealed layer too. `after`: candidates for the times after the
+// raster time.
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   Candidates candidates;
   candidates.x = candidates.y = vec4(kUnused);

@@ -4,9 +4,9 @@
 // open to shutter close, and x = u - 1/2, the deviation from the straight line between the ends of the path is
 //   parabola:  4 u (1 - u) b,   b = curve.xy, px;
 //   arc:       b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)),   w = curve.zw, in complex numbers.
-// b is the deviation in the middle. An arc is a rotation by w.y radians and a scale by exp(w.x) over the exposure, about a
-// centre that moves along a line: for example a rolling wheel. w = 0 is the parabola. A curve of 0 is the straight line, bit
-// for bit.
+// b is the deviation in the middle of the exposure. An arc is a rotation by w.y radians and a scale by exp(w.x) over the
+// exposure, about a centre that moves along a line: for example the path of a point on a rolling wheel. An arc with w = 0 is a
+// parabola. A curve of 0 is the straight line, bit for bit.
 #ifndef STROBE_CURVE_GLSL
 #define STROBE_CURVE_GLSL
 #include "lib/blur.glsl"
@@ -22,13 +22,14 @@ vec2 complexProduct(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b
 vec2 complexQuotient(vec2 a, vec2 b) { return complexProduct(a, vec2(b.x, -b.y)) / dot(b, b); }
 vec2 complexExp(vec2 z) { return exp(z.x) * vec2(cos(z.y), sin(z.y)); }
 
-// |w| below which three terms of a series replace the arc's formula, which is then a difference of nearly equal numbers.
+// |w| below which three terms of a series replace the formula of the arc. For small |w| the formula is a difference of nearly
+// equal numbers.
 const float kSmallTurn = 0.3;
 
-// True if an arc turns and hardly grows. Objects with such paths turn as a whole in the image plane, about one centre.
+// True if an arc rotates and hardly scales. Objects with such paths rotate as a whole in the image plane, about one centre.
 bool isTurning(vec4 curve) { return 8.0 * abs(curve.z) < abs(curve.w); }
 
-// Deviation from the straight line at u, px.
+// Deviation of the curve from the straight line, px. u: 0 at shutter open, 1 at shutter close.
 vec2 fromLine(vec4 curve, float u) {
   vec2 w = curve.zw;
   float x = u - 0.5;
@@ -45,7 +46,7 @@ vec2 fromLine(vec4 curve, float u) {
   return complexProduct(curve.xy, share);
 }
 #else
-// Deviation from the straight line at u, px.
+// Deviation of the curve from the straight line, px. u: 0 at shutter open, 1 at shutter close.
 vec2 fromLine(vec4 curve, float u) { return 4.0 * u * (1.0 - u) * curve.xy; }
 #endif
 
@@ -65,7 +66,7 @@ float apartSquared(vec4 a, vec4 b) {
   return dot(apart, apart);
 }
 
-// Curve of a path whose displacement is scaled by `share`.
+// Curve of a path after its displacement is scaled by `share`.
 vec4 shortenedCurve(vec4 curve, float share) {
 #if ON_ARCS
   return vec4(curve.xy * share, curve.zw);
@@ -74,8 +75,8 @@ vec4 shortenedCurve(vec4 curve, float share) {
 #endif
 }
 
-// The last three of the four control points of the parabola as a cubic Bezier curve, relative to the first, px. The path lies
-// in the hull of all four.
+// Control points 2 to 4 of the parabola as a cubic Bezier curve, relative to control point 1, px. The path lies in the convex
+// hull of the four points.
 void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
   points[0] = d / 3.0 + 4.0 / 3.0 * curve.xy;
   points[1] = 2.0 / 3.0 * d + 4.0 / 3.0 * curve.xy;
@@ -83,7 +84,8 @@ void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
 }
 
 #if ON_ARCS
-// `straightened` for an arc: corners of a box around 16 places on it, widened by its deviation from the chords between them.
+// Displacements as `straightened` returns them, for an arc: corners of a box around 16 points of the arc, widened by the arc's
+// deviation from the chords between these points.
 void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   const int kPlaces = 16;
   vec2 low = vec2(0), high = vec2(0), bulge = vec2(0), from = vec2(0);
@@ -102,8 +104,8 @@ void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
 }
 #endif
 
-// Four straight displacements, px over the exposure, whose box bounds the path: each reaches a control point of the path at the
-// farther end of the window. All equal d if the path is straight.
+// Four straight displacements, px over the exposure, whose bounding box bounds the path. Each displacement reaches a control
+// point of the path at the end of the exposure that is farther from the raster time. If the path is straight, all four equal d.
 void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   around = vec2[4](d, d, d, d);
   if (curve == vec4(0)) return;
@@ -118,14 +120,15 @@ void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
 #endif
 }
 
-// Length of a straight displacement that reaches as far as the path, px.
+// Length of a straight displacement that moves a surface at least as far as the path does, px.
 float reachOf(vec2 d, vec4 curve, vec2 shutter) {
   vec2 around[4];
   straightened(d, curve, shutter, around);
   return max(max(lengthOf(around[0]), lengthOf(around[1])), max(lengthOf(around[2]), lengthOf(around[3])));
 }
 
-// Number of steps along a curve over tiles with sides of `tile` px: four per tile of its reach, at least 4, at most 64.
+// Number of steps along a curve for a walk over tiles with sides of `tile` px: four per tile of the path's reach, at least 4,
+// at most 64.
 int stepsAlong(vec2 d, vec4 curve, int tile) { return clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / tile, 4, 64); }
 
 #endif

@@ -2,14 +2,14 @@
 // Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex, background_depth_tex,
 //   background_valid_tex, second_tex, valid_tex; may have: max_displacement_buf, max_displacement_post_buf,
 //   revealed_max_displacement_buf, revealed_max_displacement_post_buf.
-// The second direction of a gather's taps. Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion
-// Blur Filter", section 3.
-// In:  `second`: per tile, another displacement in the neighbourhood, px over the exposure.
+// Second direction of a gather's taps (Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur
+// Filter", section 3).
+// In:  `second`: per tile, a displacement in the neighbourhood that differs from the dominant one, px over the exposure.
 #ifndef STROBE_DIRECTIONS_GLSL
 #define STROBE_DIRECTIONS_GLSL
 #include "mixin/layer.glsl"
 
-// Least component along the perpendicular that gives a displacement a side, px.
+// A displacement has a side if its component across the dominant displacement is at least this long, px.
 const float kNoSide = 1.0 / 64.0;
 
 // Unit vector along d; 0 if d is 0.
@@ -18,13 +18,13 @@ vec2 unitOf(vec2 d) {
   return d_length > 0.0 ? d / d_length : vec2(0);
 }
 
-// Second direction, a unit vector or 0. `own`: displacement of the pixel's surface. `radius_px`: its spread. `other`: another
-// displacement in the neighbourhood.
-// A static pixel uses the perpendicular of the dominant displacement. A pixel with a spread of gamma_px + 1/2 or more uses its
-// own displacement. A pixel in between uses a blend of both. The perpendicular points to the side of `own`, or of `other` if
-// `own` has no side. If `other` has no side either, the perpendicular is 0, because no surface is known to move across. (The
-// paper leaves the side to rounding in this case. A one-sided gather would then sample the wrong side half of the time, and
-// mirrored scenes would not give mirrored images.)
+// Second direction, a unit vector or 0. `own`: displacement of the pixel's surface. `radius_px`: blur radius of this surface.
+// `other`: another displacement in the neighbourhood.
+// A static pixel uses the perpendicular of the dominant displacement. A pixel with a blur radius of gamma_px + 1/2 or more uses
+// its own displacement. A pixel in between uses a blend of both. The perpendicular points to the same side as `own`. If `own`
+// has no side, the perpendicular points to the same side as `other`. If `other` has no side either, the perpendicular is 0,
+// because no surface is known to move across. (The paper leaves the side to rounding in this case. A one-sided gather would
+// then sample the wrong side half of the time, and mirrored scenes would not give mirrored images.)
 vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float gamma_px) {
   vec2 across = unitOf(vec2(-dominant.y, dominant.x));
   float side = dot(across, own);
@@ -34,14 +34,14 @@ vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float
   return unitOf(mix(sign(side) * across, unitOf(own), along_own));
 }
 
-// Second direction at a pixel of a tile.
+// Second direction at a pixel that gathers along `dominant`, the dominant displacement of `tile`; a unit vector or 0.
 vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gamma_px) {
   return secondDirection(dominant, texelAt(pixel).d, vec2(second_at(tile)), radius_px, gamma_px);
 }
 
-// True if sample i of N is taken along the second direction; `count` of the N samples are. If all taps lie on one side, they
-// are counted from the tap nearest to the pixel, because the anchor `open` is the reverse of `close`. count = N/2 takes every
-// other sample, from the second on. If N is odd, these are the same samples from either end.
+// True if sample i of N is taken along the second direction. `count` of the N samples are. If all taps lie on one side of the
+// pixel, they are counted from the tap nearest to the pixel, because the anchor `start` is the reverse of the anchor `end`.
+// count = N/2 takes every other sample, from the second on. If N is odd, these are the same samples, counted from either end.
 bool isAlongSecond(int i, int count) {
 #if PARAM_directions == directions_two
   if (frame.shutter.x >= 0.0) i = params.samples - 1 - i;

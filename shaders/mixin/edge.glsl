@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: edge_img, where_tex.
-// Input mask and output of every edge detector.
-// In:  `where` (optional): the detector runs where it is above 1/2; everywhere if absent.
+// Mask that limits an edge detector, and output of the detector. Every edge detector includes this file.
+// In:  `where` (optional): the detector runs where the mask is above 1/2, and everywhere if the mask is absent.
 // Out: `edge`: 1 on edges, 0 elsewhere.
 #ifndef STROBE_EDGE_GLSL
 #define STROBE_EDGE_GLSL

@@ -6,7 +6,8 @@
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 
-// Bound of depths, the sky's included, as a multiple of the pixel's own depth.
+// Largest depth that a detector uses, as a multiple of the depth of the tested pixel. Farther surfaces and the sky count as
+// this depth.
 const float kFarthest = 16.0;
 
 // View depth at a pixel; outside of the image, at the nearest border pixel.
@@ -14,7 +15,7 @@ float depthAt(ivec2 pixel) {
   return saneDepth(texelFetch(depth_tex, clampToImage(pixel, textureSize(depth_tex, 0)), 0).x);
 }
 
-// True for the finite depth of a surface. The sky has no edges of its own.
+// True if the depth belongs to a surface: it is finite and above 0. Detectors mark no edges on the sky.
 bool isSurface(float depth) { return depth > 0.0 && depth <= kLargestFinite; }
 
 #endif

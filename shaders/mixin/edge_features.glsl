@@ -10,18 +10,19 @@ vec3 normalAt(ivec2 pixel) {
   return finiteColor(texelFetch(normal_tex, clampToImage(pixel, textureSize(normal_tex, 0)), 0));
 }
 
-// Normal (unit, world; 0 for the sky) and depth of a pixel. The depth is a multiple of `depth`, so that no scale is built in.
+// xyz: normal of a pixel (unit, world; 0 for the sky). w: depth of the pixel divided by `depth`, so that the feature does not
+// depend on the scale of the scene.
 vec4 featureAt(ivec2 pixel, float depth) {
   return vec4(normalAt(pixel), min(depthAt(pixel) / depth, kFarthest));
 }
 
-// Normal and inverse depth of a pixel. On a plane the inverse depth is affine in screen space; 0 for the sky.
+// xyz: normal of a pixel. w: `depth` divided by the depth of the pixel; 0 for the sky. On a plane, w is affine in screen space.
 vec4 inverseFeatureAt(ivec2 pixel, float depth) {
   return vec4(normalAt(pixel), min(depth / depthAt(pixel), kFarthest));
 }
 
-// Sum of the features at `offset` and at the opposite offset, minus twice the pixel's own: 0 on a plane. Also 0 if one of the
-// neighbours is outside of the image.
+// Features at `offset` plus features at the opposite offset, minus twice the features of the pixel: 0 on a plane. Also 0 if one
+// of the two neighbours is outside of the image.
 vec4 secondDifference(ivec2 pixel, ivec2 offset, float depth) {
   ivec2 size = textureSize(depth_tex, 0);
   if (!isInside(pixel + offset, size) || !isInside(pixel - offset, size)) return vec4(0);

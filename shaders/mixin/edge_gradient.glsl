@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Needs: depth_tex, edge_img, normal_tex, params.depth_threshold, params.normal_threshold, PARAM_combine, PARAM_norm,
 //   where_tex.
-// Gradients of depth and normal by kernels of 3x3 pixels. Each kernel returns 1 for a step of 1 along an axis.
+// Gradients of depth and normal by kernels of 3x3 pixels. The response of each kernel to a step of 1 along an axis is 1.
 #ifndef STROBE_EDGE_GRADIENT_GLSL
 #define STROBE_EDGE_GRADIENT_GLSL
 #include "mixin/edge.glsl"
 #include "mixin/edge_features.glsl"
 #include "mixin/edge_steps.glsl"
 
-// Length of (a, b) in the norm `norm`.
+// Length of the vector (a, b). The parameter `norm` chooses the sum of magnitudes (l1) or the Euclidean length.
 float sizeOf(float a, float b) {
 #if PARAM_norm == norm_l1
   return abs(a) + abs(b);
@@ -17,13 +17,13 @@ float sizeOf(float a, float b) {
 #endif
 }
 
-// True if the gradient is above the thresholds; `a` and `b`: differences of the features in two perpendicular directions. The
-// components of the normal count together.
+// True if the gradient exceeds the thresholds. `a`, `b`: differences of the features (xyz normal, w depth) in two perpendicular
+// directions. The three components of the normal count as one length.
 bool isStep(vec4 a, vec4 b) {
   return combined(sizeOf(a.w, b.w), sizeOf(length(vec3(a)), length(vec3(b)))) > 1.0;
 }
 
-// Difference of the features ahead and behind in the direction `along`, each a weighted sum of three pixels.
+// Features ahead of the pixel minus features behind it, in the direction `along`. Both are weighted sums of three pixels.
 vec4 difference(ivec2 pixel, ivec2 along, ivec2 across, float depth, float middle, float side) {
   vec4 ahead = side * featureAt(pixel + along - across, depth) + middle * featureAt(pixel + along, depth) +
                side * featureAt(pixel + along + across, depth);
@@ -32,7 +32,8 @@ vec4 difference(ivec2 pixel, ivec2 along, ivec2 across, float depth, float middl
   return ahead - background;
 }
 
-// True on an edge by the kernel [side middle side]^T [-1 0 1] and its transpose; 2 * side + middle = 1.
+// True if the pixel is on an edge, by the gradient from the kernel [side middle side]^T [-1 0 1] and its transpose, where 2 *
+// side + middle = 1.
 bool isStepBy(ivec2 pixel, float middle, float side) {
   float depth = depthAt(pixel);
   if (!isWanted(pixel) || !isSurface(depth)) return false;

@@ -5,7 +5,8 @@
 #define STROBE_EDGE_ID_GLSL
 #include "mixin/edge_depth.glsl"
 
-// True if the neighbour at `offset` is another instance and farther. False for both pixels if the depths are equal.
+// True if the neighbour at `offset` shows another instance, farther than the pixel's. At equal depths the test is false for
+// both pixels.
 bool isBeyond(ivec2 pixel, ivec2 offset) {
   ivec2 at = clampToImage(pixel + offset, textureSize(id_tex, 0));
   if (texelFetch(id_tex, at, 0).x == texelFetch(id_tex, pixel, 0).x) return false;

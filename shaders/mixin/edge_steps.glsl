@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.depth_threshold, params.normal_threshold, PARAM_combine.
-// Combination of a depth step and a normal step, each relative to its threshold. `depth_threshold`: share of the pixel's depth.
-// `normal_threshold`: length of a difference of unit normals.
+// Combination of a depth step and a normal step, each divided by its threshold. `depth_threshold`: share of the pixel's depth.
+// `normal_threshold`: length of the difference of two unit normals.
 #ifndef STROBE_EDGE_STEPS_GLSL
 #define STROBE_EDGE_STEPS_GLSL
 
-// Strength of the edge, above 1 on an edge. `max`: either step suffices. `sum`: both add up. `and`: both are required.
+// Strength of an edge; a pixel with a strength above 1 is an edge. The parameter `combine` chooses the larger step (`max`), the
+// sum of both steps (`sum`), or the smaller step (`and`), each relative to its threshold.
 float combined(float depth_step, float normal_step) {
   float in_depth = depth_step / params.depth_threshold;
   float in_normal = normal_step / params.normal_threshold;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Inputs of the fragments of gbuffer/visibility.vert.glsl, and the test that discards fragments.
+// Inputs of a fragment, written by gbuffer/visibility.vert.glsl, and the test that discards fragments.
 #ifndef STROBE_FRAGMENT_GLSL
 #define STROBE_FRAGMENT_GLSL
 #include "mixin/trace_payload.glsl"
@@ -25,7 +25,8 @@ layout(location = 6) in vec3 position_os;
 const vec3 position_os = vec3(0);
 #endif
 
-// True if alpha cuts the fragment out, by the same tests as for rays, or if it is the back of a one-sided material.
+// True if the fragment is discarded. It is if alpha cuts it out, by the same test as for rays, or if it is on the back of a
+// one-sided material.
 bool isLeftOut() {
 #if FACT_one_sided
   if (gl_FrontFacing == (mirrored != 0u) && isOneSided(draw.x, draw.y)) return true;

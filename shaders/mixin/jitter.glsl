@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_jitter, PARAM_jitter_frame.
-// Jitter per pixel, in [-1/2, 1/2] of the distance between two samples, for passes with the parameters `jitter` and
-// `jitter_frame` (passes/lib/jitter.lua). With `per_frame`, `hash` has new values in each frame. `ign` is shifted by the golden
-// ratio per frame, which spreads successive frames evenly over the range.
+// Jitter of the sample times per pixel, in [-1/2, 1/2] of the distance between two samples. The parameters `jitter` and
+// `jitter_frame` of a pass (passes/lib/jitter.lua) choose the noise. With `jitter_frame` = per_frame, the noise `hash` has new
+// values in each frame, and the noise `ign` is shifted by the golden ratio per frame. The shift spreads the values of
+// successive frames evenly.
 #ifndef STROBE_JITTER_GLSL
 #define STROBE_JITTER_GLSL
 #include "lib/noise.glsl"
 
-// Shift of the frame in [0, 1): fract(frame / golden ratio), computed in 32-bit fixed point.
+// Shift of the noise in the current frame, in [0, 1): fract(frame / golden ratio), computed in 32-bit fixed point.
 float frameShift() { return float((frame.frame * 2654435769u) >> 8u) / 16777216.0; }
 
 float jitterOf(ivec2 pixel) {

@@ -13,7 +13,7 @@ struct Texel {
   vec2 d;       // px over the exposure, at most limit * image width long
 };
 
-// Displacement of a texel, shortened to the limit.
+// Displacement of a texel, shortened to the limit (mixin/limit.glsl).
 vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
 Texel texelAt(ivec2 pixel) {
@@ -27,7 +27,7 @@ bool isValid(ivec2 pixel) { return valid_at(pixel).x > 0.5; }
 // True if the revealed layer has a surface behind the pixel.
 bool hasBackground(ivec2 pixel) { return background_valid_at(pixel).x > 0.5; }
 
-// View depth of the revealed layer; `otherwise` if it has no surface there.
+// View depth of the revealed layer, metres; `otherwise` if this layer has no surface at the pixel.
 float backgroundDepth(ivec2 pixel, float otherwise) {
   return hasBackground(pixel) ? saneDepth(background_depth_at(pixel).x) : otherwise;
 }

@@ -1,48 +1,49 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene; may have: PARAM_displacement.
-// Visibility of a light from all shadow ray origins of a tile at once: kFree (no ray is blocked), kStopped (each ray is
-// blocked) or kUnsure.
+// Visibility of a light from all shadow ray origins of a tile at once: kVisible (no ray is blocked), kBlocked (every ray is
+// blocked) or kMixed (unknown).
 // Method: walk the runtime's own tree with the volume that the rays sweep (Haines and Wallace, "Shaft Culling for Efficient
-//   Ray-Cast Radiosity", 1991). All bounds are widened by more than the rounding errors of rays and triangles, so kFree and
-//   kStopped equal the result of every ray.
-// Fails: returns kUnsure with the drivers' acceleration structures, which shaders cannot walk.
+//   Ray-Cast Radiosity", 1991). All bounds are widened by more than the rounding errors of rays and triangles, so the results
+//   kVisible and kBlocked equal the result of every ray.
+// Fails: returns kMixed with the drivers' acceleration structures, which shaders cannot walk.
 #ifndef STROBE_SHAFT_GLSL
 #define STROBE_SHAFT_GLSL
 #include "mixin/trace.glsl"
 
 const uint kMixed = 0u, kVisible = 1u, kBlocked = 2u;
 
-// Origins of a tile's shadow rays. They lie in a box. Each is at least `raised` above one of the planes `start_planes`, and the
-// light is above the same plane.
+// Origins of a tile's shadow rays. They lie in the box `centre` +- `extent`. Each origin is at least `raised` above one of the
+// planes `start_planes`, and the light is above the same plane.
 struct RayVolumeStart {
-  vec3 centre, extent;  // world
+  vec3 centre, extent;  // world space
   vec3 one;             // origin of one of the rays
-  uint plane_count;     // 0: unknown planes
-  uint unused_planes;   // bits of the planes without rays to the light
+  uint plane_count;     // 0: the planes are unknown
+  uint unused_planes;   // bit i is set if no ray to the light starts above plane i
   float raised;
 };
 const uint kMostStartPlanes = 12u;
-vec4 start_planes[kMostStartPlanes];  // unit normal; least dot(normal, p) of its surface points p
+vec4 start_planes[kMostStartPlanes];  // xyz: unit normal n; w: least dot(n, p) over the plane's surface points p
 
 #ifdef STROBE_STRUCTURES_OWN
 
-const int kMaxVolumeNodes = 64;           // visits of nodes before a walk returns kUnsure
+const int kMaxVolumeNodes = 64;           // nodes that a walk may visit; beyond, it returns kMixed
 const float kRounding = 1.0 / 1048576.0;  // bound of rounding errors in a change of space, as a share of the largest coordinate
 
 // Volume of the rays between a box and a light, in the space of a tree. At the parameter u, from 0 to `u_end`, all rays lie
-// between from_low + u * to_low and from_high + u * to_high. Rays begin at a light with a position; for a directional light
-// they begin in the box.
+// between from_low + u * to_low and from_high + u * to_high. u = 0 is the light if it has a position. For a directional light,
+// u = 0 is the box.
 struct RayVolume {
   vec3 from_low, from_high;
   vec3 low_inverse, high_inverse;  // 1 / to_low, 1 / to_high, bounded
   float u_end;
 };
 
-// Bound of the components of m * v for |v| <= sizes, per component.
+// Upper bounds of the magnitudes of the components of m * v, for all v with magnitudes of at most `sizes`.
 vec3 ofSizes(mat3 m, vec3 sizes) { return mat3(abs(m[0]), abs(m[1]), abs(m[2])) * sizes; }
 
-// Volume for a box and a light. `light`: position (w = 1) or direction towards it (w = 0). `space`: tree from world. `reach`:
-// bound of the coordinates of the tree's planes. `size`: bound of the world coordinates that are transformed.
+// Volume of the rays between a box and a light. `light`: position (w = 1) or direction towards it (w = 0). `space`: transform
+// from world space to the space of the tree. `reach`: upper bound of the coordinates of the tree's planes. `size`: upper bound
+// of the world coordinates that are transformed.
 RayVolume volumeIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 light, float size) {
   mat3 turned = mat3(space);
   vec3 room = kRounding * (ofSizes(turned, vec3(size)) + abs(space[3]) + reach);
@@ -68,7 +69,8 @@ RayVolume volumeIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 lig
   return volume;
 }
 
-// First child of a node that the swept volume meets; results as in `nearestChild`.
+// First child of a node that the volume meets; kNextOnStack if it meets none. `others`: as in `nearestChild`
+// (mixin/trace_bvh.glsl).
 uint firstChild(uint node, RayVolume volume, out uint others) {
   BvhNode at = loadedNode(node);
   vec3 step_size = stepsOf(at);
@@ -78,7 +80,8 @@ uint firstChild(uint node, RayVolume volume, out uint others) {
   vec3 low_slack = slackOf(low_offset, low_step), high_slack = slackOf(high_offset, high_step);
   vec4 enter = vec4(0), leave = vec4(volume.u_end);
   for (int axis = 0; axis < 3; ++axis) {
-    // The volume meets a child if its lower bound is below the child's upper plane, and its upper bound above the lower plane.
+    // The volume meets a child if the volume's lower bound is below the child's upper plane and the volume's upper bound is
+    // above the child's lower plane.
     vec4 lower = planes(at.high[axis]) * low_step[axis] + low_offset[axis];
     vec4 upper = planes(at.low[axis]) * high_step[axis] + high_offset[axis];
     if (volume.low_inverse[axis] < 0.0) enter = max(enter, lower - low_slack[axis]);
@@ -89,11 +92,13 @@ uint firstChild(uint node, RayVolume volume, out uint others) {
   return firstMet(at, node, enter, leave, others);
 }
 
-// Effect of a triangle on the rays: it blocks no ray; possibly some; all; or all rays on the inner side of one edge. In the
-// last case the number of the edge is added, and 4 if the corners run in the opposite direction as seen from the light.
+// Effect of a triangle on the rays: it blocks no ray (kStopsNone), possibly some rays (kStopsSome), all rays (kStopsAll), or
+// all rays on the inner side of one of its edges (kStopsInside). In the last case the value is kStopsInside plus the number of
+// the edge (0 to 2), plus 4 if the corners run in the opposite direction as seen from the light.
 const uint kStopsNone = 0u, kStopsSome = 1u, kStopsAll = 2u, kStopsInside = 3u;
 
-// Effect of a triangle, kStops*. `rounding`: bound of the rounding errors of the coordinates of rays and corners.
+// Effect of a triangle on the rays from `start` to `light`, one of kStops*. `rounding`: bound of the rounding errors of the
+// coordinates of rays and corners.
 uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
   bool is_below = start.plane_count > 0u;
   for (uint i = 0u; i < start.plane_count && is_below; ++i) {
@@ -111,7 +116,7 @@ uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
   float away = max(sizes.x, max(sizes.y, sizes.z)) + edge;
   float far = max(abs(towards.x), max(abs(towards.y), abs(towards.z))) + edge;
 
-  // Test if the triangle's plane is between the light and the origins; unknown if the light is in the plane.
+  // Test if the triangle's plane is between the light and the origins. The effect is unknown if the light is in the plane.
   vec3 normal = cross(edge1, edge2);
   float room = 8.0 * rounding * edge * (edge + max(away, far));
   float light_side = dot(normal, towards), start_side = dot(normal, here), wide = dot(abs(normal), start.extent);
@@ -137,7 +142,7 @@ uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
   return open == 0u ? kStopsAll : kStopsInside + open_edge + (facing < 0.0 ? 4u : 0u);
 }
 
-// True if every hit on the triangle counts, because alpha cuts no part out.
+// True if every hit on the geometry counts, because alpha cuts no hole into it.
 bool isSolid(uint instance, uint geometry) {
   if ((geometry & BVH_OPAQUE) != 0u) return true;
 #if FACT_alpha
@@ -150,11 +155,11 @@ bool isSolid(uint instance, uint geometry) {
 
 mat4x3 columnsOf(vec4 x, vec4 y, vec4 z) { return transpose(mat3x4(x, y, z)); }
 
-// Visibility of the light from all origins: kFree, kStopped or kUnsure. `light`: position (w = 1), or direction towards it with
-// the length `reach` (w = 0). `reach`: bound of the coordinates of origins and light and of the distances between them.
+// Visibility of the light from all origins: kVisible, kBlocked or kMixed. `light`: position (w = 1), or direction towards it
+// with the length `reach` (w = 0). `reach`: bound of the coordinates of origins and light and of the distances between them.
 // Method: the first walk follows one ray and searches for a triangle that blocks all rays, or for two triangles with a common
-// edge that do so together. Such triangles are on this ray or beside it. If the walk finds none, the second walk follows the
-// whole swept volume until it meets a triangle that may block a ray.
+// edge that together block all rays. Such triangles are on this ray or beside it. If the first walk finds none, the second walk
+// follows the whole volume until it meets a triangle that may block a ray.
 uint restOf(uint slice, RayVolumeStart start, vec4 light, float reach) {
   uint level = levelOf(slice), root = rootOf(level, RAYS_TO_ALL);
   for (uint walk = 0u; walk < 2u; ++walk) {
@@ -165,7 +170,7 @@ uint restOf(uint slice, RayVolumeStart start, vec4 light, float reach) {
     uint instance = NO_INSTANCE, reference = root;
     mat4x3 world_from_object;
     vec3 object_sizes;
-    vec3 open_from, open_to;  // edge of a triangle that blocks all rays on its inner side
+    vec3 open_from, open_to;  // edge of a triangle that blocks all rays on the inner side of this edge
     uint open_instance = NO_INSTANCE;
     BvhStack stack = noEntries();
     int visited = 0;

@@ -19,7 +19,8 @@ Path onCurve(vec2 d, vec4 curve) { return Path(d, curve); }
 
 bool isCurved(Path path) { return path.curve != vec4(0); }
 
-// Reach of a path, px: length of its displacement or, if curved, of a straight displacement that reaches as far.
+// Reach of a path, px: length of its displacement. For a curved path: length of a straight displacement that moves a surface at
+// least as far.
 float reachOf(Path path) { return reachOf(path.d, path.curve, frame.shutter); }
 
 // Position at the raster time, relative to the pixel, of the surface that is at the pixel at time t.
@@ -51,7 +52,8 @@ bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
 
 Path straight(vec2 d) { return onCurve(d, vec4(0)); }
 
-// Path from values of images, shortened to the limit. The curve is scaled alike; a curve that is not finite becomes 0.
+// Path of a texel from the values of the images. If the displacement is longer than the limit (mixin/limit.glsl), displacement
+// and curve are scaled by the same factor. A curve that is not finite becomes 0.
 Path limitedPath(vec4 velocity, vec4 curve) {
   vec2 d = finiteDisplacement(velocity), shortened = clampLength(d, limitPx());
   if (any(isnan(curve)) || any(isinf(curve))) curve = vec4(0);

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Needs: nothing; may have: PARAM_color_format, PARAM_depth_encoding, PARAM_velocity_format, count_color_clamped,
 //   count_depth_lost, count_velocity_clamped, scene.
-// Colours, displacements and depths, quantised to the memory formats of a renderer. For passes with the parameters
-// velocity_format, color_format or depth_encoding of passes/lib/quantised.lua and their counters.
+// Quantise colours, displacements and depths to the memory formats of a renderer. Passes with the parameters velocity_format,
+// color_format or depth_encoding of passes/lib/quantised.lua, and with their counters, include this file.
 // In:  linear colours; displacements, px over the exposure; linear view depths, metres (+inf for the sky, 0 for no surface).
 // Out: the quantised values. The formats fp32 and linear return the input bit for bit, without arithmetic.
-// Method, half floats: round to the nearest, ties to even. This is done before the store, because a store may truncate. A
-//   colour channel beyond 65504 becomes 65504. A displacement beyond 65504 px is shortened until its larger component is
-//   65504, so that it keeps its direction. Both cases are counted. Largest error: relative 2^-11 from 2^-14 up, absolute 2^-25
-//   below.
+// Method, half floats: round to the nearest, ties to even. The shader rounds, because a store may truncate. A colour channel
+//   beyond 65504 becomes 65504. A displacement beyond 65504 px is shortened until its larger component is 65504, so that it
+//   keeps its direction. Both cases are counted. The largest error is relative 2^-11 for magnitudes from 2^-14 on, and absolute
+//   2^-25 below.
 // Method, depths: encode as a depth buffer does, then decode. With the camera's near distance n:
 //   reversed  w = n/z in fp32 (infinite reversed z; sky 0); relative error about 2^-24 for each of two divisions;
 //   inverse   w = 1/z in fp32 (sky 0); same error, independent of the near distance;
 //   unorm24   1 - n/z in 24 bits (infinite standard z; sky 1); relative error up to z/(n * 2^25).
 //   An orthographic camera, whose own projection is linear, uses its near distance in the same formulas.
 // NaN, infinity and a depth of 0 are unchanged in every format. Readers replace NaN and infinity (lib/sanitise.glsl).
-// Fails: unorm24 turns surfaces farther than 2^25 n into sky. reversed and inverse do so where w is 0 (about 1e38 times n or
-//   1 m). Counter: depth_lost. Surfaces are not nearer than the near distance.
+// Fails: the encoding unorm24 turns surfaces farther than 2^25 n into sky. The encodings reversed and inverse do so where w
+//   rounds to 0 (about 1e38 times n or 1 m). The counter depth_lost counts these surfaces. Surfaces are not nearer than n.
 #ifndef STROBE_STORED_GLSL
 #define STROBE_STORED_GLSL
 
@@ -26,9 +26,9 @@ const float kLargestHalf = 65504.0;
 float nearestHalf(float value) {
   uint sign_bit = floatBitsToUint(value) & 0x80000000u, magnitude = floatBitsToUint(value) & 0x7fffffffu;
   if (magnitude >= 0x7f800000u) return value;
-  if (magnitude < 0x38800000u)  // below 2^-14 half floats are the multiples of 2^-24
+  if (magnitude < 0x38800000u)  // half floats below 2^-14 are multiples of 2^-24
     magnitude = floatBitsToUint(roundEven(uintBitsToFloat(magnitude) * 16777216.0) / 16777216.0);
-  else  // above, the mantissa is 13 bits shorter
+  else  // from 2^-14 on, the mantissa of a half float is 13 bits shorter
     magnitude = (magnitude + 0xfffu + ((magnitude >> 13) & 1u)) & 0xffffe000u;
   return uintBitsToFloat(sign_bit | magnitude);
 }
@@ -77,7 +77,7 @@ float quantisedDepth(float depth) {
   quantised = min(1.0 / depth, 3.402823466e38);
   decoded = 1.0 / quantised;
 #else
-  // Distance of the code 1 - n/z from 1, in steps of 1 / (2^24 - 1): single precision holds this number exactly.
+  // The code 1 - n/z is stored as its distance from 1, in steps of 1 / (2^24 - 1). Single precision holds this number exactly.
   quantised = round(min(near / depth, 1.0) * 16777215.0);
   decoded = near * 16777215.0 / quantised;
 #endif

@@ -18,7 +18,7 @@ bool isShown(ivec2 at, uvec2 id, float depth) {
   return texelFetch(id_tex, at, 0).xy == id && relativeGap(texelFetch(depth_tex, at, 0).x, depth) <= params.same_depth;
 }
 
-// True if the revealed layer's texel shows the surface.
+// True if the revealed layer's texel shows the surface `id` at the view depth `depth`.
 bool isRevealed(ivec2 at, uvec2 id, float depth) {
 #if HAS_revealed_valid
   return texelFetch(revealed_valid_tex, at, 0).x > 0.5 && texelFetch(revealed_id_tex, at, 0).xy == id &&
@@ -28,7 +28,7 @@ bool isRevealed(ivec2 at, uvec2 id, float depth) {
 #endif
 }
 
-// Colour of the raster layer (`is_shown`) or of the revealed layer.
+// Colour of a texel of the raster layer, if `is_shown`; otherwise of the revealed layer.
 vec3 texelOf(ivec2 at, bool is_shown) {
 #if HAS_revealed_valid
   return finiteColor(is_shown ? texelFetch(color_tex, at, 0) : texelFetch(revealed_color_tex, at, 0));
@@ -73,7 +73,7 @@ vec3 rasterColorOf(Hit hit) {
   if ((!alike || !isNarrow(color_range, params.contrast)) && !(spacingOf(hit) > params.detail_below)) weights = 0.0;
 #endif
   if (weights > 0.0)
-    return isNarrow(color_range, 0.0) ? color_range.low : fromSum(sum / weights);  // equal colours are not rounded
+    return isNarrow(color_range, 0.0) ? color_range.low : fromSum(sum / weights);  // equal colours: no rounding
   count_shaded(1u);
   return shade(SLICE_RASTER, hit);
 }

@@ -11,20 +11,20 @@
 // Marks an unknown texel.
 const ivec2 kNoTexel = ivec2(-1);
 
-// Texels that a search tries, on straight and on curved paths. Compilers unroll the loop over two.
+// Number of texels that a search tries, on straight and on curved paths. Compilers unroll a loop over two texels.
 #if HAS_curve
 const int kIterations = 2, kCurveIterations = 4;
 #else
 const int kIterations = 2, kCurveIterations = kIterations;
 #endif
 
-// True if the search tries another texel after texel i.
+// True if the search tries another texel after the i-th one.
 bool iteratesAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurveIterations : kIterations); }
 
 // Largest difference between the paths of adjacent texels of one surface, px. A larger difference means another object.
 const float kMostSlope = 2.0;
 
-// Path of a texel of a layer, and the test for a surface there. The including shader defines both.
+// Path of a texel of a layer, and the test if the layer has a surface there. The including shader defines both functions.
 Path pathOf(int layer, ivec2 texel, bool after);
 bool hasSurface(int layer, ivec2 texel);
 
@@ -32,7 +32,7 @@ bool hasSurface(int layer, ivec2 texel);
 ivec2 nextTexel(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
 
 #if HAS_curve
-// Change of a path from a texel to the next one along an axis, px at time t. Unknown if both neighbours belong to another
+// Change of the offset at time t from a texel to the next texel along an axis, px. Unknown if both neighbours belong to another
 // object.
 struct Slope {
   vec2 px;
@@ -51,9 +51,9 @@ Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t) {
   return Slope(vec2(0), false);
 }
 
-// Derivative of the position at time t with respect to the texel. At corners of an object, where the slope along one axis is
-// unknown, the motion is taken for a rotation with a uniform scale. Without this, the step from a distant texel would be far
-// off.
+// Derivative of the position at time t with respect to the texel. At corners of an object, the slope along one axis is unknown.
+// The motion is then assumed to be a rotation with a uniform scale. Without this assumption, the step from a distant texel
+// would be far off.
 mat2 changeOf(int layer, ivec2 now, Path path, float t) {
   Slope x = slopeOf(layer, now, ivec2(1, 0), path, t), y = slopeOf(layer, now, ivec2(0, 1), path, t);
   if (!x.is_known) x.px = vec2(y.px.y, -y.px.x);
@@ -63,9 +63,9 @@ mat2 changeOf(int layer, ivec2 now, Path path, float t) {
 #endif
 
 // Next texel of the search after the texel `now` of a layer.
-// Method: on a straight path, a step of fixed-point iteration. On a curved path, a Newton step, because a surface with curved
-// paths rotates and its paths vary. The derivative is exact for rotation on an arc. Otherwise it is the difference to adjacent
-// texels. One step suffices if the whole surface rotates or stretches uniformly.
+// Method: on a straight path, take a step of fixed-point iteration. On a curved path, take a Newton step, because a surface
+// with curved paths rotates and its paths vary. The derivative is exact for rotation on an arc. Otherwise the derivative is the
+// difference to adjacent texels. One step suffices if the whole surface rotates or stretches uniformly.
 ivec2 nextTexelOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 #if HAS_curve
   if (!isCurved(path)) return nextTexel(pixel, path, t);

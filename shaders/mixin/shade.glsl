@@ -22,7 +22,8 @@ vec3 environment(vec3 direction_ws) {
 }
 
 // Footprint of a pixel of the camera at `slice` on the surface's plane: change of the world position per pixel to the right
-// (column 0) and down (column 1). A function of the surface point alone. The cosine at grazing angles is at least 1/16.
+// (column 0) and down (column 1). The footprint depends on the surface point alone. The cosine at grazing angles is at least
+// 1/16.
 mat2x3 footprintOf(uint slice, Surface surface) {
   SceneCamera camera = scene_cameras[slice];
   vec2 pixel = 2.0 * camera.half_extent / vec2(frame.size);
@@ -39,7 +40,7 @@ mat2x3 footprintOf(uint slice, Surface surface) {
   return mat2x3(right - view * (dot(n, right) / facing), down - view * (dot(n, down) / facing));
 }
 
-// Change of texture coordinates along `direction_ws` in the triangle's plane, by least squares on its edges.
+// Change of texture coordinates along `direction_ws` in the triangle's plane, by least squares on the triangle's edges.
 vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
   vec3 e1 = surface.edge1_ws, e2 = surface.edge2_ws;
   // Divide by the largest component of the edges, so that their squares stay within range at any scale of the scene.
@@ -55,8 +56,8 @@ vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
   return ((p * c - q * b) * uv_edge1 + (q * a - p * b) * uv_edge2) / determinant;
 }
 
-// Anisotropically filtered texel of a use that has a texture: lookups along the longer axis of the footprint, mip level by the
-// shorter axis. A texture with a single level gets one lookup.
+// Texel of a texture slot at a surface point, filtered anisotropically: several lookups along the longer axis of the footprint,
+// with the mip level of the shorter axis. The slot must have a texture. A texture with a single level gets one lookup.
 vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   vec2 uv = transformedUv(use, surface.uv0, surface.uv1);
   bool is_plain = textureQueryLevels(scene_textures[nonuniformEXT(use.texture)]) == 1;
@@ -81,7 +82,7 @@ vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   return sum / float(taps);
 }
 
-// Texels at a surface point, one per texture slot; 1 if the material has no texture there.
+// Texels at a surface point, one per texture slot; 1 for slots without a texture.
 struct Texels {
   vec4 base_color, metallic_roughness, normal, emissive;
 };
@@ -101,8 +102,8 @@ Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
   return texels;
 }
 
-// World directions of growing texture coordinates u and v of a use, not of unit length. Returns false if the coordinates are
-// constant.
+// World directions of increasing texture coordinates u and v of a texture slot, not of unit length. Returns false if the
+// coordinates are constant.
 bool textureAxes(SceneTextureUse use, Surface surface, out vec3 along_u, out vec3 along_v) {
   vec2 d1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
   vec2 d2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
@@ -131,17 +132,18 @@ vec3 bumpedNormal(uint slice, Hit hit, SceneMaterial material, Surface surface, 
   }
   tangent = unitOr(tangent - surface.normal_ws * dot(surface.normal_ws, tangent), vec3(0));
   bitangent = unitOr(bitangent - surface.normal_ws * dot(surface.normal_ws, bitangent), vec3(0));
-  // Texture v points down, green points up.
+  // The texture coordinate v points down. The green axis of a normal map points up.
   return unitOr(tangent * n.x - bitangent * n.y + surface.normal_ws * max(n.z, 1e-3), surface.normal_ws);
 }
 
 struct Reflectance {
   vec3 diffuse;   // albedo
-  vec3 specular;  // at normal incidence
+  vec3 specular;  // reflectance at normal incidence
   float alpha;    // GGX width
 };
 
-// Diffuse and specular response times the cosine to the light.
+// Diffuse and specular reflectance for light from the direction `light`, times the cosine between the normal and this
+// direction.
 vec3 reflected(Reflectance r, vec3 n, vec3 view, vec3 light) {
   float n_l = dot(n, light);
   if (n_l <= 0.0) return vec3(0);
@@ -156,8 +158,8 @@ vec3 reflected(Reflectance r, vec3 n, vec3 view, vec3 light) {
   return (r.diffuse / kPi * (1.0 - fresnel) + fresnel * distribution * visibility) * n_l;
 }
 
-// Offset of shadow rays from their surface, so that single precision separates the two: the share 2^-14 of the distance to the
-// frame's origin or to the light. Not an absolute length, so that it works at any scale of the scene.
+// Distance of a shadow ray's origin from its surface, large enough for single precision to separate both: the share 2^-14 of
+// the distance to the frame's origin or to the light, whichever is larger. A share works at any scale of the scene.
 const float kShadowLift = 6.1e-5;
 vec3 shadowOrigin(Surface surface, float extent) {
   vec3 p = abs(surface.position_ws);
@@ -166,8 +168,8 @@ vec3 shadowOrigin(Surface surface, float extent) {
 }
 
 #ifdef STROBE_KEEPS_SHADOWS
-// Bits of the first 32 lights. known_*: input, lights that are known to be visible or blocked and need no ray. found_*: output,
-// lights that rays found visible or blocked.
+// Bits of the first 32 lights. known_*: input, lights that are known to be visible or blocked and therefore need no ray.
+// found_*: output, lights that rays found visible or blocked.
 uint known_free = 0u, known_blocked = 0u, found_free = 0u, found_blocked = 0u;
 
 // Bit of a light; 0 from light 32 on.
@@ -183,7 +185,7 @@ bool isKnownBlocked(uint number) {
 #endif
 }
 
-// True if the shadow ray to light `number` is blocked; traces it unless the result is known.
+// True if the shadow ray to light `number` is blocked. The ray is traced unless the result is known.
 bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
 #ifdef STROBE_KEEPS_SHADOWS
   uint bit = bitOf(number);
@@ -197,8 +199,8 @@ bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
 #endif
 }
 
-// Irradiance of punctual light `number` at a surface, at normal incidence, with its shadow; 0 on surfaces that face away.
-// `towards`: unit direction to the light.
+// Irradiance at a surface from punctual light `number`, at normal incidence, including the shadow; 0 on surfaces that face
+// away. `towards`: output, unit direction to the light.
 vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
   SceneLight light = scene_lights[slice * frame.light_count + number];
   vec3 offset = light.position - surface.position_ws;
@@ -237,8 +239,8 @@ vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
 }
 
 #ifdef STROBE_KEEPS_SHADOWS
-// Trace the shadow rays of a point as `shade` does. Normal maps are ignored, so the traced lights differ from those in `shade`
-// where a normal map turns the surface away from a light or towards it.
+// Trace the shadow rays that `shade` traces for a point, without its normal map. Where a normal map turns the surface away from
+// a light or towards it, `shade` traces other lights.
 void findShadows(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);
   if ((scene_materials[surface.material].flags & MATERIAL_UNLIT) != 0u) return;
@@ -252,14 +254,14 @@ void findShadows(uint slice, Hit hit) {
 // Number of radiances that this invocation replaced because they were not finite.
 uint replaced_radiances = 0u;
 
-// Radiance with NaN as 0 and infinity as 65504, so that one texel or light does not spoil a pixel's mean.
+// Radiance after NaN is replaced by 0 and infinity by 65504, so that one texel or light does not spoil a pixel's mean.
 vec3 finiteRadiance(vec3 radiance) {
   vec3 sound = finiteColor(vec4(radiance, 0));
   if (sound != radiance) ++replaced_radiances;
   return sound;
 }
 
-// Base colour of a surface point with the given texel of its texture.
+// Base colour of a surface point. `texel`: texel of the base colour texture at the point.
 vec3 baseColorOf(SceneMaterial material, Surface surface, vec4 texel) {
   return material.base_color.rgb * surface.color.rgb * texel.rgb;
 }

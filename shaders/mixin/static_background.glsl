@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, hit_tex, rays, scene; may have: PARAM_displacement.
 // Nearest surface at a pixel at many times. If the camera is static, the static background on the pixel's ray is found once.
-// Rays at other times then test only the moving instances in front.
+// Rays at other times then test only the moving instances in front of this background.
 #ifndef STROBE_GROUND_GLSL
 #define STROBE_GROUND_GLSL
 #include "lib/blur.glsl"
@@ -25,8 +25,8 @@ StaticBackground staticBackgroundOf(Hit hit, vec3 color) {
   return StaticBackground(true, hit, isHit(hit) ? hit.t : kFar, color);
 }
 
-// True if the point is on the border of its triangle. `hitOnTriangle` also moves points to the border that the raster places
-// in the triangle only by rounding.
+// True if the hit is on the border of its triangle. Points that the raster places in the triangle only by rounding are on the
+// border too, because `hitOnTriangle` moves them there.
 bool isOnBorder(Hit hit) {
   vec3 weights = cornerWeights(hit.barycentrics);
   return min(weights.x, min(weights.y, weights.z)) <= 1e-6;
@@ -43,8 +43,8 @@ bool isBesideOther(ivec2 pixel, uvec2 thing) {
   return false;
 }
 
-// Static background from the raster image, if the pixel shows a static surface there: no static surface is nearer. Unknown at
-// silhouettes and borders of triangles, where a ray may hit another surface than the raster.
+// Static background of a pixel whose raster image shows a static surface; no other static surface is nearer. The background is
+// unknown at silhouettes and at borders of triangles, where a ray may hit another surface than the raster.
 StaticBackground staticBackgroundAt(ivec2 pixel) {
   StaticBackground static_background = StaticBackground(false, noHit(), kFar, vec3(0));
   if (frame.camera_rests == 0u) return static_background;

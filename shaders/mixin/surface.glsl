@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene; may have: PARAM_displacement.
-// Surface attributes, positions and screen paths of hit points, at any slice.
+// Attributes, positions and screen paths of the surface at hit points, at any slice.
 #ifndef STROBE_SURFACE_GLSL
 #define STROBE_SURFACE_GLSL
 #include "mixin/camera.glsl"
@@ -72,8 +72,8 @@ bool deforms(uint instance) {
 #endif
 }
 
-// Position at `slice` of a point that is fixed to an instance since the raster time. NaN for deformed instances, which have no
-// single transform; every distance test with it then fails.
+// World position at `slice` of a point that moves with an instance and is at `position_ws` at the raster time. NaN for deformed
+// instances, which have no single transform; every distance test with NaN then fails.
 vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
 #if FACT_deforms
   if (deforms(instance)) return vec3(uintBitsToFloat(0x7fc00000u));
@@ -114,14 +114,14 @@ Surface surfaceOf(uint slice, Hit hit) {
   vec3 normal_os =
       weights.x * vertexNormal(slice, a) + weights.y * vertexNormal(slice, b) + weights.z * vertexNormal(slice, c);
   vec3 normal_ws = unitOr(normalFromObject(transform, normal_os), side * surface.face_normal_ws);
-  // The face normal decides which side was hit, because some meshes have normals that disagree with their winding.
+  // The face normal gives the side that the ray hit, because some meshes have normals that disagree with their winding.
   surface.normal_side = dot(normal_ws, surface.face_normal_ws) < 0.0 ? -1.0 : 1.0;
   surface.normal_ws = surface.normal_side * normal_ws;
   vec2 a_uv0 = vertexUv0(a), b_uv0 = vertexUv0(b), c_uv0 = vertexUv0(c);
   vec2 a_uv1 = vertexUv1(a), b_uv1 = vertexUv1(b), c_uv1 = vertexUv1(c);
   surface.uv0 = weights.x * a_uv0 + weights.y * b_uv0 + weights.z * c_uv0;
   surface.uv1 = weights.x * a_uv1 + weights.y * b_uv1 + weights.z * c_uv1;
-  // Interpolated by differences, so that three equal colours give exactly this colour in spite of rounded weights.
+  // Interpolate by differences, so that three equal colours give exactly this colour in spite of rounded weights.
   vec4 color = vertexColor(a);
   surface.color = color + weights.y * (vertexColor(b) - color) + weights.z * (vertexColor(c) - color);
   surface.edge1_ws = worldFromObject(transform, b_os) - worldFromObject(transform, a_os);
@@ -134,7 +134,7 @@ Surface surfaceOf(uint slice, Hit hit) {
   return surface;
 }
 
-// Direction and handedness of a tangent packed by packedTangent (runtime/world/tangent.h); w = 0 without a tangent.
+// xyz: direction of a tangent packed by packedTangent (runtime/world/tangent.h). w: handedness, 1 or -1; 0 without a tangent.
 vec4 unpackedTangent(uint packed) {
   if ((packed & TANGENT_PRESENT) == 0u) return vec4(0);
   const uint mask = (1u << TANGENT_BITS) - 1u;
@@ -146,7 +146,8 @@ vec4 unpackedTangent(uint packed) {
   return vec4(normalize(direction), (packed & TANGENT_NEGATIVE) != 0u ? -1.0 : 1.0);
 }
 
-// World-space tangent of a hit, not of unit length, and its handedness; w = 0 if a vertex has no tangent.
+// xyz: tangent of a hit in world space, not of unit length. w: handedness, 1 or -1; 0 if a vertex of the triangle has no
+// tangent.
 vec4 tangentOf(uint slice, Hit hit) {
   SceneGeometry geometry = geometryOf(hit.instance, hit.geometry);
   Triangle triangle = triangleOf(geometry, hit.primitive);
@@ -166,7 +167,8 @@ vec4 tangentOf(uint slice, Hit hit) {
 }
 
 // World position at `slice` of a hit point that is at `raster_ws` at the raster time. Differences of poses and vertices are
-// added to `raster_ws`: static points stay exactly in place, and a point of a large mesh is as precise as the ray that hit it.
+// added to `raster_ws`. Static points therefore stay exactly in place, and a point of a large mesh is as precise as the ray
+// that hit it.
 vec3 movedTo(uint slice, Hit hit, vec3 raster_ws) {
   SceneTransform then = transformOf(slice, hit.instance), now = transformOf(SLICE_RASTER, hit.instance);
   SceneTransform step = SceneTransform(then.row_x - now.row_x, then.row_y - now.row_y, then.row_z - now.row_z);
@@ -187,23 +189,26 @@ vec3 movedTo(uint slice, Hit hit, vec3 raster_ws) {
   return raster_ws + worldFromObject(step, position_os);
 }
 
-// Screen path, px, of a hit point that is at `raster_ws` at the raster time, from there to the pose of `slice`.
+// Screen offset of a hit point from the raster time to the time of `slice`, px. `raster_ws`: world position of the point at the
+// raster time.
 vec2 pathOf(uint slice, Hit hit, vec3 raster_ws) {
   vec3 raster_vs = viewFromWorld(SLICE_RASTER, raster_ws);
   return pathFromRasterTime(raster_vs, slice, viewFromWorld(slice, movedTo(slice, hit, raster_ws)));
 }
 
-// Screen path, px, of a point of a rigid instance that is at `position_ws` at the raster time.
+// Screen offset of a point of a rigid instance from the raster time to the time of `slice`, px. `position_ws`: world position
+// of the point at the raster time.
 vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
   vec3 raster_vs = viewFromWorld(SLICE_RASTER, carriedBy(instance, SLICE_RASTER, position_ws));
   return pathFromRasterTime(raster_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
 }
 
-// Near distance for directions of the sky, which are scaled to a view depth of 1 at the raster time. Directions have no length,
-// so the camera's near distance does not apply.
+// Distance of the near plane for directions of the sky, which are scaled to a view depth of 1 at the raster time. Directions
+// have no length, so the camera's near distance does not apply to them.
 const float kSkyNear = 1.0 / 64.0;
 
-// Screen path, px, of a point infinitely far away along a camera's ray. It moves with the camera's rotation alone.
+// Screen offset of an infinitely distant point along a camera's ray, from the raster time to the time of `slice`, px. The point
+// moves with the camera's rotation alone.
 vec2 pathOfSky(uint slice, vec3 direction_ws) {
   if (scene_cameras[SLICE_RASTER].orthographic != 0u) return vec2(0);
   vec3 raster_vs = viewFromWorld(SLICE_RASTER, scene_cameras[SLICE_RASTER].position + direction_ws);
@@ -211,9 +216,9 @@ vec2 pathOfSky(uint slice, vec3 direction_ws) {
   return pathFromRasterTime(raster_vs, slice, other_vs, kSkyNear);
 }
 
-// Screen displacement over the exposure, px: position at shutter close minus position at shutter open. With the parameter
-// `displacement` = extrapolated it is extrapolated from the path since the previous frame, scaled by the length of the
-// exposure in frames, for every anchor.
+// Screen displacement of a hit point over the exposure, px: position at shutter close minus position at shutter open. With the
+// parameter `displacement` = extrapolated, the displacement is instead the path since the previous frame, scaled by the length
+// of the exposure in frames, for every anchor.
 vec2 displacementOf(Hit hit, vec3 raster_ws) {
 #if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
   return -frame.exposure * pathOf(SLICE_PREVIOUS, hit, raster_ws);

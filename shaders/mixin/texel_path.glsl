@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, hit_tex, normal_tex, params.max_stretch.
-// Screen paths of the surface points at the texels of a layer, from the scene's poses, and the stretch of pixels along them.
+// Screen paths of the surface points at the texels of a layer, from the scene's poses, and the stretch of pixels along these
+// paths.
 #ifndef STROBE_TEXEL_PATH_GLSL
 #define STROBE_TEXEL_PATH_GLSL
 #include "lib/blur.glsl"
 #include "mixin/surface.glsl"
 
-// Screen path of a texel's surface point, px, from the raster time to the pose of `slice`.
+// Screen offset of a texel's surface point from the raster time to the time of `slice`, px.
 vec2 pathOfTexel(uint slice, ivec2 at) {
   Ray ray = cameraRay(SLICE_RASTER, samplePosition(at));
   uint id = texelFetch(id_tex, at, 0).x;
@@ -21,10 +22,12 @@ vec2 pathOfTexel(uint slice, ivec2 at) {
 #endif
 }
 
-// PATH_* bits of an instance, given by id; the sky, which follows the camera, is curved and turns.
+// PATH_* bits (shared/scene.h) of an instance. `id`: instance + 1, 0 for the sky. The sky follows the camera, so its path
+// counts as curved and turning.
 uint pathKind(uint id) { return id == 0u ? PATH_CURVED | PATH_TURNS : instanceAt(id - 1u).path; }
 
-// Screen path of a texel's surface point from the raster time to time t, px. Straight paths follow from the displacement.
+// Screen offset of a texel's surface point from the raster time to time t, the time of `slice`, px. `kind`: PATH_* bits of the
+// texel's instance. Offsets on straight paths follow from the displacement.
 vec2 shiftAt(uint slice, float t, ivec2 at, uint kind) {
   if ((kind & PATH_CURVED) != 0u) return pathOfTexel(slice, at);
   return t * vec2(texelFetch(velocity_tex, at, 0));
@@ -33,7 +36,7 @@ vec2 shiftAt(uint slice, float t, ivec2 at, uint kind) {
 // True if the texel is in the image and shows the instance `id`.
 bool isSame(ivec2 at, uint id) { return isInside(at, ivec2(frame.size)) && texelFetch(id_tex, at, 0).x == id; }
 
-// Intersection of the ray through a texel with the plane of a surface.
+// World position where the ray through a texel meets the plane through `point_ws` with the normal `normal_ws`.
 vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
   Ray ray = cameraRay(SLICE_RASTER, samplePosition(at));
   return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
@@ -42,9 +45,10 @@ vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
 // Offsets of the texel itself and of its four neighbours.
 const ivec2 kCross[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
 
-// True if the distance to a neighbouring texel of the same object, 1 px at the raster time, exceeds `max_stretch` px at shutter
-// open or shutter close. If the object has no neighbour along an axis, because it is turned away, the surface's plane replaces
-// the neighbours. One loop covers both ends and all texels, because each inlined copy of the path takes long to compile.
+// True if the surface at the pixel stretches too far: a neighbouring texel of the same object, 1 px away at the raster time, is
+// more than `max_stretch` px away at shutter open or shutter close. If the object has no neighbour along an axis, because its
+// surface is turned away, a point on the surface's plane replaces the neighbour. One loop covers both ends of the exposure and
+// all texels, because each inlined copy of the path takes long to compile.
 bool growsAt(ivec2 pixel, uint id) {
 #if HAS_normal
   vec3 normal_ws = vec3(texelFetch(normal_tex, pixel, 0));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.tile, PARAM_tile_jitter.
-// Lookup of a pixel's dominant displacement: in the pixel's own tile, or in the tile of a point up to a quarter of a
-// tile away. The dominant displacement changes at the borders of tiles, and the jitter turns these borders into noise. Guertin
-// et al. 2014, in the form of its public ports.
+// Lookup of a pixel's dominant displacement: in the pixel's own tile, or in the tile of a point up to a quarter of a tile away.
+// The dominant displacement changes at the borders of tiles, and the jitter turns these borders into noise (Guertin et al.
+// 2014, in the form of public implementations).
 #ifndef STROBE_TILE_LOOKUP_GLSL
 #define STROBE_TILE_LOOKUP_GLSL
 #include "lib/blur.glsl"
@@ -10,7 +10,7 @@
 
 const float kTwoPi = 6.28318530718;
 
-// Offset of the point, in tiles.
+// Offset of the looked-up point from the pixel, in tiles.
 vec2 lookupShift(ivec2 pixel) {
 #if PARAM_tile_jitter == tile_jitter_angle
   float angle = kTwoPi * gradientNoise(pixel + ivec2(2, 0));

@@ -61,14 +61,14 @@ Hit traceNearest(uint slice, Ray ray, float t_min, float t_max) {
   return traceExcept(slice, RAYS_TO_ALL, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE);
 }
 
-// True if a surface is on the ray with t in (t_min, t_max). Both sides of a surface count, because both cast shadows.
+// True if the ray meets a surface with t in (t_min, t_max). Both sides of a surface count, because both cast shadows.
 bool isBlocked(uint slice, Ray ray, float t_min, float t_max) {
   ++launched_rays;
   return launch(slice, RAYS_TO_ALL, true, true, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;
 }
 
-// True if a surface is visible on the ray with t in (t_min, t_max): one-sided surfaces count only from the front. `mask` as in
-// `traceExcept`.
+// True if the ray meets a surface with t in (t_min, t_max). One-sided surfaces count only if the ray meets their front. `mask`
+// as in `traceExcept`.
 bool isHidden(uint slice, uint mask, Ray ray, float t_min, float t_max) {
   ++launched_rays;
   return launch(slice, mask, true, false, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
 // Tracing backend `bvh`: traversal of the runtime's own tree (shared/bvh.h) in compute shaders. Of several hits at the same
-// distance, the first in the scene counts: by instance, then geometry, then triangle.
-// Triangle test: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013), in double precision if the device
-// has it.
+// distance, the hit that comes first in the scene counts, in the order of instance, geometry and triangle.
+// Triangle test: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013), in double precision if the device has
+// it.
 #include "mixin/trace_bvh_stack.glsl"
 
 #ifdef STROBE_DOUBLES
@@ -33,7 +33,7 @@ uvec2 instanceWords(uint at, int pair) {
   return unpackDouble2x32(BvhPairsOfInstances(scene_bvh.instances).of[at].at[pair]);
 }
 
-// Nodes, triangles and instances, with the members that the loops of a ray read.
+// Load nodes, triangles and instances. Members that the traversal does not read are 0.
 BvhNode loadedNode(uint node) {
   uvec2 w0 = nodeWords(node, 0), w1 = nodeWords(node, 1), w2 = nodeWords(node, 2), w3 = nodeWords(node, 3);
   uvec2 w4 = nodeWords(node, 4), w5 = nodeWords(node, 5), w6 = nodeWords(node, 6);
@@ -62,7 +62,7 @@ BvhInstance loadedInstance(uint at) { return scene_bvh.instances.at[at]; }
 #endif
 
 // A ray in the space of a tree. The last three members serve the triangle test: `longest` is the axis of the direction's
-// largest component, `shear` maps the direction to this axis, `mirrored` preserves the winding.
+// largest component, `shear` maps the direction to this axis, and `mirrored` preserves the winding.
 struct BvhRay {
   vec3 origin, inverse;
   vec3 shear;
@@ -70,7 +70,7 @@ struct BvhRay {
   bool mirrored;
 };
 
-// Vector with the axis `longest` as its z.
+// Vector with permuted axes, so that the axis `longest` of the ray becomes z.
 vec3 alongLongest(BvhRay ray, vec3 v) {
   vec3 turned = ray.longest == 0 ? v.yzx : ray.longest == 1 ? v.zxy : v;
   return ray.mirrored ? turned.yxz : turned;
@@ -92,7 +92,8 @@ BvhRay rayOf(vec3 origin, vec3 direction, float reach) {
   return ray;
 }
 
-// Ray in the space of an instance. `root`: root of the tree of its mesh.
+// Ray in the space of an instance. `at`: index of the instance at its level. `root`: output, root of the tree of the instance's
+// mesh.
 BvhRay rayIn(uint at, Ray world_ray, out uint root) {
   BvhInstance instance = loadedInstance(at);
   vec4 x = instance.row_x, y = instance.row_y, z = instance.row_z;
@@ -103,8 +104,8 @@ BvhRay rayIn(uint at, Ray world_ray, out uint root) {
   return rayOf(vec3(dot(x, start), dot(y, start), dot(z, start)), direction, instance.reach);
 }
 
-// Intersection with a triangle: distance, weights of the second and third corner. A distance that is not positive is a miss.
-// `geometry`: the triangle's member of this name, with its flag.
+// Intersection of a ray with a triangle. x: distance; a distance that is not positive is a miss. y, z: weights of the second
+// and third corner. `geometry`: output, the triangle's member `geometry`, including the flag BVH_OPAQUE.
 vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   BvhTriangle met = loadedTriangle(triangle);
   geometry = met.geometry;
@@ -114,7 +115,7 @@ vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   vec2 p = a.xy - ray.shear.xy * a.z;
   vec2 q = b.xy - ray.shear.xy * b.z;
   vec2 r = c.xy - ray.shear.xy * c.z;
-  // Products that differ after rounding have the same order before it, so most misses need no double precision.
+  // Two products that differ after rounding have the same order before rounding, so most misses need no double precision.
   vec3 more = vec3(r.x * q.y, p.x * r.y, q.x * p.y), less = vec3(r.y * q.x, p.y * r.x, q.y * p.x);
   bool has_positive = more.x > less.x || more.y > less.y || more.z > less.z;
   bool has_negative = more.x < less.x || more.y < less.y || more.z < less.z;
@@ -142,27 +143,28 @@ bool isBefore(uint triangle, uint other) {
   return scene_bvh.triangles.at[triangle].primitive < scene_bvh.triangles.at[other].primitive;
 }
 
-// One plane of each of four children, in steps. Converted from signed integers: processors convert vectors of unsigned integers
-// more slowly.
+// One plane of each of four children, in steps of the node. The conversion is from signed integers, because processors convert
+// vectors of unsigned integers more slowly.
 vec4 planes(uint bytes) { return vec4(ivec4((uvec4(bytes) >> uvec4(0, 8, 16, 24)) & 255u)); }
 
-// Larger and smaller one of finite distances, compared by their bits. This takes one instruction; floats take three, to handle
-// NaN. The order is right for distances of at least 0. The larger one is right if one distance is at least 0. The smaller one
-// is negative if one distance is negative.
+// Larger and smaller one of two finite distances, compared by their bits. A comparison of bits takes one instruction. A
+// comparison of floats takes three, to handle NaN. The order is right for distances of at least 0. The larger one is right if
+// one distance is at least 0. The smaller one is negative if one distance is negative.
 vec4 largestDistance(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 vec4 smallestDistance(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
 
-// Lengths of a node's steps along the axes.
+// Length of a node's step along each axis, in the tree's units.
 vec3 stepsOf(BvhNode at) { return uintBitsToFloat((uvec3(at.steps) << uvec3(23, 15, 7)) & 0x7f800000u); }
 
-// Bound of the rounding errors of distances to planes.
+// Bound of the rounding errors of the distances along a ray to a node's planes. `offset`: distance to the node's origin.
+// `step_t`: distance per step.
 vec3 slackOf(vec3 offset, vec3 step_t) { return (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0); }
 
-// Nearest of the children that the ray meets, which are those with `enter` (0 or more) <= `leave`; kNextOnStack if it meets no
-// child. `others`: stack entry of the other children that it meets; 0 if it meets no others.
+// Nearest child that the ray meets; kNextOnStack if the ray meets no child. The ray meets the children with `enter` (0 or more)
+// <= `leave`. `others`: output, stack entry of the other children that the ray meets; 0 if it meets only one child.
 uint firstMet(BvhNode at, uint node, vec4 enter, vec4 leave, out uint others) {
   uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(at.steps >> 24)));
-  // Sort distances with the child's number in their last bits. Missed children come last.
+  // Sort the distances, with the number of the child in the last bits of each. Missed children come last.
   uvec4 keys = (floatBitsToUint(enter) & ~3u) | uvec4(0, 1, 2, 3) | (met - 1u);
   uvec2 first = min(keys.xz, keys.yw), second = max(keys.xz, keys.yw);
   uint k0 = min(first.x, first.y), k3 = max(second.x, second.y);
@@ -205,7 +207,8 @@ bool isFromBack(vec3 origin, uint triangle) {
 #endif
 }
 
-// Level of the trees of a slice; matches levelOf of runtime/world/structures.h.
+// Level of a slice, which selects the trees: 0 for the raster time, 1 and more for the sample times of a loop. The function
+// matches levelOf of runtime/world/structures.h.
 uint levelOf(uint slice) { return slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u; }
 
 // Root of the tree over all instances or, with the mask RAYS_TO_MOVING, over the moving instances.
@@ -218,14 +221,14 @@ uint rootOf(uint level, uint mask) {
 TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray world_ray, float t_min, float t_max,
                    uint skip_instance, uint skip_geometry) {
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
-  uint nearest = 0u;  // triangle
+  uint nearest = 0u;  // index of the nearest triangle so far
   uint level = levelOf(slice);
   uint reference = rootOf(level, mask);
   vec3 world_inverse =
       boundedInverse(world_ray.origin, world_ray.direction, scene_bvh.nodes.at[reference].reach);
   BvhRay ray = BvhRay(world_ray.origin, world_inverse, vec3(0), 0, false);
   if (mask >= RAYS_TO_ONE) reference = BVH_LEAF | (mask - RAYS_TO_ONE);
-  uint instance = NO_INSTANCE;  // instance of the current tree; NO_INSTANCE: the tree over instances
+  uint instance = NO_INSTANCE;  // instance of the current tree; NO_INSTANCE for the tree over instances
   BvhStack stack = noEntries();
   while (true) {
     // Descend to the next leaf.

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// Stack of a ray through the runtime's own tree: an entry for each node with children that are left to visit. The newest six
-// entries are in variables. The older entries of deep trees are in an array, which a processor keeps in memory.
+// Stack of a ray that traverses the runtime's own tree. Each entry is a node with children that are left to visit. The newest
+// six entries are in variables. The older entries, of deep trees, are in an array, which a processor keeps in memory.
 
-const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;  // a ray's reference, besides nodes and leaves
-const uint kInstanceEnds = 0xffffffffu;  // entry: the entries below it belong to the tree over instances
+const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;  // references besides nodes and leaves
+const uint kInstanceEnds = 0xffffffffu;  // entry; older entries belong to the tree over instances
 const int kMovedAtOnce = 3;
 
 struct BvhStack {
-  uint a, b, c, d, e, f;  // from the newest; 0: unused
+  uint a, b, c, d, e, f;  // entries, newest first; 0: unused
   int older;              // number of entries in the array
 };
 
-uint older_entries[BVH_MESH_DEPTH + BVH_TOP_DEPTH + 1];  // of the one ray that the invocation traces at a time
+uint older_entries[BVH_MESH_DEPTH + BVH_TOP_DEPTH + 1];  // an invocation traces one ray at a time
 
 BvhStack noEntries() {
   return BvhStack(0u, 0u, 0u, 0u, 0u, 0u, 0);
 }
 
-// Stack entry: node, numbers of the children that are left (last 2 bits of k1 to k3, nearest first), and their count.
+// Stack entry of a node: the node, the numbers of the children that are left (last 2 bits of k1 to k3, nearest first), and the
+// number of these children.
 uint entryOf(uint node, uint k1, uint k2, uint k3, uint count) {
   return (node << 8) | ((k1 & 3u) << 2) | ((k2 & 3u) << 4) | ((k3 & 3u) << 6) | count;
 }
@@ -61,7 +62,7 @@ uint top(inout BvhStack stack) {
   return stack.a;
 }
 
-// Next child of the newest entry, which loses this child; kNothingLeft if the stack is empty.
+// Take the next child from the newest entry. Returns kNothingLeft if the stack is empty.
 uint takeFrom(inout BvhStack stack) {
   uint entry = top(stack);
   if (entry == 0u) return kNothingLeft;

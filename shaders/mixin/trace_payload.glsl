@@ -13,17 +13,17 @@ struct TracePayload {
   uint skip_instance, skip_geometry;
 };
 
-// Texture coordinates of a use.
+// Texture coordinates of a texture slot, after the slot's transform.
 vec2 transformedUv(SceneTextureUse use, vec2 uv0, vec2 uv1) {
   vec2 uv = use.uv_set == 0u ? uv0 : uv1;
   return use.u * uv.x + use.v * uv.y + use.offset;
 }
 
 #if FACT_blend
-// Alpha threshold in (0, 1) at a place on an instance with a blended material; points with a lower alpha are cut out. Wyman and
-// McGuire, "Hashed Alpha Testing", I3D 2017. The threshold is constant in cubes of object space, 16 to 32 along the side of a
-// pixel at the raster time. A surface point is therefore cut out or not at all times and for all rays, and samples within a
-// pixel get different thresholds.
+// Alpha threshold, in (0, 1), at a point of an instance with a blended material. Points with a lower alpha are cut out (Wyman
+// and McGuire, "Hashed Alpha Testing", I3D 2017). The threshold is constant in cubes of object space; 16 to 32 cubes span the
+// side of a pixel at the raster time. A surface point is therefore cut out or not at all times and for all rays, and samples
+// within a pixel get different thresholds.
 float blendThreshold(uint instance, uint geometry, vec3 position_os) {
   SceneTransform m = transformOf(SLICE_RASTER, instance);
   SceneCamera camera = scene_cameras[SLICE_RASTER];
@@ -79,7 +79,7 @@ bool isOneSided(uint instance, uint geometry_index) {
   return (scene_materials[geometry.material].flags & MATERIAL_ONE_SIDED) != 0u;
 }
 
-// True if a ray accepts the hit. `is_back_face`: the ray meets the triangle from behind and passes through the backs of
+// True if a ray accepts the hit. `is_back_face`: true if the ray meets the triangle from behind and passes through the backs of
 // one-sided materials.
 bool acceptsHit(uint instance, uint geometry, uint primitive, vec2 barycentrics, uint skip_instance, uint skip_geometry,
                 bool is_back_face) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Access to the vertices of the scene. Functions for attributes that change with time have the slice as a parameter.
+// Access to the vertices of the scene. Attributes that change with time are functions of the slice.
 #ifndef STROBE_VERTEX_GLSL
 #define STROBE_VERTEX_GLSL
 
-// Index of the vertex at a corner of a geometry's triangle. Loads by address are not checked, so a triangle out of range
-// becomes the last one.
+// Index of the vertex at a corner of a geometry's triangle. Loads by address are not checked, so an index above the last
+// triangle is replaced by the last triangle.
 uint vertexOf(SceneGeometry geometry, uint primitive, uint corner) {
   uint triangle = min(primitive, max(geometry.triangle_count, 1u) - 1u);
   return geometry.first_vertex + scene_arrays.indices.at[geometry.first_index + 3u * triangle + corner];

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Bindings of the scene (set 0), filled by the runtime. The generated preamble of a pass that reads the scene includes this
-// file. Shaders do not include it.
+// Bindings of the scene (set 0), filled by the runtime. If a pass reads the scene, its generated preamble includes this file.
+// Shaders do not include the file.
 #ifndef STROBE_BINDINGS_GLSL
 #define STROBE_BINDINGS_GLSL
 #include "shared/scene.h"
 
-// Arrays are read by address. A bound buffer can be limited to 128 MiB, and a software device loads from it for each invocation
-// separately, with branches that take most of a shader's compile time. Loads are not checked: an index must be in the array.
-// The functions below accept any id of an instance and of a geometry. mixin/vertex.glsl reads vertices and indices.
+// Arrays are read by address. A bound buffer can be limited to 128 MiB, and a software device loads from a bound buffer for
+// each invocation separately, with branches that take most of a shader's compile time. Loads by address are not checked: an
+// index must be in the array. The functions below accept any id of an instance and of a geometry. mixin/vertex.glsl reads
+// vertices and indices.
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneTangents { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
@@ -29,13 +30,13 @@ layout(set = 0, binding = 1, scalar) uniform SceneArrays {
   SceneInstances instances;
   SceneDraws draws;
   SceneMaterials materials;
-  SceneLights lights;          // per slice
-  SceneTransforms transforms;  // per slice
-  SceneCameras cameras;        // per slice
+  SceneLights lights;          // slice by slice
+  SceneTransforms transforms;  // slice by slice
+  SceneCameras cameras;        // one for each slice
 #if FACT_deforms
-  SceneDeformedVertices deformed;  // per slice
-  uint first_deformed;      // first deformed vertex
-  uint deformed_count;      // vertices that deform
+  SceneDeformedVertices deformed;  // slice by slice
+  uint first_deformed;      // index of the first vertex that deforms
+  uint deformed_count;      // number of vertices that deform
 #endif
 } scene_arrays;  // `SceneAddresses` of runtime/world/gpu_scene.cpp
 #define scene_draws scene_arrays.draws.at
@@ -60,7 +61,7 @@ SceneGeometry geometryOf(uint instance, uint geometry) {
 
 layout(set = 0, binding = 2) uniform sampler2D scene_textures[];
 #ifdef STROBE_STRUCTURES_DRIVER
-layout(set = 0, binding = 3) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // per slice
+layout(set = 0, binding = 3) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // one for each slice
 #endif
 #ifdef STROBE_STRUCTURES_OWN
 #include "shared/bvh.h"
@@ -68,11 +69,12 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Bv
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhTriangles { BvhTriangle at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
 layout(set = 0, binding = 3, scalar) uniform SceneBvh {
-  BvhNodes nodes;          // of all meshes; then, at each level (the raster time, then each sample), of all instances and
-                           // of the moving instances; then of the deforming meshes at each level
-  BvhTriangles triangles;  // of all meshes, then of the deforming meshes at each level
-  BvhInstances instances;  // at each level
-  uint first_root;         // of the tree over the instances at the raster time
+  BvhNodes nodes;          // trees of all meshes; then, for each level (the raster time, then each sample time), the trees
+                           // over all instances and over the moving instances; then, for each level, the trees of the
+                           // deforming meshes
+  BvhTriangles triangles;  // triangles of all meshes; then, for each level, of the deforming meshes
+  BvhInstances instances;  // all instances, level by level
+  uint first_root;         // root of the tree over all instances at the raster time
   uint nodes_per_tree;
 } scene_bvh;  // `Addresses` of runtime/world/own_structures.cpp
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The runtime's own bounding volume hierarchy over a scene: an upper tree over the instances and a tree over the triangles of
-// each mesh, four children to a node. Bounds are quantised to 8 bits per plane (Ylitie, Karras, Laine, "Efficient Incoherent
-// Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017). Sizes are multiples of 8 bytes, because shaders load two
-// words at once.
+// The runtime's own bounding volume hierarchy over a scene: an upper tree over the instances, and for each mesh a tree over its
+// triangles. A node has up to four children. Bounds are quantised to 8 bits per plane (Ylitie, Karras, Laine, "Efficient
+// Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017). Sizes of structures are multiples of 8 bytes,
+// because shaders load two words at once.
 #ifndef STROBE_SHARED_BVH_H
 #define STROBE_SHARED_BVH_H
 #include "shared/types.h"
@@ -14,7 +14,8 @@ STROBE_SHARED_BEGIN
 #define BVH_LEAF 0x80000000u
 #define BVH_LEAF_COUNT 29u
 #define BVH_MOST_NODES 0x1000000u
-// Most levels of a tree over triangles and of the tree over instances. A ray keeps at most one entry per level.
+// Largest number of levels of a tree over triangles, and of the tree over instances. A ray's stack has at most one entry per
+// level.
 #define BVH_MESH_DEPTH 40
 #define BVH_TOP_DEPTH 20
 
@@ -24,13 +25,13 @@ struct BvhNode {
   uint steps;  // bytes from the lowest: biased exponents of the step (a power of two) in x, y, z; number of children
   uvec3 low, high;
   uint children[4];
-  float reach;  // first node of a tree: upper bound of the magnitude of all bounds' coordinates
+  float reach;  // in a tree's first node: upper bound of the magnitudes of all coordinates of the tree's bounds
   uint unused;
 };
 
 struct BvhTriangle {
   vec3 corner[3];  // object space
-  uint geometry;   // within the instance; BVH_OPAQUE is set if every hit counts, without a test of alpha or side
+  uint geometry;   // number within the instance; BVH_OPAQUE is set if every hit counts, without a test of alpha or side
   uint primitive;
   uint unused;
 };
@@ -38,7 +39,7 @@ struct BvhTriangle {
 
 struct BvhInstance {
   vec4 row_x, row_y, row_z;  // object-from-world
-  uint root;                 // node of its mesh
+  uint root;                 // first node of the tree of the instance's mesh
   float reach;               // `reach` of that node
 };
 

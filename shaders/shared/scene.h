@@ -10,22 +10,22 @@ STROBE_SHARED_BEGIN
 #define SLICE_SHUTTER_OPEN 1u
 #define SLICE_SHUTTER_CLOSE 2u
 #define SLICE_PREVIOUS 3u  // one frame before the raster time
-#define SLICE_SAMPLE 4u    // first of a loop's sample times
+#define SLICE_SAMPLE 4u    // first sample time of a loop
 #define NO_INSTANCE 0xffffffffu
 // Masks of the instances that a ray can hit. RAYS_TO_ONE + i: instance i alone, backend `bvh` only.
 #define RAYS_TO_ALL 0xffu
 #define RAYS_TO_MOVING 0x80u
 #define RAYS_TO_ONE 0x100u
 
-// Properties of an instance's screen motion within the exposure and since the frame before. Conservative: a bit is clear only
-// if the property is proven false, with a tolerance of 0.05 px. Clear for static instances.
-#define PATH_CURVED 1u   // some point deviates from a straight path at constant speed
-#define PATH_TURNS 2u    // its points have different velocities
-#define PATH_MAY_BE_OCCLUDED 4u  // another object, or an own part with another velocity, may be in front
-#define PATH_MAY_APPEAR 8u  // some part may be visible at another time but not at the raster time
+// Properties of an instance's screen motion within the exposure and since the previous frame. Conservative: a bit is clear only
+// if the property is proven false, with a tolerance of 0.05 px. All bits of a static instance are clear.
+#define PATH_CURVED 1u   // some point of the instance deviates from a straight path at constant speed
+#define PATH_TURNS 2u    // points of the instance have different velocities
+#define PATH_MAY_BE_OCCLUDED 4u  // another object, or a part of the instance with another velocity, may be in front
+#define PATH_MAY_APPEAR 8u  // some part of the instance may be visible at another time but not at the raster time
 
 struct SceneVertex {
-  vec3 position;  // first: acceleration structures read it
+  vec3 position;  // first member: acceleration structures read it
   vec3 normal;
   vec2 uv0;
   vec2 uv1;
@@ -43,7 +43,7 @@ struct SceneVertex {
 
 // A vertex of a deforming mesh at one slice.
 struct SceneDeformedVertex {
-  vec3 position;  // first: acceleration structures read it
+  vec3 position;  // first member: acceleration structures read it
   vec3 normal;    // unit; 0: use the triangle's normal
   uint tangent;   // packed; 0: derive it from the texture coordinates
 };
@@ -51,7 +51,7 @@ struct SceneDeformedVertex {
 struct SceneInstance {
   uint first_geometry;
   uint geometry_count;
-  uint moves;  // 0 if it is proven static within the exposure
+  uint moves;  // 0 if the instance is proven static within the exposure
   uint path;   // PATH_*
 };
 
@@ -60,7 +60,7 @@ struct SceneGeometry {
   uint first_vertex;
   uint triangle_count;
   uint material;
-  uint first_tangent;  // one per vertex; NO_TANGENTS: none
+  uint first_tangent;  // tangents, one per vertex; NO_TANGENTS: none
 };
 
 // A draw of the raster path, one per geometry of each instance.
@@ -70,7 +70,7 @@ struct SceneDraw {
 };
 
 struct SceneTextureUse {
-  int texture;  // -1 for none
+  int texture;  // index; -1 for no texture
   uint uv_set;
   vec2 u, v, offset;  // uv' = u * uv.x + v * uv.y + offset
   uint most_taps;     // limit of anisotropic filtering: lookups along the longer axis of the footprint

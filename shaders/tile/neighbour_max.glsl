@@ -9,7 +9,7 @@
 //      `second`:   accepted displacement that differs most from `dominant`, longer than 1/2 px; `dominant` if none differs
 // Method: test the tiles up to ceil(limit * width * r / tile) away, r = 1 one-sided, 1/2 centred; `limit` = auto: up to the
 //      measured maximum. `all` accepts each. `sign` (Guertin et al. 2014): on each axis with an offset the displacement is not
-//      0; one-sided, all components bring the tile here; centred, all point here or all point away. `reach` accepts a tile if
+//      0; one-sided, all components bring the tile here; centred, all point here or all point away. `swept_box` accepts a tile if
 //      its box, swept along the displacement over the exposure, overlaps this tile: a subset of `sign`, exact for boxes at any
 //      distance. A tile with a curved path is swept along it under every rule. At equal length the first in raster order wins.
 // Fails: a tile is judged by its longest displacement: a slower pixel that reaches this tile is lost if the longest does not.
@@ -32,8 +32,8 @@ bool reaches(ivec2 offset, vec2 d) {
   return first < last && first < frame.shutter.y && last > frame.shutter.x;
 }
 
-// Rule `sign`. With the anchor `close`, a surface at `offset` at the raster time that was here earlier moves along +offset.
-// With `open`, a surface that will be here later moves along -offset. A centred exposure accepts both.
+// Rule `sign`. With the anchor `end`, a surface at `offset` at the raster time that was here earlier moves along +offset.
+// With `start`, a surface that will be here later moves along -offset. A centred exposure accepts both.
 bool pointsHere(ivec2 offset, vec2 d) {
   ivec2 signs = ivec2(sign(vec2(offset)) * sign(d));
   int needed = abs(sign(offset.x)) + abs(sign(offset.y));

@@ -335,8 +335,8 @@ TEST_F(RenderTruth, SparesRaysOfNoConsequence) {
     for (const char* output : {"color", "error", "inner", "outer"})
       EXPECT_TRUE(identical(imageOf(spared, output), imageOf(all, output))) << output;
     EXPECT_LT(sum(spared, "rays_") * 4, sum(all, "rays_"));
-    EXPECT_GT(sum(spared, "audited"), 0u) << "shadows on what moves";
-    EXPECT_EQ(sum(all, "audited"), 0u);
+    EXPECT_GT(sum(spared, "validated"), 0u) << "shadows on what moves";
+    EXPECT_EQ(sum(all, "validated"), 0u);
   }
 }
 
@@ -347,15 +347,15 @@ TEST_F(RenderTruth, SparesRaysWhereNeighboursAgree) {
   shot.scene = "living_room";
   shot.width = 160;
   shot.height = 90;
-  lab::Picture spared = render(with(shot, "ground_truth", truth(64, {"pixel=box", "audit=0.1"})));
+  lab::Picture spared = render(with(shot, "ground_truth", truth(64, {"pixel=box", "validation_share=0.1"})));
   lab::Picture all = render(with(shot, "ground_truth", truth(64, {"pixel=box", "mode=brute"})));
   EXPECT_LE(rmsDifference(colorOf(spared), colorOf(all)), .2 * rms(imageOf(all, "error")));
-  EXPECT_GT(sum(spared, "audited"), 1000u);
-  EXPECT_LE(sum(spared, "missed") * 1000, sum(spared, "audited"));
+  EXPECT_GT(sum(spared, "validated"), 1000u);
+  EXPECT_LE(sum(spared, "mismatched") * 1000, sum(spared, "validated"));
   EXPECT_LT(sum(spared, "rays_") * 4, sum(all, "rays_") * 3);
 
   // Shadows that move are sampled all over the exposure.
-  std::vector<std::string> full = truth(64, {"pixel=box", "shading=full", "audit=0"});
+  std::vector<std::string> full = truth(64, {"pixel=box", "shading=full", "validation_share=0"});
   lab::Picture lit = render(with(shot, "ground_truth", full));
   full.push_back("mode=brute");
   EXPECT_LE(rmsDifference(colorOf(lit), colorOf(render(with(shot, "ground_truth", full)))),
@@ -366,12 +366,12 @@ TEST_F(RenderTruth, SparesRaysWhereNeighboursAgree) {
 // was hidden, and beside it at each time nothing in motion is.
 TEST_F(RenderTruth, SparesRaysOfWhatMovesAsAWhole) {
   const lab::Shot bar = shotOf("bar", 96, 32, {{"left", 20}, {"right", 60}, {"d_f", 12}});
-  lab::Picture spared = render(with(bar, "ground_truth", truth(64, {"pixel=box", "audit=0.1"})));
+  lab::Picture spared = render(with(bar, "ground_truth", truth(64, {"pixel=box", "validation_share=0.1"})));
   lab::Picture all = render(with(bar, "ground_truth", truth(64, {"pixel=box", "mode=brute"})));
   for (const char* output : {"color", "inner", "hidden", "outer", "self"})
     EXPECT_TRUE(identical(imageOf(spared, output), imageOf(all, output))) << output;
-  EXPECT_GT(sum(spared, "audited"), 1000u);
-  EXPECT_EQ(sum(spared, "missed"), 0u);
+  EXPECT_GT(sum(spared, "validated"), 1000u);
+  EXPECT_EQ(sum(spared, "mismatched"), 0u);
   EXPECT_LT(sum(spared, "rays_") * 2, sum(all, "rays_"));
 }
 
@@ -383,13 +383,13 @@ TEST_F(RenderTruth, SparesRaysToWhatTheCaptureShows) {
   shot.height = 90;
   shot.path = {"0=0.5,1.2,2.5,0,0.8,0", "1=0.3,1.2,2.5,0,0.8,0"};
   for (const char* pixel : {"pixel=box", "pixel=centre"}) {
-    lab::Picture spared = render(with(shot, "ground_truth", truth(64, {pixel, "audit=0.1"})));
+    lab::Picture spared = render(with(shot, "ground_truth", truth(64, {pixel, "validation_share=0.1"})));
     lab::Picture all = render(with(shot, "ground_truth", truth(64, {pixel, "mode=brute"})));
     EXPECT_LE(rmsDifference(colorOf(spared), colorOf(all)), .2 * rms(imageOf(all, "error"))) << pixel;
     for (const char* region : {"inner", "hidden", "outer", "self"})
       EXPECT_LE(rmsDifference(imageOf(spared, region), imageOf(all, region)), .01) << pixel << ", " << region;
-    EXPECT_GT(sum(spared, "audited"), 1000u) << pixel;
-    EXPECT_LE(sum(spared, "missed") * 1000, sum(spared, "audited")) << pixel;
+    EXPECT_GT(sum(spared, "validated"), 1000u) << pixel;
+    EXPECT_LE(sum(spared, "mismatched") * 1000, sum(spared, "validated")) << pixel;
     EXPECT_LT(sum(spared, "rays_") * 4, sum(all, "rays_") * 3) << pixel;
   }
   // Of few samples none is spared, nor where each is shaded at its time: two pictures of the same rays.

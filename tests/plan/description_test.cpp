@@ -43,7 +43,7 @@ static const char* kCanonical =
                       {"name":"p","type":"choice","default":"f","choices":["f","h"],"unit":"","doc":"p","variant":true,
                        "place":{"file":"b.lua","line":8}}],
             "counters":[{"name":"hits","doc":"h","limit":"l"}],"place":{"file":"b.lua","line":1}}],
- "nodes":[{"name":"source","pass":"source","inputs":{},"params":{},"time":"capture","loop":"",
+ "nodes":[{"name":"source","pass":"source","inputs":{},"params":{},"time":"raster","loop":"",
            "place":{"file":"p.lua","line":8}},
           {"name":"far","pass":"blur","inputs":{"image":"source.color","id":"source.id"},
            "params":{"by":{"follows":"n","place":{"file":"p.lua","line":9}},

@@ -402,12 +402,12 @@ std::string refusal(const WithoutDesc& one) {
 TEST(Without, IsReadWithoutTrust) {
   EXPECT_EQ(refusal(without("m", {{"a", "x"}, {"b", ""}})), "accepted");
   EXPECT_EQ(refusal(without("noise", {{"a", ""}, {"b", ""}})),
-            "passes/x.lua:9: pass 'rays' without: 'noise' is not a fact or else a read");
-  EXPECT_EQ(refusal(without("m", {{"a", ""}})), "passes/x.lua:9: pass 'rays' without: 'b' is missing");
+            "passes/x.lua:9: pass 'rays' if_no: 'noise' is not a fact or else a read");
+  EXPECT_EQ(refusal(without("m", {{"a", ""}})), "passes/x.lua:9: pass 'rays' if_no: 'b' is missing");
   EXPECT_EQ(refusal(without("m", {{"a", ""}, {"b", "x"}})),
-            "passes/x.lua:9: pass 'rays' without: 'b' and 'x' hold different numbers");
+            "passes/x.lua:9: pass 'rays' if_no: 'b' and 'x' hold different numbers");
   EXPECT_EQ(refusal(without("m", {{"a", "y"}, {"b", ""}})),
-            "passes/x.lua:9: pass 'rays' without: 'y' is not a read that is always wired");
+            "passes/x.lua:9: pass 'rays' if_no: 'y' is not a read that is always wired");
 }
 
 // What is cleared is cleared right before its pass, so that its memory is another's until then.

@@ -71,7 +71,7 @@ TEST(BadInput, ValuesAreRefusedWithTheirRange) {
   expectRefusal("render hybrid" + kScene + " --set edge=sobl", 2, "did you mean 'sobel'?");
   for (const char* option : {"--exposure -2", "--exposure -1", "--frame -1", "--fps 0"})
     expectRefusal("render none" + kScene + " " + option, 2, std::string(option).substr(0, 5));
-  expectRefusal("render none" + kScene + " --anchor middle", 2, "close, centre, open");
+  expectRefusal("render none" + kScene + " --anchor middle", 2, "end, centre, start");
   expectRefusal("render none" + kScene + " --aa 0", 2, "--aa");
   expectRefusal("render none" + kScene + " --move bar=1,0", 2, "bar=1,0");
   expectRefusal("render none --scene oracles/bar --size 64", 2, "WIDTHxHEIGHT");

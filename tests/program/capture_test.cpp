@@ -102,8 +102,8 @@ TEST_F(Capture, IsTheSameUnderAllDisturbances) {
 TEST_F(Capture, AnEditedCommentChangesHashesOfFilesAlone) {
   const std::string home = copiedHome();
   ASSERT_EQ(capture("first", "", home).exit_code, 0);
-  replaceIn("home/shaders/scene/reveal.glsl", "// SPDX", "// edited\n// SPDX");
-  replaceIn("home/passes/scene/reveal.lua", "-- SPDX", "-- edited\n-- SPDX");
+  replaceIn("home/shaders/hybrid/ray_reveal.glsl", "// SPDX", "// edited\n// SPDX");
+  replaceIn("home/passes/hybrid/ray_reveal.lua", "-- SPDX", "-- edited\n-- SPDX");
   ASSERT_EQ(capture("second", "", home).exit_code, 0);
   EXPECT_EQ(images("second"), images("first"));
   Json was = manifest("first"), is = manifest("second");
@@ -161,7 +161,7 @@ TEST_F(Capture, VerifyNamesThePassThatDiffersFirst) {
 TEST_F(Capture, OneUnitInTheLastPlaceOfOnePixelIsFound) {
   const std::string home = copiedHome();
   ASSERT_EQ(capture("out", "--only card.none", home).exit_code, 0);
-  replaceIn("home/shaders/scene/shade.glsl", "imageStore(color_img, pixel, ",
+  replaceIn("home/shaders/gbuffer/shade.glsl", "imageStore(color_img, pixel, ",
             "if (pixel == ivec2(5, 7)) { vec4 one = quantisedColor(vec4(color, 1)); one.y = "
             "uintBitsToFloat(floatBitsToUint(one.y) + 1u); imageStore(color_img, pixel, one); return; }\n  "
             "imageStore(color_img, pixel, ");

@@ -12,10 +12,10 @@ namespace help_test {
 TEST(Help, ListsTopicsAndPrintsPages) {
   Outcome topics = run("help");
   EXPECT_EQ(topics.exit_code, 0) << topics.err;
-  for (const char* topic : {"\n  hybrid ", "\npasses/edge\n", "\n  edge_sobel "})
+  for (const char* topic : {"\n  hybrid ", "\npasses/edge\n", "\n  edge/sobel "})
     EXPECT_NE(topics.out.find(topic), std::string::npos) << topic;
-  Outcome page = run("help edge_sobel");
-  EXPECT_EQ(page.out.rfind("# edge_sobel\n\n", 0), 0u) << page.out;
+  Outcome page = run("help edge/sobel");
+  EXPECT_EQ(page.out.rfind("# edge/sobel\n\n", 0), 0u) << page.out;
   EXPECT_EQ(run("help edge/sobel").out, page.out);
   EXPECT_EQ(run("help sobel").out, page.out);
   EXPECT_NE(page.out.find("| `depth_threshold` | float |"), std::string::npos);
@@ -40,10 +40,10 @@ TEST(Help, TheProgramAloneListsItsCommands) {
 }
 
 TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {
-  for (auto [topic, nearest] : {std::pair("edge_sobl", "edge_sobel"),
+  for (auto [topic, nearest] : {std::pair("edge/sobl", "edge/sobel"),
                                 {"hybrd", "hybrid"},
                                 {"hybrid.terminaton", "hybrid.termination"},
-                                {"edge_sobel.nrm", "edge_sobel.norm"}}) {
+                                {"edge/sobel.nrm", "edge/sobel.norm"}}) {
     Outcome outcome = run(std::string("help ") + topic);
     EXPECT_EQ(outcome.exit_code, 2) << topic;
     std::string expected = fmt::format("strobe: there is no help on '{}'; did you mean '{}'?\n", topic, nearest);

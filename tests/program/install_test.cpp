@@ -85,6 +85,18 @@ TEST_F(Installed, ChecksItsExperimentsFromAnyFolder) {
   EXPECT_EQ(checked.exit_code, 0) << checked.err;
 }
 
+// A project that lies below the folder experiments/ of another root.
+TEST_F(Installed, ChecksTheProjectsAmongItsExperiments) {
+  size_t projects = 0;
+  for (const auto& entry : fs::directory_iterator(shipped() / "experiments")) {
+    if (!fs::exists(entry.path() / "strobe.project.lua")) continue;
+    ++projects;
+    Outcome checked = strobeIn(entry.path(), "check");
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  }
+  EXPECT_GT(projects, 0u);
+}
+
 TEST_F(Installed, ThePackageHasTheSameFiles) {
   if (runLine("command -v cpack dpkg-deb").exit_code != 0) GTEST_SKIP() << "cpack or dpkg-deb is not installed";
   std::string build = fs::path(programPath()).parent_path(), out = folder_->path() / "package";
@@ -117,7 +129,7 @@ TEST_F(Completion, KnowsCommandsOptionsAndChoices) {
   EXPECT_EQ(of("strobe re"), "render report ");
   EXPECT_EQ(of("strobe bench "), "reload frames slopes ");
   EXPECT_EQ(of("strobe render --an"), "--anchor --animation ");
-  EXPECT_EQ(of("strobe render none --anchor c"), "close centre ");
+  EXPECT_EQ(of("strobe render none --anchor c"), "centre ");
   EXPECT_EQ(of("strobe compare --flip-curve a"), "aces ");
   EXPECT_EQ(of("strobe render none --anchor end -o "), " ") << "a file";
   EXPECT_EQ(of("strobe stability --invariant stil"), "still ");

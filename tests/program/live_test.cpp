@@ -246,7 +246,7 @@ std::vector<std::string> savedColours(const fs::path& folder) {
 // Values, another pipeline, a camera, frames played, an edited shader: each picture that was saved comes again from the
 // script, also after further edits.
 TEST_F(Live, WhatIsRecordedGivesTheSavedPicturesAgain) {
-  const std::string home = folder_ / "home", shade = home + "/shaders/scene/shade.glsl";
+  const std::string home = folder_ / "home", shade = home + "/shaders/gbuffer/shade.glsl";
   fs::create_directories(home);
   for (const char* part : {"passes", "scripts", "shaders"})
     fs::copy(strobe::home().shipped() / part, fs::path(home) / part, fs::copy_options::recursive);

@@ -109,7 +109,7 @@ TEST_F(OneBadPoint, IsFlaggedInATable) {
 TEST_F(OneBadPoint, OfAnotherSizeIsRefused) {
   replaceIn("passes/smear.lua", "{ of = \"color\" }", "{ 32, 32 }");
   const std::string said =
-      "passes/smear.lua:10: output 'color' of pipeline 'smear' is 'smear.color', which is 32x32 in a frame of 64x36";
+      "passes/smear.lua:8: output 'color' of pipeline 'smear' is 'smear.color', which is 32x32 in a frame of 64x36";
   for (const char* command : {"check smear", "render smear --scene oracles/bar --size 64x36 -o x.png"}) {
     Outcome outcome = inside(command);
     EXPECT_EQ(outcome.exit_code, 1) << command;
@@ -122,7 +122,7 @@ TEST_F(OneBadPoint, OfAnotherSizeIsRefused) {
   EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
   const std::string table = file("out/table.csv");
   EXPECT_TRUE(
-      std::regex_search(table, std::regex("\n1,smear,bar,whole,,,,,[0-9.]+,smear,,\"?failed: passes/smear.lua:10: ")))
+      std::regex_search(table, std::regex("\n1,smear,bar,whole,,,,,[0-9.]+,smear,,\"?failed: passes/smear.lua:8: ")))
       << table;
   EXPECT_TRUE(std::regex_search(table, std::regex("\n2,none,bar,whole,[0-9.e-]+,"))) << table;
 }

@@ -28,7 +28,7 @@ TEST(LuaProject, RequiresFollowTheFloors) {
 
 TEST(LuaProject, CppNamesNoTechnique) {
   TechniqueNames techniques = techniqueNames(project());
-  for (const char* name : {"sobel", "tile_max", "hybrid", "mcguire", "mcguire2012", "edge_sobel"})
+  for (const char* name : {"sobel", "tile_max", "hybrid", "mcguire", "mcguire2012"})
     EXPECT_TRUE(techniques.names.count(name)) << name;
   for (const char* name : {"tile", "samples", "limit", "mask_taps", "termination", "normal_threshold"})
     EXPECT_TRUE(techniques.parameters.count(name)) << name;

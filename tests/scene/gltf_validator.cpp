@@ -51,9 +51,10 @@ const Exceptions& accepted() {
       {of("ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS .*"), "`min` and `max`"},
       {of("ACCESSOR_(MIN_MISMATCH|MAX_MISMATCH|ELEMENT_OUT_OF_MIN_BOUND|ELEMENT_OUT_OF_MAX_BOUND) .*"),
        "`min` and `max`"},
-      {of("ACCESSOR_VECTOR3_NON_UNIT .*"), "normals and tangents that are not of length 1"},
-      {of("ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION .*"), "keyed quaternions"},
-      {of("ROTATION_NON_UNIT .*"), "quaternions of nodes that miss length 1 by less than a hundredth"},
+      {of("ACCESSOR_VECTOR3_NON_UNIT .*"), "normals, tangents and animated quaternions that are not of length 1"},
+      {of("ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION .*"),
+       "animated quaternions that are not of length 1"},
+      {of("ROTATION_NON_UNIT .*"), "quaternions of nodes whose length differs from 1 by less than a hundredth"},
       {of("ACCESSOR_(WEIGHTS_NON_NORMALIZED|JOINTS_INDEX_DUPLICATE) .*"),
        "weights of vertices that do not add up to 1"},
       {of("ACCESSOR_NON_CLAMPED .*"), "colours above 1"},
@@ -69,14 +70,14 @@ const Exceptions& accepted() {
       {of("Invalid argument\\(s\\): start offset of .* should be a multiple of .*"), "alignment"},
       {of("(BUFFER_VIEW_TARGET_OVERRIDE|ACCESSOR_USAGE_OVERRIDE) .*"), "`target` of buffer views"},
       {of("(IMAGE_[A-Z_]*|INVALID_URI|IO_ERROR|VALUE_NOT_IN_LIST|UNSATISFIED_DEPENDENCY) /images/.*"),
-       "content of images"},
-      {of("TEXTURE_INVALID_IMAGE_MIME_TYPE .*"), "content of images"},
+       "images whose content does not match"},
+      {of("TEXTURE_INVALID_IMAGE_MIME_TYPE .*"), "images whose content does not match"},
       {of("BUFFER_DATA_URI_MIME_TYPE_INVALID .*"), "media type of a data URI"},
-      {of("MESH_PRIMITIVE_TOO_FEW_TEXCOORDS .*"), "textures on a primitive without coordinates"},
+      {of("MESH_PRIMITIVE_TOO_FEW_TEXCOORDS .*"), "textures on a primitive without texture coordinates"},
       {of("VALUE_NOT_IN_LIST /animations/.*/path"), "an unknown animation path"},
       {of(".*/extensions/(?!(KHR_lights_punctual|KHR_materials_unlit|KHR_texture_transform|KHR_materials_variants|"
           "KHR_materials_emissive_strength|KHR_animation_pointer)(/|$)).*"),
-       "contents of extensions that are not read"},
+       "contents of extensions that Strobe does not read"},
   };
   return all;
 }
@@ -84,7 +85,7 @@ const Exceptions& accepted() {
 const Exceptions& refusedAllTheSame() {
   static const Exceptions all = {
       {std::regex(".*requires .*, which is not supported"), "requires another extension"},
-      {std::regex(".*'(yfov|xmag|ymag|aspectRatio|znear|zfar)' is .*, not .*"), "lenses"},
+      {std::regex(".*'(yfov|xmag|ymag|aspectRatio|znear|zfar)' is .*, not .*"), "cameras without a picture"},
       {std::regex(".*needs .* of memory.*"), "memory"},
       {std::regex(".*extras.*'cuts'.*"), "`cuts`"},
       {std::regex(".*cannot be decoded.*|.*bytes are damaged.*"), "compressed streams"},

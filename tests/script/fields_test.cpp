@@ -42,11 +42,11 @@ TEST(Fields, MisspeltOnesAreErrors) {
            std::pair<std::string, std::string>{"seen.detph", "a layer has no 'detph'; did you mean 'depth'?"},
            {"images.colr", "the inputs of a gather has no 'colr'; did you mean 'color'?"},
            {"around.dominnat", "the result of tiles.dominant has no 'dominnat'; did you mean 'dominant'?"},
-           {"shade.params.shding", "'params' of pass 'shade' has no 'shding'; did you mean 'shading'?"},
-           {"shade.counters.clampd", "'counters' of pass 'shade' has no 'clampd'"},
+           {"shade.params.shding", "'params' of pass 'gbuffer/shade' has no 'shding'; did you mean 'shading'?"},
+           {"shade.counters.clampd", "'counters' of pass 'gbuffer/shade' has no 'clampd'"},
            {"shade.parms", "a pass has no 'parms'; did you mean 'params'?"},
            {"blur.sampels", "the module passes.lib.blur has no 'sampels'; did you mean 'samples'?"},
-           {"scene.captrued", "the module scripts.pipelines.lib.scene has no 'captrued'; did you mean 'captured'?"},
+           {"scene.rastre", "the module scripts.pipelines.lib.scene has no 'rastre'; did you mean 'raster'?"},
            {"p.tile.value", "parameter 'tile' has no field 'value'; its value is p.tile()"},
        })
     EXPECT_TRUE(errorWith(value).starts_with(error)) << value << ": " << errorWith(value);
@@ -55,8 +55,8 @@ TEST(Fields, MisspeltOnesAreErrors) {
 TEST(Fields, ThatMayBeAbsentReadAsNil) {
   for (const char* value :
        {"assert(seen.depth)", "assert(seen.curve == nil)", "assert(images.background_depth == nil)",
-        "assert(pipeline.optional(seen, 'mask') == nil)", "assert(pipeline.optional(seen, 'depth') == seen.depth)",
-        "assert(pipeline.optional(shade { hit = seen.hit, as = 'again' }, 'color'))",
+        "assert(seen:get('mask') == nil)", "assert(seen:get('depth') == seen.depth)",
+        "assert(shade { hit = seen.hit, as = 'again' }:get('color'))",
         "assert(rawget(seen, 'mask') == nil)", "assert(pipeline.record('x', { 'a' }) { b = 1 }.a == nil)"})
     EXPECT_EQ(errorWith(value), "") << value;
   EXPECT_EQ(errorWith("pipeline.record('a thing', { 'one' }) { two = 1 }.seventeen"),

@@ -91,7 +91,7 @@ TEST_F(ProjectSession, MistakesNameTheirRootAndThePictureStays) {
   expect_problem("shaders/smear.glsl:16: ");
   edit(kShader, "vec3 meal = vec3(0);", "vec3 mean = vec3(0);");
   edit(kPass, "of = \"color\"", "of = \"colour\"");
-  expect_problem("passes/smear.lua:10: ");
+  expect_problem("passes/smear.lua:8: ");
   edit(kPass, "of = \"colour\"", "of = \"color\"");
   home_.edit("shaders/gbuffer/shade.glsl", "vec3 color;", "vec3 colour;");
   expect_problem("strobe:shaders/gbuffer/shade.glsl:");

@@ -155,7 +155,7 @@ TEST_F(Shaders, WhatASceneDoesNotHaveLeavesNoTrace) {
     return std::string(reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(uint32_t));
   };
   EXPECT_NE(names(words(true)).find("first_deformed"), std::string::npos);
-  EXPECT_NE(names(words(true)).find("SceneBentVert"), std::string::npos);
+  EXPECT_NE(names(words(true)).find("SceneDeformedVert"), std::string::npos);
   for (const char* trace : {"bend", "bent", "Bend", "Bent"})
     EXPECT_EQ(names(words(false)).find(trace), std::string::npos) << trace;
   EXPECT_LT(words(false).size(), words(true).size());

@@ -22,7 +22,7 @@ class Ids : public oracle::RenderTest {
 
 // Ids of all that raster and rays see, `base` higher: neighbours differ in the lowest bit.
 void raiseIds(const session::EditableHome& home, const std::string& base) {
-  home.edit("shaders/gbuffer/gbuffer.glsl", "id = uvec2(seen.x,", "id = uvec2(seen.x + " + base + ",");
+  home.edit("shaders/gbuffer/gbuffer.glsl", "id = uvec2(ids.x,", "id = uvec2(ids.x + " + base + ",");
   home.edit("shaders/hybrid/ray_reveal.glsl", "uvec2(hit.instance, hit.geometry) + 1u",
             "uvec2(hit.instance, hit.geometry) + uvec2(1u + " + base + ", 1u)");
 }

@@ -50,8 +50,8 @@ TEST_F(Limits, ShortenedDisplacementsAreCountedAndSaid) {
   ASSERT_GT(longer, 20);
   EXPECT_EQ(oracle::counterOf(picture, "tile_max.clamped"), uint64_t(longer));
   ASSERT_EQ(picture.warnings.size(), 1u);
-  std::string begin =
-      fmt::format("tile_max: {} pixels (of either layer) that move farther than the limit; the filter", longer);
+  std::string begin = fmt::format(
+      "tile_max: {} pixels (of either layer) that move farther than the limit of displacements; each", longer);
   EXPECT_TRUE(picture.warnings[0].starts_with(begin)) << picture.warnings[0];
 }
 
@@ -69,7 +69,7 @@ TEST_F(Limits, MotionExtrapolatedBeyondItsFrameIsSaid) {
   shot.exposure = 1;
   EXPECT_EQ(warningsOf(shot), std::vector<std::string>());
   shot.exposure = 1.5;
-  EXPECT_NE(warningOf(shot).find("of more than one; the motion is taken"), std::string::npos);
+  EXPECT_NE(warningOf(shot).find("of more than one frame; motion outside"), std::string::npos);
 }
 
 // The clip of `bent` has keys from -8 to 8 exposures, which are 1/48 s each, and does not end as it begins again.

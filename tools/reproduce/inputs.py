@@ -53,14 +53,14 @@ def path_of(root, name, project=None):
 
 
 def names_in(source):
-    """Names of the inputs that a run record or the manifest of a capture lists; of a manifest as files lie here."""
+    """Names of the inputs that a run record or the manifest of a capture lists."""
     if "inputs" in source:
         return [one["name"] for one in source["inputs"]]
     return [*source.get("scripts", {}), *source.get("shaders", {})]
 
 
 def of_source(root, source):
-    """Inputs, with their hashes, that one source of a picture names; None if it records none."""
+    """Inputs of one source with their hashes; None if the source does not record inputs."""
     if source.is_dir():
         names = [str(file) for file in sorted(source.rglob("*")) if file.is_file()]
     elif source.suffix != ".json":
@@ -75,7 +75,7 @@ def of_source(root, source):
 
 
 def changed(root, inputs, project):
-    """Names of inputs whose content is another one now. Shared data that is not here is not looked at."""
+    """Names of inputs with changed content. Skips shared data if its folder is missing."""
     def is_changed(name, was):
         file = path_of(root, name, project)
         if name.startswith(SHARED) and not shared_folder(root).is_dir():

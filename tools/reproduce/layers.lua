@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Errors and masks for the numbers in docs/derivations.md: composites and caps in the living room, and the published
--- composite on stripes of high contrast that move against each other.
+-- Measures errors and masked pixels for docs/derivations.md. The living room compares composites, and a limit on the hits of a
+-- ray. The stripes of high contrast, which move against each other, have the published composite.
 local experiment = require "strobe.experiment"
 
 local in_stripes = { ["seed_linear"] = true, ["seed_linear, own edge"] = true }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Committed results and pictures whose inputs changed since they were made, and the pages that state or show them."""
+"""Committed results and pictures with inputs that changed since they were made, and the pages that publish them."""
 import json
 import os
 import re
@@ -16,7 +16,7 @@ class Stale:
     name: str      # of the file: a result.json, or a picture
     changed: list  # names of the inputs that changed
     pages: list    # pages that state numbers of the result or show the picture
-    reason: str = ""  # why nothing is known about the inputs
+    reason: str = ""  # of a file without recorded inputs
 
     def text(self):
         pages = f" [{', '.join(self.pages)}]" if self.pages else ""
@@ -43,8 +43,7 @@ def shown_files(root):
 
 
 def pages_by_file(root, marks):
-    """Pages by the results whose numbers they state and by the pictures that they show. A figure beside a result is made
-    from it."""
+    """Pages by file: by the result if the page states its numbers or shows a figure beside it, and by the picture."""
     pages = shown_files(root)
     for file, by in list(pages.items()):
         if file.endswith((".png", ".svg")):
@@ -56,7 +55,7 @@ def pages_by_file(root, marks):
 
 
 def stale_files(root, pictures, marks):
-    """Of the results and of `pictures` those that are stale, sorted by name."""
+    """Stale results and stale files of `pictures`, sorted by name."""
     recorded = inputs.of_pictures(root / inputs.PICTURES)
     made_from = {name: recorded.get(name) for name in pictures}
     for file in root.glob("experiments/**/result.json"):

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A thousand small points, which show the time of a sweep besides drawing (docs/writing-experiments.md).
+-- Draws a thousand small points. They show how much time a sweep takes in addition to drawing (docs/writing-experiments.md).
 local experiment = require "strobe.experiment"
 
 return experiment {
@@ -8,6 +8,6 @@ return experiment {
   shots = { { name = "living_room", scene = "living_room" } },
   arms = { { name = "hybrid", pipeline = "hybrid_traced" } },
   truth = { pipeline = "ground_truth", set = { samples = 64 } },
-  vary = { experiment.list { name = "depth_extent", values = experiment.linear(0.001, 0.1, 1000) } },
+  vary = { experiment.list { name = "trace_time_samples.same_depth", values = experiment.linear(0.001, 0.1, 1000) } },
   measures = { "rmse" },
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Compares the preset of experiments/tune and the other setting of docs/tuning.md with hybrid_traced.
+-- Compares the preset of experiments/tune with hybrid_traced, and also the second setting that docs/tuning.md describes.
 local experiment = require "strobe.experiment"
 
 return experiment {

@@ -3,4 +3,4 @@
 local pass    = require "strobe.pass"
 local layered = require "passes.lib.layered_composite"
 
-return pass.compute(layered("layered_guessing", true))
+return pass.compute(layered(true))

@@ -3,10 +3,9 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "rank_counts",
   doc    = "Histogram of priorities: number of pixels with each priority",
   fails  = "Does not fail: the counts are exact.",
   size   = { 64, 64 },
   reads  = { priority = { uint = true, doc = "priority of each pixel, 0 to 4095; 0: no ray" } },
-  writes = { counts = { format = "buffer32ui", doc = "number of pixels with each priority from 1 on" } },
+  writes = { counts = { format = "buffer32ui", doc = "entry i: number of pixels with priority i; entry 0 stays 0" } },
 }

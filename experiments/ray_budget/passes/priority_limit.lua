@@ -1,19 +1,18 @@
 -- SPDX-License-Identifier: MIT
--- Threshold of the priority above which at most a share of the pixels lie.
+-- Threshold of the priority that at most a given share of the pixels exceed.
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "rank_limit",
-  doc    = "Threshold of the priority above which at most a share of the pixels lie",
-  fails  = "Selects all pixels of one priority or none, so the share is not used up if many pixels have equal priority.",
+  doc    = "Threshold of the priority that at most a given share of the pixels exceed",
+  fails  = "Selects all pixels of one priority or none, so the share is not used up if many pixels have the same priority.",
   size   = { 1, 1 },
   reads  = {
-    priority = { uint = true, doc = "priority of each pixel, 0 to 4095" },
-    counts   = { buffer = true, doc = "number of pixels with each priority" },
+    priority = { uint = true, doc = "priority of each pixel; only the size of the image is read" },
+    counts   = { buffer = true, doc = "entry i: number of pixels with priority i" },
   },
   writes = { limit = { format = "r32ui", doc = "threshold, 0 to 4095; pixels above it are selected" } },
   params = {
-    most_pixels = pass.float { 1, min = 0, max = 1, doc = "share of the picture's pixels" },
-    most_part   = pass.float { 1, min = 0, max = 1, doc = "part of `most_pixels` that this selection may use" },
+    most_pixels = pass.float { 1, min = 0, max = 1, doc = "share of the picture's pixels that all selections may use" },
+    most_part   = pass.float { 1, min = 0, max = 1, doc = "part of `most_pixels` that this selection may use, 0 to 1" },
   },
 }

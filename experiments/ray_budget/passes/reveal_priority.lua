@@ -4,8 +4,7 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  shader = "uncovered_rank",
-  doc    = "Priority of masked pixels: share of the exposure with a visible background, times its contrast to the foreground",
+  doc    = "Priority of masked pixels: mean over the exposure of the difference of visible background and foreground",
   fails  = "Assumes that the background is static, or moves with the dominant displacement of the tile.",
   size   = { of = "mask" },
   reads  = {
@@ -22,7 +21,7 @@ return pass.compute {
   params = {
     samples = blur.samples,
     tile    = blur.tile,
-    least   = pass.float { 0.001, min = 0, max = 1, doc = "least gain of a masked pixel, radiance" },
+    least   = pass.float { 0.001, min = 0, max = 1, doc = "smallest expected gain of a ray at a masked pixel, radiance" },
   },
   breaks = {
     linear = "colours decide which pixels have rays",

@@ -3,8 +3,7 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "first_ranks",
-  doc    = "Pixels with a priority above a threshold",
+  doc    = "Mask of the pixels with a priority above a threshold",
   fails  = "Does not fail: the comparison is exact.",
   size   = { of = "priority" },
   reads  = {

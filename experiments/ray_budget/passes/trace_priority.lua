@@ -3,10 +3,9 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  shader = "open_rank",
-  doc    = "Priority of pixels: first those with a ray, then pixels with unresolved samples, by the uncertainty of their " ..
-    "estimate",
-  fails = "The order is as good as the uncertainty in `guess`.",
+  doc    = "Priority of pixels: first pixels that have a ray, then pixels with unresolved samples, by the uncertainty of " ..
+    "their fallback estimate",
+  fails = "The order is only as good as the uncertainty that `fallback_estimate` stores.",
   size  = { of = "fallback_estimate" },
   reads = {
     unresolved        = { uint = true, doc = "unresolved samples, one bit each" },

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- hybrid_traced with rays for at most a share of the pixels: those with the highest priority.
+-- hybrid_traced with rays for at most a given share of the pixels, those with the highest priority.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local select_top_pixels  = require "passes.select_top"
@@ -18,7 +18,7 @@ local time_samples = require "scripts.pipelines.lib.time_samples"
 local slowest   = 0.02  -- slowest motion whose silhouettes are traced, px over the exposure, as in hybrid_traced
 local revealing = 0.6   -- share of the budget for revealing rays; the rest traces unresolved samples
 
--- Mask of the pixels of highest priority, at most `part` of the budget.
+-- Returns the mask of the pixels with the highest priority, at most `part` (default 1) of the ray budget.
 local function select_top(p, priority, name, part)
   local counts = priority_histogram { priority = priority, as = name .. "_counts" }.counts
   local limit = priority_limit {
@@ -28,7 +28,7 @@ local function select_top(p, priority, name, part)
 end
 
 return pipeline {
-  doc = "hybrid_traced with rays for at most a share of the pixels",
+  doc = "hybrid_traced with rays for at most a given share of the pixels",
   params = {
     options.tiles(40),
     ray_budget = pipeline.float { 0.15, min = 0, max = 1, doc = "share of the pixels that may have rays" },

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Replaces unresolved samples by their fallback estimate at pixels without rays.
-// In:  partial: sum of the resolved samples over the number of all samples, linear; alpha: share of resolved samples.
+// In:  partial: sum of the resolved samples, divided by the number of all samples, linear; alpha: share of resolved samples.
 //      unresolved: unresolved samples, one bit each.
-//      fallback_estimate: sum of the fallback estimates of unresolved samples over the number of all samples, linear.
-//      mask: > 1/2 at pixels whose samples stay unresolved, for rays.
-// Out: partial_now, unresolved_now: seen and open inside the mask; outside, seen + guess with alpha 1, and 0.
+//      fallback_estimate: sum of the fallback estimates of unresolved samples, divided by the number of all samples, linear.
+//      mask: > 1/2 at pixels with rays, whose samples stay unresolved.
+// Out: partial_now: partial inside the mask; outside, partial + fallback_estimate with alpha 1.
+//      unresolved_now: unresolved inside the mask; 0 outside.
 // Fails: inherits the errors of the fallback estimate.
 #include "lib/sanitise.glsl"
 

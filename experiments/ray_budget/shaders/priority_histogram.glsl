@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Histogram of priorities (lib/priority.glsl).
-// In:  priority: priority.
-// Out: counts: number of pixels with each priority. Entry 0 stays 0, because pixels of priority 0 are never selected.
+// In:  priority: priority of each pixel, 0 to 4095.
+// Out: counts: entry i is the number of pixels with priority i. Entry 0 stays 0, because priority 0 is never selected.
 // Method: each invocation counts its share of the picture with atomic additions.
 // Fails: does not fail.
 #include "lib/priority.glsl"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Threshold of the priority (lib/priority.glsl) above which at most a share of the pixels lie.
-// In:  priority: priority; only its size is read.
-//      counts: histogram of rank_counts.glsl.
-// Out: limit: the largest priority that would exceed the share; 0 if all fit.
+// Threshold of the priority (lib/priority.glsl) that at most a given share of the pixels exceed.
+// In:  priority: priority of each pixel; only the size of the image is read.
+//      counts: histogram of priority_histogram.glsl: entry i is the number of pixels with priority i.
+// Out: limit: threshold, one texel: the largest priority that is not selected; 0 if all masked pixels fit in the share.
 // Fails: selects all pixels of one priority or none.
 #include "lib/priority.glsl"
 

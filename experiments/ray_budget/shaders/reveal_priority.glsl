@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Priority of masked pixels by the expected gain of a ray that reveals their background.
 // In:  mask: > 1/2 at pixels whose background is to be revealed.
-//      color: linear.
+//      color: colour, linear.
 //      depth: linear view depth, metres; sky +inf.
 //      id: instance + 1; sky 0.
 //      velocity: displacement over the exposure, px.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
-// Out: priority: priority (lib/priority.glsl); 0 outside the mask.
+// Out: priority: priority of each pixel (lib/priority.glsl); 0 outside the mask.
 // Method: let the foreground at pixel X move by d over the exposure and its background by g. At time t the background is
 //   visible if another, farther surface is at X + t (g - d) at the raster time. The gain is the mean over the sample times
 //   of the difference between the colours there and at X, for g = 0 or g = dominant, whichever gives more.
-// Fails: backgrounds with another displacement, or with colours that vary behind the foreground.
+// Fails: misestimates the gain if the background has another displacement, or if its colours vary behind the foreground.
 #include "lib/blur.glsl"
 #include "lib/priority.glsl"
 #include "lib/sanitise.glsl"

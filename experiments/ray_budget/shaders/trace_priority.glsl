@@ -4,8 +4,8 @@
 // In:  unresolved: unresolved samples, one bit each.
 //      fallback_estimate: alpha: uncertainty of the fallback estimate, radiance.
 //      mask: > 1/2 at pixels that already have a ray.
-// Out: priority: priority (lib/priority.glsl).
-// Fails: the order is as good as the uncertainty in guess.
+// Out: priority: priority of each pixel (lib/priority.glsl).
+// Fails: the order is only as good as the uncertainty that fallback_estimate stores.
 #include "lib/priority.glsl"
 
 void run(ivec2 pixel) {

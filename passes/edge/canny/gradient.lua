@@ -4,7 +4,7 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  doc    = "Steepest change of depth and normal after a Gaussian of 1 px",
+  doc    = "Gradient of depth and normal, smoothed by a Gaussian with a standard deviation of 1 px",
   fails  = "Edges closer together than about 3 px merge; corners become round.",
   size   = { of = "depth" },
   reads  = {
@@ -12,6 +12,6 @@ return pass.compute {
     normal = { doc = "unit normal, world space; 0 for the sky" },
   },
   writes = { gradient = { format = "rg32f",
-    doc = "edge strength along the direction of steepest change; length 1 at the threshold" } },
+    doc = "vector in the direction of the steepest change; its length is the edge strength, 1 at the threshold" } },
   params = edge_ports.steps(),
 }

@@ -7,7 +7,8 @@ return pass.compute {
   fails  = "At a junction of three edges, one edge may end a pixel early.",
   breaks = { mirrored = "of two neighbours with equal gradients, the right or lower one is removed" },
   size   = { of = "gradient" },
-  reads  = { gradient = { doc = "edge strength along the direction of steepest change; length 1 at the threshold" } },
+  reads  = { gradient = {
+    doc = "vector in the direction of the steepest change; its length is the edge strength, 1 at the threshold" } },
   writes = { ridge = { format = "r8_unorm", doc = "class of the ridge: 1 strong, 1/2 weak, 0 none" } },
   params = {
     ratio = pass.float { 2, min = 1, max = 100, doc = "threshold of strong edges, divided by the threshold of weak edges" },

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Blend of a sharp and a blurred picture. `mask` may be left unwired; each of its texels then counts as 1.
+-- Blend of a sharp and a blurred picture. The read `mask` may be left unwired; the blur is then kept everywhere.
 local pass = require "strobe.pass"
 
 return pass.compute {

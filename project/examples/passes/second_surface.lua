@@ -11,6 +11,6 @@ return pass.trace {
     color = { doc = "colour of the visible surface, linear radiance" },
   },
   writes = { picture = { format = "rgba32f", doc = "averaged colour, linear radiance; alpha 1" } },
-  params = { share = pass.float { 0.5, min = 0, max = 1, doc = "share of the second surface" } },
+  params = { share = pass.float { 0.5, min = 0, max = 1, doc = "share of the second surface's colour" } },
   counters = { found = "pixels with a second surface" },
 }

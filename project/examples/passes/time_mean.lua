@@ -6,5 +6,5 @@ return pass.compute {
   doc     = "Mean of the images of all iterations so far",
   size    = { of = "color" },
   reads   = { color = { doc = "image of one time, linear radiance" } },
-  updates = { mean = { format = "rgba32f", doc = "mean, linear radiance; alpha: 1" } },
+  updates = { mean = { format = "rgba32f", doc = "mean so far, linear radiance; alpha 1" } },
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The raster image with tinted motion. `tint` chooses a file of passes/motion_tint.
+-- The raster image with tinted moving pixels. The parameter `tint` chooses a file of passes/motion_tint.
 local pipeline = require "strobe.pipeline"
 local pass     = require "strobe.pass"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -8,12 +8,12 @@ local tints = { default = "speed", doc = "tint of moving pixels", values = {}, t
 for _, name in ipairs(tints) do tints.values[name] = pass.member("motion_tint", name).description.doc end
 
 return pipeline {
-  doc    = "Raster image with tinted motion",
-  breaks = { uniform = "it does not blur" },
+  doc    = "Raster image with tinted moving pixels",
+  breaks = { uniform = "the pipeline does not blur" },
   params = { tint = pipeline.choice(tints) },
   build  = function(p)
     local raster = scene.raster()
-    local tint = pass.member("motion_tint", p.tint())  -- a call, because the choice decides the graph
+    local tint = pass.member("motion_tint", p.tint())  -- p.tint() is a value: the choice decides the graph
     return scene.outputs(raster, { color = tint(pass.wired(tint, raster, { as = "tint" })).tinted })
   end,
 }

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- McGuire et al. 2012 with an adjustable strength. It uses the parameters and functions of the shipped pipeline mcguire2012,
--- and adds one pass at the end.
+-- McGuire et al. 2012 with an adjustable strength. The pipeline uses parameters and functions of the shipped pipeline
+-- mcguire2012, and adds one pass at the end.
 local pipeline     = require "strobe.pipeline"
 local moving       = require "passes.mask.moving"
 local partial_blur = require "passes.partial_blur"
@@ -14,9 +14,9 @@ return pipeline {
   params  = {
     options.blur(40),
     strength = partial_blur.params.strength,
-    masked   = pipeline.bool { false, doc = "blend only in tiles that a moving surface may reach" },
+    masked   = pipeline.bool { false, doc = "use the blurred picture only in tiles that a moving surface may reach" },
   },
-  presets = { half = { doc = "half of the blur, in few samples", set = { samples = 8, strength = 0.5 } } },
+  presets = { half = { doc = "half of the blur, with 8 samples", set = { samples = 8, strength = 0.5 } } },
   build   = function(p)
     local raster = scene.raster()
     local around = tiles.dominant(p, raster)

@@ -6,7 +6,7 @@ local scene          = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc    = "Raster image, averaged with the second surface on each ray",
-  breaks = { uniform = "it does not blur" },
+  breaks = { uniform = "the pipeline does not blur" },
   params = { share = second_surface.params.share },
   build  = function(p)
     local raster = scene.raster()

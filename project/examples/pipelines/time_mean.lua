@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A loop over the exposure: the scene is drawn and shaded at each time, and the images are averaged. With many times this is
--- ground truth without antialiasing.
+-- A loop over the exposure: the scene is drawn and shaded at each time, and the images are averaged. With many times, the mean
+-- is ground truth without antialiasing.
 local pipeline   = require "strobe.pipeline"
 local blur       = require "passes.lib.blur"
 local visibility = require "passes.gbuffer.visibility"

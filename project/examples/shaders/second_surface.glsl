@@ -3,7 +3,7 @@
 // In:  `hit`:     instance + 1 (0 for the sky), geometry, primitive.
 //      `color`:   linear radiance of the visible surface.
 // Out: `picture`: linear radiance, alpha 1.
-// Method: intersect the ray with the visible triangle; from there, trace on and skip the visible instance.
+// Method: intersect the ray with the visible triangle. Trace on from the hit point, and skip the visible instance.
 // Fails: a second layer of the same instance is skipped.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"

@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Stream compaction: masked pixels as a list that passes can be dispatched over.
+-- Stream compaction: makes a list of the masked pixels, so that passes can be dispatched over this list.
 local ballot  = require "passes.compact.ballot"
 local scan    = require "passes.compact.scan"
 local scatter = require "passes.compact.scatter"
 
 local compact = {}
 
--- List of the masked pixels. `name` is the prefix of the nodes.
+-- Returns the list of the masked pixels. The names of its nodes start with `name`.
 function compact.pixels(mask, name)
   local bits = ballot { mask = mask, as = name .. "_squares" }.bits
   local rows = scan { bits = bits, as = name .. "_rows" }

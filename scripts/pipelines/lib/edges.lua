@@ -1,22 +1,23 @@
 -- SPDX-License-Identifier: MIT
--- Edge detectors: each file of passes/edge is a pass that writes `edge`. Its reads are images of the raster layer (depth,
--- normal, id, ...), `where` (the pixels to test), and images made by a function of `prepared`.
+-- Edge detectors: each file of passes/edge is a pass that writes `edge`. The detector may read images of the raster layer
+-- (depth, normal, id, ...), the mask `where` of the pixels to test, and further images, which a function in `prepared` makes.
 local pass     = require "strobe.pass"
 local gradient = require "passes.edge.canny.gradient"
 local thin     = require "passes.edge.canny.thin"
 
 local edges = { names = pass.family "edge" }
 
--- Functions that make further inputs of a detector, by detector.
+-- Key: name of a detector. Value: a function that makes further inputs of this detector from the raster layer.
 local prepared = {}
 
--- The thresholds of strong edges are parameters of the node edge_gradient. Thresholds of weak edges are a ratio in edge_thin.
+-- The thresholds of strong edges are parameters of the node edge_gradient. The node edge_thin has the ratio of strong to weak
+-- thresholds.
 function prepared.canny(raster)
   local steepest = gradient { depth = raster.depth, normal = raster.normal, as = "edge_gradient" }.gradient
   return { ridge = thin { gradient = steepest, as = "edge_thin" }.ridge }
 end
 
--- Detects edges in the pixels of `where`; nil: in all pixels.
+-- Returns the edge mask of the detector `name`. `where`: mask of the pixels to test; nil: all pixels.
 function edges.detected(name, raster, where)
   local detector = pass.member("edge", name)
   local images = prepared[name] and prepared[name](raster) or {}
@@ -25,8 +26,8 @@ function edges.detected(name, raster, where)
   return detector(pass.wired(detector, images, { as = "edge" })).edge
 end
 
--- The effect and the failures of each detector, for the menu of a pipeline. A file with mistakes is left out; it reports them
--- once it is chosen.
+-- Returns the effect and the failures of each detector, for a pipeline's menu. A detector file with mistakes has no text here;
+-- its mistakes are reported when the detector is chosen.
 function edges.texts()
   local texts = {}
   for _, name in ipairs(edges.names) do

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Blur of one layer.
+-- Gathers: filters that blur one layer by reading colours along the motion.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local paths    = require "scripts.pipelines.lib.paths"
@@ -11,7 +11,7 @@ local images_of_gather = pipeline.record("the inputs of a gather", {
   "slowest", "variance",
 })
 
--- A choice among the files of passes/gather, or among `names`.
+-- Declaration of a choice parameter: its values are the files of passes/gather, or only those in `names`.
 function gathers.choice(default, doc, names)
   local declared = names or pass.family("gather")
   declared.default, declared.doc, declared.values = default, doc, {}
@@ -22,16 +22,16 @@ function gathers.choice(default, doc, names)
   return declared
 end
 
--- Blurs a layer with `weights`, the name of a file of passes/gather. `images`: its inputs by name, from gathers.images.
--- `color_format`: format of a blurred layer; nil: fp32, for a final picture.
+-- Returns a blurred layer. `weights`: name of the gather, a file of passes/gather. `images`: inputs of the gather, from
+-- gathers.images. `name`: name of the node. `color_format`: format of the blurred layer; nil: fp32, for a final picture.
 function gathers.blurred(weights, images, name, color_format)
   local gather = pass.member("gather", weights)
   paths.require_segments(images, gather, "weights = " .. weights)
   return gather(pass.wired(gather, images, { as = name, color_format = color_format or "fp32" })).blurred
 end
 
--- Inputs of a gather, from a layer (color, depth, velocity, optionally valid), the result of tiles.dominant for it, and the
--- layer revealed behind it, if any.
+-- Inputs of a gather. `layer`: the layer to blur (color, depth, velocity, optionally valid). `around`: result of tiles.dominant
+-- for this layer. `background`: the layer revealed behind it, or nil.
 function gathers.images(layer, around, background)
   return images_of_gather {
     color = layer.color, depth = layer.depth, velocity = layer.velocity, valid = layer.valid,

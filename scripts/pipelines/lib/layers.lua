@@ -14,7 +14,7 @@ local tiles             = require "scripts.pipelines.lib.tiles"
 
 local layers = {}
 
--- Velocity interval of each cell of a layer.
+-- Bounds of the velocities in each cell of a layer. `name` names the node.
 local function bounds_of(layer, name)
   return velocity_bounds {
     velocity = layer.velocity, velocity_post = layer.velocity_post, curve = layer.curve, valid = layer.valid,
@@ -45,22 +45,22 @@ function layers.disocclusion_mask(raster)
   }.mask
 end
 
--- Traces behind the mask; returns the ports of `reveal`. `runs` = "moving_rect" if the mask is 0 outside of the moving
--- rectangle.
+-- Traces a ray past the foreground in each masked pixel; returns the ports of the pass ray_reveal. `runs`: "moving_rect" if the
+-- mask is 0 outside of the moving rectangle, otherwise nil.
 function layers.revealed(raster, mask, runs)
   return reveal { hit = raster.hit, mask = mask, runs = runs }
 end
 
--- The revealed layer, from the ports of `reveal`.
+-- The revealed layer. `found`: ports of the pass ray_reveal.
 function layers.of(found)
   return scene.layer {
     color = found.color, depth = found.depth, id = found.id, velocity = found.velocity, valid = found.valid, hit = found.found,
   }
 end
 
--- Cells with motion; the composite copies the pixels of the other cells.
+-- Ports of classify_cells, which marks the cells with motion. The composite copies the pixels of all other cells.
 local function moving_cells(raster, revealed, images, slowest)
-  -- The mask's bounds hold for straight paths with one segment.
+  -- The velocity bounds made for the disocclusion mask are valid only for straight paths with one segment.
   local is_simple = raster.bounds and not (raster.curve or raster.velocity_post)
   local bounds = is_simple and raster.bounds or bounds_of(raster, "raster_bounds")
   return classify_cells {
@@ -78,15 +78,18 @@ local function put(images, prefix, layer)
   for name, image in pairs(layer) do images[prefix .. name] = image end
 end
 
--- Adds curves to both layers if paths are not straight lines.
+-- Adds curves to both layers if paths are not straight lines. If curves are extrapolated, the raster layer has its curve
+-- already.
 function layers.add_curves(p, raster, revealed)
   local background = { "revealed", revealed }
   paths.add_curves(p, paths.are_extrapolated(p) and { background } or { { "raster", raster }, background })
 end
 
--- The raster layer with one segment (`whole`), the disocclusion mask, the ports of `reveal` (`found`), and both layers for the
--- composite
--- `layered`: `raster` and `revealed`.
+-- Returns a table with these fields:
+--   whole             the raster layer, before its motion is split into two segments
+--   mask              the disocclusion mask
+--   found             the ports of the pass ray_reveal
+--   raster, revealed  both layers for a composite
 function layers.both(p)
   local whole = scene.raster()
   if paths.are_extrapolated(p) then paths.add_curves(p, { { "raster", whole } }) end
@@ -98,7 +101,7 @@ function layers.both(p)
   return { whole = whole, mask = mask, found = found, raster = raster, revealed = revealed }
 end
 
--- The outputs of a pipeline with the layers `both`.
+-- The outputs of a pipeline with the picture `color`. `both`: result of layers.both.
 function layers.outputs(p, both, color)
   local found = both.found
   return scene.outputs(both.whole, {
@@ -108,8 +111,9 @@ function layers.outputs(p, both, color)
   })
 end
 
--- Inputs of a composite: `x` of the raster layer, `revealed_x` of the revealed layer, displacements per tile.
--- `slowest`: largest displacement of a static pixel, px; nil: 0.5. `apart`: each layer has its own displacements per tile.
+-- Inputs of the pass `composite`: the images of the raster layer, the images of the revealed layer with the prefix "revealed_",
+-- and displacements per tile. `slowest`: largest displacement of a static pixel, px; nil: 0.5. `apart`: true if each layer has
+-- its own displacements per tile, nil if both layers share them.
 function layers.images(p, raster, revealed, composite, slowest, apart)
   paths.require_segments(raster, composite, "the composite")
   local images = {}

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Parameters that blur pipelines share, so that a name has one meaning everywhere.
+-- Parameters that blur pipelines share, so that the name of a parameter has one meaning in all pipelines.
 local blur          = require "passes.lib.blur"
 local jitter        = require "passes.lib.jitter"
 local quantised     = require "passes.lib.quantised"
@@ -20,12 +20,12 @@ options.picture = {
   depth_encoding  = quantised.depth_encoding,
 }
 
--- Parameters of pipelines that search by tiles. `tile` is the default side of a tile, px.
+-- Parameters of pipelines that use displacements per tile. `tile`: default side of a tile, px.
 function options.tiles(tile)
   return { options.picture, tile = blur.tile { tile }, tile_rule = neighbour_max.params.rule }
 end
 
--- Parameters of a post-process blur.
+-- Parameters of a post-process blur. `tile`: default side of a tile, px.
 function options.blur(tile)
   return { options.tiles(tile), depth_extent = blur.depth_extent }
 end

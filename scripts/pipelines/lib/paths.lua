@@ -12,14 +12,14 @@ local paths = {}
 
 -- Parameter of pipelines whose filters can follow two segments.
 paths.range = pipeline.choice { "whole", "split", default = "whole",
-  doc = "displacements over the exposure: one, or one before and one after the raster time (differs only if anchor = centre)",
+  doc = "displacements of a point: one per exposure, or one before and one after the raster time if anchor = centre",
   values = {
     whole = "One displacement: a point moves along a straight line at constant speed. Fails where motion turns: a point " ..
             "that turns back at the raster time is taken as static.",
     split = "One displacement from shutter open to the raster time and one from there to shutter close, each from exact " ..
-            "poses. Costs a second set of tiles and a second mask. Equals whole under the anchors end and start, which " ..
-            "have one part, and under displacement = extrapolated, which has one displacement. Fails where motion turns " ..
-            "at another time than the raster time.",
+            "poses. Costs a second set of tiles and a second mask. Equals `whole` if anchor is end or start, because the " ..
+            "exposure then lies on one side of the raster time, and if displacement = extrapolated. Fails where motion " ..
+            "turns at any time other than the raster time.",
   } }
 
 -- ---- two segments
@@ -34,8 +34,11 @@ local function copy_of(layer)
   return copy
 end
 
--- Copy of `layer` with two segments if the range is split: velocity is that before the raster time, velocity_post that after
--- it, whole_velocity the former velocity. Otherwise the layer itself. `name` names the node.
+-- If the motion is split at the raster time (range = split), returns a copy of `layer` with these fields:
+--   velocity        velocity before the raster time
+--   velocity_post   velocity after the raster time
+--   whole_velocity  the original velocity
+-- Otherwise returns `layer`. `name` names the node.
 function paths.split(p, layer, name)
   if not paths.are_split(p) then return layer end
   local segments = two_segments { depth = layer.depth, id = layer.id, velocity = layer.velocity, as = name }
@@ -44,7 +47,7 @@ function paths.split(p, layer, name)
   return split
 end
 
--- Second segment of a split layer as a layer of its own. Made once per layer.
+-- Returns a copy of the split layer `layer` whose velocity is the velocity after the raster time. The copy is made only once.
 function paths.post(layer)
   if layer.post then return layer.post end
   local post = copy_of(layer)
@@ -53,7 +56,7 @@ function paths.post(layer)
   return post
 end
 
--- `mask(p, layer)`, or the union of the masks of both segments.
+-- Returns mask(p, layer); for a split layer, the union of the masks of both segments.
 function paths.mask(p, layer, mask)
   if not layer.velocity_post then return mask(p, layer) end
   return union {
@@ -63,7 +66,7 @@ function paths.mask(p, layer, mask)
   }.mask
 end
 
--- Refuses a filter that would ignore the second segment. `setting` names the filter.
+-- Raises an error if the layer is split and `filter` follows one segment only. `setting` names the filter in the message.
 function paths.require_segments(layer, filter, setting)
   if not layer.velocity_post or pass.reads(filter, "velocity_post") then return end
   error(("range = split: %s follows one segment only; it needs range = whole"):format(setting), 0)
@@ -73,10 +76,10 @@ end
 
 function paths.are_curved(p) return p.trajectory() ~= "line" end
 
--- True if curves are extrapolated from the poses of previous frames. They also replace the velocity.
+-- True if curves are extrapolated from the poses of previous frames. Extrapolated curves also replace the velocity.
 function paths.are_extrapolated(p) return paths.are_curved(p) and p.displacement() == "extrapolated" end
 
--- Refuses a filter that would ignore curves. `setting` names the filter.
+-- Raises an error if paths are curved and `filter` cannot follow curves. `setting` names the filter in the message.
 function paths.require_curves(p, filter, setting)
   if not paths.are_curved(p) then return end
   if pass.reads(filter, "velocity_post") and paths.are_split(p) then
@@ -87,7 +90,8 @@ function paths.require_curves(p, filter, setting)
   end
 end
 
--- Number of poses that a curve passes through, in addition to those at shutter open and close, or to the raster time.
+-- Number of further poses that a curve passes through. An extrapolated curve also passes through the pose of the raster time,
+-- any other curve through the poses at shutter open and shutter close.
 local function poses_of(p)
   if not paths.are_extrapolated(p) then return p.trajectory() == "arc" and 5 or 3 end
   if p.trajectory() == "arc" then
@@ -106,8 +110,8 @@ local function curve_of(p, name, layer)
   return path_curve(images)
 end
 
--- Adds `curve`, `path_deviation` and `nonlinear` to each of `layers`, a list of { name, layer }; an extrapolated curve also
--- replaces `velocity`. Changes nothing if paths are lines.
+-- Adds `curve`, `path_deviation` and `nonlinear` to each of `layers`, a list of { name, layer }. An extrapolated curve also
+-- replaces `velocity`. Changes nothing if paths are straight lines.
 function paths.add_curves(p, layers)
   if not paths.are_curved(p) then return end
   local extrapolated = paths.are_extrapolated(p)

@@ -8,14 +8,15 @@ local tile_light_visibility = require "passes.tile.tile_light_visibility"
 
 local scene = {}
 
--- A layer: images of one surface per pixel. These fields may be absent; lib/ranges and lib/curves add some.
+-- A layer: images of one surface per pixel. A layer may lack the fields in this list; lib/paths adds some of these fields.
 scene.layer = pipeline.record("a layer", {
   "valid", "normal", "hit", "light_visibility", "velocities", "bounds", "curve", "path_deviation", "nonlinear",
   "velocity_post", "whole_velocity", "post",
 })
 
--- The colour of the visible surfaces, shaded at the raster time (both values of `shading` agree there), and `light_visibility`:
--- lights with known visibility per tile, which need no shadow rays. `prefix`: start of the names of its nodes; nil: none.
+-- Returns the colour of the surfaces `hit`, shaded at the raster time, and `light_visibility`: per tile, the lights of known
+-- visibility, which need no shadow rays. At the raster time, both values of `shading` give the same colour. `prefix`: start of
+-- the names of the nodes; nil: none.
 function scene.shaded(hit, prefix)
   prefix = prefix or ""
   local light_visibility = tile_light_visibility { hit = hit, as = prefix .. "tile_light_visibility" }.light_visibility
@@ -23,8 +24,9 @@ function scene.shaded(hit, prefix)
   return color, light_visibility
 end
 
--- The raster layer: depth, normal, id, velocity, color, sure and hit of the visible surfaces. `visible` replaces the raster
--- pass. Without the parameters of a blur (options.blur), displacement = window and images are not quantised.
+-- The raster layer: hit, depth, normal, id, velocity, color and light_visibility of the visible surfaces. `visible`: a pass
+-- that finds the visible surfaces; nil: the raster pass. In a pipeline without the parameters options.picture, displacement is
+-- "window" and images are not quantised.
 function scene.raster(visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }
@@ -35,7 +37,8 @@ function scene.raster(visible)
   }
 end
 
--- The outputs that every pipeline has, and `more`. Depth and velocity are the quantised images that filters read.
+-- Returns the outputs that every pipeline has, and the outputs `more`. The depth and velocity returned are the quantised images
+-- that filters read.
 function scene.outputs(raster, more)
   local outputs = { depth = raster.depth, normal = raster.normal, velocity = raster.velocity, id = raster.id }
   for name, value in pairs(more) do outputs[name] = value end

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Displacements per tile.
+-- Displacements per tile: dominant, shortest and candidate displacements, and the variance of their directions.
 local pipeline      = require "strobe.pipeline"
 local neighbour_max   = require "passes.tile.neighbour_max"
 local neighbour_min   = require "passes.tile.neighbour_min"
@@ -36,11 +36,12 @@ local function in_one_part(p, layer, given)
   }
 end
 
--- Displacements that dominate each tile of `layer` (velocity, optionally valid). Options: `extra`, a second layer to include;
--- `second` = true, to find a second displacement too; `prefix`, start of the names of its nodes.
--- Returns dominant, second, longest and max_displacement; for curved paths dominant_curve and dominant_place; for a layer with
--- two segments (paths.split) dominant_post, second_post and
--- max_displacement_post.
+-- Dominant displacements of each tile of `layer` (velocity, optionally valid). Options in `given`:
+--   extra   a second layer to include
+--   second  true: find a second displacement of each tile too
+--   prefix  start of the names of the nodes
+-- Returns dominant, second, longest and max_displacement. Curved paths add dominant_curve and dominant_place. A layer with two
+-- segments (paths.split) adds dominant_post, second_post and max_displacement_post.
 function tiles.dominant(p, layer, given)
   given = given or {}
   local result = in_one_part(p, layer, given)
@@ -55,18 +56,19 @@ function tiles.dominant(p, layer, given)
   return result
 end
 
--- Length of the shortest displacement around each tile, px; `around` is a result of tiles.dominant.
+-- Length of the shortest displacement in and around each tile, px over the exposure. `around`: result of tiles.dominant.
 function tiles.slowest(layer, around)
   local shortest = tile_min { velocity = layer.velocity, valid = layer.valid }.shortest
   return neighbour_min { shortest = shortest, max_displacement = around.max_displacement }.slowest
 end
 
--- Variance of the directions around each tile; `around` is a result of tiles.dominant.
+-- Variance of the motion directions around each tile. `around`: result of tiles.dominant.
 function tiles.variance(around)
   return variance { longest = around.longest, dominant = around.dominant }.variance
 end
 
--- Two candidate displacements of each tile of a layer, and the depth of its farthest moving surface; made once per layer.
+-- Two candidate displacements of each tile of a layer, and the depth of the farthest moving surface in the tile. They are
+-- computed once per layer.
 function tiles.velocities(raster)
   raster.velocities = raster.velocities or tile_velocities { velocity = raster.velocity, depth = raster.depth }
   return raster.velocities

@@ -12,7 +12,7 @@ local classify_time_samples = require "passes.time.classify_time_samples"
 
 local time_samples = {}
 
--- Velocity over the whole exposure, also for a layer whose motion has two segments.
+-- Velocity of a layer over the whole exposure, also if the motion of the layer is split into two segments.
 local function whole_velocity(layer) return layer.whole_velocity or layer.velocity end
 
 local function deviation_of(layer, name)
@@ -22,7 +22,7 @@ local function deviation_of(layer, name)
   }
 end
 
--- Surfaces that are visible at `time`, shutter open or close, but in no layer.
+-- Surfaces that are visible at `time` (shutter open or shutter close) but belong to neither layer.
 local function disoccluded_at(time, disoccluded, hit, raster, revealed)
   return disoccluded {
     time = time, hit = hit, depth = raster.depth, id = raster.id,
@@ -30,8 +30,8 @@ local function disoccluded_at(time, disoccluded, hit, raster, revealed)
   }
 end
 
--- One step of a loop at the middle of the exposure: path deviations of both layers, and surfaces visible only at shutter open
--- or shutter close.
+-- Path deviations of both layers, and the surfaces that are visible only at shutter open or shutter close. They are computed in
+-- a loop of one iteration, which poses the scene in the middle of the exposure.
 local function at_the_middle(raster, revealed)
   local open = visibility_moving { time = "shutter_open", as = "shutter_open_visibility" }.hit
   local close = visibility_moving { time = "shutter_close", as = "shutter_close_visibility" }.hit
@@ -49,7 +49,8 @@ local function at_the_middle(raster, revealed)
   end }
 end
 
--- Unreliable cells and time strata of the layers: paths deviate, or a surface is visible only at shutter open or close.
+-- Cells and time strata where the layers are unreliable, because paths deviate from straight lines or a surface is visible
+-- only at shutter open or shutter close.
 function time_samples.unreliable(p, raster, revealed)
   local found = at_the_middle(raster, revealed)
   local function bounds_of_layer(name, layer)
@@ -75,15 +76,16 @@ function time_samples.unreliable(p, raster, revealed)
   }.unreliable
 end
 
--- Pixels beside a moving silhouette: displacements differ by more than `slowest` px, so a sample may fall to either side.
+-- Pixels beside a moving silhouette, where displacements differ by more than `slowest` px over the exposure. A time sample
+-- there may fall to either side of the silhouette.
 function time_samples.silhouettes(raster, slowest)
   return moving_silhouettes {
     velocity = raster.velocity, velocity_post = raster.velocity_post, slowest = slowest,
   }.near
 end
 
--- The picture, with rays for the samples that the composite `made` left unresolved. `validation_share`: share of the
--- blocks of pixels that trace validation rays; nil: 0.01.
+-- Returns the picture, after rays have resolved the time samples that the composite `made` left unresolved. `validation_share`:
+-- share of the pixel blocks that trace validation rays; nil: 0.01.
 function time_samples.traced(p, raster, revealed, made, validation_share)
   return pipeline.loop {
     name = "traced_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),

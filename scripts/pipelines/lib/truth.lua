@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Ground truth by rays at many times. `p` has parameters of a pipeline, or plain values, under these names: mode, samples,
--- times, slices, pixel, shading, mark_regions, tolerance, first_samples, even_within, audit.
+-- Ground truth by rays at many times. The argument `p` has these fields, each a parameter of a pipeline or a plain value: mode,
+-- samples, times, slices, pixel, shading, mark_regions, tolerance, first_samples, even_within, validation_share.
 local pipeline          = require "strobe.pipeline"
 local agreement         = require "passes.truth.sample_consensus"
 local join_half_buffers = require "passes.truth.join_half_buffers"
@@ -18,8 +18,8 @@ local function valued(setting)
   return setting()
 end
 
--- One time sample by rays. `t.before`: results of the samples before this one. Rays about which these agree (`t.agreed`) are
--- skipped, unless `t.every_ray`.
+-- One time sample by rays. `t.before`: results of the first samples, or nil. `t.consensus`: results that all first samples
+-- share; rays with such a result are skipped. `t.every_ray`: true if no ray is skipped.
 function truth.traced_sample(p, raster, t)
   local before, consensus = t.before or {}, t.consensus or {}
   local frozen = valued(p.shading) == "frozen"
@@ -47,7 +47,8 @@ function truth.joined(first, more, name)
   }
 end
 
--- `t.count` of `t.parts` time samples. The stop test includes the samples `t.before`, if there are any.
+-- Loop over `t.count` of the `t.parts` time samples of the exposure. The stop test includes `t.before`, the results of earlier
+-- samples, if there are any.
 function truth.shutter(p, raster, t)
   local stops = valued(p.tolerance) > 0 and not t.stats
   return pipeline.loop {
@@ -73,7 +74,8 @@ function truth.consensus_of(p, t)
   }
 end
 
--- A few samples all over the exposure; then the others, which trace rays only where the first do not agree.
+-- Means over all time samples, in two loops. The first loop traces a few samples spread over the exposure. The second loop
+-- traces the other samples, but only where the first samples do not agree.
 function truth.everywhere(p, raster)
   local every_ray, count = valued(p.mode) == "brute", valued(p.samples)
   local stops = valued(p.tolerance) > 0
@@ -88,7 +90,7 @@ function truth.everywhere(p, raster)
     probes = not every_ray and valued(p.shading) == "frozen" and count >= 4 * few, as = "truth_first",
   })
   local consensus = not every_ray and truth.consensus_of(p, before) or nil
-  local has_list = consensus and valued(p.pixel) == "box"  -- through centres, pixels without motion are left out already
+  local has_list = consensus and valued(p.pixel) == "box"  -- with `centre`, pixels without motion are left out already
   local more = truth.shutter(p, raster, {
     name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
     consensus = consensus, pixel_list = has_list and compact.pixels(consensus.more, "truth") or nil,

@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Pieces of furniture, each built from a table of place, sizes and materials as a list of nodes.
+-- Pieces of furniture. Each function takes a table of place, sizes and materials, and returns a list of nodes.
 local scene  = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
 local node, srgb = scene.node, scene.srgb
 local furniture = {}
 
--- `point` moved by `by`.
+-- Returns `point`, moved by the vector `by`.
 local function plus(point, by) return { point[1] + by[1], point[2] + by[2], point[3] + by[3] } end
 
 -- A sofa whose seat faces +z: base, legs, arms, three seats and three backs.
@@ -79,7 +79,7 @@ function furniture.window(given)
   return node { name = given.name, position = given.position, parts = parts }
 end
 
--- An open shade, a bulb with its light in it, a stem and a foot.
+-- A lamp: an open shade, a bulb with a light in it, a stem and a foot.
 local function lamp(prefix, at, shade_height, radius, given, intensity)
   local profile = { { radius, -0.13 }, { radius * 0.72, 0.13 }, { radius * 0.72 - 0.004, 0.13 },
     { radius - 0.004, -0.13 },
@@ -255,7 +255,7 @@ function furniture.picture(given)
   }
 end
 
--- Parts of a few thin branches with berries, growing from `given.position`.
+-- A few thin branches with berries, which grow from `given.position`, as a list of parts.
 function furniture.twigs(given)
   local random = studio.generator(given.seed)
   local bark = scene.material { name = "bark", color = srgb "#5b3d28", roughness = 0.9 }

@@ -5,7 +5,7 @@ local scene = require "strobe.scene"
 
 local pixels = {}
 
--- Parameters of every oracle: size of the picture; frames per second and exposure. Displacements refer to that exposure.
+-- Parameters of every oracle scene: size of the picture, frame rate and exposure. Displacements are over this exposure.
 function pixels.picture(width, height)
   return {
     width = scene.param("width", width), height = scene.param("height", height),
@@ -13,13 +13,14 @@ function pixels.picture(width, height)
   }
 end
 
--- The motion with a displacement of `dx`, `dy` pixels over the exposure. At frame 0 the node is at its own position.
+-- The motion with a displacement of `dx`, `dy` pixels over the exposure. At frame 0 the node is at the position that it is
+-- given.
 function pixels.motion(picture, dx, dy)
   local per_second = picture.fps / picture.exposure
   return { velocity = { dx * per_second, -(dy or 0) * per_second, 0 } }
 end
 
--- A rectangle of [left, right) x [top, bottom) pixels at depth `z` (larger is nearer).
+-- A rectangle that covers the pixels [left, right) x [top, bottom), at the position `z` (a larger z is nearer).
 function pixels.rectangle(picture, name, edges, z, material, motion)
   local left, top, right, bottom = edges[1], edges[2], edges[3], edges[4]
   return scene.node {
@@ -33,13 +34,13 @@ function pixels.flat(name, color)
   return scene.material { name = name, color = { color, color, color }, unlit = true }
 end
 
--- Texels of one row (or rows) sampled without a filter.
+-- A material with a texture of `width` x `height` texels, which is sampled without a filter.
 function pixels.textured(name, width, height, texels)
   local texture = scene.texture.texels { width = width, height = height, texels = texels, wrap = "clamp" }
   return scene.material { name = name, color_texture = texture, unlit = true }
 end
 
--- `count` grey texels that alternate between `a` and `b` every `period` texels.
+-- A list of `count` grey texels, which alternate between the values `a` and `b` every `period` texels.
 function pixels.stripes(count, period, a, b)
   local texels = {}
   for i = 0, count - 1 do

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Shared parts of the scenes of extremes: a camera at `offset` that looks along -z, and unlit panels of coloured cells with
--- corners on the rays of given pixels. So a panel looks the same at any depth, tilt or scale, and the correct picture follows
--- from the given pixels alone.
+-- Shared parts of the scenes of extremes: a camera at `offset` that looks along -z, and unlit panels of coloured cells. The
+-- corners of the cells lie on the rays of given pixels. So a panel looks the same at any depth, tilt or scale, and the correct
+-- picture follows from the given pixels alone.
 local scene = require "strobe.scene"
 
 local stage = {}
 
--- Parameters of every such scene: size of the picture; frames per second and exposure (displacements refer to that exposure);
--- `scale` of all lengths; `offset` of the whole scene along each axis of the world, metres.
+-- Parameters of every scene of extremes: size of the picture, frame rate and exposure (displacements are over this exposure);
+-- `scale`, a factor on all lengths; `offset`, a translation of the whole scene along each axis of the world, metres.
 function stage.open()
   local self = {
     width = scene.param("width", 320), height = scene.param("height", 180),
@@ -18,13 +18,13 @@ function stage.open()
   return setmetatable(self, { __index = stage })
 end
 
--- The point of the ray through pixel position (x, y) at `depth` (metres before scaling), in the camera's space.
+-- The point at `depth` (metres before scaling) on the ray through the pixel position (x, y), in camera space.
 function stage:point(x, y, depth)
   local along = depth * self.scale
   return { (x - self.width / 2) / self.focal_px * along, (self.height / 2 - y) / self.focal_px * along, -along }
 end
 
--- The world position of `point` in the camera's space.
+-- Returns the position in the world of `point`, a point in camera space.
 function stage:placed(point)
   return { point[1] + self.offset, point[2] + self.offset, point[3] + self.offset }
 end
@@ -35,7 +35,7 @@ function stage:velocity(dx, dy, depth)
   return { dx * metres, -dy * metres, 0 }
 end
 
--- A pseudorandom number from 1 to `most` for each cell, so that the pattern does not repeat.
+-- A pseudorandom whole number from 1 to `most` for each cell. It makes a pattern that does not repeat.
 local function drawn(column, row, seed, most)
   local state = (column * 374761393 + row * 668265263 + seed * 362437) % 4294967296
   state = (state ~ (state >> 13)) * 1274126177 % 4294967296
@@ -84,7 +84,7 @@ end
 stage.warm = { { 0.9, 0.35, 0.1 }, { 0.95, 0.75, 0.2 }, { 0.6, 0.08, 0.12 } }
 stage.cold = { { 0.05, 0.12, 0.35 }, { 0.25, 0.55, 0.7 }, { 0.02, 0.05, 0.08 }, { 0.45, 0.7, 0.55 } }
 
--- The scene of these nodes; `near` is a depth before scaling.
+-- The scene of the given nodes. `near`: depth of the near plane before scaling, metres.
 function stage:scene(name, nodes, near)
   nodes[#nodes + 1] = scene.node {
     name = "camera", position = self:placed { 0, 0, 0 },

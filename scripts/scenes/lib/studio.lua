@@ -6,8 +6,8 @@ local scene = require "strobe.scene"
 local node, material, srgb = scene.node, scene.material, scene.srgb
 local studio = {}
 
--- A camera at `eye` that looks at `aim`, with the vertical angle `fov` in degrees. Parameters of each of these scenes: size of
--- the picture; frames per second and exposure (displacements refer to that exposure).
+-- A camera at `eye` that looks at `aim`, with the vertical angle `fov` in degrees. Each scene has these parameters: size of the
+-- picture, frame rate and exposure. Displacements are over this exposure.
 function studio.open(eye, aim, fov)
   local self = {
     width = scene.param("width", 480), height = scene.param("height", 270),
@@ -31,15 +31,15 @@ end
 -- Width of one pixel at `point`, across the view direction, metres.
 function studio:metres_per_pixel(point) return self:depth(point) / self.focal_px end
 
--- The rate per second of a change by `amount` over the exposure.
+-- Rate per second of a quantity that changes by `amount` over the exposure.
 function studio:rate(amount) return amount * self.fps / self.exposure end
 
--- The velocity of a motion by `offset` (metres) over the exposure.
+-- Velocity of a motion by `offset` (metres) over the exposure, metres per second.
 function studio:velocity(offset)
   return { self:rate(offset[1]), self:rate(offset[2] or 0), self:rate(offset[3] or 0) }
 end
 
--- A generator of random numbers in [0, 1) that depend only on the seed.
+-- Returns a function that returns random numbers in [0, 1). The numbers depend only on the seed.
 function studio.generator(seed)
   local state = seed * 7919 + 17
   return function()
@@ -55,8 +55,9 @@ function studio.plain(name, color, roughness)
   return material { name = name, color = srgb(color), roughness = roughness or 0.7 }
 end
 
--- wall { name, position (centre of its face), size = { width, height }, cell (metres), depth (largest height of a block over
--- the wall, metres), seed, every (one in `every` cells has a block) }: a quilted wall that faces +z, and its blocks.
+-- A quilted wall that faces +z, with protruding blocks: wall { name, position, size = { width, height }, cell, depth, seed,
+-- every }. position: centre of the face of the wall. cell: side of a cell, metres. depth: largest height of a block over the
+-- wall, metres. every: one in `every` cells has a block.
 function studio.wall(given)
   local random, cell = studio.generator(given.seed or 1), given.cell
   local columns, rows = given.size[1] // cell, given.size[2] // cell
@@ -96,7 +97,7 @@ function studio.floor(given)
   }
 end
 
--- The scene of these nodes and lists of nodes, with the camera "main" (moved by `camera_motion`), a sun, and optional
+-- The scene of the given nodes and lists of nodes, with the camera "main" (moved by `camera_motion`), a sun, and optional
 -- animations.
 function studio:scene(name, given, camera_motion, animations)
   local nodes = {}

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Blades on a hub, one object, turn by `degrees` over the exposure inside a thin static cage, in front of a wall. The wires of
+-- Blades and hub of a fan are one object, which turns by `degrees` over the exposure inside a thin static cage, in front of a
+-- wall. The wires of
 -- the cage are in front of and behind the blades. `pixels`: arc length of the path of a blade's tip, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"

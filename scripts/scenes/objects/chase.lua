@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A racing car, seen from behind by a camera that moves with it, by `metres` over the exposure. The car is static in the
+-- A racing car from behind. The camera and the car move ahead by `metres` over the exposure. The car is static in the
 -- picture; the road with its marks moves towards the camera.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"

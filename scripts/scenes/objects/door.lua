@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A door opens into a room by `degrees` over the exposure, and is `open` degrees open at the raster time. It turns about its
--- hinge: its free edge moves by `pixels` px along its arc, and the width of its faces changes.
+-- A door opens into a room by `degrees` over the exposure, and is `open` degrees open at the raster time. The door turns about
+-- its hinge, so its free edge moves by `pixels` px along an arc, and the width of its faces in the picture changes.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A crate leaves the picture at the right within the exposure that ends at the raster time: it is invisible at the raster time.
--- A ball enters from the left: it is invisible at shutter open. `pixels`: displacement of the crate, px; the ball moves a tenth
--- farther.
+-- A crate leaves the picture at the right within the exposure, which ends at the raster time, so the crate is outside of the
+-- picture at the raster time. A ball enters from the left and is outside at shutter open. `pixels`: displacement of the crate
+-- over the exposure, px. The ball moves farther by a tenth.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A lamp moves past static objects, `metres` to the right over the exposure. Shadows and highlights move; no visible surface
--- does.
+-- A lamp moves past static objects, `metres` to the right over the exposure. Shadows and highlights move, but all visible
+-- surfaces are static.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

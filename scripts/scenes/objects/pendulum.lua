@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A pendulum, rod and bob in one object, swings by `degrees` over the exposure in the open case of a clock, behind the bars of
+-- A pendulum (rod and bob are one object) swings by `degrees` over the exposure in the open case of a clock, behind the bars of
 -- the case. `pixels`: arc length of the path of the bob, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"

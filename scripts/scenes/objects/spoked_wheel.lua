@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A wheel with tyre, rim, hub and spokes, one object, rolls to the right on the ground in front of a wall. It turns by
--- `degrees` over the exposure, without slipping. Its axle moves by `pixels` px, its top by nearly twice as much.
+-- A wheel (tyre, rim, hub and spokes are one object) rolls to the right on the ground in front of a wall, without slipping.
+-- Over the exposure it turns by `degrees`. Its axle then moves by `pixels` px, and its top by nearly twice as much.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- `count` (2 to 4) boxes one behind the other, in front of a wall, each with its own motion. `equal` = true: all boxes have one
--- plain colour, so that only their motions differ. `pixels`: displacement of the first box, px; the others move by 0.8 to 1.1
--- times as much.
+-- `count` (2 to 4) boxes one behind the other, in front of a wall, each with its own motion. `equal`: true if all boxes have
+-- one plain colour, so that only their motions differ. `pixels`: displacement of the first box over the exposure, px; the other
+-- boxes move by 0.8 to 1.1 times as much.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
@@ -10,7 +10,7 @@ local equal, pixels = scene.param("equal", false), scene.param("pixels", 80)
 local view = studio.open({ 0.1, 1.1, 3.8 }, { 0, 1, 0 }, 30)
 
 local colors = { { "#b5573a", "#f3ead6" }, { "#27405e", "#c9a25a" }, { "#2f5d50", "#e8c9c1" }, { "#41304f", "#9fd0c6" } }
--- Displacements to the right and up, in shares of `pixels`.
+-- Displacement of each box to the right and up, as shares of `pixels`.
 local ways = { { 1, 0 }, { -0.9, 0.3 }, { 0.2, -0.8 }, { 0.7, 0.8 } }
 local places = { { -0.12, 0.93 }, { 0.16, 1.02 }, { 0, 1.2 }, { 0.08, 0.8 } }
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- A telescope of three parts (dew cap, barrel, eyepiece: nodes of one parent) on a tripod. It turns by `degrees` over the
--- exposure; at the raster time it points at the camera to within `off` degrees. The dew cap hides the barrel then, but not at
--- earlier times. `pixels`: displacement of the front of the cap, px.
+-- exposure; at the raster time it points at the camera to within `off` degrees. At the raster time the dew cap hides the
+-- barrel, at earlier times it does not. `pixels`: displacement of the front of the cap over the exposure, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
@@ -9,7 +9,7 @@ local degrees, off = scene.param("degrees", 12), scene.param("off", 1.5)
 local pixels = scene.param("pixels", 100)
 
 local pivot, front = { 0, 1.2, 0 }, 0.9  -- front: metres from pivot to the cap's rim
--- The front moves sideways by front * 2 sin(degrees / 2); the camera is where that spans `pixels`.
+-- The front moves sideways by front * 2 sin(degrees / 2). The camera is at the distance where this length spans `pixels` px.
 local focal_px = scene.param("height", 270) / 2 / math.tan(math.rad(15))
 local distance = front + front * 2 * math.sin(math.rad(degrees / 2)) * focal_px / pixels
 local view = studio.open({ 0, pivot[2] + 0.12, distance }, pivot, 30)
@@ -17,7 +17,7 @@ local view = studio.open({ 0, pivot[2] + 0.12, distance }, pivot, 30)
 local brass, dark = studio.plain("brass", "#c9a24c", 0.45), studio.plain("dark", "#2b2a28", 0.6)
 local white, red = studio.plain("white", "#e9e4d6", 0.5), studio.plain("red", "#a8321f", 0.6)
 
--- Closed cylinders along z from `from` to `to`, one object.
+-- Closed cylinders along z, each from `from` to `to`, as parts of one object.
 local function tubes(name, list)
   local parts = {}
   for i, tube in ipairs(list) do

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A bar [left, right) of constant colour that moves `d_f` pixels over the exposure, over a constant background
--- (docs/derivations.md). Its ends lie outside of the picture.
+-- A bar of constant colour, which covers the columns [left, right) at frame 0 and moves by `d_f` px over the exposure, over a
+-- constant background. Its upper and lower ends lie outside of the picture. docs/derivations.md has the exact picture.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A half-plane x < edge of constant colour that moves over a constant background (docs/derivations.md).
--- The edge stands at `edge` pixels at frame 0 and moves `d_f` pixels over the exposure.
+-- A half-plane x < `edge` of constant colour that moves over a constant background. The edge is at `edge` px at frame 0 and
+-- moves by `d_f` px over the exposure. docs/derivations.md has the exact picture.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

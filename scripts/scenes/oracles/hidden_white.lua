@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A grey surface [left, right) moves `d_f` pixels over the exposure, over a static background that is white up to the column
--- `border` and black beyond. The background behind the surface is white (docs/derivations.md, "A background that is invented").
+-- A grey surface covers the columns [left, right) at frame 0 and moves by `d_f` px over the exposure. The static background is
+-- white up to the column `border` and black beyond it, so it is white behind the surface (docs/derivations.md, "A background
+-- that is invented").
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -10,7 +11,7 @@ local d_f = scene.param("d_f", 40)
 local foreground = scene.param("foreground", 0.5)
 local border = scene.param("border", 296)
 
--- One instance, so that the border between white and black is not a silhouette.
+-- The background is one instance, so that the border between white and black is not a silhouette.
 local margin = 2 * math.abs(d_f)
 local columns = picture.width + 2 * margin
 local texels = {}

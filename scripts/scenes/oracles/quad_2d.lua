@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A rectangle that moves `d_x`, `d_y` pixels over the exposure, over a checker of `cell` pixels whose cell at the top
--- left corner is `b_light` (docs/derivations.md: four inequalities linear in time per pixel centre).
+-- A rectangle that moves by `d_x`, `d_y` px over the exposure, over a checker with cells of `cell` px. The cell at the top left
+-- corner has the value `b_light`. A pixel centre is covered while four inequalities, linear in time, hold
+-- (docs/derivations.md).
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -12,7 +13,7 @@ local cell = scene.param("cell", 8)
 local foreground = scene.param("foreground", 0.9)
 local b_light, b_dark = scene.param("b_light", 0.5), scene.param("b_dark", 0.1)
 
--- Four texels, repeated; one repeat covers 2 x 2 cells.
+-- The texture has four texels and repeats every 2 x 2 cells.
 local light, dark = { b_light, b_light, b_light }, { b_dark, b_dark, b_dark }
 local checker = scene.material {
   name = "background", unlit = true,

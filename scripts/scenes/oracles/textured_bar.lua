@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- A striped bar over a striped background, both moving (docs/derivations.md: piecewise constant in time).
--- At frame 0 texel i of the bar covers pixel column left + i and texel i of the background column i - margin, exactly.
--- Stripes start at `left` (bar) and at column 0 (background) with the lighter colour.
+-- A striped bar over a striped background; both move. The colour of a pixel is piecewise constant in time
+-- (docs/derivations.md). At frame 0, texel i of the bar covers exactly the pixel column left + i, and texel i of the background
+-- the column i - margin. The stripes of the bar start at `left`, the stripes of the background at column 0, both with the
+-- lighter colour.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -15,7 +16,8 @@ local period_b = scene.param("period_b", 8)
 local f_light, f_dark = scene.param("f_light", 0.9), scene.param("f_dark", 0.6)
 local b_light, b_dark = scene.param("b_light", 0.4), scene.param("b_dark", 0.1)
 
--- Wide enough for the largest displacement, and whole pairs of stripes, so that a pair begins at column 0.
+-- The margin is wider than the largest displacement. It is a whole number of stripe pairs wide, so that a pair begins at column
+-- 0.
 local pair = 2 * period_b
 local margin = math.ceil((2 * math.abs(d_b) + 16) / pair) * pair
 local columns = picture.width + 2 * margin

@@ -1,34 +1,36 @@
 -- SPDX-License-Identifier: MIT
--- Random cards and solids in front of a wall, for properties that hold for any picture (strobe stability). `seed` chooses them.
--- Every other parameter changes one thing with a known effect on the picture.
+-- Random cards and solids in front of a wall. `strobe stability` uses them to test properties that hold for any picture. The
+-- parameter `seed` chooses the objects. Every other parameter changes one thing with a known effect on the picture.
 -- Positions are in pixels from the middle of the picture (x right, y down), displacements in pixels over an exposure of
--- half a frame at 24 frames per second. One pixel is 1/8 m for the orthographic camera and depth / 64 for the other.
--- Silhouettes lie an odd multiple of 1/8 px from pixel edges, so that none passes through a pixel's centre, even if mirrored.
--- Displacements are p / 16 px with a prime p of at least 37, so that no tap of up to 33 falls between two pixels and no two
--- cards are equally fast. `ties` = 1 uses whole pixels instead, so that many taps fall exactly between two pixels.
+-- half a frame at 24 frames per second. One pixel spans 1/8 m for the orthographic camera and depth / 64 for the perspective
+-- camera.
+-- The distance of a silhouette from a pixel edge is an odd multiple of 1/8 px, so that no silhouette passes through the centre
+-- of a pixel, even if the scene is mirrored.
+-- A displacement is p / 16 px with a prime p of at least 37. So with up to 33 taps, no tap falls exactly between two pixels,
+-- and no two cards are equally fast. `ties` = 1: displacements are whole pixels, so many taps fall exactly between two pixels.
 local scene = require "strobe.scene"
 
 local param = scene.param
 local width, height = param("width", 64), param("height", 40)
 local seed, cards, boxes, balls = param("seed", 1), param("cards", 5), param("boxes", 0), param("balls", 0)
 local reach, ties, spin = param("reach", 10), param("ties", 0), param("spin", 0)
-local inside = param("inside", -1)             -- >= 0: distance that cards keep from the picture's border, px
+local inside = param("inside", -1)             -- smallest distance of cards from the border, px; -1: none
 local textured, lit, wall = param("textured", 1), param("lit", 1), param("wall", 1)
 local perspective = param("perspective", 1)
 local speed, scale, brightness = param("speed", 1), param("scale", 1), param("brightness", 1)
-local mirror, flip, turn = param("mirror", 1), param("flip", 1), param("turn", 0)  -- -1; turn: a quarter to the left
-local shift_x, shift_y = param("shift_x", 0), param("shift_y", 0)                  -- px, of everything
-local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                          -- px over the exposure, of all
-local order, peel = param("order", 0), param("peel", 0)  -- order of nodes and triangles; number of nearest objects left out
-local value = param("value", 0)                          -- not 0: the colour of everything
+local mirror, flip, turn = param("mirror", 1), param("flip", 1), param("turn", 0)  -- -1: mirrored; turn: a quarter left
+local shift_x, shift_y = param("shift_x", 0), param("shift_y", 0)                  -- px, shift of all objects
+local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                          -- px over the exposure, of all objects
+local order, peel = param("order", 0), param("peel", 0)  -- seed of the order; number of nearest objects to omit
+local value = param("value", 0)                          -- colour of all objects; 0: random colours
 local first, second = param("first", 1), param("second", 1)  -- weights of the two terms of each colour
--- Radiance of the nearest card, and its factor. A negative factor: infinity times 0 where the product is infinite.
+-- Radiance of the nearest card, and a factor on it. With a negative factor, an infinite product is multiplied by 0.
 local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 
 local exposures_per_second = 24 / 0.5
 local wall_depth = 32
 
--- A random number in [0, 1), a function of the seed, a number and a name.
+-- A random number in [0, 1) that depends only on the seed, the number `i` and the name.
 local function random(i, name)
   local state = math.tointeger(seed) * 0x9E3779B97F4A7C15 + i * 0xD1B54A32D192ED03
   for k = 1, #name do state = (state ~ name:byte(k)) * 0x100000001B3 end
@@ -63,7 +65,7 @@ local function depth_of(i) return wall_depth * 0.8125 ^ i end
 
 local function pixel_at(depth) return (perspective ~= 0 and depth / 64 or 1 / 8) * scale end
 
--- A direction after mirroring and turning.
+-- Returns the direction (x, y) after mirroring and turning the picture.
 local function placed(x, y)
   x, y = mirror * x, flip * y
   if turn ~= 0 then x, y = y, -x end
@@ -104,7 +106,8 @@ local function material(i, name)
   return scene.material { name = name, color = color_of(i, name), roughness = 0.5 }
 end
 
--- A radiance beyond the range of colours: a texel times a colour. Lit metal (`hot_scale` below 0) multiplies its colour by 0.
+-- A material with a radiance beyond the range of colours: the product of a texel and a colour. If `hot_scale` is negative, the
+-- material is lit metal, which multiplies its colour by 0.
 local function hot_material()
   local texel = scene.texture.texels { width = 1, height = 1, texels = { { hot, hot, hot } } }
   local factor = math.abs(hot_scale)
@@ -128,7 +131,7 @@ local function rectangle(w, h, depth, name)
   return scene.triangles { positions = positions, indices = indices }
 end
 
--- Stripes of a card side by side, as parts of one object; the last stripe takes the rest.
+-- Stripes of a card, side by side, as parts of one object. The last stripe fills the rest of the card.
 local function stripes(i, w, h, depth, name)
   local across = random(i, "across") < 0.5
   local long, parts, from = across and w or h, {}, 0
@@ -151,7 +154,8 @@ end
 local primes = { 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97, 101, 103, 107, 109, 113, 127, 131, 137, 139,
   149, 151, 157, 163, 167, 173, 179, 181, 191, 193, 197, 199, 211, 223, 227, 229, 233, 239, 241, 251, 257 }
 
--- The displacement number i, px, at most `reach` long. Every fifth one is 0, every third one is along an axis.
+-- Displacement number i, px over the exposure, at most `reach` px long. Every fifth displacement is 0, and every third
+-- displacement is along an axis.
 local used = {}
 local function displacement(i)
   if i % 5 == 4 then return 0, 0 end
@@ -174,8 +178,8 @@ local function displacement(i)
   return 0, 0
 end
 
--- A coordinate with silhouettes an odd multiple of 1/8 px from pixel edges. With `inside`, an object of half-size `half` stays
--- within a picture of this `side`, px.
+-- A coordinate of an object, px, whose distance from pixel edges is an odd multiple of 1/8 px. If `inside` is set, an object of
+-- half-size `half` stays in a picture of the size `side`.
 local function coordinate(i, name, side, half)
   local range = inside >= 0 and math.max(side / 2 - inside - half, 0) or side / 2
   return math.floor((2 * random(i, name) - 1) * range) + (2 * whole(i, name .. "8", 0, 3) + 1) / 8
@@ -213,7 +217,7 @@ local function solid(i, is_ball)
   local dx, dy = displacement(i + 64)
   local size = whole(i, name .. "size", 5, 9) * pixel
   local angle = 20 + 50 * random(i, name .. "angle")
-  local turned = turn ~= 0 and { -angle * mirror, 0, 0 } or { 0, angle * mirror, 0 }  -- up becomes left
+  local turned = turn ~= 0 and { -angle * mirror, 0, 0 } or { 0, angle * mirror, 0 }  -- the picture turns: up becomes left
   return scene.node {
     name = name, position = position(x, y, depth), motion = { velocity = motion(dx, dy, depth) }, rotation = turned,
     shape = is_ball and scene.sphere { radius = size / 2 } or scene.box { size = { size, size, size } },

@@ -1,14 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- A lit, textured room for a pinhole camera. It can be moved, scaled and sped up with known effects on the picture. The focal
--- length is 64 px: 1 px at depth z is z / 64. A card moves to the right and down, a ball turns in front of a wall, and a floor
+-- A lit, textured room for a pinhole camera. The room can be moved, scaled and sped up with known effects on the picture. The
+-- focal length is 64 px, so one pixel spans z / 64 at the depth z. A card moves to the right and down, a ball turns in front of
+-- a wall, and a floor
 -- recedes.
 -- scale     factor on all lengths, and on lights, so that the picture stays the same
 -- offset    translation of the whole scene, with the camera, along (1, 0.3, -0.7), metres
 -- nesting   0: each node has the offset; 1: one parent node has the offset; 2: a parent node has the offset and each node
 --           reverses it, so that the scene is at the origin; 3: as 0, but the vertices of the card's mesh have the offset
 -- speed     factor on the speed of card and ball
--- camera_speed, turn   motion of the camera to the left: px over the exposure at a depth of 16; degrees over the exposure
--- rest_s    time of the described poses, seconds
+-- camera_speed   motion of the camera to the left, px over the exposure at a depth of 16
+-- turn           rotation of the camera to the left, degrees over the exposure
+-- rest_s    time at which the objects have the poses given here, seconds
 local scene = require "strobe.scene"
 
 local param = scene.param

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- A panel in the left half of the picture, in front of a wall. `tilt`: angle in degrees between the panel's normal and the view
--- direction, about the middle of the picture. The panel approaches the camera towards the left; at 89.9 degrees it is up to 430
--- times as near there. It turns about the eye by `speed` pixels over the exposure (in the middle of the picture). A rotation
--- about the eye moves all depths alike, so the picture does not depend on `tilt`.
+-- direction, about the middle of the picture. The left edge of the panel is nearer to the camera than its right edge, up to 430
+-- times at 89.9 degrees. The panel turns about the eye by `speed` px over the exposure, measured in the middle of the picture.
+-- A rotation about the eye moves points of all depths alike, so the picture does not depend on `tilt`.
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
 -- A panel of warm cells moves in front of a wall of cold cells, parallel to the picture: by `speed` pixels over the exposure in
--- the direction `angle` (degrees from the right, upwards). Its sides are slanted. The wall is at (1 + `gap`) times the panel's
--- depth and looks the same at any depth.
+-- the direction `angle` (degrees from the right, upwards). Its sides are slanted. The depth of the wall is (1 + `gap`) times
+-- the depth of the panel. The wall looks the same at any depth.
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 
 local speed, angle = scene.param("speed", 12.8), math.rad(scene.param("angle", 0))
 local gap = scene.param("gap", 0.5)
-local front = 10 -- depth, metres
+local front = 10 -- depth of the panel, metres
 
 local w, h = stage.width, stage.height
 local middle = stage:point(w / 2, h / 2, front)

@@ -1,14 +1,17 @@
 -- SPDX-License-Identifier: MIT
 -- Simple shapes with paths and coverage in closed form, for a pinhole camera at the origin that looks along -z with a focal
--- length of `focal` px. All lengths in metres; motion in metres over an exposure of half a frame at 24 frames/s.
--- kind 0  only sky
+-- length of `focal` px. All lengths are in metres. Motions are in metres over an exposure of half a frame at 24 frames/s. The
+-- parameter `kind` selects the shapes:
+--      0  the sky only
 --      1  a floor `depth` below the camera, `extent` wide
 --      2  a card, 4 x 4, at `depth` in front of the camera, and a wall at 4 times this depth
---      3  this card and a second one at the same depth plus `gap`, shifted to the right by half its width. Both lean by
---         `lean` degrees about the vertical through the first card's middle; order = -1 lists the second card first
+--      3  the card of kind 2 and a second card, which is `gap` farther away and half a width to the right. Both are rotated by
+--         `lean` degrees about the vertical axis through the middle of the first card. order = -1: the second card is listed
+--         first
 --      4  a ball of radius `depth` around the camera, in a room 8 times as large
 --      5  one triangle that covers the picture and extends behind the camera
---      6  the card of kind 2 with 150 more triangles without area, another mesh of such triangles, and a node without triangles
+--      6  the card of kind 2 with 150 more triangles without area, a mesh of such
+--         triangles only, and a node without triangles
 --      7  the card of kind 2 in front of a wall of the same colour
 --      8  `count` x `count` leaves, each a separate instance
 --      9  a ball of `count` x `count` triangles

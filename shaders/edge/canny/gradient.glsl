@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Gradient of depth and normal of the smoothed image (Canny 1986); first of three steps.
+// Gradient of depth and normal of the smoothed image; first of three steps of the Canny detector (Canny 1986).
 // In:  `depth`:    view depth, m; +inf for the sky
 //      `normal`:   unit, world; 0 for the sky
 // Out: `gradient`: along the steepest direction, px, x right, y down; length 1 at the threshold. Of the two directions along
-//                  that line, the one with x > 0, or x = 0 and y > 0
-// Method: a Gaussian of standard deviation 1 px (5 x 5) and Sobel's kernel, as one kernel of 7 x 7, scaled so that a unit step
-//      responds 1 beside it. Depths as in edge/sobel, relative to the pixel's own: at a step the nearer pixel responds more and
-//      remains. Direction: principal axis of the summed outer products of the gradients of depth and of each component of the
-//      normal, each divided by its threshold (Di Zenzo 1986).
-// Fails: edges closer together than about 3 px merge; corners become round.
+//                   that line, the direction with x > 0, or with x = 0 and y > 0
+// Method: convolve with a Gaussian of standard deviation 1 px (5 x 5) and with Sobel's kernel, as one kernel of 7 x 7, scaled
+//      so that the response beside a unit step is 1. Depths are relative to the pixel's own, as in edge/sobel: at a step the
+//      nearer pixel has the larger response and remains. The direction is the principal axis of the summed outer products of
+//      the gradients of depth and of each component of the normal, each divided by its threshold (Di Zenzo 1986).
+// Fails: edges closer together than about 3 px merge, and corners become round.
 #include "mixin/edge_features.glsl"
 #include "mixin/edge_steps.glsl"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Thins a gradient to ridges one pixel wide (Canny 1986); second of three steps.
+// Thins a gradient to ridges one pixel wide; second of three steps of the Canny detector (Canny 1986).
 // In:  `gradient`: along the steepest direction; length 1 at the threshold of strong edges
 // Out: `ridge`:    1 where the length is above 1, 1/2 where it is above 1 / `ratio`, 0 elsewhere
-// Method: non-maximum suppression: 0 if one of the two neighbours across the edge, in the nearest of eight directions, has a
-//      longer gradient. Of two equal neighbours the left or upper one stays.
-// Fails: where three edges meet, one may end a pixel early.
+// Method: non-maximum suppression. A pixel is 0 if one of its two neighbours across the edge, in the nearest of eight
+//      directions, has a longer gradient. Of two equal neighbours the left or upper one stays.
+// Fails: where three edges meet, one edge may end a pixel early.
 #include "lib/blur.glsl"
 
-const float kSector = 1.2071068;  // 1 / (2 tan 22.5 deg): rounds to an axis up to 22.5 degrees from it, beyond to a diagonal
+const float kSector = 1.2071068;  // 1 / (2 tan 22.5 deg): rounds to an axis up to 22.5 degrees from it, otherwise to a diagonal
 
 float answerAt(ivec2 pixel) {
   if (!isInside(pixel, textureSize(gradient_tex, 0))) return 0.0;

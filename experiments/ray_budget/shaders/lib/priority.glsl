@@ -4,7 +4,8 @@
 #ifndef STROBE_RANK_GLSL
 #define STROBE_RANK_GLSL
 
-// 0: no ray. 1 to 4094: 256 steps per doubling of the gain, from 2^-12 on, so that they cover 16 doublings. 4095: first.
+// Priority 0: no ray. Priorities 1 to 4094: gains from 2^-12 to 2^4, with 256 steps per doubling. Priority 4095: before all
+// others.
 const uint kPriorities = 4096u, kFirstRank = 4095u;
 const float kStepsPerOctave = 256.0, kLeastOctave = -12.0;
 

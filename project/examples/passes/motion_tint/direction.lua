@@ -3,7 +3,7 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  doc    = "Moving pixels in the colour of their direction: right red, down green, left cyan, up violet",
+  doc    = "Tint of moving pixels by their direction: right red, down green, left cyan, up violet",
   fails  = "Slow and fast motion look alike.",
   size   = { of = "color" },
   reads  = {

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
 -- Tint of moving pixels by their speed. The files of passes/motion_tint are a family: each is a choice of the parameter `tint`
--- of pipelines/motion_tint.lua, and a new file is a new choice. All read and write the same images.
+-- of pipelines/motion_tint.lua, and a new file is a new choice. All members of the family read and write
+-- the same images.
 local pass = require "strobe.pass"
 
 return pass.compute {
-  doc    = "Moving pixels are red, the more the faster",
-  fails  = "Speeds above the limit look alike.",
+  doc    = "Tint of moving pixels in red, stronger for faster pixels",
+  fails  = "Speeds above `limit` look alike.",
   size   = { of = "color" },
   reads  = {
     color    = { pointwise = true, doc = "colour, linear radiance" },
@@ -13,5 +14,5 @@ return pass.compute {
   },
   writes = { tinted = { format = "rgba32f", doc = "tinted colour, linear radiance; alpha 1" } },
   if_no  = { motion = { tinted = "color" }, moving_rect = { tinted = "color" } },
-  params = { limit = pass.float { 20, min = 1, max = 1000, unit = "px", doc = "displacement of the full tint" } },
+  params = { limit = pass.float { 20, min = 1, max = 1000, unit = "px", doc = "displacement that gives the full tint" } },
 }

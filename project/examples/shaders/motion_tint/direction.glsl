@@ -3,7 +3,7 @@
 // In:  `color`:    linear radiance.
 //      `velocity`: displacement, px over the exposure, x right, y down.
 // Out: `tinted`:   linear radiance, alpha 1.
-// Method: blend half of the colour with three cosines of the angle, 120 degrees apart.
+// Method: blend the colour with a hue, half of each. The channels of the hue are cosines of the angle, 120 degrees apart.
 // Fails: slow and fast motion look alike.
 void run(ivec2 pixel) {
   vec3 color = color_at(pixel).rgb;

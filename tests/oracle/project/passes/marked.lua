@@ -11,7 +11,7 @@ return pass.compute {
     color  = { doc = "linear radiance" },
     listed = { buffer = true, optional = true, doc = "the pixels that it runs for" },
   },
-  over    = "listed",
+  dispatch_over = "listed",
   writes  = { copied = { format = "r32f", cleared = true, doc = "red of where it ran, 0 elsewhere" } },
   updates = {
     times = { format = "r32ui", doc = "how often it ran" },

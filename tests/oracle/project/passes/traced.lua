@@ -7,6 +7,6 @@ return pass.trace {
   shader = "traced",
   doc    = "Distance to the nearest surface",
   reads  = { listed = { buffer = true, optional = true, doc = "the pixels that it runs for" } },
-  over   = "listed",
+  dispatch_over = "listed",
   writes = { distance = { format = "r32f", cleared = true, doc = "along the ray, -1 where it meets nothing; 0 elsewhere" } },
 }
