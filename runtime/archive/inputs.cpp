@@ -37,7 +37,7 @@ InputNames::InputNames(const Home& home, const Home& original, const Path& captu
     if (of->hasProject()) roots_.push_back({Home::kProjectPrefix, of->project()});
     roots_.push_back({Home::kShippedPrefix, of->shipped()});
   }
-  if (std::optional<Path> data = home.data()) roots_.push_back({"shared:", *data});
+  if (std::optional<Path> data = home.data()) roots_.push_back({Home::kSharedPrefix, *data});
   roots_.push_back({"capture:", fs::absolute(capture_file).lexically_normal().parent_path()});
 }
 

@@ -239,7 +239,10 @@ std::optional<std::string> Home::named(const Path& file, std::optional<size_t> b
 }
 
 std::string Home::recorded(const Path& file, const std::string& outside) const {
-  return named(file, std::nullopt).value_or(outside);
+  if (std::optional<std::string> name = named(file, std::nullopt)) return *name;
+  std::optional<Path> shared = data();
+  if (!shared || !liesIn(file, *shared)) return outside;
+  return kSharedPrefix + real(file).lexically_relative(real(*shared)).string();
 }
 
 std::string Home::shown(const Path& file) const { return named(file, 0).value_or(file.string()); }

@@ -22,7 +22,7 @@ class Home {
   static constexpr const char* kOwnProgram = "/proc/self/exe";
 
   // In front of names of files, where it matters in which root they lie.
-  static constexpr const char *kProjectPrefix = "project:", *kShippedPrefix = "strobe:";
+  static constexpr const char *kProjectPrefix = "project:", *kShippedPrefix = "strobe:", *kSharedPrefix = "shared:";
 
   // `roots`: the project's folder, if any, and the shipped one. `data` is the folder of shared data; without it,
   // `shared` beside that one. `cache` is a folder for what can be made again; empty: none.
@@ -69,8 +69,8 @@ class Home {
 
   // An absolute path that lies in a root, relative to that.
   std::optional<std::string> nameOf(const Path& file) const;
-  // That with the root in front, "project:passes/x.lua" or "strobe:passes/x.lua", as records have it; `outside` for
-  // what lies in none (links followed).
+  // That with the root in front, "project:passes/x.lua" or "strobe:passes/x.lua", as records have it; of shared data
+  // "shared:scenes/x.glb"; `outside` for any other file (links followed).
   std::string recorded(const Path& file, const std::string& outside) const;
   // As errors have it: the same without the prefix of the first root; `file` as it is where it lies in none.
   std::string shown(const Path& file) const;

@@ -242,14 +242,19 @@ static std::string contentKey(const Home& home, const shader::Interface& in, con
   return hashText(key);
 }
 
-static std::map<Path, std::string> sourcesOf(const Home& home, const PassDesc& pass) {
-  std::map<Path, std::string> hashes;
-  for (const Path& file : shaderFiles(home, pass)) {
+std::vector<Path> filesOf(const Home& home, const PassDesc& pass, Backend backend) {
+  std::vector<Path> mains = shaderFiles(home, pass);
+  for (const char* declarations : {"shaders/shared/frame.h", "shaders/shared/bindings.glsl"})
+    mains.push_back(home.at(declarations));
+  if (backend != Backend::None && shader::rowOf(backend).has_stages)
+    for (const StageFile& one : sharedStages(home)) mains.push_back(one.file);
+  std::set<Path> files;
+  for (const Path& file : mains) {
     std::vector<Path> reached;
     shader::textWithIncludes(home, file, &reached);
-    for (const Path& one : reached) hashes[one] = hashText(readText(one));
+    files.insert(reached.begin(), reached.end());
   }
-  return hashes;
+  return {files.begin(), files.end()};
 }
 
 // Instructions that say where code came from.
@@ -518,7 +523,7 @@ void PipelineCache::compile(Making& one) const {
   one.pipeline->interface = in;
   for (const auto& stage : one.stages)
     one.pipeline->files.insert(one.pipeline->files.end(), stage.files.begin(), stage.files.end());
-  one.pipeline->sources = sourcesOf(home_, *pass);
+  for (const Path& file : filesOf(home_, *pass, in.backend)) one.pipeline->sources[file] = hashText(readText(file));
   one.pipeline->bindings = bindingsOf(in);
 }
 

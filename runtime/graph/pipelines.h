@@ -32,7 +32,7 @@ struct NodePipeline {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   shader::Interface interface;
   std::vector<Path> files;              // its shaders and what they include
-  std::map<Path, std::string> sources;  // hashes of those that are the pass's own, as they were compiled
+  std::map<Path, std::string> sources;  // `filesOf` with their hashes, as they were compiled
   mutable bool ran = false;             // software devices compile when it runs first
 };
 
@@ -47,6 +47,10 @@ std::string textOf(const shader::Interface& interface);
 
 // The shader files of a pass, main file first.
 std::vector<Path> shaderFiles(const Home& home, const plan::PassDesc& pass);
+
+// Every file that a pass is compiled from: its shaders, the declarations in front of them, the stages that passes of
+// the backend share, and all that these include.
+std::vector<Path> filesOf(const Home& home, const plan::PassDesc& pass, Backend backend);
 
 // What a pass's stages compile to, and the files they come from, the shared declarations among them. Throws `Error`.
 struct PassCode {

@@ -111,10 +111,12 @@ std::shared_ptr<const plan::Plan> Batch::planOf(const Shot& wanted) {
   return known(shot, *scene).planned.plan;
 }
 
-const std::string& Batch::shadersOf(const plan::PassDesc& pass) {
-  auto [found, is_new] = shaders_.emplace(pass.shader, "");
-  for (const Path& file : is_new ? graph::shaderFiles(bench_.home(), pass) : std::vector<Path>())
-    found->second += hashText(shader::textWithIncludes(bench_.home(), file));
+const std::string& Batch::shadersOf(const plan::PassDesc& pass, graph::Backend backend) {
+  auto [found, is_new] = shaders_.emplace(fmt::format("{}|{}", pass.shader, int(backend)), "");
+  for (const Path& file : is_new ? graph::filesOf(bench_.home(), pass, backend) : std::vector<Path>()) {
+    found->second += hashText(readText(file));
+    inputs_.insert(file);
+  }
   return found->second;
 }
 
@@ -123,7 +125,11 @@ std::string Batch::contentOf(const Shot& wanted) {
   std::shared_ptr<HeldScene> scene = bench_.scene(shot);
   const Planned& planned = known(shot, *scene).planned;
   std::string shaders;
-  for (const plan::PassDesc& pass : planned.plan->pipeline.passes) shaders += shadersOf(pass);
+  for (const plan::PlanNode& node : planned.plan->nodes)
+    shaders += shadersOf(planned.plan->pipeline.passes[size_t(node.pass)], planned.backend);
+  const Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
+  for (const script::Dependency& file : evaluated.evaluation->scripts) inputs_.insert(file.path);
+  for (const script::Dependency& file : scene->loaded.dependencies) inputs_.insert(file.path);
   shot.scene.clear();
   return hashText(fmt::format("{}|{}|{}|{}|{}|{}{}", frameIdentity(shot), sceneIdentity(shot), scene->loaded.hash,
                               planned.hash, int(planned.backend), shaders, shot.model_everything ? "|everything" : ""));

@@ -73,6 +73,8 @@ class Batch {
   // Identity of a picture before it is drawn: equal where scripts, shaders, settings and the scene's content, wherever
   // its file lies, lead to the same images on one device by one program.
   std::string contentOf(const Shot& shot);
+  // The files behind every content so far: scripts, shaders, files of scenes.
+  const std::set<Path>& inputs() const { return inputs_; }
 
   // What `Workbench::render` gives. Pictures are kept (by canonical(shot) and outputs) until they fill
   // `kept_picture_bytes`, those used last longest.
@@ -114,14 +116,15 @@ class Batch {
   const KnownPlan& known(const Shot& filled, const HeldScene& scene, const Outputs& outputs = {});
   Drawing& drawing(const Shot& filled, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs = {});
   void makeRoom(const plan::Plan& plan);
-  const std::string& shadersOf(const plan::PassDesc& pass);
+  const std::string& shadersOf(const plan::PassDesc& pass, graph::Backend backend);
   void keep(Kept kept);
 
   Workbench& bench_;
   std::map<std::string, Evaluated> by_scripts_, derived_;
   std::map<plan::PipelineDesc::Kind, std::string> names_;
   std::map<std::string, KnownPlan> plans_;
-  std::map<std::string, std::string> shaders_;    // their content, by name
+  std::map<std::string, std::string> shaders_;  // hashes of the files of a pass, by its shader and the backend
+  std::set<Path> inputs_;
   std::list<std::unique_ptr<Drawing>> drawings_;  // used last first
   std::map<std::string, std::shared_ptr<const image::Image>> colors_;
   std::list<Kept> pictures_;  // used last first

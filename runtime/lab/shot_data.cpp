@@ -31,7 +31,7 @@ std::string besideScript(const Path& script, const std::string& name) {
 }
 
 SceneFile sceneFile(const Home& home, const std::string& scene) {
-  const std::string prefix = "shared:";
+  const std::string prefix = Home::kSharedPrefix;
   if (!scene.starts_with(prefix)) return {scene, "", ""};
   std::string name = scene.substr(prefix.size());
   std::optional<Path> data = home.data();

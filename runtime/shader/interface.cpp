@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "base/inputs.h"
+
 namespace strobe::shader {
 
 bool Interface::sizeIsGiven() const {
@@ -190,22 +192,6 @@ std::string epilogue(const Interface& in, Stage stage) {
   return text + "}\n";
 }
 
-// GLSL with a blank for every comment.
-static std::string withoutComments(const std::string& glsl) {
-  std::string code;
-  for (size_t at = 0; at < glsl.size();) {
-    bool line = glsl.compare(at, 2, "//") == 0, block = glsl.compare(at, 2, "/*") == 0;
-    if (!line && !block) {
-      code += glsl[at++];
-      continue;
-    }
-    size_t end = line ? glsl.find('\n', at) : glsl.find("*/", at + 2);
-    code += ' ';
-    at = end == std::string::npos ? glsl.size() : line ? end : end + 2;
-  }
-  return code;
-}
-
 // True if `text` is == or != between blanks.
 static bool isComparison(std::string_view text) {
   size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
@@ -242,7 +228,8 @@ static std::unordered_set<std::string> namesIn(const std::string& code) {
 // Not from the compiler's reflection, which knows one choice of the variants at a time and no macros.
 std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files, Sources* sources) {
   std::string code;
-  for (const Path& file : shader_files) code += withoutComments(textWithIncludes(home, file, nullptr, sources));
+  for (const Path& file : shader_files)
+    code += withoutComments(textWithIncludes(home, file, nullptr, sources), Language::glsl);
   return namesIn(code);
 }
 

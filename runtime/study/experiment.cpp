@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/inputs.h"
 #include "lab/shot_data.h"
 #include "lab/shot_options.h"
 #include "lab/workbench.h"
@@ -409,6 +410,12 @@ std::vector<lab::Shot> sequenceOf(const StudiedShot& studied, const lab::Shot& s
   return sequence;
 }
 
+void addInput(Inputs& inputs, const Home& home, const Path& file) {
+  if (!std::filesystem::is_regular_file(file)) return;
+  auto [input, is_new] = inputs.try_emplace(home.recorded(file, file.string()));
+  if (is_new) input->second = inputHash(file);
+}
+
 Experiment readExperiment(const Home& home, const std::string& file, bool evaluate) {
   std::vector<script::Dependency> dependencies;
   Json json = script::evaluateData(home, file, given(), &dependencies, kLimits);
@@ -421,7 +428,7 @@ Experiment readExperiment(const Home& home, const std::string& file, bool evalua
     throw Error(fmt::format("a value of the experiment has a wrong form: {}", error.what()), {file});
   }
   experiment.file = file;
-  for (const auto& one : dependencies) experiment.scripts.emplace_back(home.recorded(one.path, one.shown), one.hash);
+  for (const script::Dependency& one : dependencies) addInput(experiment.inputs, home, one.path);
   check(home, experiment, file, evaluate);
   return experiment;
 }

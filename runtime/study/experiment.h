@@ -16,6 +16,11 @@ namespace strobe::study {
 enum class Role { method, floor, truth };
 std::string nameOf(Role role);
 
+// Files that results depend on: their hashes (base/inputs.h) by their names in run records.
+using Inputs = std::map<std::string, std::string>;
+// Adds a file that is not among them. Folders, of which a script read the names, are left out.
+void addInput(Inputs& inputs, const Home& home, const Path& file);
+
 // Lines of the experiment: of an entry, and of the settings in it by name.
 struct Written {
   Place place;
@@ -120,7 +125,7 @@ struct Experiment {
   std::optional<Background> background;
   Json layout;
   size_t expectations = 0;
-  std::vector<std::pair<std::string, std::string>> scripts;  // it was read from, as records name them, and their hashes
+  Inputs inputs;  // scripts that it was read from
 
   void setSize(int width, int height);
   size_t points() const;

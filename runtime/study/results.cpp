@@ -172,7 +172,7 @@ Results read(const Json& json) {
   results.layout = json.at("layout");
   for (const Json& group : json.at("groups")) results.groups.push_back(groupOf(group));
   for (const Json& expectation : json.at("expectations")) takeTexts(expectation, results.expectations.emplace_back());
-  for (const auto& [name, hash] : json.at("scripts").items()) results.scripts.emplace_back(name, hash);
+  results.inputs = json.value("inputs", results.inputs);
   return results;
 }
 
@@ -396,8 +396,7 @@ Json toJson(const Results& results) {
   json["axes"] = listOf(results.axes, axisJson);
   json["layout"] = results.layout;
   json["expectations"] = listOf(results.expectations, [](const Expectation& one) { return textsOf(one); });
-  json["scripts"] = Json::object();
-  for (const auto& [name, hash] : results.scripts) json["scripts"][name] = hash;
+  if (!results.inputs.empty()) json["inputs"] = results.inputs;
   json["groups"] = listOf(results.groups, groupJson);
   return json;
 }
@@ -451,7 +450,7 @@ Results outlineOf(const Experiment& experiment) {
     results.shots.push_back({shot.name, shot.title, shot.note, shot.attribution, shot.missing, 0, 0, {}, shot.tone});
   for (const Axis& axis : experiment.axes) results.axes.push_back(summaryOf(axis));
   results.layout = experiment.layout;
-  results.scripts = experiment.scripts;
+  results.inputs = experiment.inputs;
   return results;
 }
 

@@ -106,7 +106,7 @@ struct Results {
   Json layout;
   std::vector<PointGroup> groups;
   std::vector<Expectation> expectations;
-  std::vector<std::pair<std::string, std::string>> scripts;  // of the experiment, with their hashes
+  Inputs inputs;  // files that the points depend on; empty: not recorded
 
   const ArmSummary& arm(const std::string& name) const;
   const ShotSummary& shot(const std::string& name) const;

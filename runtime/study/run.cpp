@@ -235,6 +235,7 @@ Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& gr
     }
     results.groups.push_back(pointsOf(experiment, group, anchor));
   }
+  for (const Path& file : batch.inputs()) addInput(results.inputs, batch.bench().home(), file);
   return results;
 }
 

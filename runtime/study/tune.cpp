@@ -166,6 +166,7 @@ Group Tuner::groupOf(const Spot& spot, int level) {
 void Tuner::keep(Results seen) {
   std::vector<PointGroup> groups = std::move(seen.groups);
   seen.groups = std::move(results_.groups);
+  seen.inputs.merge(results_.inputs);
   for (size_t i = 0; i < results_.shots.size(); ++i)
     if (results_.shots[i].fps > 0) seen.shots[i] = results_.shots[i];  // of levels that this step did not see
   results_ = std::move(seen);

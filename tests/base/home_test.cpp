@@ -73,6 +73,10 @@ TEST_F(Homes, NameTheRootOfAFile) {
   EXPECT_EQ(home.recorded(own, ""), "project:passes/b.lua");
   EXPECT_EQ(home.recorded(shipped, ""), "strobe:passes/a.lua");
   EXPECT_EQ(home.recorded("/elsewhere/a.lua", "a.lua"), "a.lua");
+  write("data/scenes/a.glb");
+  Home with_data({folder_ / "mine", folder_ / "ours"}, folder_ / "data");
+  EXPECT_EQ(with_data.recorded(folder_ / "data/scenes/a.glb", ""), "shared:scenes/a.glb");
+  EXPECT_EQ(with_data.recorded(own, ""), "project:passes/b.lua");
   EXPECT_EQ(Home(folder_ / "ours").recorded(shipped, ""), "strobe:passes/a.lua");
   EXPECT_EQ(home.shown(own), "passes/b.lua");
   EXPECT_EQ(home.shown(shipped), "strobe:passes/a.lua");

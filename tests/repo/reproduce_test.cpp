@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Every measured number of the pages has a mark with a claim behind it, and one that was changed by hand is caught:
 // tools/reproduce, from outside.
+#include "repo/reproduce.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "base/files.h"
-#include "base/process.h"
-#include "common/home.h"
 #include "common/source.h"
 
 namespace strobe::repo {
@@ -15,25 +15,10 @@ namespace reproduce_test {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = -1;
-  std::string text;  // of both streams
-};
-
-Outcome reproduce(std::vector<std::string> arguments) {
-  std::vector<std::string> all = {"python3", "-B", (sourceFolder() / "tools/reproduce").string()};
-  all.insert(all.end(), arguments.begin(), arguments.end());
-  ProgramEnd end = run({.arguments = all, .errors = Program::Errors::with_output});
-  return {end.code(), end.output};
-}
-
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-class Reproduce : public ::testing::Test {
+class Reproduce : public ReproduceTest {
  protected:
-  void SetUp() override {
-    if (run({.arguments = {"sh", "-c", "command -v python3"}}).code() != 0) GTEST_SKIP() << "no python3";
-  }
   void TearDown() override { fs::remove_all(copy_); }
 
   // The pages and what they name, to be changed.

@@ -107,6 +107,7 @@ TEST(Curves, ReadingsAreFilledWithNumbers) {
 TEST(Results, AreTheSameFromDisk) {
   Results results = made();
   results.expectations = {{"it is good", "shot", "", "holds", "0.5", ""}};
+  results.inputs = {{"strobe:shaders/x.glsl", "12"}};
   Json json = toJson(results);
   Results read = resultsFrom(Json::parse(json.dump()), "result.json");
   EXPECT_EQ(toJson(read).dump(), json.dump());

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "base/inputs.h"
 #include "oracle/render.h"
 #include "program/run.h"
 
@@ -82,6 +85,29 @@ TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
   EXPECT_LT(floor(3) / floor(5), 16 * 1.5);
   EXPECT_EQ(results.groups[3].find("no blur")->value("rmse"), results.groups[5].find("no blur")->value("rmse"))
       << "lacks samples";
+}
+
+// Every file that the run record of a picture names, and the experiment itself.
+TEST_F(Measuring, InputsAreThoseOfTheRunRecords) {
+  testing::TemporaryFolder folder;
+  testing::writeText(folder / "x.lua", kHalfPlane);
+  const Home& home = bench().home();
+  Results results = run(readExperiment(home, folder / "x.lua"), bench(), Store(folder.path()));
+  EXPECT_EQ(results.inputs.at(folder / "x.lua"), inputHash(folder / "x.lua"));
+  for (const char* pipeline : {"none", "ground_truth"}) {
+    Json record = render(oracle::with(oracle::shotOf("half_plane", 160, 4), pipeline)).record;
+    for (const char* part : {"scripts", "shaders"})
+      for (const auto& [name, hash] : record.at(part).items()) {
+        Path file = home.shipped() / name.substr(name.find(':') + 1);
+        if (std::filesystem::is_regular_file(file)) EXPECT_EQ(results.inputs[name], inputHash(file)) << name;
+      }
+  }
+  lab::Batch other(bench());
+  other.contentOf(oracle::with(oracle::shotOf("half_plane", 160, 4), "mcguire2012"));
+  EXPECT_TRUE(std::any_of(other.inputs().begin(), other.inputs().end(), [&](const Path& file) {
+    return !results.inputs.count(home.recorded(file, ""));
+  })) << "shaders of other pipelines are not among them";
+  EXPECT_EQ(resultsFrom(toJson(results), "x").inputs, results.inputs);
 }
 
 // A card of 20 x 8 px that moves by 6 px before a wall at rest, in front of the camera's centre.

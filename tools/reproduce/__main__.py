@@ -6,8 +6,9 @@
     ./strobe reproduce --only ID         one claim, or those whose id begins with ID; may be given again
     ./strobe reproduce --list            claims, commands, seconds; runs nothing
     ./strobe reproduce --marks           only whether every measured number of the pages has a mark
+    ./strobe reproduce --stale           results and pictures whose scripts, shaders or scenes changed since they were made
 
-Exit code 0: every verdict holds; 1: one misses, each is named; 2: the command line is wrong.
+Exit code 0: every verdict holds, nothing is stale; 1: one misses or is stale, each is named; 2: the command line is wrong.
 """
 import argparse
 import difflib
@@ -22,6 +23,7 @@ from bench import Bench  # noqa: E402
 from claims import CLAIMS  # noqa: E402
 from definitions import FRAGMENTS, GENERATED, PAGES_OF_DEFINITIONS  # noqa: E402
 from kinds import HOLDS, MISSES, NOT_REPEATED, NOT_RUN, REPORTED, checked  # noqa: E402
+from stale import stale_files  # noqa: E402
 
 HOME = Path(__file__).resolve().parent.parent.parent
 
@@ -141,11 +143,22 @@ def parsed(arguments):
     parser.add_argument("--only", metavar="ID", action="append", default=[], help="this claim, or those it begins")
     parser.add_argument("--list", action="store_true", help="print the claims and run nothing")
     parser.add_argument("--marks", action="store_true", help="check the marks of the pages and run nothing")
+    parser.add_argument("--stale", action="store_true", help="print results and pictures whose inputs changed, run nothing")
+    parser.add_argument("--replace", action="store_true", help="put pictures in place of the committed ones, with their inputs")
     parser.add_argument("--json", action="store_true", help="print the table as JSON")
     parser.add_argument("--root", type=Path, default=HOME, help="the folder whose pages are read (default: this one)")
     parser.add_argument("--program", type=Path, default=HOME / "build" / "strobe", help="the program (build/strobe)")
     parser.add_argument("-o", "--out", type=Path, default=HOME / "out" / "reproduce", help="folder for what is made")
     return parser.parse_args(arguments)
+
+
+def report_stale(root, as_json):
+    found = stale_files(root, figures_of(root), read_pages(root)[0])
+    if as_json:
+        print(json.dumps([one.data() for one in found], indent=1, ensure_ascii=False))
+    else:
+        print("\n".join(one.text() for one in found) or "no input of a result or a picture changed")
+    return 1 if found else 0
 
 
 def main(arguments):
@@ -157,6 +170,8 @@ def main(arguments):
         wrong = breaches(options.root)[1]
         print("\n".join(wrong) if wrong else "every measured number has a mark, every mark a claim")
         return 1 if wrong else 0
+    if options.stale:
+        return report_stale(options.root, options.json)
     claims, picked = chosen(options)
     if options.list:
         print_table([[c.id, c.command, f"{c.seconds:g}", c.because] for c in claims],
@@ -173,6 +188,8 @@ def main(arguments):
         if claim.marked and claim.id not in by_id:
             refuse("\n".join(lost) or f"no page marks a number with '{claim.id}'")
         results.append((claim, checked(claim, bench, by_id[claim.id].numbers if claim.marked else [])))
+        if options.replace and getattr(claim, "made", None):
+            claim.replace(bench)
     if options.json:
         print(json.dumps([as_data(*result) for result in results], indent=1, ensure_ascii=False))
     else:

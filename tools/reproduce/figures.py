@@ -3,6 +3,7 @@
 import re
 import shlex
 
+import inputs
 from kinds import Figure, Unrepeated
 from pixels import sheet
 from readers import front_of, pictures_of_passes
@@ -24,8 +25,10 @@ def made(what, file):
 
 
 def picture(id, what, file, seconds, **more):
-    return Figure(id, MAKE + what, seconds, more.pop("because", OTHER_DEVICE), file="docs/pictures/" + file,
-                  make=made(what, file), **more)
+    name = "docs/pictures/" + file
+    noted = lambda bench: inputs.of_pictures(bench.folder("pictures") / "inputs.json").get(name)  # noqa: E731
+    return Figure(id, MAKE + what, seconds, more.pop("because", OTHER_DEVICE), file=name, make=made(what, file), inputs=noted,
+                  **more)
 
 
 def captured(name):
@@ -35,7 +38,8 @@ def captured(name):
         bench.run("strobe", "capture", f"scripts/captures/{name}.lua", "-o", folder)
         return folder / f"{name}.png"
     return Figure(name, f"./strobe capture scripts/captures/{name}.lua -o FOLDER", 55, OTHER_DEVICE,
-                  file=f"docs/pictures/{name}.png", make=make, compare="pixels", share=0.002, step=2)
+                  file=f"docs/pictures/{name}.png", make=make, compare="pixels", share=0.002, step=2,
+                  inputs=lambda bench: inputs.of_source(bench.root, bench.folder(name) / "manifest.json"))
 
 
 PASSES = ("visibility.hit", "depth", "normal", "velocity", "tile_light_visibility.light_visibility", "shade.color",
@@ -74,7 +78,8 @@ def crops(experiment, rows, regions, border=2):
         return sheet(pictures, regions, 2, border, bench.folder("sheets") / f"{experiment}.png")
     return Figure("figure_" + experiment, "./strobe render ... of the points it shows, by the commands in result.json", 120,
                   "256 colours, dithered: means over 8x8 pixels are compared", file=f"experiments/{experiment}/{experiment}.png",
-                  make=make, compare="pixels", share=0.01, step=12, block=8)
+                  make=make, compare="pixels", share=0.01, step=12, block=8,
+                  inputs=lambda bench: inputs.of_source(bench.root, bench.results(experiment).file))
 
 
 def columns(shot, arms, **more):

@@ -5,6 +5,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+import inputs
 from bench import TIMES, Failed, Missing
 from pixels import differing_share, pixels_of
 
@@ -173,9 +174,21 @@ class Figure(Claim):
     step: int = 0
     region: tuple = None  # x, y, width, height: compared alone
     block: int = 1        # side of the squares of pixels whose means are compared
+    inputs: object = None  # of a committed picture: inputs(bench) gives the inputs of the new one
+    made: Path = None      # the new file
+
+    def replace(self, bench):
+        """Puts the new picture, and its inputs, in place of the committed ones."""
+        found = self.inputs(bench) if self.inputs else None
+        if found is None:
+            bench.say(f"{self.file} stays as it is: {inputs.NOT_RECORDED}")
+            return
+        (bench.root / self.file).write_bytes(self.made.read_bytes())
+        inputs.note(bench.root / inputs.PICTURES, self.file, found)
 
     def check(self, bench, numbers):
         stated, made = bench.root / self.file, Path(self.make(bench))
+        self.made = made
         if self.compare != "pixels":
             same = self.content(stated) == self.content(made)
             return Outcome(self.file, ("the same " if same else "other ") + self.compare, "none",

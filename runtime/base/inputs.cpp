@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "base/inputs.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/hash.h"
+
+namespace strobe {
+
+namespace {
+
+constexpr size_t kNone = std::string::npos;
+
+// Position behind the next `close` from `at` on; the end of the text without one.
+size_t behind(const std::string& text, const std::string& close, size_t at) {
+  size_t found = text.find(close, at);
+  return found == kNone ? text.size() : found + close.size();
+}
+
+size_t endOfLine(const std::string& text, size_t at) { return std::min(text.find('\n', at), text.size()); }
+
+// Position behind the long bracket "[==[ ... ]==]" that begins at `at`; std::nullopt without one.
+std::optional<size_t> behindLongBracket(const std::string& text, size_t at) {
+  if (at >= text.size() || text[at] != '[') return std::nullopt;
+  size_t second = text.find_first_not_of('=', at + 1);
+  if (second == kNone || text[second] != '[') return std::nullopt;
+  return behind(text, "]" + std::string(second - at - 1, '=') + "]", second + 1);
+}
+
+// Position behind the Lua string that begins at `at`; `at` without one.
+size_t behindString(const std::string& text, size_t at) {
+  const char quote = text[at];
+  if (quote != '"' && quote != '\'') return behindLongBracket(text, at).value_or(at);
+  for (++at; at < text.size() && text[at] != quote; ++at) at += text[at] == '\\';
+  return std::min(at + 1, text.size());
+}
+
+// Position behind the comment that begins at `at`; `at` without one.
+size_t behindComment(const std::string& text, Language language, size_t at) {
+  auto is = [&](const char* mark) { return text.compare(at, 2, mark) == 0; };
+  if (language == Language::lua) return is("--") ? behindLongBracket(text, at + 2).value_or(endOfLine(text, at)) : at;
+  return is("//") ? endOfLine(text, at) : is("/*") ? behind(text, "*/", at + 2) : at;
+}
+
+std::optional<Language> languageOf(const Path& file) {
+  const Path ending = file.extension();
+  if (ending == ".lua") return Language::lua;
+  if (ending == ".glsl" || ending == ".h") return Language::glsl;
+  return std::nullopt;
+}
+
+// Lines without blanks at their ends, and without empty lines.
+std::string withoutBlankEnds(const std::string& text) {
+  std::string lines;
+  for (size_t at = 0, end; at < text.size(); at = end + 1) {
+    end = endOfLine(text, at);
+    std::string line = text.substr(at, end - at);
+    line.resize(line.find_last_not_of(" \t\r") + 1);
+    if (!line.empty()) lines += line + "\n";
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string withoutComments(const std::string& text, Language language) {
+  std::string code;
+  for (size_t at = 0; at < text.size();) {
+    if (size_t end = behindComment(text, language, at); end > at) {
+      code += ' ', at = end;
+      continue;
+    }
+    size_t end = language == Language::lua ? behindString(text, at) : at;
+    end = std::max(end, at + 1);
+    code.append(text, at, end - at), at = end;
+  }
+  return code;
+}
+
+std::string inputHash(const Path& file) {
+  const std::string text = readText(file);
+  const std::optional<Language> language = languageOf(file);
+  return sha256(language ? withoutBlankEnds(withoutComments(text, *language)) : text);
+}
+
+}  // namespace strobe

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Content of scripts and shaders without their comments.
+#include "base/inputs.h"
+
+#include <gtest/gtest.h>
+
+#include "common/temporary_folder.h"
+
+namespace strobe {
+namespace inputs_test {
+
+std::string lua(const std::string& text) { return withoutComments(text, Language::lua); }
+std::string glsl(const std::string& text) { return withoutComments(text, Language::glsl); }
+
+TEST(Inputs, CommentsOfLua) {
+  EXPECT_EQ(lua("a = 1 -- one\nb"), "a = 1  \nb");
+  EXPECT_EQ(lua("a --[[ two\nlines ]] b"), "a   b");
+  EXPECT_EQ(lua("a --[=[ ]] ]=] b"), "a   b");
+  EXPECT_EQ(lua("a --[ b\nc"), "a  \nc");
+  for (const char* strings : {"'--'", "\"--\"", "'\\'--'", "[[--]]", "[=[ ]] -- ]=]", "a[b[1]]", "a // b", "a - -b"})
+    EXPECT_EQ(lua(strings), strings);
+  EXPECT_EQ(lua("'a' -- 'b'"), "'a'  ");
+}
+
+TEST(Inputs, CommentsOfGlsl) {
+  EXPECT_EQ(glsl("a / b; // one\nc"), "a / b;  \nc");
+  EXPECT_EQ(glsl("a /* two\nlines */ b"), "a   b");
+  EXPECT_EQ(glsl("a -- b"), "a -- b");
+}
+
+TEST(Inputs, HashesOfFiles) {
+  testing::TemporaryFolder folder;
+  auto hash = [&](const std::string& name, const std::string& text) {
+    writeFileAtomically(folder / name, text);
+    return inputHash(folder / name);
+  };
+  const std::string plain = hash("a.glsl", "float a;\nfloat b;\n");
+  EXPECT_EQ(hash("b.glsl", "// Two numbers.\n\nfloat a;  // one \t\r\nfloat b;"), plain);
+  EXPECT_EQ(hash("b.h", "float a;\n/* */\nfloat b;\n"), plain);
+  EXPECT_NE(hash("b.glsl", "float a;\nfloat c;\n"), plain);
+  EXPECT_NE(hash("b.glsl", "float a; float b;\n"), plain);
+  EXPECT_EQ(hash("c.txt", "abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad") << "FIPS 180-4";
+  EXPECT_NE(hash("c.txt", "abc // d"), hash("c.txt", "abc // e"));
+  EXPECT_THROW(inputHash(folder / "missing.lua"), Error);
+}
+
+}  // namespace inputs_test
+}  // namespace strobe

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Inputs of results and pictures: the scripts, shaders and scenes that they depend on, each with a hash of its content.
+
+Results of experiments have them in their field `inputs`, which the program writes. Committed pictures have them in
+docs/pictures/inputs.json, by picture. Names of inputs begin with "strobe:" (this repository), "shared:" (the shared data)
+or "project:" (the folder of the result, if that is a project).
+
+    tools/reproduce/inputs.py FILE PICTURE SOURCE...
+
+writes the inputs of a picture into FILE. A source is a run record, the manifest of a capture, the result of an experiment,
+any other file, or a folder of files.
+"""
+import hashlib
+import json
+import os
+import re
+import sys
+from pathlib import Path
+
+HOME = Path(__file__).resolve().parent.parent.parent
+PICTURES = "docs/pictures/inputs.json"
+NOT_RECORDED = "inputs are not recorded"
+SHIPPED, SHARED, PROJECT = "strobe:", "shared:", "project:"
+GLSL = re.compile(rb"()(?://[^\n]*|/\*.*?\*/)", re.DOTALL)
+LUA = re.compile(rb"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|\[(=*)\[.*?\]\2\])|--(?:\[(=*)\[.*?\]\3\]|[^\n]*)""", re.DOTALL)
+COMMENTS = {".glsl": GLSL, ".h": GLSL, ".lua": LUA}
+
+
+def hash_of(file):
+    """SHA-256 of a file. Of Lua and GLSL comments, blank lines and blanks at the ends of lines do not count: inputHash of
+    runtime/base/inputs.h gives the same."""
+    data = Path(file).read_bytes()
+    comments = COMMENTS.get(Path(file).suffix)
+    if comments:
+        code = comments.sub(lambda match: match.group(1) or b" ", data)
+        lines = [line.rstrip(b" \t\r") for line in code.split(b"\n")]
+        data = b"".join(line + b"\n" for line in lines if line)
+    return hashlib.sha256(data).hexdigest()
+
+
+def shared_folder(root):
+    return Path(os.environ.get("STROBE_DATA", root.parent / "shared"))
+
+
+def path_of(root, name, project=None):
+    """Where an input lies. `project`: the folder of the result or the picture."""
+    if name.startswith(SHARED):
+        return shared_folder(root) / name[len(SHARED):]
+    if name.startswith(PROJECT):
+        return (project or root) / name[len(PROJECT):]
+    return root / name.removeprefix(SHIPPED)
+
+
+def names_in(source):
+    """Names of the inputs that a run record or the manifest of a capture lists."""
+    if "inputs" in source:
+        return [one["name"] for one in source["inputs"]]
+    return [*source.get("scripts", {}), *source.get("shaders", {})]
+
+
+def of_source(root, source):
+    """Inputs of one source with their hashes; None if the source does not record inputs."""
+    if source.is_dir():
+        names = [str(file) for file in sorted(source.rglob("*")) if file.is_file()]
+    elif source.suffix != ".json":
+        names = [str(source)]
+    else:
+        data = json.loads(source.read_text())
+        if "groups" in data:  # a result: hashes of the files that it was measured with
+            return data.get("inputs")
+        names = names_in(data)
+    named = {name if ":" in name else SHIPPED + os.path.relpath(name, root): path_of(root, name) for name in names}
+    return {name: hash_of(file) for name, file in named.items() if file.is_file()}
+
+
+def changed(root, inputs, project):
+    """Names of inputs with changed content. Skips shared data if its folder is missing."""
+    def is_changed(name, was):
+        file = path_of(root, name, project)
+        if name.startswith(SHARED) and not shared_folder(root).is_dir():
+            return False
+        return not file.is_file() or hash_of(file) != was
+    return sorted(name for name, was in inputs.items() if is_changed(name, was))
+
+
+def of_pictures(file):
+    return json.loads(file.read_text()) if file.exists() else {}
+
+
+def note(file, picture, inputs):
+    """Writes the inputs of a picture into a file like docs/pictures/inputs.json."""
+    known = {**of_pictures(file), picture: dict(sorted(inputs.items()))}
+    file.write_text(json.dumps(dict(sorted(known.items())), indent=1) + "\n")
+
+
+def main(file, picture, *sources):
+    inputs = {}
+    for source in sources:
+        found = of_source(HOME, Path(source).resolve())
+        if found is None:
+            sys.exit(f"{source}: {NOT_RECORDED}")
+        inputs.update(found)
+    note(Path(file), picture, inputs)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
