@@ -56,8 +56,8 @@ TEST(Fields, ThatMayBeAbsentReadAsNil) {
   for (const char* value :
        {"assert(seen.depth)", "assert(seen.curve == nil)", "assert(images.background_depth == nil)",
         "assert(seen:get('mask') == nil)", "assert(seen:get('depth') == seen.depth)",
-        "assert(shade { hit = seen.hit, as = 'again' }:get('color'))",
-        "assert(rawget(seen, 'mask') == nil)", "assert(pipeline.record('x', { 'a' }) { b = 1 }.a == nil)"})
+        "assert(shade { hit = seen.hit, as = 'again' }:get('color'))", "assert(rawget(seen, 'mask') == nil)",
+        "assert(pipeline.record('x', { 'a' }) { b = 1 }.a == nil)"})
     EXPECT_EQ(errorWith(value), "") << value;
   EXPECT_EQ(errorWith("pipeline.record('a thing', { 'one' }) { two = 1 }.seventeen"),
             "a thing has no 'seventeen'; it has one, two");
