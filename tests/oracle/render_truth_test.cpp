@@ -316,7 +316,8 @@ TEST_F(RenderTruth, SamplesOnceWhatNothingReaches) {
 uint64_t sum(const lab::Picture& picture, const std::string& counter) {
   uint64_t total = 0;
   for (const auto& [name, value] : picture.record.at("counters").items())
-    if (name.rfind("truth_", 0) == 0 && name.find(counter) != std::string::npos) total += value.get<uint64_t>();
+    if ((name.starts_with("truth_") || name.starts_with("sample.")) && name.find(counter) != std::string::npos)
+      total += value.get<uint64_t>();
   return total;
 }
 
