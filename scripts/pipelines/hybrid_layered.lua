@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Extension of the hybrid: rays are traced where relative motion disoccludes a background, and both layers are composited per
--- time sample.
+-- Extension of the pipeline `hybrid`: rays find the background that relative motion disoccludes. The raster layer and this
+-- revealed layer are composited per time sample.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.layered.layered_composite"

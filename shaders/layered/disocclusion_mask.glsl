@@ -45,7 +45,8 @@ vec2 displacementAt(ivec2 pixel) {
   return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
 }
 
-// The path of pixel y for the candidate b until time t. Requires isPath(d, b, t): the path is at least half a pixel long.
+// Path of `pixel`, which moves by `d`, relative to a background with the candidate displacement `b`, until time t. Requires
+// isPath(d, b, t): the path is at least half a pixel long.
 Path pathOf(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   vec2 whole = tapOffset(d - b, t);
   float whole_px = lengthOf(whole);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Per tile, up to eight distinct displacements of the tiles around it, nearest tiles first: the candidate displacements of the
 // background hidden behind its pixels.
-// In:  `velocities`: two displacements of each tile, px over the exposure
+// In:  `velocities`: longest displacement of each tile and the displacement farthest from it, px over the exposure
 //      `farthest`: view depth of the farthest moving surface in each tile, metres; 0 without motion
 //      `max_displacement`: longest displacement in the image, px over the exposure; absent: not measured
 // Out: `candidates_0` to `candidates_3`: two displacements each, px over the exposure; kNoVelocity after the last
 //      `farthest_around`: greatest value of `farthest` among all tiles in range, metres
-// Method: read the tiles ring by ring. The range is the largest distance that two surfaces can separate within the exposure:
+// Method: read the tiles ring by ring, until eight displacements are found. The range is the distance by which two surfaces
+//   can move apart within the exposure:
 //   twice the longest displacement (limit * width or, with limit = auto, `max_displacement`), times spreadFactor. Two
 //   displacements are distinct if they differ by more than 1 px and by more than a tenth of the longer one.
 // Fails: of more than eight displacements, the displacements of the farthest tiles are lost; at equal distance, the last tiles

@@ -257,8 +257,8 @@ Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint 
   float handed = dot(transform.row_x.xyz, cross(transform.row_y.xyz, transform.row_z.xyz));
   bool front = (determinant > 0.0) == (handed >= 0.0);
   float t = viewFromWorld(slice, position_ws).z;
-  // The rounding errors of distant corners can be as large as near objects. On such large triangles the ray's own distance to
-  // the plane is more accurate.
+  // On triangles with distant corners, rounding errors of the corners can be as large as near objects. There, the ray's
+  // distance to the plane is more accurate.
   vec3 reach = max(abs(edge1), abs(edge2));
   bool large = max(reach.x, max(reach.y, reach.z)) > 16.0 * t;
   bool inside = all(greaterThanEqual(cornerWeights(barycentrics), vec3(0)));

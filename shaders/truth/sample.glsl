@@ -52,7 +52,8 @@ uvec4 idsOf(Hit hit) {
   return isHit(hit) ? uvec4(hit.instance + 2u, hit.geometry, hit.primitive, 0u) : uvec4(kSkySurface, 0u, 0u, 0u);
 }
 
-// True if a validated sample contradicts the consensus or the known shadows.
+// True if a sample that is traced in full, for validation, differs from the surface on which the first samples agree, or from
+// the shadows that are assumed for it.
 bool misses = false;
 
 // True if the camera is static and `ids` is one moving surface.
