@@ -286,11 +286,17 @@ class AnyDamage : public DamagedFiles {
   }
 };
 
-// STROBE_DAMAGED_COPIES says how many are tried; the first of them are always the same.
+// The value of a variable of the environment, or another number.
+int numberIn(const char* variable, int otherwise) {
+  const char* value = std::getenv(variable);
+  return value ? std::atoi(value) : otherwise;
+}
+
+// STROBE_DAMAGED_COPIES: number of copies. STROBE_DAMAGED_FIRST: number of the first one, so that processes can share a
+// long run.
 TEST_F(AnyDamage, EndsInOneLineAndIsMended) {
-  const char* asked = std::getenv("STROBE_DAMAGED_COPIES");
-  const int copies = asked ? std::atoi(asked) : 4;
-  for (int i = 0; i < copies && !HasFailure(); ++i) {
+  const int first = numberIn("STROBE_DAMAGED_FIRST", 0), copies = numberIn("STROBE_DAMAGED_COPIES", 4);
+  for (int i = first; i < first + copies && !HasFailure(); ++i) {
     std::mt19937 random(static_cast<unsigned>(i));
     copyAnew();
     const std::string trial = "copy " + std::to_string(i) + ": ";
