@@ -74,6 +74,16 @@ local function is_texel(value, uint)
   return true
 end
 
+-- True if the chain of stand-ins that begins at the read `name` comes back to it.
+local function leads_back(reads, name)
+  local at = reads[name].absent
+  for _ in pairs(reads) do
+    if at == name then return true end
+    at = type(reads[at]) == "table" and reads[at].absent or nil
+  end
+  return false
+end
+
 -- Checks `absent`, the value of each texel of a read that is left unwired. Returns four numbers, or the name of the read that
 -- replaces it; nil after a mistake. A single number is the value of all four components.
 local function check_absent(problems, reads, name, at, what)
@@ -84,15 +94,18 @@ local function check_absent(problems, reads, name, at, what)
   if type(given) ~= "string" then
     local texel = type(given) == "number" and { given, given, given, given } or given
     if is_texel(texel, port.uint) then return texel end
-    problems:add(at, "absent of %s is %s; it is a number, four numbers, or the name of a read", what, check.quoted(given))
+    local numbers = port.uint and "unsigned integer" or "number"
+    problems:add(at, "absent of %s is neither one %s nor four, nor the name of a read", what, numbers)
     return nil
   end
   local other = reads[given]
   if type(other) ~= "table" or given == name then
-    problems:add(at, "absent of %s is %s, which is not another read of the pass%s", what, check.quoted(given),
-                 native.nearest(given, check.names(reads)))
+    local near = given == name and "" or native.nearest(given, check.names(reads))
+    problems:add(at, "absent of %s is %s, which is not another read of the pass%s", what, check.quoted(given), near)
   elseif other.buffer or (other.uint or false) ~= (port.uint or false) then
     problems:add(at, "absent of %s is '%s', which has other texels", what, given)
+  elseif leads_back(reads, name) then
+    problems:add(at, "absent of %s is '%s', which leads back to it", what, given)
   elseif other.optional and other.absent == nil then
     problems:add(at, "absent of %s is '%s', which may be absent too", what, given)
   else
