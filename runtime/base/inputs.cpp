@@ -2,6 +2,7 @@
 #include "base/inputs.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "base/hash.h"
@@ -36,6 +37,30 @@ size_t behindString(const std::string& text, size_t at) {
   return std::min(at + 1, text.size());
 }
 
+size_t behindBlanks(const std::string& text, size_t at) {
+  return std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+}
+
+bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// Position behind the help text `doc = STRING .. STRING` or `fails = STRING` that begins at `at`; `at` without one.
+size_t behindHelpText(const std::string& text, size_t at) {
+  if (at > 0 && isWordCharacter(text[at - 1])) return at;
+  for (const std::string field : {"doc", "fails"}) {
+    size_t equals = behindBlanks(text, at + field.size());
+    if (text.compare(at, field.size(), field) != 0 || text.compare(equals, 1, "=") != 0) continue;
+    size_t end = at, value = behindBlanks(text, equals + 1);
+    while (behindString(text, value) > value) {
+      end = behindString(text, value);
+      size_t dots = behindBlanks(text, end);
+      if (text.compare(dots, 2, "..") != 0) break;
+      value = behindBlanks(text, dots + 2);
+    }
+    return end;
+  }
+  return at;
+}
+
 // Position behind the comment that begins at `at`; `at` without one.
 size_t behindComment(const std::string& text, Language language, size_t at) {
   auto is = [&](const char* mark) { return text.compare(at, 2, mark) == 0; };
@@ -67,8 +92,10 @@ std::string withoutBlankEnds(const std::string& text) {
 std::string withoutComments(const std::string& text, Language language) {
   std::string code;
   for (size_t at = 0; at < text.size();) {
-    if (size_t end = behindComment(text, language, at); end > at) {
-      code += ' ', at = end;
+    size_t ignored = behindComment(text, language, at);
+    if (language == Language::lua) ignored = std::max(ignored, behindHelpText(text, at));
+    if (ignored > at) {
+      code += ' ', at = ignored;
       continue;
     }
     size_t end = language == Language::lua ? behindString(text, at) : at;

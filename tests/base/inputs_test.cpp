@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Content of scripts and shaders without their comments.
+// Content of scripts and shaders without their comments and help texts.
 #include "base/inputs.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +20,15 @@ TEST(Inputs, CommentsOfLua) {
   for (const char* strings : {"'--'", "\"--\"", "'\\'--'", "[[--]]", "[=[ ]] -- ]=]", "a[b[1]]", "a // b", "a - -b"})
     EXPECT_EQ(lua(strings), strings);
   EXPECT_EQ(lua("'a' -- 'b'"), "'a'  ");
+}
+
+TEST(Inputs, HelpTextsOfLua) {
+  EXPECT_EQ(lua("{ doc = \"one\", max = 2 }"), "{  , max = 2 }");
+  EXPECT_EQ(lua("{ fails='one' ..\n  [[two]], 3 }"), "{  , 3 }");
+  EXPECT_EQ(lua("doc = 'one' .. x"), "  .. x");
+  for (const char* kept : {"doc = text", "doc == 'one'", "doc('one')", "undoc = 'one'", "a_doc = 'one'",
+                           "\"doc = 'one'\"", "doc", "doc =", "docs = 'one'"})
+    EXPECT_EQ(lua(kept), kept);
 }
 
 TEST(Inputs, CommentsOfGlsl) {

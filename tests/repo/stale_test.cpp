@@ -53,7 +53,7 @@ class StaleTree : public ReproduceTest {
     write("shaders/common.glsl", "const float kHalf = 0.5;  // of a pixel\n");
     write("shaders/a.glsl", "#include \"common.glsl\"\nfloat a() { return 1.0 * kHalf; }\n");
     write("shaders/b.glsl", "#include \"common.glsl\"\nfloat b() { return 2.0 * kHalf; }\n");
-    write("scripts/s.lua", "-- A script.\nreturn { doc = \"--8\" }  -- its end\n");
+    write("scripts/s.lua", "-- A script.\nreturn { doc = \"first\", name = \"--8\" }  -- its end\n");
     writeResult("real_scenes", {"shaders/a.glsl", "shaders/common.glsl"});
     writeResult("peers", {"shaders/b.glsl", "shaders/common.glsl", "scripts/s.lua"});
     write("docs/pictures/a.png", "pixels");
@@ -99,13 +99,13 @@ TEST_F(StaleTree, AConstantOfAShaderNamesTheResultsThatDependOnIt) {
             "experiments/real_scenes/result.json [README.md]: shaders/a.glsl, shaders/common.glsl\n");
 }
 
-TEST_F(StaleTree, CommentsChangeNothing) {
+TEST_F(StaleTree, CommentsAndHelpTextsChangeNothing) {
   write("README.md", "<!-- A comment. -->\nIt takes <!--= frame_time -->1.4 to 1.8<!--/--> times as long.\n");
   write("docs/page.md", "<!-- Another comment. -->\n![A picture](pictures/a.png)\n");
   write("shaders/common.glsl", "/* Constants\n   of all. */\n\nconst float kHalf = 0.5;  // metres  \n");
-  write("scripts/s.lua", "--[[ Two\nlines. ]]\nreturn { doc = \"--8\" }\n");
+  write("scripts/s.lua", "--[[ Two\nlines. ]]\nreturn { doc = \"edited\", name = \"--8\" }\n");
   EXPECT_EQ(stale().text, "no input of a result or a picture changed\n");
-  write("scripts/s.lua", "return { doc = \"--9\" }\n");
+  write("scripts/s.lua", "return { doc = \"edited\", name = \"--9\" }\n");
   EXPECT_EQ(stale().text, "experiments/peers/result.json: scripts/s.lua\n") << "a string is no comment";
 }
 

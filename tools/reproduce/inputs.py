@@ -22,18 +22,20 @@ HOME = Path(__file__).resolve().parent.parent.parent
 PICTURES = "docs/pictures/inputs.json"
 NOT_RECORDED = "inputs are not recorded"
 SHIPPED, SHARED, PROJECT = "strobe:", "shared:", "project:"
-GLSL = re.compile(rb"()(?://[^\n]*|/\*.*?\*/)", re.DOTALL)
-LUA = re.compile(rb"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|\[(=*)\[.*?\]\2\])|--(?:\[(=*)\[.*?\]\3\]|[^\n]*)""", re.DOTALL)
+GLSL = re.compile(rb"(?P<kept>)(?://[^\n]*|/\*.*?\*/)", re.DOTALL)
+STRING = rb"""(?:"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|\[(?P<%s>=*)\[.*?\](?P=%s)\])"""
+HELP = rb"\b(?:doc|fails)\s*=\s*" + STRING % (b"a", b"a") + rb"(?:\s*\.\.\s*" + STRING % (b"b", b"b") + rb")*"
+LUA = re.compile(HELP + rb"|(?P<kept>" + STRING % (b"c", b"c") + rb")|--(?:\[(?P<d>=*)\[.*?\](?P=d)\]|[^\n]*)", re.DOTALL)
 COMMENTS = {".glsl": GLSL, ".h": GLSL, ".lua": LUA}
 
 
 def hash_of(file):
-    """SHA-256 of a file. Of Lua and GLSL comments, blank lines and blanks at the ends of lines do not count: inputHash of
-    runtime/base/inputs.h gives the same."""
+    """SHA-256 of a file. Of Lua and GLSL comments, help texts (fields `doc` and `fails`), blank lines and blanks at the
+    ends of lines do not count: inputHash of runtime/base/inputs.h gives the same."""
     data = Path(file).read_bytes()
     comments = COMMENTS.get(Path(file).suffix)
     if comments:
-        code = comments.sub(lambda match: match.group(1) or b" ", data)
+        code = comments.sub(lambda match: match["kept"] or b" ", data)
         lines = [line.rstrip(b" \t\r") for line in code.split(b"\n")]
         data = b"".join(line + b"\n" for line in lines if line)
     return hashlib.sha256(data).hexdigest()
