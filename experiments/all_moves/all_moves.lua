@@ -3,7 +3,7 @@
 --   strobe sweep experiments/all_moves/all_moves.lua -o out/all_moves
 local experiment = require "strobe.experiment"
 
-local base, layers, best, few = "McGuire 2012", "hybrid, layers alone", "hybrid (best)", "truth, 16 samples"
+local base, layers, best, few = "McGuire 2012", "hybrid_traced, layers alone", "hybrid_traced", "truth, 16 samples"
 local drawn = "accumulation buffer"
 
 local left_open = "rays at the sample times resolve nonlinear paths, velocities that the tile's list lacks and pixels " ..
@@ -60,30 +60,30 @@ return experiment {
   regions  = { "whole" },
   measures = { "rmse", "ms_ratio", "rays" },
   expect   = {
-    { "before a camera at rest the hybrid (best) takes at most a fifth of the time of truth with as many samples",
+    { "before a camera at rest hybrid_traced takes at most a fifth of the time of truth with as many samples",
       known = at_rest,
       function(r)
         local share = ratio(r, best, few, "ms_ratio")("vase")
         return share <= 0.2, ("%.2f of the time"):format(share)
       end },
-    { "in no shot does the hybrid (best) take longer than truth with as many samples", known = left_open,
+    { "in no shot does hybrid_traced take longer than truth with as many samples", known = left_open,
       function(r)
         local share, where = most(all, ratio(r, best, few, "ms_ratio"))
         return share <= 1, ("at most %.2f of the time (%s)"):format(share, where)
       end },
-    { "found afterwards: the error of the hybrid (best) is at most 1.5 times the error of truth with as many samples",
+    { "found afterwards: the error of hybrid_traced is at most 1.5 times the error of truth with as many samples",
       function(r)
         local share, where = most(all, ratio(r, best, few, "rmse"))
         return share <= 1.5, ("at most %.2f times the error (%s)"):format(share, where)
       end },
-    { "found afterwards: in every shot the error of the accumulation buffer is at most 1.1 times the error of the hybrid " ..
-      "(best)",
+    { "found afterwards: in every shot the error of the accumulation buffer is at most 1.1 times the error of " ..
+      "hybrid_traced",
       function(r)
         local share, where = most(all, ratio(r, drawn, best, "rmse"))
         return share <= 1.1, ("at most %.2f times the error (%s)"):format(share, where)
       end },
     { "found afterwards: past objects at many depths and behind a car the accumulation buffer takes at most two thirds of " ..
-      "the time of the hybrid (best)",
+      "the time of hybrid_traced",
       known = cheaper,
       function(r)
         local share, where = most({ "parallax", "chase" }, ratio(r, drawn, best, "ms_ratio"))

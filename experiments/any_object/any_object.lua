@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Objects that turn, have many parts, enter or leave the picture, before backgrounds with detail.
 -- The floor is the RMSE of truth with 16 midpoint samples. The part of an error e above the floor is sqrt(e^2 - floor^2), or 0
--- if e is smaller than the floor. Expectations for the hybrid (best) in each shot, written before measuring:
+-- if e is smaller than the floor. Expectations for hybrid_traced in each shot, written before measuring:
 --   in disoccluded regions (inner, hidden, self) its RMSE above the floor is at most a third of the RMSE above the floor of
 --     the best post-process;
 --   in every region its RMSE is at most 1.5 times the floor;
@@ -10,7 +10,7 @@
 -- The scenes of the last shots are shared data (STROBE_DATA). These shots are skipped if the data is missing.
 local experiment = require "strobe.experiment"
 
-local hybrid, shaded, floor = "hybrid (best)", "hybrid (every hit shaded)", "truth, 16 samples"
+local hybrid, shaded, floor = "hybrid_traced", "hybrid_traced, every hit shaded", "truth, 16 samples"
 local baselines = { mcguire2012 = "McGuire 2012", ue4 = "UE4-style", guertin2014 = "Guertin 2014",
   jimenez2014 = "Jimenez 2014", bevy = "Bevy", hdrp = "HDRP", lee2024 = "layers 2024", oberberger2022 = "oberberger2022" }
 local postprocesses = { "mcguire2012", "ue4", "guertin2014", "jimenez2014", "bevy", "hdrp" }
@@ -153,7 +153,7 @@ for _, list in ipairs { postprocesses, others } do
   for _, pipeline in ipairs(list) do arms[#arms + 1] = { name = baselines[pipeline], pipeline = pipeline } end
 end
 arms[#arms + 1] = { name = "selective", pipeline = "selective" }
-arms[#arms + 1] = { name = "hybrid (captured)", pipeline = "hybrid_layered" }
+arms[#arms + 1] = { name = "hybrid_layered", pipeline = "hybrid_layered" }
 arms[#arms + 1] = { name = hybrid, pipeline = "hybrid_traced" }
 arms[#arms + 1] = { name = shaded, pipeline = "hybrid_traced", shown = false,
   set = { ["trace_time_samples.same_depth"] = 0, ["raster_deviation.max_deviation"] = 0 } }
@@ -164,7 +164,7 @@ return experiment {
   title = "Any object",
   question = "Is the hybrid accurate for objects that turn, have many parts, enter or leave the picture?",
   note = "All methods have 16 samples, the exposure ends at the raster time, and no displacement is shortened. The floor is " ..
-         "the error of truth with 16 samples. The hybrid (best) is expected to have an error above the floor of at most a " ..
+         "the error of truth with 16 samples. hybrid_traced is expected to have an error above the floor of at most a " ..
          "third of the best post-process's, in disoccluded regions. In every region its error is expected to be at " ..
          "most 1.5 times the floor, and no baseline is expected to have a smaller error.",
   size = { 480, 270 },

@@ -5,7 +5,7 @@
 local experiment = require "strobe.experiment"
 
 local height, displacement = 180, 16
-local seed, best = "hybrid (as published)", "hybrid (best)"
+local seed, best = "hybrid", "hybrid_traced"
 
 -- Returns a function that declares one measured cost for each name in `parts`, a string of names separated by spaces. The
 -- costs are expected to grow as `how`, for the reason `why`, in the arm `arm` (default: all arms).

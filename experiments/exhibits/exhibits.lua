@@ -3,7 +3,7 @@
 --   strobe sweep experiments/exhibits/exhibits.lua -o out/exhibits
 local experiment = require "strobe.experiment"
 
-local none, bevy, mcguire, best = "no vectors", "Bevy", "McGuire 2012", "hybrid, best"
+local none, bevy, mcguire, best = "no vectors", "Bevy", "McGuire 2012", "hybrid_traced"
 local short, ue4, last_frame = "UE4-style, limit 0.05", "UE4-style", "McGuire 2012, last frame's path"
 local steps = "experiments/pipelines/hybrid_steps.lua"
 local straight, curved = "layers, straight paths", "layers, curved paths"
@@ -181,7 +181,7 @@ return experiment {
       local fast, slow = at(r, "share", best, { rate = 144 }), at(r, "share", best, { rate = 24 })
       local ratio = fast.displacement / slow.displacement
       return math.abs(ratio * 6 - 1) < 0.02 and fast.change_rms > 5 * slow.rmse,
-        ("%.1f and %.1f px; the picture changes by %.4f, the error of the hybrid (best) is %.4f"):format(fast.displacement,
+        ("%.1f and %.1f px; the picture changes by %.4f, the error of hybrid_traced is %.4f"):format(fast.displacement,
           slow.displacement, fast.change_rms, slow.rmse)
     end },
     { "seconds: no picture changes with the frame rate, truth included", shot = "seconds", function(r)
@@ -227,7 +227,7 @@ return experiment {
       end },
     mends("drive", mcguire, best, 0.2),
     mends("skin", none, mcguire, 0.9), mends("skin", none, best, 0.2),
-    { "in every exhibit except the shadow, the hybrid (best) has at most 0.3 times the error of the first arm with the " ..
+    { "in every exhibit except the shadow, hybrid_traced has at most 0.3 times the error of the first arm with the " ..
       "artefact",
       function(r)
         local most, where = 0, ""

@@ -21,7 +21,7 @@ local knobs = {
   { name = "ray queries", run = { backend = "query" }, needed = {} },
   { name = "ray pipelines", run = { backend = "pipeline" }, needed = {} },
 }
-local plain, best, base = "as it is", "hybrid (best)", "McGuire 2012"
+local plain, best, base = "as it is", "hybrid_traced", "McGuire 2012"
 
 local arms, runs, ways = {
   { name = base, pipeline = "mcguire2012" },
@@ -86,9 +86,9 @@ end
 return experiment {
   title    = "Knobs of cost",
   question = "How much time does each parameter save, how much error does it add, and which scenes require it?",
-  note     = "Each arm or run changes one parameter of the hybrid (best). Times are ratios to McGuire 2012 with 16 " ..
+  note     = "Each arm or run changes one parameter of hybrid_traced. Times are ratios to McGuire 2012 with 16 " ..
              "samples in the same shot. The arms are timed in turn in one run. In the expectations, times and errors are " ..
-             "ratios to the unchanged hybrid (best).",
+             "ratios to the unchanged hybrid_traced.",
   size     = { 320, 180 },
   shots    = shots,
   arms     = arms,

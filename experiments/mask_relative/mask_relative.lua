@@ -18,8 +18,8 @@ local function whole(r, shot, arm) return r.at { shot = shot, arm = arm, region 
 -- Returns the expectation that the error with the published mask is at least `factor` times that with the relative mask.
 local function gains(shot, factor, text, known)
   return { text, shot = shot, known = known, function(r)
-    local seed, relative = error_of(r, shot, "seed"), error_of(r, shot, "relative")
-    return seed >= factor * relative, ("RMSE %.4f and %.4f, %.1f times"):format(seed, relative, seed / relative)
+    local paper, relative = error_of(r, shot, "paper"), error_of(r, shot, "relative")
+    return paper >= factor * relative, ("RMSE %.4f and %.4f, %.1f times"):format(paper, relative, paper / relative)
   end }
 end
 
@@ -35,7 +35,7 @@ end
 return experiment {
   title    = "Ray masks",
   question = "When does a mask that depends on relative motion have a smaller error than the published mask?",
-  note     = "All arms are hybrid_layered with different ray masks. \"seed\" is the published mask. \"relative\" is the " ..
+  note     = "All arms are hybrid_layered with different ray masks. \"paper\" is the published mask. \"relative\" is the " ..
              "disocclusion mask. \"moving\" has all pixels that move or that a moving surface may cover. In six shots a " ..
              "striped bar moves over a striped background, which may move too. The other two shots are the living room " ..
              "before a camera at rest and before a camera that follows the vase. Times are ratios to the arm \"no rays\".",
@@ -54,8 +54,8 @@ return experiment {
   },
   arms     = {
     arm("no rays", { mask = "none" }),
-    arm("seed", { mask = "paper" }),
-    arm("seed, 4 taps", { mask = "paper", mask_taps = 4 }),
+    arm("paper", { mask = "paper" }),
+    arm("paper, 4 taps", { mask = "paper", mask_taps = 4 }),
     arm("relative", { mask = "disocclusion" }),
     arm("moving", { mask = "moving" }),
   },
@@ -69,7 +69,7 @@ return experiment {
       known = steps, function(r)
       local most, where = 0, ""
       for _, shot in ipairs(still_background) do
-        local ratio = error_of(r, shot, "seed") / error_of(r, shot, "relative")
+        local ratio = error_of(r, shot, "paper") / error_of(r, shot, "relative")
         if ratio > most then most, where = ratio, shot end
       end
       return most <= 1.1, ("at most %.2f times, in the shot %s"):format(most, where)
@@ -83,8 +83,8 @@ return experiment {
     gains("tracking", 1.5, "in a tracking shot of a room the published mask has at least 1.5 times the error of the " ..
       "relative mask", many),
     { "if only the background moves, the published mask does not reduce the error", function(r)
-      local seed, none = error_of(r, "only_background", "seed"), error_of(r, "only_background", "no rays")
-      return seed >= 0.99 * none, ("RMSE %.4f and %.4f"):format(seed, none)
+      local paper, none = error_of(r, "only_background", "paper"), error_of(r, "only_background", "no rays")
+      return paper >= 0.99 * none, ("RMSE %.4f and %.4f"):format(paper, none)
     end },
     { "the error with the relative mask is at most 1.1 times the error with the mask moving, in every shot with " ..
       "disocclusions", known = many,
@@ -104,7 +104,7 @@ return experiment {
       "hundredth", function(r)
       local most = 0
       for _, shot in ipairs { "bar", "slower", "against", "faster" } do
-        most = math.max(most, math.abs(error_of(r, shot, "seed, 4 taps") / error_of(r, shot, "seed") - 1))
+        most = math.max(most, math.abs(error_of(r, shot, "paper, 4 taps") / error_of(r, shot, "paper") - 1))
       end
       return most < 0.01, ("at most %.2f %%"):format(100 * most)
     end },
@@ -119,13 +119,13 @@ return experiment {
       function(r)
         local function marked(name) return r.at { shot = "vase", arm = name }.masked end
         return marked "relative" < marked "moving" / 2,
-          ("seed %d, relative %d, moving %d pixels; hidden %d"):format(marked "seed", marked "relative",
+          ("paper %d, relative %d, moving %d pixels; hidden %d"):format(marked "paper", marked "relative",
             marked "moving", r.at { shot = "vase", arm = "relative", region = "hidden" }.pixels)
       end },
     { "in the living room the relative mask takes less time than the mask moving", function(r)
       local function cost(name) return r.at { shot = "vase", arm = name }.ms_ratio end
       return cost "relative" < cost "moving",
-        ("no rays 1, seed %.2f, relative %.2f, moving %.2f"):format(cost "seed", cost "relative", cost "moving")
+        ("no rays 1, paper %.2f, relative %.2f, moving %.2f"):format(cost "paper", cost "relative", cost "moving")
     end },
   },
   layout   = { front = { x = "ms_ratio", y = "rmse", region = "hidden" }, table = {} },

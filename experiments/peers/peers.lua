@@ -9,7 +9,7 @@ local own_rays = "rasterised layers need rays only for light, while each traced 
                  "Rasterised layers in turn draw the scene again for each layer"
 
 local shots = { "vase", "three", "enters", "tracking" }
-local layers, best = "layers 2024", "hybrid, best"
+local layers, best = "layers 2024", "hybrid_traced"
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region } end
 
@@ -54,9 +54,9 @@ return experiment {
   measures = { "rmse", "flip", "rays" },
   expect   = {
     below(layers, "Jimenez 2014", "hidden", 1, "full layers have a smaller error than Jimenez 2014 in disoccluded regions"),
-    below(best, layers, "inner", 1, "the hybrid (best) has a smaller error than full layers inside silhouettes"),
-    below(best, layers, "hidden", 1, "the hybrid (best) has a smaller error than full layers in disoccluded regions"),
-    { "the hybrid (best) traces fewer rays than full layers", known = own_rays, function(r)
+    below(best, layers, "inner", 1, "hybrid_traced has a smaller error than full layers inside silhouettes"),
+    below(best, layers, "hidden", 1, "hybrid_traced has a smaller error than full layers in disoccluded regions"),
+    { "hybrid_traced traces fewer rays than full layers", known = own_rays, function(r)
       local most, where = 0, ""
       for _, shot in ipairs(shots) do
         local ratio = at(r, shot, best, "whole").rays / at(r, shot, layers, "whole").rays

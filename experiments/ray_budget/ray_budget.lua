@@ -48,7 +48,7 @@ local curve_shots = { "room", "room_tracking", "tracking_parallax", "stacked", "
 local curve, only_there, has_curve = {}, {}, {}
 for _, name in ipairs(curve_shots) do has_curve[name] = true end
 for _, share in ipairs { 0, 0.05, most, 0.3, 1 } do
-  local name = share == 1 and "hybrid, best" or ("hybrid, rays for %g %%"):format(100 * share)
+  local name = share == 1 and "hybrid_traced" or ("hybrid, rays for %g %%"):format(100 * share)
   curve[#curve + 1] = name
   only_there[name] = share ~= most
   arms[#arms + 1] = share == 1 and { name = name, pipeline = "hybrid_traced" } or

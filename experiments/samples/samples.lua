@@ -18,7 +18,7 @@ return experiment {
   arms     = {
     { name = "McGuire 2012", pipeline = "mcguire2012" },
     { name = "UE4-style", pipeline = "ue4" },
-    { name = "hybrid (best)", pipeline = "hybrid_traced" },
+    { name = "hybrid_traced", pipeline = "hybrid_traced" },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 512, times = "stratified" } },
   base     = "McGuire 2012",
@@ -28,7 +28,7 @@ return experiment {
   measures = { "rmse", "flip", "ms", "ms_ratio" },
   expect   = {
     { "inside the silhouette the hybrid has a smaller error with 8 samples than each baseline with 64", function(r)
-      local own, best = inner(r, "hybrid (best)", 8, 40), math.huge
+      local own, best = inner(r, "hybrid_traced", 8, 40), math.huge
       for _, arm in ipairs { "McGuire 2012", "UE4-style" } do best = math.min(best, inner(r, arm, 64, 40)) end
       return own < best, ("%.4f and %.4f"):format(own, best)
     end },
@@ -42,15 +42,15 @@ return experiment {
         return worst < 0.2, ("at most %.0f %%"):format(100 * worst)
       end },
     { "samples help the hybrid: from 4 to 64 samples its inner error falls at least by half", function(r)
-      local ratio = inner(r, "hybrid (best)", 64, 40) / inner(r, "hybrid (best)", 4, 40)
+      local ratio = inner(r, "hybrid_traced", 64, 40) / inner(r, "hybrid_traced", 4, 40)
       return ratio <= 0.5, ("to %.2f of the error"):format(ratio)
     end },
     { "the tile size changes the hybrid's inner error by at most a tenth", known = few_left, function(r)
       local most = 0
       for _, samples in ipairs { 4, 8, 16, 32, 64 } do
-        local middle = inner(r, "hybrid (best)", samples, 20)
+        local middle = inner(r, "hybrid_traced", samples, 20)
         for _, tile in ipairs { 10, 40 } do
-          most = math.max(most, math.abs(inner(r, "hybrid (best)", samples, tile) / middle - 1))
+          most = math.max(most, math.abs(inner(r, "hybrid_traced", samples, tile) / middle - 1))
         end
       end
       return most <= 0.1, ("at most %.1f %%"):format(100 * most)

@@ -3,7 +3,7 @@
 --   strobe sweep experiments/shading_under_motion/shading_under_motion.lua -o out/shading_under_motion
 local experiment = require "strobe.experiment"
 
-local none, mcguire, ue4, best = "no blur", "McGuire 2012", "UE4-style", "hybrid, best"
+local none, mcguire, ue4, best = "no blur", "McGuire 2012", "UE4-style", "hybrid_traced"
 local floor, moving = "truth, 16 samples", "truth, light in motion"
 local in_pictures = { lamp = true, shadow = true, gloss = true }
 

@@ -5,7 +5,7 @@
 local experiment = require "strobe.experiment"
 
 local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
-local best, floor = "hybrid (best)", "truth, as many samples"
+local best, floor = "hybrid_traced", "truth, as many samples"
 
 -- Returns the largest and the least ratio of the errors of `arm` and `other` over all speeds and numbers of samples. The name
 -- of its point follows each ratio.
@@ -45,12 +45,12 @@ return experiment {
   regions  = { "whole", "inner", "outer" },
   measures = { "rmse", "flip", "rays", "pixels" },
   expect   = {
-    { "the error of hybrid (best) is at most 1.3 times the error of truth with as many samples, at every speed and number " ..
+    { "the error of hybrid_traced is at most 1.3 times the error of truth with as many samples, at every speed and number " ..
       "of samples", function(r)
       local most, where = ratios(r, best, floor)
       return most <= 1.3, ("at most %.2f times the error (%s)"):format(most, where)
     end },
-    { "found afterwards: from 4 samples on hybrid (best) needs at most a tenth of the rays of truth with as many samples",
+    { "found afterwards: from 4 samples on hybrid_traced needs at most a tenth of the rays of truth with as many samples",
       known = "truth now needs fewer rays than then: it traces moving objects only where they are at the time of the sample",
         function(r)
       local most, where = 0, ""

@@ -14,14 +14,14 @@ return capture {
     { name = "vase", scene = "living_room", camera = "main", ["scene.exposure"] = 0.5, vary = { exposure = exposures } },
   },
   arms = {
-    { name = "hybrid", pipeline = "hybrid_traced" },
+    { name = "hybrid_traced", pipeline = "hybrid_traced" },
     { name = "truth", pipeline = "ground_truth", set = { samples = 32 } },
   },
   truth = "truth",
   films = {
     {
       name = "exposure", fps = 4, caption = "exposure {exposure %.3f} of a frame, FLIP {flip %.4f}",
-      columns = { { arm = "hybrid" }, { arm = "truth", label = "ground truth", caption = "" } },
+      columns = { { arm = "hybrid_traced" }, { arm = "truth", label = "ground truth", caption = "" } },
     },
   },
 }

@@ -31,7 +31,7 @@ return capture {
   title = "The hybrid, pass by pass",
   size = { 480, 270 },
   shots = { { name = "vase", scene = "living_room", camera = "main" } },
-  arms = { { name = "hybrid", pipeline = "hybrid_traced", set = { tile = 20 } } },
+  arms = { { name = "hybrid_traced", pipeline = "hybrid_traced", set = { tile = 20 } } },
   figures = {
     { name = "hybrid_passes", letters = true, width_mm = 178, text_size = 18, rows = rows,
       columns = { { label = "" }, { label = "" }, { label = "" } }, cells = cells },
