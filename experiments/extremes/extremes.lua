@@ -195,8 +195,8 @@ return experiment {
                 "sample per pixel, so a filter cannot locate an edge within its pixel, and edges move in steps of a whole " ..
                 "pixel. At 1 px the error of UE4-style is {UE4-style @ 1}. Rays locate the edge. The error of " ..
                 "hybrid_traced is {hybrid_traced @ 0.3} at 0.3 px, {hybrid_traced @ 1} at 1 px and {hybrid_traced @ " ..
-                "12.8} at 12.8 px. Truth with 16 samples has errors of {floor @ 0.3}, {floor @ 1} and {floor @ 12.8} there. At " ..
-                "12.8 px the errors of the other methods are {Jimenez 2014 @ 12.8} to {McGuire 2012 @ 12.8}, nearly all " ..
+                "12.8} at 12.8 px. Truth with 16 samples has errors of {floor @ 0.3}, {floor @ 1} and {floor @ 12.8} " ..
+                "there. At 12.8 px the errors of the other methods are {Jimenez 2014 @ 12.8} to {McGuire 2012 @ 12.8}, nearly all " ..
                 "of them inside the leading edge. There Jimenez 2014 and UE4-style mirror colours from outside the edge, " ..
                 "and McGuire 2012, Guertin 2014 and hybrid (text) leave the panel nearly opaque. No displacement " ..
                 "is shortened: the error of hybrid_traced is {hybrid_traced @ 40} at 40 px and {hybrid_traced @ 128} at " ..
