@@ -23,7 +23,7 @@ local function add(name, pipeline, set) arms[#arms + 1] = { name = name, pipelin
 for _, curve in ipairs(curves) do
   add(layers(curve), steps, { ["composite.taps"] = "linear", mask = "moving", trajectory = curve })
 end
-add("own times", "hybrid_traced")
+add("rays at the sample times", "hybrid_traced")
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
   set = { samples = 16, times = "midpoint" } }
 
@@ -40,9 +40,9 @@ end
 return experiment {
   title    = "Curved paths",
   question = "How much error do curved paths save where objects turn or approach?",
-  note     = "The arms \"layers\" use layers at the raster time alone. They reveal a background behind all moving " ..
-             "surfaces, and each point moves along a line, a parabola or an arc. The arm \"own times\" also traces rays at " ..
-             "the sample times.",
+  note     = "The arms \"layers\" use layers at the raster time alone. They reveal a background behind all moving surfaces, " ..
+             "and each point moves along a line, a parabola or an arc. The arm \"rays at the sample times\" also traces " ..
+             "rays at the sample times.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -81,7 +81,9 @@ return experiment {
         beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "line"))
     end },
     { "rays at the sample times have a smaller error than arcs, in every shot", function(r)
-      local most, where = largest(function(shot) return at(r, shot, "own times").rmse / at(r, shot, layers "arc").rmse end)
+      local most, where = largest(function(shot)
+        return at(r, shot, "rays at the sample times").rmse / at(r, shot, layers "arc").rmse
+      end)
       return most < 1, ("at most %.2f of the error (%s)"):format(most, where)
     end },
   },

@@ -7,7 +7,7 @@ local none, bevy, mcguire, best = "no vectors", "Bevy", "McGuire 2012", "hybrid_
 local short, ue4, last_frame = "UE4-style, limit 0.05", "UE4-style", "McGuire 2012, last frame's path"
 local steps = "experiments/pipelines/hybrid_steps.lua"
 local straight, curved = "layers, straight paths", "layers, curved paths"
-local frozen = "truth, light of the capture"
+local frozen = "truth, light at the raster time"
 
 -- Arms of each exhibit: first the arms with the artefact, then the arms without it. Times are ratios to the first arm.
 local drawn = {

@@ -193,14 +193,14 @@ return experiment {
       reading = "If the displacement is at most half a pixel, filters copy the rasterised image. At 0.3 px the error of " ..
                 "UE4-style is {UE4-style @ 0.3} of the contrast, the same as without blur. The rasterised image has one " ..
                 "sample per pixel, so a filter cannot locate an edge within its pixel, and edges move in steps of a whole " ..
-                "pixel. At 1 px the error of UE4-style is {UE4-style @ 1}. Rays locate the edge. The error of " ..
-                "hybrid_traced is {hybrid_traced @ 0.3} at 0.3 px, {hybrid_traced @ 1} at 1 px and {hybrid_traced @ " ..
-                "12.8} at 12.8 px. Truth with 16 samples has errors of {floor @ 0.3}, {floor @ 1} and {floor @ 12.8} " ..
-                "there. At 12.8 px the errors of the other methods are {Jimenez 2014 @ 12.8} to {McGuire 2012 @ 12.8}, nearly all " ..
-                "of them inside the leading edge. There Jimenez 2014 and UE4-style mirror colours from outside the edge, " ..
-                "and McGuire 2012, Guertin 2014 and hybrid (text) leave the panel nearly opaque. No displacement " ..
-                "is shortened: the error of hybrid_traced is {hybrid_traced @ 40} at 40 px and {hybrid_traced @ 128} at " ..
-                "128 px, where the error of no blur is {no blur @ 128}.",
+                "pixel. At 1 px the error of UE4-style is {UE4-style @ 1}. Rays locate the edge. The error of hybrid_traced " ..
+                "is {hybrid_traced @ 0.3} at 0.3 px, {hybrid_traced @ 1} at 1 px and {hybrid_traced @ 12.8} at 12.8 px. " ..
+                "Truth with 16 samples has errors of {floor @ 0.3}, {floor @ 1} and {floor @ 12.8} there. At 12.8 px the " ..
+                "errors of the other methods are {Jimenez 2014 @ 12.8} to {McGuire 2012 @ 12.8}, nearly all of them inside " ..
+                "the leading edge. There Jimenez 2014 and UE4-style mirror colours from outside the edge, and McGuire 2012, " ..
+                "Guertin 2014 and hybrid (text) leave the panel nearly opaque. No displacement is shortened: the error of " ..
+                "hybrid_traced is {hybrid_traced @ 40} at 40 px and {hybrid_traced @ 128} at 128 px, where the error of no " ..
+                "blur is {no blur @ 128}.",
       at = function(value) return { ["scene.speed"] = value } end,
     },
     list {

@@ -10,7 +10,7 @@ local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots w
 -- expected increase of the error by more than a twentieth.
 local knobs = {
   { name = "arcs", set = { trajectory = "arc" }, needed = {} },
-  { name = "no rays at own times", pipeline = "hybrid_layered", needed = moving },
+  { name = "no rays at the sample times", pipeline = "hybrid_layered", needed = moving },
   { name = "every hit shaded", set = { ["trace_time_samples.same_depth"] = 0 }, needed = { "fan", "stacked" } },
   { name = "four samples", set = { samples = 4 }, needed = moving },
   { name = "64 samples", set = { samples = 64 }, needed = {} },

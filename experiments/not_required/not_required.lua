@@ -3,7 +3,7 @@
 --   strobe sweep experiments/not_required/not_required.lua -o out/not_required
 local experiment = require "strobe.experiment"
 
-local base, traced_times = "layers of the capture", "+ rays where no layer explains"
+local base, traced_times = "raster layers", "+ rays for unresolved samples"
 
 -- Parts that are not needed to blur a panel that slides before a wall.
 local parts = {
