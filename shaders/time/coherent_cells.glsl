@@ -5,10 +5,11 @@
 //      `id`:       instance + 1 at the raster time; 0 for the sky
 // Out: `certain`:  1 if the gather is reliable, 1/2 if the cell is static, otherwise 0
 //      `longest`:  longest displacement of the surfaces that reach the cell, px over the exposure
-// Method: join the bounds of all cells whose surfaces reach this cell. If the diagonal of the joined box is at most `apart_px`,
-//      trace `validation_rays` rays. Each ray has a random pixel of the cell and its own part of the exposure, and must hit the
-//      instance that the motion brings there. The rays detect surfaces that the displacements of the raster time do not
-//      describe: curved paths, disoccluded surfaces, and surfaces from outside the image.
+// Method: join the bounds of all cells whose surfaces reach this cell or that a gather in this cell reads. If the diagonal
+//      of the joined box is at most `apart_px`, trace `validation_rays` rays. Each ray has a random pixel of the cell and
+//      its own part of the exposure, and must hit the point that the motion brings there. The rays detect surfaces that the
+//      displacements of the raster time do not describe: curved paths, disoccluded surfaces, and surfaces from outside the
+//      image.
 // Fails: misses a surface much smaller than a cell that the raster image does not show and no ray hits.
 #include "lib/bounds.glsl"
 #include "lib/random.glsl"
@@ -21,7 +22,7 @@
 // rays of `adaptive_times` dense in time. The value is not derived.
 const float kUnknown = 0.5;
 
-// True if a surface of another cell, `way` cells away, may reach this cell. `bounds`: bounds of that cell's displacements.
+// True if a surface that is `way` cells away at the raster time and has a displacement in `bounds` may reach this cell.
 bool comes(vec4 bounds, ivec2 way) {
   vec4 path = travelled(bounds, frame.shutter);
   vec2 side = vec2(params.cell_side), off = vec2(way) * side;
@@ -30,17 +31,19 @@ bool comes(vec4 bounds, ivec2 way) {
 
 vec4 joined(vec4 a, vec4 b) { return vec4(min(lowOf(a), lowOf(b)), max(highOf(a), highOf(b))); }
 
-// Bounds of the displacements of all surfaces that reach the cell, px over the exposure.
+// Bounds of the displacements of all surfaces that reach the cell, and of all texels that a gather in the cell reads, px over
+// the exposure. A gather reads the texels that would reach the cell with the cell's own displacements.
 vec4 boundsOfComing(ivec2 cell) {
   ivec2 last = pass_size() - 1;
   float reach_px = spreadFactor(frame.shutter) * reachPx();
   int around = min(int(ceil(reach_px / float(params.cell_side))), max(last.x, last.y));
   ivec2 low = max(cell - around - 1, ivec2(0)), high = min(cell + around + 1, last);
-  vec4 all_of_it = texelFetch(bounds_tex, cell, 0);
+  vec4 own = texelFetch(bounds_tex, cell, 0), all_of_it = own;
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) {
       vec4 bounds = texelFetch(bounds_tex, ivec2(x, y), 0);
-      if (!isEmpty(bounds) && comes(bounds, ivec2(x, y) - cell)) all_of_it = joined(all_of_it, bounds);
+      ivec2 way = ivec2(x, y) - cell;
+      if (!isEmpty(bounds) && (comes(bounds, way) || comes(own, way))) all_of_it = joined(all_of_it, bounds);
     }
   }
   return all_of_it;
@@ -56,7 +59,8 @@ bool shows(ivec2 at, uint id) {
   return false;
 }
 
-// True if validation ray `number` of the cell hits the instance that the motion brings to the ray's pixel at the ray's time.
+// True if validation ray `number` of the cell hits the point that the motion brings to the ray's pixel at the ray's time, and
+// the raster image shows that point. Tolerance: half a pixel, for the rounding of a tap, and `apart_px`.
 bool agrees(ivec2 cell, uint number) {
   uint index = uint(cell.y * pass_size().x + cell.x);
   uint drawn = randomUint(index, number, 3u);
@@ -67,8 +71,12 @@ bool agrees(ivec2 cell, uint number) {
   Ray ray = cameraRay(slice, samplePosition(pixel));
   Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, 3.0e38);
   vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
-  float t = sampleTime(int(part), int(frame.slice_count), 0.0);
-  return shows(pixel + roundSymmetric(tapOffset(d, t)), isHit(hit) ? hit.instance + 1u : 0u);
+  vec2 expected = vec2(pixel) + tapOffset(d, sampleTime(int(part), int(frame.slice_count), 0.0));
+  ivec2 texel = ivec2(roundSymmetric(expected));
+  if (!isInside(texel, ivec2(frame.size))) return false;
+  vec3 place;
+  if (isHit(hit) && !(placeInRaster(hit, place) && lengthOf(vec2(place) - expected) <= 0.5 + params.apart_px)) return false;
+  return shows(texel, isHit(hit) ? hit.instance + 1u : 0u);
 }
 
 // Corner of the box `bounds` that is farthest from zero.

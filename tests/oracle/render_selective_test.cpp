@@ -140,15 +140,43 @@ TEST_F(RenderSelective, CardsAtRestBeginWhereRaysMeetThem) {
   }
 }
 
+// A gather inside a surface of one colour would move the static texture beside the surface along with it. The raster
+// image and the truth have equal resolution, so the error is that of the intervals between rays alone.
+TEST_F(RenderSelective, AGatherDoesNotMoveAStaticBackground) {
+  for (const lab::Shot& shot :
+       {shotOf("../behind", kWidth, kHeight),
+        shotOf("quad_2d", kWidth, kHeight, {{"left", 30}, {"right", 60}, {"top", 12}, {"bottom", 42}})}) {
+    SCOPED_TRACE(shot.scene.string());
+    const image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=256", "mark_regions=false"})));
+    const double gather = rmsDifference(colorOf(render(with(shot, "ue4"))), truth);
+    EXPECT_LE(rmsDifference(colorOf(at(shot, .5)), truth), 0.05 * gather);
+  }
+}
+
+// A card slides in and back, so its displacement over the exposure is 0. Rays hit the card, but not at the point that
+// the displacement brings.
+TEST_F(RenderSelective, RaysRefuteAStaticCellThatTheDisplacementDoesNotDescribe) {
+  lab::Shot shot = shotOf("../turns_back", kWidth, kHeight);
+  shot.frame = 1;
+  const lab::Picture own = at(shot, .5, {}, "centre");
+  EXPECT_GT(counterOf(own, "coherent_cells.mismatched"), 0u);
+  const image::Image truth =
+      colorOf(render(with(shot, "ground_truth", {"samples=256", "mark_regions=false"}, "centre")));
+  EXPECT_LE(rmsDifference(colorOf(own), truth),
+            0.4 * rmsDifference(colorOf(render(with(shot, "ue4", {}, "centre"))), truth));
+}
+
 // The last cells are cut off by the picture's border, at which what moves ends too: rays look at no pixel beyond it.
+// Surfaces from outside the picture come to the cells of one border alone.
 TEST_F(RenderSelective, RaysLookAtThePictureAlone) {
   constexpr int kHigh = 34;
   const lab::Shot moves = shotOf(
       "crossing", 64, kHigh, {{"a_left", -200}, {"a_width", 400}, {"a_top", -8}, {"a_height", 8 + kHigh}, {"a_x", 12}});
   for (const Anchor& anchor : anchors()) {
     const lab::Picture own = at(moves, .4, {}, anchor.name);
-    EXPECT_GT(counterOf(own, "coherent_cells.checked"), 0u) << anchor.name;
-    EXPECT_EQ(counterOf(own, "coherent_cells.mismatched"), 0u) << anchor.name;
+    constexpr uint64_t rows = (kHigh + 9) / 10, columns = 2;  // of cells within 12 px of the border
+    EXPECT_GT(counterOf(own, "coherent_cells.checked"), columns * rows) << anchor.name;
+    EXPECT_LE(counterOf(own, "coherent_cells.mismatched"), columns * rows) << anchor.name;
   }
 }
 
