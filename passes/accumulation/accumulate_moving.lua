@@ -11,10 +11,10 @@ return pass.trace {
   size   = { of = "hit" },
   reads  = {
     hit    = { uint = true,
-      doc = "visible moving surface at the sample's time: instance + 1 (0 for none), geometry, primitive" },
+      doc = "visible moving surface at the sample's time, by indices: instance + 1 (0 for none), geometry, triangle" },
     color             = { doc = "colour of the raster layer, linear radiance" },
     depth             = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
-    id                = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
+    id                = { uint = true, doc = "instance index + 1, geometry index + 1 of the raster layer; 0 for the sky" },
     static_background = {
       doc = "alpha: linear view depth of the static background behind a moving surface, metres; 0 where the raster " ..
                      "layer is static. The colour channels are not read" },
@@ -23,7 +23,7 @@ return pass.trace {
     doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples in this mean" } },
   params = {
     reused        = pass.bool { true,
-      doc = "reuse the raster layer's colour where this layer shows the surface; off: shade every sample" },
+      doc = "take the colour of the raster layer where that layer shows the surface of the sample; off: shade every sample" },
     shades_contrast = raster_color.shades_contrast,
     contrast        = raster_color.contrast,
     detail_below    = raster_color.detail_below,

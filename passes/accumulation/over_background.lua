@@ -4,12 +4,14 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Mean over time samples of the visible moving surfaces, with the static background in all other samples",
+  doc    = "Mean over all time samples: moving surfaces in the samples that show one, and the static background in the " ..
+           "other samples",
   size   = { of = "moving" },
   reads  = {
     moving            = { doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples in this mean" },
     static_background = {
-      doc = "static background behind moving surfaces, linear radiance; alpha 0 where the raster layer is static" },
+      doc = "static background behind moving surfaces, linear radiance; alpha 0 where the raster layer is static and " ..
+            "`color` is the static colour" },
     color             = { doc = "colour of the raster layer, linear radiance" },
   },
   writes = { picture = { format = "rgba32f", doc = "blurred picture, linear radiance; alpha 1" } },

@@ -5,11 +5,11 @@ local shade = require "passes.gbuffer.shade"
 
 return pass.trace {
   doc    = "Static background behind each moving surface of the raster layer, for a static camera",
-  fails  = "The static background is shaded as at the raster time, with the shadows of that time. A static surface " ..
-           "that coincides with a second moving surface, behind the visible one, is not found.",
+  fails  = "The static background is shaded as at the raster time, with the shadows of that time. A static surface is not " ..
+           "found if it coincides with a moving surface that is itself hidden by another moving surface.",
   size   = { of = "hit" },
   reads  = {
-    hit = { uint = true, doc = "surface of the raster layer: instance + 1 (0 for the sky), geometry, primitive" },
+    hit = { uint = true, doc = "surface of the raster layer, by indices: instance + 1 (0 for the sky), geometry, triangle" },
   },
   writes = {
     static_background = { format = "rgba32f", cleared = true,

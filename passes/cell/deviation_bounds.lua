@@ -1,17 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- Intervals, per cell, of the displacements and path deviations of unreliable texels.
+-- Per cell, intervals that contain the displacements and path deviations of the unreliable texels, whose stored motion may be
+-- wrong.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Least and greatest displacement and path deviation of the unreliable texels of each cell, component by component",
-  fails  = "Does not fail, but can be loose: the bounds of a cell with two very different motions also contain " ..
+  doc    = "Least and greatest displacement and path deviation in each cell, component by component, of the unreliable " ..
+           "texels: texels whose stored motion may be wrong",
+  fails  = "Never too narrow, but may be too wide: the bounds of a cell with two very different motions also contain " ..
            "displacements that no texel has.",
   size   = { of = "velocity", divide = "cell_side" },
   reads  = {
-    velocity       = { doc = "displacement of the surface, px over the exposure" },
-    path_deviation = { doc = "at mid-exposure, offset of the surface from the straight line between the ends of its path, px" },
-    valid          = { doc = "mask, above 1/2 at unreliable texels" },
+    velocity       = { doc = "screen displacement of the surface, px over the exposure" },
+    path_deviation = { doc = "offset of the surface, at mid-exposure, from the straight line between the ends of its screen " ..
+                             "path, px" },
+    valid          = { doc = "mask, above 1/2 at the unreliable texels, which the bounds include" },
   },
   writes = {
     bounds = { format = "rgba32f",

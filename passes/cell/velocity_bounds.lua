@@ -4,23 +4,23 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Least and greatest displacement of each cell, component by component",
-  fails  = "Does not fail, but can be loose: the bounds of a cell with two very different motions also contain " ..
+  doc    = "Least and greatest displacement in each cell, component by component",
+  fails  = "Never too narrow, but may be too wide: the bounds of a cell with two very different motions also contain " ..
            "displacements that no texel has.",
   size   = { of = "velocity", divide = "cell_side" },
   reads  = {
-    velocity      = { doc = "displacement of the surface, px over the exposure" },
+    velocity      = { doc = "screen displacement of the surface, px over the exposure" },
     velocity_post = { absent = "velocity",
-      doc = "displacement of the surface at times after the raster time, px over the exposure" },
+      doc = "screen displacement of the surface after the raster time, scaled to the whole exposure, px" },
     curve         = { absent = 0, needs = "curve",
-      doc = "coefficients of the parabola or arc that the screen path follows; 0 for a straight line" },
+      doc = "curve of the screen path of each surface, as coefficients of a parabola or an arc; 0 for a straight line" },
     valid         = { absent = 1, doc = "mask, above 1/2 at texels that the bounds include" },
   },
   writes = { bounds = { format = "rgba32f",
     doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; if no texel of a cell is " ..
           "included, least exceeds greatest" } },
   if_no = { moving_rect = { bounds = 0 } },
-  runs   = "everywhere",  -- static cells have the bounds 0 only if `valid` is absent
+  runs   = "everywhere",  -- outside of the moving rectangle, the bounds are 0 only if `valid` is absent
   params = {
     cell_side = blur.cell_side,
     limit     = blur.limit,

@@ -8,7 +8,8 @@ return pass.compute {
   size   = { of = "bits" },
   reads  = { bits = { uint = true, doc = "mask of each square of 8 x 8 pixels, one bit per pixel" } },
   writes = {
-    before = { format = "r32ui", doc = "number of masked pixels in earlier squares of the same row" },
+    before = { format = "r32ui", doc = "for each square of 8 x 8 pixels, number of masked pixels in the squares to its " ..
+                                       "left, in the same row" },
     totals = { format = "buffer32ui", doc = "number of masked pixels in each row of squares" },
   },
 }

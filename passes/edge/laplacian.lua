@@ -5,14 +5,15 @@ local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   doc    = "Edges where the second difference of inverse depth or of the normal is large",
-  fails  = "Responds on both sides of a step, and to noise more than gradients do. A depth step is measured " ..
-           "as 1 - nearer depth / farther depth, which for large gaps is smaller than the step that gradients measure.",
+  fails  = "Marks both sides of a step, and marks noise more often than gradient detectors do. A depth step is measured as " ..
+           "1 - nearer depth / farther depth, which is at most 1. Gradient detectors measure a larger step where the gap is " ..
+           "large.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
   if_no = edge_ports.nowhere,
   params = edge_ports.steps {
-    kernel = pass.choice { "four", "eight", "log", default = "four", doc = "kernel of the second difference",
+    kernel = pass.choice { "four", "eight", "log", default = "four", doc = "kernel that computes the second difference",
       values = {
         four  = "The four neighbours. Fails for diagonals: the response to a diagonal step is twice the response to a step " ..
                 "along an axis.",

@@ -1,12 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Edges where a surface leaves its tangent plane or its normal changes abruptly.
+-- Edges where a surface leaves the tangent plane at a pixel, or where its normal changes abruptly.
 local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  doc    = "Edges where neighbouring pixels are off the plane of the surface, or the normal changes abruptly",
-  fails  = "Misses farther surfaces that lie in the same plane. With measure = second_difference, misses pixels " ..
-           "if one neighbour is as much nearer as the opposite one is farther. Coarsely quantised depths produce false edges.",
+  doc    = "Edges where a neighbouring pixel is off the tangent plane of the pixel's surface, or where the normal changes " ..
+           "abruptly",
+  fails  = "Misses an edge if the farther surface lies in the plane of the nearer one. With measure = second_difference, " ..
+           "misses an edge pixel if one neighbour is nearer by as much as the opposite neighbour is farther. Coarsely " ..
+           "quantised depths produce false edges.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },

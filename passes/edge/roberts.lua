@@ -4,10 +4,12 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  doc    = "Edges from two diagonal differences of 2 x 2 pixels, one pixel wide",
-  fails  = "The response is centred half a pixel to the right and below. Silhouettes with the nearer side to the right or " ..
-           "below are marked on the farther pixel, where the ray mask does not search. Objects that move left or " ..
-           "up therefore get no mask. Marks planes at grazing angles, as `sobel` does.",
+  doc    = "Edges, one pixel wide, from the differences of depth and normal along the two diagonals of 2 x 2 pixels",
+  fails  = "Marks the pixel to the left of a step or above the step, whichever side is nearer. A silhouette whose nearer " ..
+           "side is to the right or below is therefore marked on the farther side. The pass `range_check` ignores such a " ..
+           "mark, because by default it requires an edge on the pixel's own instance. With the anchor `end`, objects that " ..
+           "move left or up therefore get no ray mask. Planes at grazing angles and curved surfaces are marked, although " ..
+           "they are not edges.",
   breaks = { mirrored = "a block of 2 x 2 pixels has no centre pixel" },
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),

@@ -4,9 +4,10 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  doc    = "Edges from gradients of depth and normal, with the weights whose response depends least on direction",
-  fails  = "Marks planes at grazing angles and curved surfaces, as `sobel` does. The response is isotropic only for " ..
-           "smooth changes: it is 15 % larger for a hard step along a diagonal than for one along an axis.",
+  doc    = "Edges from gradients of depth and normal, by Scharr's kernel, whose response depends least on direction",
+  fails  = "Marks planes at grazing angles and curved surfaces, although they are not edges. The response is independent of " ..
+           "direction only for smooth changes: for a hard step along a diagonal it is 15 % larger than for a hard step " ..
+           "along an axis.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },

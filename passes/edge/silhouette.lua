@@ -4,9 +4,11 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  doc    = "Pixels beside a farther pixel of another instance, if the farther pixel is off the plane of the nearer surface",
-  fails  = "Misses self-occlusion of one instance, and background in the same plane. An object that rests on another " ..
-           "has no silhouette at the contact, which is right only while neither moves.",
+  doc    = "Silhouettes between instances that do not touch: pixels beside a farther pixel of another instance, if this " ..
+           "farther pixel is off the tangent plane of the nearer surface",
+  fails  = "Misses silhouettes between two parts of one instance (self-occlusion), and in front of a background in the same " ..
+           "plane. An object that rests on another one has no silhouette at the contact, which is right only while neither " ..
+           "of the two moves.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "id", "normal"),
   writes = { edge = edge_ports.edge },

@@ -6,11 +6,11 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
 return pass.compute {
-  doc    = "Blur of each pixel along its own displacement; a nearer tap counts if its surface moves at least as far as the " ..
-    "tap is away",
-  fails  = "Nothing blurs beyond its silhouette: a static pixel stays unchanged even if a surface passes over it. Inside a "
-    .. "silhouette, the background is copied from outside. Nearer surfaces that move along the same line count even if they "
-    .. "move away from the pixel, because the sign of the motion is ignored.",
+  doc    = "Blur of each pixel along its own displacement. Farther taps always count; a nearer tap counts if its surface " ..
+           "moves at least as far as the tap is away",
+  fails  = "Surfaces do not blur beyond their silhouettes: a static pixel stays unchanged even if a surface passes over it. " ..
+           "Inside a silhouette, the background is copied from outside. Nearer surfaces that move along the same line count " ..
+           "even if they move away from the pixel, because the sign of the motion is ignored.",
   size   = { of = "color" },
   reads  = ports.of { "color", "depth", "velocity" },
   writes = ports.picture,

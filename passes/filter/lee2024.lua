@@ -6,28 +6,28 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
 local more = {
-  id = { uint = true, doc = "instance + 1, geometry + 1; 0 for the sky" },
+  id = { uint = true, doc = "instance index + 1, geometry index + 1; 0 for the sky" },
   dominant      = { optional = true,
-    doc = "longest displacement per tile of the first two layers, px over the exposure; absent: only the pixel's own " ..
-          "displacements are tried" },
+    doc = "longest displacement in the first two layers that can bring a surface to each tile, px over the exposure; " ..
+          "absent: only the pixel's own displacements are tried" },
   deep_dominant = { optional = true,
-    doc = "longest displacement per tile of the third and fourth layer, px over the exposure; absent: these " ..
-          "displacements are not tried" },
+    doc = "longest displacement in the third and fourth layer that can bring a surface to each tile, px over the exposure; " ..
+          "absent: these displacements are not tried" },
 }
 for number = 2, 4 do
   local layer = ("layer_%d_"):format(number)
   more[layer .. "color"]    = { absent = 0, doc = "colour of a layer behind, linear radiance" }
   more[layer .. "depth"]    = { absent = 0,
     doc = "linear view depth of a layer behind, metres; +inf for the sky. A layer without this image is not searched" }
-  more[layer .. "velocity"] = { absent = 0, doc = "displacement of a layer behind, px over the exposure" }
+  more[layer .. "velocity"] = { absent = 0, doc = "screen displacement of a layer behind, px over the exposure" }
 end
 
 return pass.compute {
-  doc    = "For each time sample, the nearest texel, of all layers, that moves by one of the tried displacements",
-  fails  = "Surfaces in no layer are missing: surfaces that enter or have left the image, that face away, or that lie behind "
-    .. "the last layer. The background shows through where the missing surface is the nearest. Only the pixel's own "
-    .. "displacements and the longest displacements of its tile are tried: surfaces with other displacements are missed. "
-    .. "Surfaces whose displacement varies by more than `agreement` are missed too.",
+  doc    = "Mean over the time samples of the nearest texel, of all layers, that a tried displacement brings to the pixel",
+  fails  = "Surfaces in no layer are missing: surfaces that enter or have left the image, that face away from the camera, " ..
+           "or that lie behind the last layer. The background shows through where a missing surface is the nearest. Only " ..
+           "the pixel's own displacements and the longest displacements of its tile are tried: surfaces with other " ..
+           "displacements are missed. Surfaces whose displacement varies by more than `agreement` are missed too.",
   breaks = {
     mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
   },
@@ -40,7 +40,8 @@ return pass.compute {
     tile         = blur.tile,
     limit        = blur.limit,
     agreement    = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "largest difference between the displacement of a texel and the tried displacement that leads to the texel" },
+      doc = "largest difference between the displacement of a texel and the tried displacement that leads to the texel; " ..
+            "texels with a larger difference do not count" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },

@@ -4,14 +4,14 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Variance of luminance along the dominant displacement; 0 where no pixel along this displacement hits a moving " ..
-    "surface",
+  doc    = "Variance of luminance along the dominant displacement; 0 where no pixel within 8 px along this displacement " ..
+           "hits a moving surface",
   fails  = "A texture that varies along the motion is treated as noise.",
   size   = { of = "noisy" },
   reads  = {
     noisy    = { doc = "image with one time sample per pixel, linear radiance" },
-    moved    = { doc = "displacement of the surface hit at the pixel's time, px over the exposure" },
-    dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
+    moved    = { doc = "screen displacement of the surface hit at the pixel's time, px over the exposure" },
+    dominant = { doc = "longest displacement that can bring a surface to each tile, px over the exposure" },
   },
   writes = { variance = { format = "r32f", doc = "variance of luminance / (1 + luminance)" } },
   if_no = { motion = { variance = 0 } },

@@ -11,10 +11,11 @@ local every_other = "if the number of samples is even, the samples alternate bet
 local stands = "the choice of the tile depends on the screen position: it is not mirrored or moved with the scene"
 
 return pass.compute {
-  doc    = "Blur along the dominant displacement and a second direction, weighted by the alignment of motions with both",
-  fails  = "Inside silhouettes the blur is too opaque, as in McGuire's filter, and the background is copied from outside. "
-    .. "Coverage does not change linearly across an edge. Surfaces that move along neither direction stay sharp or leave "
-    .. "noise. Each direction gets half of the samples.",
+  doc    = "Blur along the dominant displacement of the tile and along a second direction; taps have larger weights if " ..
+           "their surfaces move along the sampled direction",
+  fails  = "Inside silhouettes the blur is too opaque, as with `mcguire2012`, and the background is copied from outside. " ..
+           "Coverage does not change linearly across an edge. Surfaces that move along neither direction stay sharp or " ..
+           "leave noise. Each direction gets half of the samples.",
   size   = { of = "color" },
   reads  = ports.of_layer({ "second", "slowest" }, {
     variance = { optional = true,
@@ -39,10 +40,11 @@ return pass.compute {
       doc = "constant in the weight of the centre pixel, samples / (kappa * blur radius); larger values hide static pixels " ..
             "under blur" },
     gamma        = pass.float { 1.5, min = 1e-3, max = 1024, unit = "px",
-      doc = "range of blur radii above 1/2 px over which the second direction turns from the perpendicular of the dominant " ..
-            "displacement to the pixel's own displacement" },
+      doc = "range of blur radii, above 1/2 px, for the turn of the second direction: from the perpendicular of the " ..
+            "dominant displacement at the lower end to the pixel's own displacement at the upper end" },
     eta          = pass.float { 0.95, min = 0, max = 1, doc = "factor on the jitter of the sample times" },
-    tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "jitter of the tile lookup",
+    tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "shift of the position that selects the " ..
+        "tile of a pixel, and so the dominant displacement; hides the borders of tiles",
       values = {
         none = "Each pixel reads its own tile. Fails by showing tile borders where the dominant displacement changes.",
         angle = "Each pixel reads the tile of a point a quarter of a tile away, in a direction that varies per pixel. Fails as "

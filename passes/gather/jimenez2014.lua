@@ -7,7 +7,8 @@ local jitter    = require "passes.lib.jitter"
 local quantised = require "passes.lib.quantised"
 
 return pass.compute {
-  doc    = "Blur by pairs of taps; the nearer and faster tap of a pair sets the weight of both",
+  doc    = "Blur along the dominant displacement of the tile, by pairs of taps on both sides of the pixel; the nearer and " ..
+           "faster tap of a pair sets the weight of both",
   fails  = "Inside a silhouette the background is copied from outside, so that edges there appear twice. Outside a silhouette, "
     .. "the background under the blurred object is copied from the opposite side. Surfaces that move across the dominant "
     .. "displacement are blurred along it.",
@@ -25,10 +26,12 @@ return pass.compute {
       } },
     tile         = blur.tile { 16 },
     limit        = blur.limit,
-    depth_extent = blur.depth_extent { doc = "width of the soft depth comparison, as a fraction of the farther depth" },
+    depth_extent = blur.depth_extent { doc = "depth difference, as a fraction of the farther depth, that makes a surface " ..
+                                             "count as fully in front of another one; smaller differences count in part" },
     mirror       = pass.bool { true, doc = "give both taps of a pair the weight of the nearer and faster one" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",
-      doc = "factor on the spread of a tap, by the angle or length of its displacement relative to the dominant displacement",
+      doc = "factor on the spread of a tap's colour, by the angle or length of the tap's displacement relative to the " ..
+            "dominant displacement",
       values = {
         none = "Factor 1. Fails where surfaces move across the dominant displacement: they are blurred along it.",
         projected = "Length of the tap's displacement projected on the dominant one, divided by the length of the dominant "
@@ -39,9 +42,10 @@ return pass.compute {
           .. "surfaces then blur to both sides. Fails as `none` does for motion across the dominant displacement.",
       } },
     copy_below   = pass.float { 0.5, min = 0, max = 16, unit = "px",
-      doc = "largest blur radius around a pixel that is copied without a gather" },
+      doc = "largest blur radius of the dominant displacement that is not blurred; pixels with such a radius are copied" },
     cheap_ratio  = pass.float { 0.9, min = 0, max = 1,
-      doc = "ratio of the shortest to the dominant displacement above which taps are averaged without weights" },
+      doc = "ratio of the shortest displacement around a pixel to the dominant displacement above which the motion counts " ..
+            "as uniform; the taps are then averaged without weights" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     color_format = quantised.color_format,

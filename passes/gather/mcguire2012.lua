@@ -10,10 +10,11 @@ local every_other = "if the number of samples is even, the samples alternate bet
   "other, so that reversed time swaps the directions"
 
 return pass.compute {
-  doc    = "Blur along the dominant displacement, weighted by cones and cylinders",
-  fails  = "Inside silhouettes the blur is too opaque (6/7 instead of 1/2), with a step at the silhouette, and the background "
-    .. "is copied from outside. Coverage does not change linearly across an edge, and opacity grows with the number of "
-    .. "samples. Surfaces that move across the dominant displacement are blurred along it.",
+  doc    = "Blur along the dominant displacement of the tile; taps are weighted by depth order, and by cone and cylinder " ..
+           "functions of their distance",
+  fails  = "Inside a moving silhouette, the foreground is too opaque (6/7 instead of 1/2, with a step at the silhouette) " ..
+           "and the background is copied from outside. Coverage does not change linearly across an edge, and opacity grows " ..
+           "with the number of samples. Surfaces that move across the dominant displacement are blurred along it.",
   breaks = {
     converging = "opacity grows with the number of samples: the weight of the centre pixel does not grow with it",
   },

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Time-uniform gather: a tap counts as 1/N of the exposure if its own motion passes over the pixel, otherwise as 0.
+-- Time-uniform gather with N taps: a tap counts as 1/N of the exposure (more for a slow surface) if its own motion passes over
+-- the pixel, otherwise as 0.
 local pass      = require "strobe.pass"
 local blur      = require "passes.lib.blur"
 local ports     = require "passes.lib.blur_ports"
@@ -7,7 +8,8 @@ local jitter    = require "passes.lib.jitter"
 local quantised = require "passes.lib.quantised"
 
 return pass.compute {
-  doc    = "Blur along the dominant displacement; each tap stands for an equal fraction of the exposure",
+  doc    = "Blur along the dominant displacement of the tile; each tap stands for an equal fraction of the exposure, and " ..
+           "counts if its surface passes over the pixel",
   fails  = "Without a revealed layer the background inside a silhouette is copied from outside. If the background moves under "
     .. "a moving silhouette, mean coverage times mean background colour differs from the mean of their product over the "
     .. "exposure. Surfaces whose path is more than 3/4 px off the line of the dominant displacement are not found.",

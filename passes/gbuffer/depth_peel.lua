@@ -3,11 +3,11 @@
 local pass = require "strobe.pass"
 
 return pass.raster {
-  doc    = "Nearest triangle behind the layer in front, at each sample position: one step of depth peeling",
+  doc    = "Nearest triangle behind the layer in front, at each pixel's sample position: one step of depth peeling",
   reads  = { front = { uint = true,
-    doc = "surface of the layer in front: instance + 1 (0 for the sky), geometry, primitive" } },
+    doc = "surface of the layer in front, by indices: instance + 1 (0 for the sky), geometry, triangle" } },
   writes = { hit = { format = "rgba32ui",
-    doc = "surface of the layer behind: instance + 1 (0 for the sky), geometry, primitive, 0" } },
+    doc = "surface of the layer behind, by indices: instance + 1 (0 for the sky), geometry, triangle, 0" } },
   params = {
     sides = pass.choice { "front", "all", default = "front", doc = "sides of triangles that form layers",
       values = {
@@ -18,6 +18,6 @@ return pass.raster {
       } },
   },
   counters = { fragments = "fragments drawn to find the layer" },
-  fails  = "Each layer costs more than drawing the scene once, because early depth tests reject no hidden fragments. Of " ..
-           "surfaces closer together than the depth buffer resolves, one may be in no layer.",
+  fails  = "Each layer costs more than drawing the scene once, because early depth tests reject no hidden fragments. Of two " ..
+           "surfaces closer together than the depth buffer resolves, one may be missing in all layers.",
 }

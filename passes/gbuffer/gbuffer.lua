@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Geometry buffer, derived from the visible triangle of each pixel by the same functions as for rays.
+-- G-buffer, derived from the visible triangle of each pixel. The functions that compute it also serve the hits of rays.
 local pass      = require "strobe.pass"
 local quantised = require "passes.lib.quantised"
 
@@ -7,13 +7,14 @@ return pass.compute {
   doc    = "Depth, normal, ids and displacement of the visible surface of each pixel",
   size   = { of = "hit" },
   scene  = true,
-  reads  = { hit = { uint = true, doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive" } },
+  reads  = { hit = { uint = true, doc = "visible surface, by indices: instance + 1 (0 for the sky), geometry, triangle" } },
   writes = {
     depth    = { format = "r32f", doc = "linear view depth, metres; +inf for the sky" },
     normal   = { format = "rgba32f", doc = "unit normal towards the camera, world space; 0 for the sky" },
-    id       = { format = "rg32ui", doc = "instance + 1, geometry + 1; 0 for the sky" },
+    id       = { format = "rg32ui", doc = "instance index + 1, geometry index + 1; 0 for the sky" },
     velocity = { format = quantised.velocity,
-      doc = "displacement of the surface, x right, y down, px over the exposure; not shortened to the displacement limit" },
+      doc = "screen displacement of the surface, x right, y down, px over the exposure; not shortened to the displacement " ..
+            "limit" },
   },
   params = {
     velocity_format = quantised.velocity_format,
@@ -31,7 +32,7 @@ return pass.compute {
   },
   counters = {
     near_plane = {
-      doc   = "pixels whose surface is behind the near plane at some time of the exposure",
+      doc   = "pixels whose surface passes through the near plane at some time of the exposure",
       limit = "each such displacement is the path up to the near plane, extrapolated to the whole exposure; no straight " ..
               "line describes the true path. Ground truth is not affected. Shorten the exposure, or move the near plane " ..
               "towards the camera",

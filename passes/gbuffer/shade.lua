@@ -7,9 +7,10 @@ return pass.trace {
   doc    = "Colour of the visible surface of each pixel at the raster time, with traced shadows",
   size   = { of = "hit" },
   reads  = {
-    hit              = { uint = true, doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive" },
+    hit              = { uint = true, doc = "visible surface, by indices: instance + 1 (0 for the sky), geometry, triangle" },
     light_visibility = { uint = true, optional = true, needs = "light_visibility",
-      doc = "bits per tile from `tile_light_visibility`: lights whose shadow rays need no tracing" },
+      doc = "lights that are visible, or blocked, from a whole tile, as bits from `tile_light_visibility`; these lights " ..
+            "need no shadow rays" },
   },
   writes = { color = { format = quantised.color, doc = "colour, linear radiance; alpha 1" } },
   counters = {
@@ -22,7 +23,8 @@ return pass.trace {
   params = {
     color_format = quantised.color_format,
     shadow_tile = pass.int { 8, min = 1, max = 64, unit = "px", wired = true,
-      doc = "side of a tile whose shadow rays towards a light share one test" },
+      doc = "side of a tile of pixels for the light visibility test: one test of a tile and a light may replace the shadow " ..
+            "rays of all its pixels" },
     shading = pass.choice { "frozen", "full", default = "frozen", role = "shading",
       doc = "time of the poses used for shading: the raster time, or the time of the sample",
       values = {

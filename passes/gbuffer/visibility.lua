@@ -3,6 +3,7 @@
 local pass = require "strobe.pass"
 
 return pass.raster {
-  doc    = "Nearest triangle at each sample position, by rasterisation",
-  writes = { hit = { format = "rgba32ui", doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive, 0" } },
+  doc    = "Nearest triangle at each pixel's sample position, by rasterisation",
+  writes = { hit = { format = "rgba32ui", doc = "visible surface, by indices: instance + 1 (0 for the sky), geometry, " ..
+      "triangle, 0" } },
 }

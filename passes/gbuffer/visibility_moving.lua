@@ -4,10 +4,11 @@ local pass = require "strobe.pass"
 
 return pass.raster {
   shader = "gbuffer/visibility",
-  doc    = "Nearest triangle at each sample position; with a static camera, only moving instances are drawn",
+  doc    = "Nearest triangle at each pixel's sample position, by rasterisation; with a static camera, only moving instances " ..
+           "are drawn",
   writes = { hit = { format = "rgba32ui",
-    doc = "visible surface: instance + 1 (0 for the sky or a static surface), geometry, primitive, 0" } },
+    doc = "visible surface, by indices: instance + 1 (0 for the sky or a static surface), geometry, triangle, 0" } },
   runs   = "moving_instances",
-  fails  = "Includes moving surfaces behind static ones. Passes that read `hit` must compare the depth of the hit with " ..
-           "the depth at the raster time.",
+  fails  = "With a static camera, the image includes moving surfaces behind static ones. Passes that read `hit` must " ..
+           "therefore compare the depth of the hit with the depth of the static surface at the raster time.",
 }

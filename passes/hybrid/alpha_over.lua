@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Blurred foreground over blurred background.
+-- Composite of the blurred foreground over the blurred background, with one alpha per pixel.
 local pass = require "strobe.pass"
 
 return pass.compute {
-  doc    = "Blurred foreground over blurred background, by the alpha of the foreground",
+  doc    = "Composite of the blurred foreground over the blurred background, by the alpha of the foreground: its mean " ..
+           "coverage over the exposure",
   fails  = "Wrong where a textured background moves under a moving silhouette: the product of mean coverage and mean " ..
-           "background differs from the mean of their product (errors up to 0.2 with perfect layers). With the filter " ..
-           "`mcguire2012` the foreground is far too opaque inside its silhouettes.",
+           "background colour differs from the mean of their product. The error reaches 0.2, in linear radiance, even if " ..
+           "both layers are perfect. With the filter `mcguire2012` the foreground is far too opaque inside its silhouettes.",
   breaks = {
     uniform    = "if the background moves with the foreground, mean coverage times mean background colour differs from the " ..
       "mean of their product over the exposure",

@@ -9,35 +9,37 @@ local quantised = require "passes.lib.quantised"
 local nothing = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0, found = 0 }
 
 return pass.trace {
-  doc    = "Colour, depth, ids and displacement of the surface behind the masked foreground",
+  doc    = "Colour, depth, ids and displacement of the background behind the foreground, by a ray through each masked pixel",
   size   = { of = "hit" },
   reads  = {
-    hit  = { uint = true, doc = "foreground surface: instance + 1 (0 for the sky), geometry, primitive" },
+    hit  = { uint = true, doc = "foreground surface, by indices: instance + 1 (0 for the sky), geometry, triangle" },
     mask = { doc = "mask, above 1/2 where a ray is traced" },
   },
   writes = {
-    color = { cleared = true, format = quantised.color, doc = "colour of the revealed surface, linear radiance; 0 for none" },
+    color = { cleared = true, format = quantised.color, doc = "colour of the revealed surface, linear radiance; 0 where " ..
+        "none is revealed" },
     depth = { cleared = true, format = "r32f",
-      doc = "linear view depth of the revealed surface, metres; +inf for the sky, 0 for none" },
+      doc = "linear view depth of the revealed surface, metres; +inf for the sky, 0 where none is revealed" },
     id       = { cleared = true, format = "rg32ui",
-      doc = "instance + 1, geometry + 1 of the revealed surface; 0 for the sky or none" },
+      doc = "instance index + 1, geometry index + 1 of the revealed surface; 0 for the sky and where none is revealed" },
     velocity = { cleared = true, format = quantised.velocity,
-      doc = "displacement of the revealed surface, px over the exposure" },
+      doc = "screen displacement of the revealed surface, px over the exposure; 0 where none is revealed" },
     found    = { cleared = true, format = "rgba32ui",
-      doc = "revealed surface: instance + 1 (0 for the sky or none), geometry, primitive" },
+      doc = "revealed surface, by indices: instance + 1 (0 for the sky and where none is revealed), geometry, triangle" },
     valid    = { cleared = true, format = "r8_unorm", doc = "mask, 1 where a surface or the sky is revealed" },
   },
   if_no = { mask = nothing, moving_rect = nothing },
-  runs   = "everywhere",  -- a mask may be 1 outside of the moving rectangle
-  fails  = "A second layer behind the revealed one stays hidden. Of two surfaces whose depths differ by at most 4 units in " ..
-           "the last place (more with advance = restart), the second is lost. Glass is revealed as if it were opaque.",
+  runs   = "everywhere",  -- the mask may contain pixels outside of the moving rectangle
+  fails  = "Finds one surface per pixel; further surfaces behind it stay hidden. Of two surfaces whose depths differ by at " ..
+           "most 4 units in the last place of a float (more with advance = restart), the second is lost. Glass is revealed " ..
+           "as if it were opaque.",
   params = {
     displacement = gbuffer.params.displacement,
     velocity_format = quantised.velocity_format,
     color_format    = quantised.color_format,
     depth_encoding  = quantised.depth_encoding,
     termination = pass.choice { "luminance", "geometry", "instance", "motion", "disoccluded", default = "instance",
-      doc = "condition for a hit to count as another object than the foreground",
+      doc = "rule that decides which hit along the ray is on another object than the foreground; the ray ends at this hit",
       values = {
         luminance = "First hit whose luminance differs from the luminance of the foreground, as published. Passes through a " ..
                     "background of equal luminance, stops inside an object with a differently lit or painted back, and " ..
@@ -55,7 +57,7 @@ return pass.trace {
       },
       breaks = { luminance = { linear = "luminances are compared, so that other lighting may reveal another layer" } } },
     advance = pass.choice { "instance_filter", "origin_kept", "restart", default = "instance_filter",
-      doc = "continuation of a ray past a hit",
+      doc = "continuation of a ray past a hit that still counts as foreground",
       values = {
         instance_filter = "One traversal of the same ray that ignores the instance in front (with termination = geometry, " ..
                           "only the geometry in front). Instance and geometry termination need one ray and never reach " ..
@@ -69,20 +71,21 @@ return pass.trace {
                           "hit again.",
       } },
     max_layers = pass.int { 8, min = 1, max = 31,
-      doc = "largest number of hits per ray that do not count as another object; the ray ends at this number" },
+      doc = "largest number of hits along a ray that do not count as another object. A ray that reaches this number ends, " ..
+            "with the result that `on_cap` chooses" },
     on_cap = pass.choice { "fallback", "last_hit", default = "fallback",
-      doc = "result of a ray that reaches `max_layers`",
+      doc = "result of a ray that ends because it reaches `max_layers`",
       values = {
         fallback = "Nothing is revealed: the pixel is blurred as without rays. A background behind `max_layers` or more " ..
                    "layers is missed.",
         last_hit = "The last hit of the ray counts as the revealed surface, although this hit may still be foreground.",
       } },
     same_motion = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "largest difference between the screen motions of a surface and the foreground that counts as the same motion; " ..
-            "used with termination = motion or disoccluded" },
+      doc = "largest difference between the screen motions of a hit and of the foreground that counts as equal motion; used " ..
+            "with termination = motion or disoccluded" },
     tolerance = pass.float { 0.01, min = 0, max = 1,
-      doc = "relative luminance difference above which a hit counts as another object; an absolute tolerance of 0.0001 is " ..
-            "added. Used with termination = luminance" },
+      doc = "relative difference from the foreground's luminance above which a hit counts as another object; an absolute " ..
+            "tolerance of 0.0001 is added. Used with termination = luminance" },
     luminance_of = pass.choice { "radiance", "base_color", "material", default = "radiance",
       doc = "quantity compared by termination = luminance; the paper does not define the luminance of an object",
       values = {

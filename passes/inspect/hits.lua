@@ -7,9 +7,10 @@ return pass.trace {
   fails  = "Lists only one of two surfaces whose depths differ by at most 4 units in the last place.",
   size   = { 16, 1 },
   writes = {
-    hit      = { format = "rgba32ui", doc = "instance + 1, geometry + 1, primitive, 1 for a front face; 0 after the last hit" },
+    hit      = { format = "rgba32ui", doc = "hit surface: instance index + 1, geometry index + 1, triangle index, 1 for a " ..
+                                            "front face; 0 after the last hit" },
     where    = { format = "rgba32f", doc = "x: linear view depth, metres; yzw: unit normal towards the camera, world space" },
-    velocity = { format = "rg32f", doc = "displacement, x right, y down, px over the exposure" },
+    velocity = { format = "rg32f", doc = "screen displacement of the hit surface, x right, y down, px over the exposure" },
     color    = { format = "rgba32f", doc = "colour of the hit, linear radiance; alpha 1 for a hit, otherwise 0" },
   },
   params = {

@@ -3,14 +3,16 @@
 local pass = require "strobe.pass"
 
 return pass.trace {
-  doc    = "Hit of one random ray per pixel through the scene at the raster time; many rays are hard to trace exactly",
+  doc    = "Hit of one random ray per pixel through the scene at the raster time, for the comparison of ray tracing " ..
+           "backends; many rays are hard to trace exactly",
   writes = {
     origin    = { format = "rgba32f", doc = "origin of the ray relative to the camera at the raster time, world axes, metres" },
     direction = { format = "rgba32f", doc = "direction of the ray, of any length; alpha: largest ray parameter t" },
     hit       = { format = "rgba32ui",
-      doc = "instance + 1, geometry, primitive, ray parameter t as the bits of a float; 0 for a miss" },
-    color     = { format = "rgba32f", doc = "rgb: ray parameter t of the hit; 0 for a miss" },
-    blocked   = { format = "r32ui", doc = "1 if any surface lies on the ray" },
+      doc = "hit surface, by indices: instance + 1, geometry, triangle; then the ray parameter t as the bits of a float; 0 " ..
+            "for a miss" },
+    color     = { format = "rgba32f", doc = "rgb: ray parameter t of the hit, for display; 0 for a miss" },
+    blocked   = { format = "r32ui", doc = "1 if any surface lies on the ray, otherwise 0" },
   },
   params = {
     ray_kind = pass.choice { "all", "through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane",

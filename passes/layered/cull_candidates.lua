@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Candidate displacements of the background, culled per cell; third step of the disocclusion mask.
+-- Candidate displacements of hidden background, culled per cell; third step of the disocclusion mask.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local path = require "passes.lib.relative_path"
@@ -7,16 +7,17 @@ local max_displacement = require "passes.lib.max_displacement"
 
 local function pair(doc) return { format = "rgba32f", doc = doc } end
 
-local velocities = { doc = "two candidate displacements per tile, px over the exposure; 1e9 for none" }
+local velocities = { doc = "two candidate displacements of hidden background per tile, px over the exposure; 1e9 for none" }
 
 return pass.compute {
-  doc    = "Candidate background displacements per cell that may disocclude a surface there",
-  fails  = "A cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. Extra pixels may " ..
-           "then be marked, and further candidates are lost.",
+  doc    = "Candidate displacements of hidden background per cell: the candidates of the tiles there that may disocclude a " ..
+           "surface in the cell",
+  fails  = "A cell that overlaps several tiles tests the candidates of all these tiles, up to eight in all. The " ..
+           "disocclusion mask may then have extra pixels, and candidates beyond the eighth are lost.",
   size   = { of = "bounds" },
   reads  = {
-    bounds       = { doc = "bounds of the displacements in each cell, px over the exposure" },
-    ids          = { uint = true, doc = "least and greatest instance + 1 in each cell; 0 for the sky" },
+    bounds       = { doc = "least and greatest displacement in each cell, component by component, px over the exposure" },
+    ids          = { uint = true, doc = "least and greatest instance index + 1 in each cell; 0 for the sky" },
     candidates_0 = velocities, candidates_1 = velocities, candidates_2 = velocities, candidates_3 = velocities,
     max_displacement = max_displacement,
   },

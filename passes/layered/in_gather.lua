@@ -7,15 +7,17 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
 return pass.compute {
-  doc    = "One gather whose background taps read the revealed layer where the foreground hides them",
+  doc    = "One gather over both layers: taps of the background read the revealed layer where the foreground hides the " ..
+           "background",
   fails  = "A surface in front may be missed if it moves neither by the dominant displacement nor like the pixel's own " ..
-           "surface, above all if it moves against both of these motions. The background is assumed to move as it does at " ..
-           "the pixel: this is wrong where two backgrounds meet or the background turns. Only one layer behind the first is " ..
-           "used.",
+           "surface, above all if it moves against both of these motions. The background is assumed to move everywhere as " ..
+           "it moves at the pixel: this is wrong where two backgrounds meet or the background rotates. Only one layer " ..
+           "behind the first is used.",
   size   = { of = "color" },
   reads  = ports.of_both({}, {
-    id          = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
-    revealed_id = { uint = true, doc = "instance + 1, geometry + 1 of the revealed surface; 0 for the sky" },
+    id          = { uint = true, doc = "instance index + 1, geometry index + 1 of the raster layer; 0 for the sky" },
+    revealed_id = { uint = true, doc = "instance index + 1, geometry index + 1 of the surface revealed behind the raster " ..
+                                       "layer; 0 for the sky" },
   }),
   writes = ports.picture,
   if_no = ports.no_motion,

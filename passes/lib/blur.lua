@@ -7,17 +7,20 @@ return {
   samples = param.int { 16, min = 1, max = 1024, role = "sample_count", doc = "number of samples along the motion" },
 
   tile = param.int { 40, min = 1, max = 1024, unit = "px", role = "tile",
-    doc = "side of a tile, a square of pixels with one dominant displacement" },
+    doc = "side of a tile, a square of pixels with one dominant displacement: the longest displacement that can bring a " ..
+          "surface there" },
 
   cell_side = param.int { 10, min = 1, max = 1024, unit = "px",
-    doc = "side of a cell, a square of pixels that is skipped if the bounds of its displacements show that it needs no work" },
+    doc = "side of a cell, a square of pixels that passes skip if the bounds of its displacements show that the cell needs " ..
+          "no work" },
 
   limit = param.float { "auto", min = 0, max = 10, auto = true, unit = "image widths", role = "reach",
-    doc = "longest displacement that filters handle; longer displacements are shortened and counted. With `auto` there is " ..
-      "no limit: filters search as far as the longest displacement of the image" },
+    doc = "longest displacement that filters handle; longer displacements are shortened and counted. With `auto` no " ..
+          "displacement is shortened: filters search as far as the longest displacement of the image" },
 
   depth_extent = param.float { 0.01, min = 1e-6, max = 1, role = "depth_tolerance",
-    doc = "width of the soft depth comparison, as a fraction of the farther depth" },
+    doc = "depth difference, as a fraction of the farther depth, that makes a surface count as fully in front of another " ..
+          "one; smaller differences count in part" },
 
   trajectory = param.choice { "line", "quadratic", "arc", default = "line",
     doc = "shape of a surface point's screen path over the exposure; with displacement = extrapolated, it is fitted to " ..
@@ -31,5 +34,6 @@ return {
         "rolling wheels, up to one and a quarter turns. Needs displacement = window. Fails for circles seen obliquely.",
     } },
 
-  directions = param.choice { "one", "two", default = "one", doc = "number of directions along which taps are taken" },
+  directions = param.choice { "one", "two", default = "one", doc = "number of directions in the image along which a filter " ..
+      "takes taps" },
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Images and parameters that edge detectors share. Each name has one meaning in every detector.
+-- Ports and parameters that edge detectors share. Each name has one meaning in every detector.
 local pass = require "strobe.pass"
 
 local edge_ports = {}
@@ -7,11 +7,11 @@ local edge_ports = {}
 local docs = {
   depth  = { doc = "linear view depth, metres; +inf for the sky" },
   normal = { doc = "unit normal, world space; 0 for the sky" },
-  id     = { uint = true, doc = "instance + 1; 0 for the sky" },
+  id     = { uint = true, doc = "instance index + 1; 0 for the sky" },
   where  = { absent = 1, doc = "mask, above 1/2 where edges are detected" },
 }
 
--- Returns the reads of a detector: the images named by the arguments, and the mask `where`.
+-- Returns the input ports of a detector: the images named by the arguments, and the mask `where`.
 function edge_ports.reads(...)
   local reads = { where = docs.where }
   for _, name in ipairs { ... } do
@@ -22,7 +22,7 @@ end
 
 edge_ports.edge = { format = "r8_unorm", doc = "edge mask, 1 on an edge" }
 
--- Stand-in for the output of a detector if `where` is empty.
+-- Output of a detector if the mask `where` is empty: no pixel is an edge.
 edge_ports.nowhere = { where = { edge = 0 } }
 
 function edge_ports.depth_threshold(default, doc)
@@ -34,9 +34,10 @@ end
 function edge_ports.steps(more)
   local params = {
     depth_threshold  = edge_ports.depth_threshold(0.05),
-    normal_threshold = pass.float { 0.8, min = 1e-6, max = 16, doc = "smallest difference of unit normals at an edge" },
+    normal_threshold = pass.float { 0.8, min = 1e-6, max = 16, doc = "smallest length of the difference of two unit normals " ..
+        "at an edge" },
     combine          = pass.choice { "max", "sum", "and", default = "max",
-      doc = "combination of the depth step and the normal step",
+      doc = "combination of the depth step and the normal step into one edge strength",
       values = {
         max     = "An edge is a step of depth or of normal. Fails where one of the two responds without a silhouette: " ..
                   "creases and curved surfaces are marked.",
@@ -64,7 +65,7 @@ end
 -- Returns the parameter `measure`, the measure of the distance of a surface from a plane.
 function edge_ports.measure()
   return pass.choice { "second_difference", "distance", default = "second_difference",
-    doc = "measure of the distance of a neighbouring pixel from the plane of the surface",
+    doc = "measure of a neighbouring pixel's distance from the tangent plane of the pixel's surface",
     values = {
       second_difference = "Second difference of 1/z, which is 0 on a plane, since 1/z is affine there. Uses depth alone. " ..
                           "Fails if one neighbour of a pixel is as much nearer as the opposite one is farther, and at the " ..

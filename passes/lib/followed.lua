@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Reads of passes that compute the screen paths of a layer's surfaces over the exposure.
+-- Input ports of the passes that compute the screen paths of a layer's surfaces over the exposure.
 return {
   depth    = { doc = "linear view depth, metres; +inf for the sky, 0 where the layer has no surface" },
-  id       = { uint = true, doc = "instance + 1; 0 for the sky" },
-  velocity = { doc = "displacement of the surface, px over the exposure" },
+  id       = { uint = true, doc = "instance index + 1; 0 for the sky" },
+  velocity = { doc = "screen displacement of the surface, px over the exposure" },
   hit      = { optional = true, uint = true,
-    doc = "instance + 1 (0 for the sky), geometry, primitive; absent: joints and morph targets are ignored" },
+    doc = "surface, by indices: instance + 1 (0 for the sky), geometry, triangle; absent: joints and morph targets are " ..
+          "ignored" },
   normal   = { optional = true, doc = "unit normal, world space; 0 for the sky; absent: stretch is not tested" },
 }

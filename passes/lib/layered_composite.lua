@@ -5,7 +5,7 @@ local blur   = require "passes.lib.blur"
 local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
--- All variants of the pass share this table, so that they follow the same parameters of a pipeline.
+-- All variants of the pass share these parameters, so that they take the values of the same parameters of a pipeline.
 local params = {
   samples      = blur.samples { doc = "number of time samples" },
   tile         = blur.tile,
@@ -23,17 +23,18 @@ local params = {
   marks_unresolved  = param.bool { false, wired = true,
     doc = "leave unresolved samples out of the mean, so that a later pass traces a ray for each" },
   marks_contrast = param.bool { false,
-    doc = "treat samples between texels of different colour as unresolved; used only with marks_unresolved" },
+    doc = "treat samples between texels of different colour as unresolved, so that rays are traced for them; used only with " ..
+          "marks_unresolved" },
   contrast       = param.float { 0.02, min = 0, max = 1,
     doc = "largest relative difference of the colours of the texels around a resolved sample; used only with marks_contrast" },
   detail_below = param.float { 0.75, min = 0, max = 1e6, unit = "px",
-    doc = "displacement of a surface between successive samples above which contrast leaves no samples unresolved; " ..
-      "used only with marks_contrast. Samples of faster surfaces are too sparse to show such detail" },
+    doc = "largest displacement of a surface between successive time samples that lets contrast make the samples " ..
+          "unresolved. Samples of faster surfaces are too sparse to show such detail. Used only with marks_contrast" },
   slowest      = param.float { 0.5, min = 0, max = 100, unit = "px",
     doc = "smallest difference of the displacements of adjacent texels that counts as a silhouette; used only with " ..
       "marks_contrast" },
   search_taps  = param.bool { true,
-    doc = "add the displacements of taps along the dominant displacement to the candidate displacements" },
+    doc = "also try the displacements of texels along the dominant displacement as candidate displacements" },
   jitter       = jitter.jitter,
   jitter_frame = jitter.jitter_frame,
 }
@@ -42,11 +43,12 @@ local params = {
 return function(has_estimate)
   local copied = { blurred = "color", unresolved = 0, fallback_estimate = has_estimate and 0 or nil }
   return {
-    doc    = "For each time sample, the nearest surface of either layer that is at the pixel at that time" ..
+    doc    = "Mean over the time samples of the nearest surface, of either layer, that is at the pixel at the time of the " ..
+             "sample" ..
              (has_estimate and "; also a fallback estimate of the unresolved samples" or ""),
-    fails  = "Disoccluded surfaces that were not revealed (in a second layer behind, or outside the mask) are missing. " ..
-             "Edges are misplaced if the path of a surface deviates from its line, or the surface stretches, by more than " ..
-             "about a pixel. If more than 4 different motions meet at a pixel, some are ignored.",
+    fails  = "A disoccluded surface is missing if no ray revealed it: behind the revealed layer, or outside the mask. Edges " ..
+             "are misplaced if the path of a surface deviates from its straight line (or curve), or the surface stretches, " ..
+             "by more than about a pixel. If more than 4 different motions meet at a pixel, some are ignored.",
     breaks = {
       mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
       reversed = "if a pixel has more than 4 motions around it, the motions of the nearest taps are used; of two equally " ..
@@ -58,28 +60,30 @@ return function(has_estimate)
       "dominant_place",
     }, {
       moved  = { absent = 1,
-        doc = "per cell, above 1/2 if a moving surface is in the cell at some time of the exposure. Other cells are copied" },
+        doc = "per cell, above 1/2 if a moving surface is in the cell at some time of the exposure. The colours of other " ..
+              "cells are copied" },
       unreliable = { absent = 0, uint = true,
-        doc = "per cell, bit i is set if the layers are unreliable in time stratum i of at most 32; read only with " ..
-          "marks_unresolved" },
+        doc = "per cell, bit i is set if, in time stratum i of at most 32, the layers may lack a surface or store a wrong " ..
+              "motion; read only with marks_unresolved" },
       silhouettes = { absent = 0,
-        doc = "mask, above 1/2 beside a texel with different motion. Samples within a pixel of such a silhouette are " ..
-          "unresolved" },
+        doc = "mask, above 1/2 beside a texel with different motion. Samples that fall between such texels are unresolved" },
       unlisted = { absent = 0,
-        doc = "per cell, above 1/2 if a surface reaches the cell by a displacement that differs from all candidate " ..
-          "displacements" },
+        doc = "per cell, above 1/2 if a surface may reach the cell by a displacement that differs from all candidate " ..
+              "displacements; read only with marks_unresolved" },
       background = { absent = 1,
-        doc = "per cell, above 1/2 if a revealed surface is in the cell at some time of the exposure" },
+        doc = "per cell, above 1/2 if a surface revealed behind the raster layer is in the cell at some time of the " ..
+              "exposure. The revealed layer is not searched in other cells" },
     }),
     writes = {
       blurred = { format = "rgba32f",
         doc = "blurred picture, linear radiance; alpha 1. With marks_unresolved: sum of the resolved samples, divided by " ..
           "the number of all samples; the alpha is then the fraction of resolved samples" },
       unresolved = { format = "rg32ui", cleared = true,
-        doc = "bit i is set if time stratum i of at most 64 is unresolved; written only with marks_unresolved" },
+        doc = "bit i is set if the time samples of stratum i of at most 64 are unresolved; written only with " ..
+              "marks_unresolved" },
       fallback_estimate = has_estimate and { format = "rgba32f", cleared = true,
-        doc = "fallback estimate, linear radiance: sum of the unresolved samples, divided by the number of all samples; " ..
-              "alpha: estimated error, linear radiance" } or nil,
+        doc = "fallback estimate of the unresolved samples: sum of their estimated colours, divided by the number of all " ..
+              "samples, linear radiance; alpha: expected error, linear radiance" } or nil,
     },
     if_no = { motion = copied, moving_rect = copied },
     params = params,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Read that gives a pass its search radius if `limit` is auto.
+-- Input port of the passes that search around a pixel. If their parameter `limit` is auto, its value is the search radius.
 return { optional = true, buffer = true,
-  doc = "entry 0: length of the longest displacement of the image, px over the exposure, as the bits of a " ..
-    "float; absent: twice the image's diagonal" }
+  doc = "entry 0: length of the longest displacement of the image, px over the exposure, as the bits of a float. With limit " ..
+        "= auto, this length is the search radius; absent: twice the image's diagonal" }

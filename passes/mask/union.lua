@@ -10,5 +10,5 @@ return pass.compute {
     second = { doc = "second mask, above 1/2 where set" },
   },
   writes = { mask = { format = "r8_unorm", doc = "union of the masks, 1 where set" } },
-  fails  = "Misses only pixels that both masks miss.",
+  fails  = "Misses a pixel only if both masks miss that pixel.",
 }

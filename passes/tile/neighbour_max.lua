@@ -5,28 +5,33 @@ local blur = require "passes.lib.blur"
 local max_displacement = require "passes.lib.max_displacement"
 
 return pass.compute {
-  doc    = "Longest displacement of those surrounding tiles that can reach each tile within the exposure",
-  fails  = "A tile is represented by its longest displacement: a slower pixel that reaches this tile is lost if the longest "
-    .. "displacement does not reach it. Tile borders show where the dominant displacement changes.",
+  doc    = "Dominant displacement of each tile: the longest displacement of the surrounding tiles that can bring a surface " ..
+           "to this tile within the exposure",
+  fails  = "Each tile is tested by its longest displacement alone: a slower surface that reaches another tile is lost if " ..
+           "the longest displacement does not lead to that tile. Tile borders become visible where the dominant " ..
+           "displacement changes.",
   size   = { of = "longest" },
   reads  = {
-    longest = { doc = "longest displacement of each tile, px over the exposure" },
-    velocities = { absent = 0, doc = "two displacements that represent each tile besides `longest`, px over the exposure" },
+    longest = { doc = "longest displacement in each tile, px over the exposure" },
+    velocities = { absent = 0, doc = "two further displacements of each tile, which may become `second`, px over the " ..
+                                     "exposure" },
     curve = { absent = 0, needs = "curve",
-      doc = "coefficients of the parabola or arc that belongs to each tile's longest displacement; 0 for a straight line" },
+      doc = "curve of the path with each tile's longest displacement, as coefficients of a parabola or an arc; 0 for a " ..
+            "straight line" },
     place = { absent = 0, needs = "curve",
-      doc = "position of the texel that has the longest displacement of each tile, px" },
+      doc = "position of the texel that has the longest displacement in each tile, px" },
     max_displacement = max_displacement,
   },
   writes = {
-    dominant = { format = "rg32f", doc = "longest displacement that reaches each tile, px over the exposure" },
+    dominant = { format = "rg32f", doc = "longest displacement that can bring a surface to each tile, px over the exposure" },
     dominant_curve = { format = "rgba32f",
-      doc = "coefficients of the parabola or arc that belongs to the dominant displacement; 0 for a straight path" },
+      doc = "curve of the path with the dominant displacement, as coefficients of a parabola or an arc; 0 for a straight " ..
+            "line" },
     dominant_place = { format = "rg32f",
       doc = "position of the texel that has the dominant displacement, px; 0 if paths are straight lines" },
     second   = { format = "rg32f",
-      doc = "displacement that differs most from the dominant one, px over the exposure; equal to the dominant one if none " ..
-            "differs" },
+      doc = "displacement that can bring a surface to each tile and differs most from `dominant`, px over the exposure; " ..
+            "equal to `dominant` if no displacement differs" },
   },
   if_no = { motion = { dominant = 0, dominant_curve = 0, dominant_place = 0, second = 0 } },
   params = {
@@ -34,7 +39,7 @@ return pass.compute {
     limit = blur.limit,
     trajectory = blur.trajectory { wired = true },
     rule  = pass.choice { "swept_box", "sign", "all", default = "swept_box",
-      doc = "test that decides which surrounding tiles can reach a tile",
+      doc = "test that decides which of the surrounding tiles may bring a surface to a tile",
       values = {
         swept_box = "Accepts tiles whose box passes over this tile within the exposure. Fails for a slow pixel of a tile whose "
           .. "longest displacement misses this tile.",

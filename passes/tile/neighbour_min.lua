@@ -5,12 +5,13 @@ local blur = require "passes.lib.blur"
 local max_displacement = require "passes.lib.max_displacement"
 
 return pass.compute {
-  doc    = "Length of the shortest displacement of all tiles within the search radius around each tile",
-  fails  = "One static pixel within the search radius makes the whole neighbourhood count as static. Tiles whose motion " ..
-           "does not reach the tile are included.",
+  doc    = "Length of the shortest displacement around each tile, within the search radius of the filters; filters compare " ..
+           "it with the dominant displacement to find uniform motion",
+  fails  = "One static pixel within the search radius makes the motion of the whole neighbourhood count as not uniform. " ..
+           "Tiles are included even if their motion does not reach this tile.",
   size   = { of = "shortest" },
   reads  = {
-    shortest = { doc = "length of the shortest displacement of each tile, px over the exposure" },
+    shortest = { doc = "length of the shortest displacement in each tile, px over the exposure" },
     max_displacement = max_displacement,
   },
   writes = { slowest = { format = "r32f",

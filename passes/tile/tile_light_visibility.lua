@@ -5,11 +5,12 @@ local pass  = require "strobe.pass"
 local shade = require "passes.gbuffer.shade"
 
 return pass.trace {
-  doc    = "Visibility of each light from all points of a tile: visible, blocked or mixed",
-  fails  = "The classes are conservative: shadow rays to a mixed light are traced per pixel. Only the runtime's own tree " ..
-           "supports the test; with other backends all lights are mixed.",
+  doc    = "Visibility of each light from a tile: visible from all its surface points, blocked from all, or mixed",
+  fails  = "The classes are conservative: shadow rays to a mixed light are traced per pixel, so the picture is never wrong. " ..
+           "Only the runtime's own acceleration structure supports the test. With other ray tracing backends all lights are " ..
+           "mixed, and no rays are saved.",
   size   = { of = "hit", divide = "shadow_tile" },
-  reads  = { hit = { uint = true, doc = "visible surface: instance + 1 (0 for the sky), geometry, primitive" } },
+  reads  = { hit = { uint = true, doc = "visible surface, by indices: instance + 1 (0 for the sky), geometry, triangle" } },
   writes = { light_visibility = { format = "rg32ui",
     doc = "x: bit i is set if light i of the first 32 is visible from the whole tile; y: bit i is set if light i is " ..
           "blocked from the whole tile. If neither bit is set, the light's shadow rays are traced per pixel" } },

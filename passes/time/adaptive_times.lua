@@ -5,16 +5,17 @@ local blur  = require "passes.lib.blur"
 local shade = require "passes.gbuffer.shade"
 
 return pass.trace {
-  doc    = "Mean of rays at adaptively chosen times per pixel, with more rays between two that differ, and a gather instead " ..
-           "of rays where a gather is reliable",
+  doc    = "Blur by rays at adaptively chosen times per pixel: more rays are traced between two rays with different " ..
+           "results. Cells where a gather along the motion is reliable need no rays",
   breaks = { linear = "the times of the rays depend on differences of colour" },
   size   = { of = "color" },
   reads  = {
     color    = { doc = "colour of the raster layer, linear radiance" },
     depth    = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
-    id       = { uint = true, doc = "instance + 1, geometry + 1 of the raster layer; 0 for the sky" },
-    hit      = { uint = true, doc = "surface of the raster layer: instance + 1 (0 for the sky), geometry, primitive" },
-    velocity = { doc = "displacement of the raster layer, px over the exposure" },
+    id       = { uint = true, doc = "instance index + 1, geometry index + 1 of the raster layer; 0 for the sky" },
+    hit      = { uint = true, doc = "surface of the raster layer, by indices: instance + 1 (0 for the sky), geometry, " ..
+                                    "triangle" },
+    velocity = { doc = "screen displacement of each pixel of the raster layer, px over the exposure" },
     certain  = { doc = "per cell, 1 where a gather along the motion is reliable, 1/2 where nothing moves, otherwise 0" },
     longest  = { doc = "longest displacement of the surfaces that reach each cell, px over the exposure" },
   },
@@ -24,10 +25,11 @@ return pass.trace {
     cell_side = blur.cell_side,
     samples   = blur.samples { doc = "number of taps along the motion where a gather is reliable" },
     pace      = pass.float { 0.02, min = 1e-6, max = 1e6, unit = "image widths",
-      doc = "largest displacement between two successive initial rays of a pixel" },
+      doc = "largest distance that the surfaces at a pixel move between two successive first rays of the pixel; further " ..
+            "rays are traced where these differ" },
     allowance = pass.float { 0.01, min = 0, max = 1000,
-      doc = "largest error of an interval between two rays that is not subdivided, linear radiance times fraction of the " ..
-            "exposure" },
+      doc = "largest estimated error of a time interval between two rays that no further ray subdivides, linear radiance " ..
+            "times the interval's fraction of the exposure" },
     hit_color = pass.choice { "shaded", "kept", default = "shaded", doc = "source of the colour of a hit",
       values = {
         shaded = "Shading of the hit, as at the raster time.",
@@ -35,12 +37,13 @@ return pass.trace {
                "of half a pixel, which show as stairs in textures.",
       } },
     same_depth = pass.float { 0.01, min = 0, max = 1,
-      doc = "largest relative difference of depths that count as equal" },
+      doc = "largest relative difference between the depth of a hit point and the depth of a texel that shows this point" },
   },
   counters = {
     gathered   = "pixels computed from raster colours, without a ray",
     samples    = "time samples with a ray",
     not_finite = shade.counters.not_finite,
   },
-  fails  = "Surfaces that appear and disappear between two rays with equal results are missed.",
+  fails  = "Surfaces that appear and disappear between two rays with equal results are missed, unless the raster layer " ..
+           "shows them.",
 }

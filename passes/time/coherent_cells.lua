@@ -10,9 +10,9 @@ return pass.trace {
   breaks = { mirrored = "the choice of the pixels with rays depends on the screen position of the cell" },
   size   = { of = "bounds" },
   reads  = {
-    bounds           = { doc = "bounds of the displacements in each cell, px over the exposure" },
-    velocity         = { doc = "displacement of the raster layer, px over the exposure" },
-    id               = { uint = true, doc = "instance + 1 of the raster layer; 0 for the sky" },
+    bounds           = { doc = "least and greatest displacement in each cell, component by component, px over the exposure" },
+    velocity         = { doc = "screen displacement of each pixel of the raster layer, px over the exposure" },
+    id               = { uint = true, doc = "instance index + 1 of the raster layer; 0 for the sky" },
     max_displacement = max_displacement,
   },
   writes = {
@@ -25,7 +25,7 @@ return pass.trace {
     cell_side = blur.cell_side,
     limit     = blur.limit,
     apart_px  = pass.float { 0.5, min = 0, max = 1000, unit = "px",
-      doc = "largest difference between displacements that count as uniform" },
+      doc = "largest difference between the displacements that reach a cell if their motion counts as uniform" },
     validation_rays = pass.int { 8, min = 0, max = 64,
       doc = "number of validation rays per cell, each at its own pixel and time" },
   },

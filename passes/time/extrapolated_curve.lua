@@ -14,15 +14,16 @@ return pass.compute {
   reads  = followed,
   writes = {
     velocity = { format = quantised.velocity,
-      doc = "displacement between the ends of the curve, px; a straight path keeps its displacement" },
+      doc = "displacement of the surface along its curve from shutter open to shutter close, px; for a straight path, the " ..
+            "displacement of the input `velocity`" },
     path_deviation = { format = quantised.velocity,
-      doc = "at mid-exposure, offset of the surface from the straight line between the ends of its path, px" },
+      doc = "offset of the surface, at mid-exposure, from the straight line between the ends of its screen path, px" },
     nonlinear = { format = "r8_unorm",
       doc = "1 where the curve misses the true pose at shutter open or close by more than `max_deviation`, or the stretch " ..
-            "exceeds `max_stretch`" },
+            "exceeds `max_stretch`; otherwise 0" },
     curve = { format = "rgba32f",
-      doc = "offset b of the parabola, px: at the fraction u of the exposure the path is 4 u (1 - u) b off the straight " ..
-            "line between its ends" },
+      doc = "offset b of the parabola, at mid-exposure, from the straight line between its ends, px. At the fraction u of " ..
+            "the exposure the offset is 4 u (1 - u) b" },
   },
   if_no = { motion = straight, curves = straight },
   params = {
@@ -32,7 +33,7 @@ return pass.compute {
   },
   counters = { velocity_clamped = quantised.counters.velocity_clamped },
   fails  = "A surface that changes direction after the raster time is extrapolated in the old direction. Errors of the " ..
-           "poses are amplified more if the exposure extends farther beyond these poses. The curve is wrong in the first " ..
-           "frames of a clip, because the frames before the clip count as static. A surface in the same position as one " ..
-           "frame ago is treated as static.",
+           "earlier poses are amplified, the more so the farther the exposure extends beyond these poses. The curve is " ..
+           "wrong in the first frames of a clip, because the frames before the clip count as static. A surface whose " ..
+           "position equals its position one frame ago is treated as static.",
 }

@@ -4,13 +4,14 @@ local pass      = require "strobe.pass"
 local quantised = require "passes.lib.quantised"
 
 return pass.compute {
-  doc    = "Displacements of a layer before and after the raster time, from true poses: motion in two linear segments",
+  doc    = "Displacements of a layer's surfaces before and after the raster time, from true poses: a model of motion as two " ..
+           "straight segments",
   size   = { of = "velocity" },
   scene  = true,
   reads  = {
     depth    = { doc = "linear view depth, metres; +inf for the sky, 0 where the layer has no surface" },
-    id       = { uint = true, doc = "instance + 1; 0 for the sky" },
-    velocity = { doc = "displacement of the surface, px over the exposure" },
+    id       = { uint = true, doc = "instance index + 1; 0 for the sky" },
+    velocity = { doc = "screen displacement of the surface, px over the exposure" },
   },
   writes = {
     velocity_pre = { format = quantised.velocity,
@@ -22,5 +23,6 @@ return pass.compute {
   },
   params = { velocity_format = quantised.velocity_format },
   counters = { velocity_clamped = quantised.counters.velocity_clamped },
-  fails  = "Each segment is a straight line: changes of direction at other times than the raster time are ignored.",
+  fails  = "Each segment is a straight line at constant speed: changes of direction or speed at other times than the raster " ..
+           "time are ignored.",
 }

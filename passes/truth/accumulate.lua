@@ -9,7 +9,8 @@ local function half(which)
 end
 
 return pass.compute {
-  doc     = "Add an image to one of two half buffers of time samples",
+  doc     = "Running means of the time samples in two half buffers: images of even iterations are added to the first, " ..
+            "images of odd iterations to the second",
   size    = { of = "color" },
   reads   = { color = { doc = "image of one time sample, linear radiance" } },
   updates = { mean_a = half "even", mean_b = half "odd" },

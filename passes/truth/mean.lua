@@ -5,7 +5,8 @@ local pass = require "strobe.pass"
 local half = { doc = "mean of one half of the samples, linear radiance; alpha: number of samples in that half" }
 
 return pass.compute {
-  doc    = "Mean of both half buffers, and half of their difference as the error of this mean",
+  doc    = "Mean of all time samples, from the means of two halves of the samples; the error of the mean is half of the " ..
+           "difference of these two means",
   size   = { of = "mean_a" },
   reads  = { mean_a = half, mean_b = half },
   writes = {

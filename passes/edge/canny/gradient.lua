@@ -4,7 +4,7 @@ local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
-  doc    = "Gradient of depth and normal, smoothed by a Gaussian with a standard deviation of 1 px",
+  doc    = "Gradient of depth and normal after smoothing by a Gaussian with a standard deviation of 1 px",
   fails  = "Edges closer together than about 3 px merge; corners become round.",
   size   = { of = "depth" },
   reads  = {
@@ -12,6 +12,7 @@ return pass.compute {
     normal = { doc = "unit normal, world space; 0 for the sky" },
   },
   writes = { gradient = { format = "rg32f",
-    doc = "vector in the direction of the steepest change; its length is the edge strength, 1 at the threshold" } },
+    doc = "vector in the direction of the steepest change of depth and normal; its length is the strength of the edge, " ..
+          "where 1 is the threshold" } },
   params = edge_ports.steps(),
 }
