@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Adds the radiance of one time of the loop to each pixel's mean over moving surfaces (Haeberli and Akeley 1990).
-// In:  `hit`:    nearest surface at this time; for a static camera the nearest moving surface
-//      `color`:  linear radiance at the raster time
-//      `depth`:  view depth at the raster time, m; +inf for the sky
-//      `id`:     instance + 1, geometry + 1 at the raster time; 0 for the sky
-//      `static_background`: alpha: view depth of the static background behind a moving surface, m; 0 elsewhere
-// Out: `moving`: updated; rgb: mean linear radiance of the samples; alpha: number of samples
+// Adds one time sample of the moving surfaces to their running mean at each pixel (Haeberli and Akeley 1990, "The Accumulation
+// Buffer"). The pass runs once per time sample, in a loop.
+// In:  `hit`: nearest surface at this time; with a static camera, nearest moving surface. Instance + 1 (0 for the sky),
+//        geometry, primitive.
+//      `color`: linear radiance of the raster layer.
+//      `depth`: view depth of the raster layer, metres; +inf for the sky.
+//      `id`: instance + 1, geometry + 1 of the raster layer; 0 for the sky.
+//      `static_background`: alpha: view depth of the static background behind a moving surface of the raster layer, metres; 0
+//        elsewhere.
+// Out: `moving`: updated in place. rgb: mean linear radiance of the samples that show a moving surface; alpha: number of these
+//        samples.
 // Method: pose the triangle of `hit` at this time and intersect the pixel's ray with it. If the raster layer shows the hit
-//      point, take that layer's colour (mixin/raster_color.glsl). Otherwise shade the point as at the raster time. For a static
-//      camera, skip static surfaces and the moving surfaces behind them, because `over_background` adds the static radiance.
+//   point, take that layer's colour (mixin/raster_color.glsl); otherwise shade the point as at the raster time. With a static
+//   camera, skip static surfaces and the moving surfaces behind them, because `over_background` adds the static radiance. With
+//   a moving camera, every surface and the sky count as moving.
 // Fails: highlights and shadows do not move within the exposure, because points are shaded as at the raster time.
 #include "lib/mean.glsl"
 #include "lib/moving_rect.glsl"
 #include "mixin/raster_color.glsl"
 
+// Colour of the hit: of the raster layer with `reused`, otherwise shaded as at the raster time.
 vec3 colorOf(Hit hit) {
 #if PARAM_reused
   return rasterColorOf(hit);
@@ -23,7 +29,7 @@ vec3 colorOf(Hit hit) {
 #endif
 }
 
-// View depth of the nearest static surface on the pixel's ray, for a static camera, metres.
+// View depth of the nearest static surface on the pixel's ray, metres, for a static camera.
 float backgroundDepthOf(ivec2 pixel) {
   float background = texelFetch(static_background_tex, pixel, 0).a;
   return background > 0.0 ? background : texelFetch(depth_tex, pixel, 0).x;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Mean radiance of moving and static surfaces over the time samples (Haeberli and Akeley 1990, "The Accumulation Buffer").
-// In:  `moving`:  rgb: mean linear radiance of the samples that show a moving surface; alpha: number of these samples
-//      `static_background`:  rgb: linear radiance of the static background; alpha: 0 where `color` has the static radiance
-//      `color`:   linear radiance at the raster time
-// Out: `picture`: linear radiance, alpha 1
-// Method: mean of `moving` and the static radiance, weighted by numbers of samples: alpha samples of `samples` show a moving
-//      surface, and the others the static radiance. Outside the moving rectangle the output is `color`.
+// Mean of moving and static surfaces over all time samples (Haeberli and Akeley 1990, "The Accumulation Buffer").
+// In:  `moving`: rgb: mean linear radiance of the samples that show a moving surface; alpha: number of these samples.
+//      `static_background`: rgb: linear radiance of the static background behind a moving surface of the raster layer; alpha 0
+//        elsewhere.
+//      `color`: linear radiance of the raster layer.
+// Out: `picture`: linear radiance, alpha 1.
+// Method: the alpha of `moving` is the number of samples, out of `samples`, that show a moving surface; all others show the
+//   static surface. Its radiance is `static_background` or, where that has the alpha 0, `color`. The picture is the mean of
+//   both, weighted by their numbers of samples. Outside the moving rectangle the picture is `color`.
 // Fails: static surfaces keep the shadows of the raster time.
 #include "lib/mean.glsl"
 #include "lib/moving_rect.glsl"

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Static background behind moving surfaces, for a static camera.
-// In:  `hit`:    raster layer: instance + 1 (0 = sky), geometry, primitive
-// Out: `static_background`: linear radiance; alpha: view depth, m, +inf for the sky; 0 where the raster layer is static
-// Method: at each pixel of the moving rectangle that shows a moving instance, trace rays from hit to hit until a ray hits a
-//      static surface or none. Each ray skips the moving instance of the last hit. Shade the static hit as at the raster time.
+// Static background behind the moving surfaces of the raster layer, for a static camera. Time samples without a moving surface
+// show this background.
+// In:  `hit`: raster layer: instance + 1 (0 for the sky), geometry, primitive.
+// Out: `static_background`: rgb: linear radiance; alpha: view depth, metres, +inf for the sky; 0 where the raster layer is
+//        static.
+// Method: in each pixel of the moving rectangle that shows a moving instance, trace rays from hit to hit until a ray hits a
+//   static surface or leaves the scene. Each ray skips the whole instance of the last hit. Shade the static hit as at the
+//   raster time.
 // Fails: static surfaces keep the shadows of the raster time. A static surface that coincides with the second or a later moving
-//      surface on the ray is missed.
+//   surface on the ray is missed.
 #include "lib/moving_rect.glsl"
 #include "mixin/shade.glsl"
 
+// True if a hit of the raster layer is on an instance that may move within the exposure.
 bool isMoving(uvec4 ids) { return ids.x != 0u && instanceAt(ids.x - 1u).moves != 0u; }
 
-// Hit on the nearest static surface along the ray, or a miss. Each traced ray starts at the last moving hit and skips the whole
-// instance of that hit.
+// Nearest static surface along the ray, or a miss. `first_moving`: instance of the visible moving surface. Each further ray
+// starts at the last hit, which is moving, and skips the whole instance of that hit.
 Hit atRestOn(Ray ray, uint first_moving) {
   Hit hit = traceExcept(SLICE_RASTER, RAYS_TO_ALL, ray, scene_cameras[SLICE_RASTER].near, 3.0e38, first_moving, NO_INSTANCE);
   while (!isAtRest(hit))

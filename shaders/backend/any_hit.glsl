@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Any-hit stage of the ray tracing pipeline. Rejects hits on the instance or geometry that the ray skips, hits on points that
-// alpha cuts out, and hits on the back of one-sided materials.
+// Any-hit stage of the ray tracing pipeline: rejects hits that do not count.
+// In:  `payload`: instance and geometry that the ray skips (mixin/trace_payload.glsl).
+// Out: none; a rejected hit is ignored, and the traversal goes on.
+// Method: reject hits on the skipped instance or geometry, hits on points that alpha cuts out, and, for rays that cull back
+//   faces, hits on the back of one-sided materials. `acceptsHit` has the tests that all backends share.
+// Fails: never.
 #include "mixin/trace_payload.glsl"
 layout(location = 0) rayPayloadInEXT TracePayload payload;
 hitAttributeEXT vec2 barycentrics;

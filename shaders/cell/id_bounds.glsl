@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Per cell, the least and the greatest instance number that its pixels show.
-// In:  `id`:  instance + 1; 0 for the sky
-// Out: `ids`: least and greatest instance + 1 (0 for the sky); both are equal if the cell shows one instance
-// Method: minimum and maximum over the cell, whose side is `cell_side` px. Cells at the right and bottom border may be partial.
+// Per cell (a square of `cell_side` px), the least and the greatest instance number that its pixels show. If both are equal,
+// the cell contains no silhouette between instances, and later passes can skip it.
+// In:  `id`: instance + 1; 0 for the sky.
+// Out: `ids`: least and greatest instance + 1 (0 for the sky); both are equal if the cell shows one instance.
+// Method: minimum and maximum over the cell. Cells at the right and bottom border may be partial.
 // Fails: never.
 
 void run(ivec2 cell) {

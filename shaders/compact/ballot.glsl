@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Packs a mask into one bit per pixel: first of the three passes of the stream compaction.
-// In:  `mask`: above 1/2 at masked pixels
+// Packs a mask into one bit per pixel. First of the three passes of the stream compaction, which turns a mask into a list of
+// its pixels.
+// In:  `mask`: above 1/2 at masked pixels.
 // Out: `bits`: masked pixels of each square of 8x8 pixels, as two words of 32 bits in the order of the pixel list
-//      (lib/pixel_list.glsl)
-// Method: read blocks of 2x2 pixels, and set one bit per pixel.
+//        (lib/pixel_list.glsl).
+// Method: each invocation reads one square in blocks of 2x2 pixels, and sets one bit per masked pixel.
 // Fails: never.
 #include "lib/pixel_list.glsl"
 
-// Mask of 2x2 pixels; `masked` is the upper left pixel. If all four are inside the image, one texture gather reads them.
+// Mask of a block of 2x2 pixels: true for masked pixels, row by row. `masked`: upper left pixel of the block. If all four
+// pixels are inside the image, one texture gather reads them.
 bvec4 maskedFrom(ivec2 masked) {
   ivec2 size = textureSize(mask_tex, 0);
   if (all(lessThan(masked + 1, size)))
@@ -20,6 +22,7 @@ bvec4 maskedFrom(ivec2 masked) {
   return result;
 }
 
+// Sets the bit of the pixel `place` of the square, if `is`.
 void add(inout uvec2 bits, ivec2 place, bool is) {
   uint number = pixelNumber(place), bit = uint(is) << (number & 31u);
   if (number < 32u) bits.x |= bit;

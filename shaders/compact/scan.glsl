@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Exclusive prefix sums of the masked pixels along each row of squares: second of the three passes of the stream compaction.
-// In:  `bits`: masked pixels of each square of 8x8 pixels, one bit each (lib/pixel_list.glsl)
-// Out: `before`: per square, number of masked pixels in the earlier squares of its row
-//      `totals`: number of masked pixels in each row of squares
-// Method: the first invocation of each row adds up the whole row.
+// Exclusive prefix sums of the numbers of masked pixels, along each row of squares. Second of the three passes of the stream
+// compaction, which turns a mask into a list of its pixels.
+// In:  `bits`: masked pixels of each square of 8x8 pixels, one bit per pixel (lib/pixel_list.glsl).
+// Out: `before`: per square, number of masked pixels in the earlier squares of its row.
+//      `totals`: per row of squares, number of masked pixels.
+// Method: the invocation of the first square of each row adds up the whole row.
 // Fails: never.
 #include "lib/pixel_list.glsl"
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Writes the list of the masked pixels, square by square in rows: last of the three passes of the stream compaction.
-// In:  `bits`: masked pixels of each square of 8x8 pixels, one bit each (lib/pixel_list.glsl)
-//      `before`: per square, number of masked pixels in the earlier squares of its row
-//      `totals`: number of masked pixels in each row of squares
-// Out: `list`: the masked pixels, their number, and the number of work groups to dispatch over them (lib/compaction.glsl)
-// Method: each square writes its pixels from the position (sum of the totals of earlier rows) + before. The positions are fixed
-//   before the writes, so the order does not depend on the scheduling of invocations.
+// Writes the list of the masked pixels, square by square in rows. Last of the three passes of the stream compaction, which
+// turns a mask into a list of its pixels.
+// In:  `bits`: masked pixels of each square of 8x8 pixels, one bit per pixel (lib/pixel_list.glsl).
+//      `before`: per square, number of masked pixels in the earlier squares of its row.
+//      `totals`: per row of squares, number of masked pixels.
+// Out: `list`: the masked pixels, their number, and the number of work groups to dispatch over them (lib/compaction.glsl).
+// Method: each square writes its pixels from the position (sum of `totals` of the earlier rows) + `before` of the square. The
+//   positions depend on the mask alone, so that the order of the list is the same in every run.
 // Fails: never.
 #include "lib/compaction.glsl"
 #include "lib/pixel_list.glsl"
 
+// Number of masked pixels in the rows of squares before row `end`.
 uint sumOfRows(int end) {
   uint sum = 0u;
   for (int row = 0; row < end; ++row) sum += totals_buf.entries[row];

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Edge hysteresis: keeps strong ridges and the weak ridges connected to them; last of three steps of the Canny detector (Canny
-// 1986).
-// In:  `ridge`: 1 strong, 1/2 weak, 0 none (edge/canny/thin)
-//      `where`: above 1/2 where to mark; absent: everywhere
-// Out: `edge`:  1 on an edge, one pixel wide
-// Method: flood from each weak pixel along ridges, to eight neighbours and within `reach` px to either side, until the flood
-//      meets a strong pixel or has no pixel left. A set of pixels is one word per row, with one bit per column.
-// Fails: weak and strong ridges with a connection longer than `reach` px along x or y, or with a detour out of that square,
-//      count as not connected. The weak part of such an edge ends `reach` px from its strong part.
+// Edge detector `canny`, last of three steps: hysteresis, which keeps strong ridges and the weak ridges connected to them
+// (Canny 1986).
+// In:  `ridge`: class of the pixel: 1 strong ridge, 1/2 weak ridge, 0 otherwise (edge/canny/thin.glsl).
+//      `where`: mask, above 1/2 where edges may be marked (absent: everywhere).
+// Out: `edge`: 1 on an edge, otherwise 0. An edge is one pixel wide.
+// Method: strong pixels are edges. From each weak pixel, flood along the pixels of ridges, to all eight neighbours, within the
+//   square of `reach` px to either side. If the flood meets a strong pixel, the weak pixel is an edge. The square is stored as
+//   one word per row, with one bit per column.
+// Fails: a weak pixel is lost if its connection to a strong pixel is longer than `reach` px along x or y, or leaves the square.
+//   The weak part of a long edge therefore ends `reach` px from its strong part.
 #include "lib/blur.glsl"
 #include "mixin/edge.glsl"
 
-const int kMostSide = 31;  // 2 * 15 + 1, where 15 is the largest `reach`; a row of bits fits into a word
+// Largest side of the square around a weak pixel, px: 2 * 15 + 1, where 15 is the largest `reach`. A row fits into one word.
+const int kMostSide = 31;
 
 float ridgeAt(ivec2 pixel) {
   return isInside(pixel, textureSize(ridge_tex, 0)) ? texelFetch(ridge_tex, pixel, 0).x : 0.0;
 }
 
-// True if the flood from a weak pixel meets a strong one.
+// True if the flood from a weak pixel meets a strong pixel. `ridge`, `strong`, `found`: pixels of the square that are on a
+// ridge, that are strong, and that the flood has reached; one word per row.
 bool meetsStrong(ivec2 pixel) {
   int side = 2 * params.reach + 1;
   uint ridge[kMostSide], strong[kMostSide], found[kMostSide];

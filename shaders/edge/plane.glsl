@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Edges where a surface leaves its own plane, and where its normal steps.
-// In:  `depth`:  view depth, m; +inf for the sky
-//      `normal`: unit, world; 0 for the sky
-//      `where`:  above 1/2 where to test; absent: everywhere
-// Out: `edge`:   1 on an edge: two pixels wide at a step
-// Method: the depth step is the largest distance of the four neighbours from the pixel's plane (mixin/edge_plane.glsl). The
-//      normal step, for creases, is the largest difference to the normal of a neighbour. Each step is divided by its threshold.
-//      A pixel is an edge if the combination of both exceeds 1.
-// Fails: a farther surface in the same plane is missed. Quantised depths make edges. With second differences, two places are
-//      missed: pixels with one neighbour as much nearer as the other is farther (in 1/z), and the border of the image. With
-//      distances, silhouettes of curved surfaces are missed, where the plane runs along the view ray.
+// Edge detector: marks pixels whose neighbours lie off the plane of the pixel's surface, or have a different normal.
+// In:  `depth`: view depth, metres; +inf for the sky.
+//      `normal`: unit normal in world space; 0 for the sky.
+//      `where`: mask, above 1/2 at the pixels to test (absent: all pixels are tested).
+// Out: `edge`: 1 on an edge, otherwise 0. An edge is two pixels wide at a step, one pixel on each side.
+// Method: the depth step is the largest deviation of the four neighbours from the plane that touches the pixel's surface, as a
+//   share of the pixel's depth (mixin/edge_plane.glsl; the parameter `measure` chooses second differences or distances). The
+//   normal step, which finds creases, is the largest difference between the normals of the pixel and a neighbour.
+//   Each step is divided by its threshold. The pixel is an edge if both together exceed 1: the larger, the sum or the smaller
+//   of the two, by the parameter `combine`.
+// Fails: misses farther surfaces in the same plane. Quantised depths make false edges. With second differences, misses pixels
+//   with one neighbour as much nearer as the opposite one is farther (in 1/z), and the border of the image. With distances,
+//   misses silhouettes of curved surfaces: there the plane runs along the view ray and meets the background.
 #include "mixin/edge.glsl"
 #include "mixin/edge_plane.glsl"
 #include "mixin/edge_steps.glsl"

@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: MIT
-// One level of an a-trous wavelet filter along the motion (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal
-// Variance-Guided Filtering for Motion Blur", after SVGF, Schied et al. 2017).
-// In:  noisy: linear radiance, from the previous level.
-//      variance: variance of the tone (mixin/along_motion.glsl), from the previous level.
-//      dominant: longest displacement that reaches each tile, px over the exposure.
-// Out: blurred: linear radiance, alpha 1.
-//      less: variance of the tone in blurred.
-// Method: blurred = sum h(k) w(k) C(k) / sum h(k) w(k), for k = -2..2, at k * 2^octave px along the dominant displacement. h is
-//   the B-spline 1/16, 1/4, 3/8, 1/4, 1/16. w = exp(-|difference of tones| / (deviations * standard deviation + kSlack)), with
-//   the standard deviation over 3 pixels along the line. less = sum h^2 w^2 variance / (sum h w)^2.
-//   A level copies the pixel where the variance is 0, and where 2^octave px exceed half of the displacement (at least 1 px).
+// One level of an a-trous wavelet filter along the motion, which removes the noise of an image with one time sample per pixel
+// (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal Variance-Guided Filtering for Motion Blur", after SVGF, Schied et al.
+// 2017).
+// In:  `noisy`: linear radiance, from the previous level.
+//      `variance`: variance V of the tone, which is luminance / (1 + luminance), from the previous level.
+//      `dominant`: longest displacement that reaches each tile, px over the exposure.
+// Out: `blurred`: linear radiance, alpha 1.
+//      `less`: variance of the tone in `blurred`.
+// Method: for k = -2 to 2, C(k) is the colour k * 2^octave px away along the dominant displacement. blurred =
+//   sum h(k) w(k) C(k) / sum h(k) w(k) and less = sum h(k)^2 w(k)^2 V(k) / (sum h(k) w(k))^2. h is the B-spline 1/16, 1/4, 3/8,
+//   1/4, 1/16. w(k) = exp(-|tone(k) - tone(0)| / (deviations * sigma + kSlack)) keeps differences above the noise. sigma is the
+//   standard deviation, from V averaged over 3 pixels along the line, and `deviations` a parameter.
+//   Pixels with the variance 0 are copied. So are pixels where 2^octave px exceed both half of the displacement and 1 px,
+//   because more distant pixels show other surfaces.
 // Fails: surfaces with different motions are all blurred along the longest displacement. Textures and silhouettes along it are
 //   blurred if their contrast is within the noise. Noise at distances beyond the last level stays.
 #include "mixin/along_motion.glsl"
 
+// Weights of the B-spline at the distances 0, 1 and 2.
 const float kSpline[3] = float[3](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 
-// Difference of tones that counts as rounding error.
+// Difference of tones that counts as a rounding error.
 const float kSlack = 1e-3;
 
 float varianceAt(ivec2 at) { return max(finite(texelFetch(variance_tex, at, 0).x), 0.0); }
 
+// Standard deviation of the tone at a pixel, from the variance at 3 pixels along d.
 float deviationAt(ivec2 pixel, vec2 d, ivec2 size) {
   float sum = 0.0, weights = 0.0;
   for (int i = -1; i <= 1; ++i) {

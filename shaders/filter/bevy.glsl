@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Motion blur of the Bevy engine (bevy_core_pipeline, motion_blur; since 0.14, 2024) for any anchor: each pixel gathers along
-// its own displacement, without tiles. Written after the documentation and source of the engine.
-// In:  color: linear radiance.
-//      depth: view depth, metres; +inf for the sky.
-//      velocity: displacement d, px over the exposure.
-// Out: blurred: linear radiance, alpha 1.
-// Method: for pixel X, N taps Y = X - d(X)*t are at the midpoints (i + 1/2 + jitter)/N of the exposure. Taps outside the image
-//   are left out. The engine's exposure surrounds the raster time: anchor `centre`.
-//   A tap counts if it is farther than X, or sky. Any other tap counts if its displacement along d(X), in either sense, covers
-//   the distance to X: |d(Y) . d(X)|/|d(X)| * reach >= |Y - X|, with reach 1/2 for `centre` and 1 for the other anchors. The
-//   result is the mean of the taps that count.
-//   Pixels that move by less than copy_below, and pixels without a tap that counts, are copied.
+// Motion blur of the Bevy engine, for any anchor: each pixel gathers along its own displacement, without tiles
+// (bevy_core_pipeline, motion_blur; since 0.14, 2024). Written after the documentation and source of the engine.
+// In:  `color`: linear radiance.
+//      `depth`: view depth, metres; +inf for the sky.
+//      `velocity`: displacement d(X) of the surface at each pixel X, px over the exposure.
+// Out: `blurred`: linear radiance, alpha 1.
+// Method: for pixel X and N taps, tap i is at Y = X - d(X) * t_i. t_i is the time at the share (i + 1/2 + jitter)/N of the
+//   exposure. Taps outside the image are skipped. The engine itself has the anchor `centre`.
+//   A tap counts if it is farther than X or shows the sky. A nearer tap counts if its own displacement is long enough to cover
+//   the distance to X along d(X), in either direction: |d(Y) . d(X)| / |d(X)| * s >= |Y - X|. s is 1/2 for the anchor `centre`
+//   and 1 for the other anchors. The result is the mean of the taps that count.
+//   Pixels with a displacement below `copy_below` px, and pixels without a tap that counts, are copied.
 // Fails: surfaces do not blur beyond their silhouettes. Inside a silhouette, the background is copied from outside.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
@@ -23,14 +23,16 @@ vec2 displacementAt(ivec2 pixel) {
 
 float depthAt(ivec2 pixel) { return saneDepth(texelFetch(depth_tex, pixel, 0).x); }
 
-// True if the displacement `d_tap` of a nearer tap, along the pixel's displacement d, covers the distance between tap and
-// pixel. The factor 1 - 1e-4 keeps the last tap on a surface that moves by d too.
+// True if the displacement `d_tap` of a nearer tap, projected on the pixel's displacement d, covers the distance from the tap
+// to the pixel. `spread_factor`: 1/2 for the anchor `centre`, otherwise 1. The factor 1 - 1e-4 allows for rounding: without it,
+// the last tap on a surface with the displacement d could be lost.
 bool comesAsFar(vec2 d_tap, vec2 d, float distance_px, float spread_factor) {
   float d_length = lengthOf(d);
   return abs(dot(d_tap / d_length, d)) * spread_factor >= distance_px * (1.0 - 1e-4);
 }
 
-// True if a tap `offset` px from the pixel counts.
+// True if the tap at the texel `at` counts in the mean. `offset`: position of the tap relative to the pixel, px. `depth`, d:
+// view depth and displacement of the pixel.
 bool counts(ivec2 at, vec2 offset, float depth, vec2 d, float spread_factor) {
   float tap_depth = depthAt(at);
   if (tap_depth > depth || isinf(tap_depth)) return true;

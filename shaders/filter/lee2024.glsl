@@ -1,36 +1,41 @@
 // SPDX-License-Identifier: MIT
-// Search through up to four full layers for the surface at a pixel, back along displacements, for any anchor (Lee, Kwon, Oh
-// 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors", Applied Sciences 14, 4626).
-// In:  color: linear radiance of the first layer.
-//      depth: view depth of the first layer, metres; +inf for the sky.
-//      velocity: displacement of the first layer, px over the exposure.
-//      layer_2_* to layer_4_*: the same three images of the surfaces behind the first layer, for every pixel (optional).
-//      id: instance + 1, geometry + 1 of the first layer; for the counter `varied` only.
-//      dominant: longest displacement per tile of the first two layers, px over the exposure (optional).
-//      deep_dominant: longest displacement per tile of the third and fourth layer, px over the exposure (optional).
-// Out: blurred: linear radiance, alpha 1.
-// Method: for each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each searched displacement g and each layer, test the
-//   texel Y = X - t_i*g, clamped to the image. Y counts if its displacement differs from g by at most `agreement` px and by at
-//   most half of the longer one (at least half a pixel). The nearest texel that counts is the sample; at equal depths, the
-//   texel of the first g. The result is the mean over the samples found, or the colour of pixel X if none is found.
-//   Searched displacements: the displacements of X in all layers, and the dominant ones of its tile. The paper's text at hand
-//   does not say which displacements start at a pixel that another surface passes over; they are found here as in the other
+// Blur by a search in up to four full layers for the nearest surface at a pixel at each time sample (Lee, Kwon, Oh 2024,
+// "Real-Time Motion Blur Using Multi-Layer Motion Vectors", Applied Sciences 14, 4626). The search follows displacements
+// backwards, for any anchor.
+// In:  `color`: linear radiance of the first layer.
+//      `depth`: view depth of the first layer, metres; +inf for the sky.
+//      `velocity`: displacement of the first layer, px over the exposure.
+//      `layer_2_*`, `layer_3_*`, `layer_4_*`: color, depth and velocity of the surfaces behind the first layer, for every pixel
+//        (optional).
+//      `id`: instance + 1, geometry + 1 of the first layer; read for the counter `varied` alone.
+//      `dominant`: longest displacement per tile of the first two layers, px over the exposure (optional).
+//      `deep_dominant`: longest displacement per tile of the third and fourth layer, px over the exposure (optional).
+// Out: `blurred`: linear radiance, alpha 1.
+// Method: for pixel X, sample i of N is at the time t_i at the share (i + 1/2 + jitter)/N of the exposure. For each searched
+//   displacement g and each layer, test the texel Y = X - t_i * g, clamped to the image. Y counts if its own displacement
+//   differs from g by at most `agreement` px, and by at most half of the longer of both (or half a pixel, if that is more). The
+//   sample is the nearest texel that counts; at equal depths, the texel of the first g. The result is the mean of the samples
+//   found, or the colour of X if no sample is found.
+//   The searched displacements are the displacements of X in all layers and the dominant ones of the tile. The text of the
+//   paper does not state how it finds surfaces that pass over a pixel; here the dominant displacements find them, as in other
 //   filters.
-//   `varied` counts samples of a deeper layer where the path of X's own surface leads to another part of this surface, with a
-//   different displacement.
-// Fails: surfaces in no layer are missed, and surfaces whose displacement is neither the pixel's nor the longest of its tile.
+//   The counter `varied` counts samples from a deeper layer although the path of X's own surface leads to another part of this
+//   surface: that part has a different displacement, so that it does not count.
+// Fails: misses surfaces in no layer, and surfaces with other displacements than the pixel's own and the longest of its tile.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 const int kLayers = 1 + HAS_layer_2_depth + HAS_layer_3_depth + HAS_layer_4_depth;
-const int kMost = 6;  // searched displacements: of the pixel in four layers, and two of the tile
+// Largest number of searched displacements: of the pixel in four layers, and two of its tile.
+const int kMost = 6;
 
-// Depths that differ by less than 2^-16 of the depth count as equal: rounding separates the depths of one surface.
+// A depth counts as nearer than another depth if it is less than kSameDepth times that depth. Depths that differ by less than
+// 2^-16 of the depth therefore count as equal, because rounding separates the depths of one surface.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
-// Displacements within this distance, px, count as one: they nearly always lead to the same texels.
+// Distance, px over the exposure, within which two displacements count as one: they nearly always lead to the same texels.
 const float kSamePath = 1.0 / 16.0;
 
 vec3 colorOf(int layer, ivec2 at) {
@@ -58,12 +63,14 @@ vec2 limitedDisplacementOf(int layer, ivec2 at) {
   return clampLength(finiteDisplacement(displacementOf(layer, at)), limitPx());
 }
 
+// Displacements that a pixel's search follows, and the length of the longest one.
 struct Searched {
   vec2 displacements[kMost];  // px over the exposure
   int count;
-  float longest;  // px
+  float longest;              // px over the exposure
 };
 
+// Adds the displacement d, unless it is close to a displacement in the list.
 void search(inout Searched searched, vec2 d) {
   for (int k = 0; k < searched.count; ++k)
     if (lengthOf(searched.displacements[k] - d) <= kSamePath) return;
@@ -90,23 +97,24 @@ Searched searchedAt(ivec2 pixel) {
   return searched;
 }
 
+// Nearest surface found for a time sample: its layer (0 is the first), texel and view depth.
 struct Nearest {
   int layer;  // -1: no surface
   ivec2 at;
   float depth;
 };
 
-// True if two displacements agree within `agreement`. A displacement of 0 and a displacement of a pixel never agree, whatever
-// `agreement` is.
+// True if two displacements differ by at most `agreement` px and by at most half of the longer one (or half a pixel, if that is
+// more). A displacement of 0 and a displacement of more than half a pixel therefore never agree, for any value of `agreement`.
 bool agree(vec2 a, vec2 b) {
   float apart = lengthOf(a - b);
   return apart <= params.agreement && apart <= max(0.5 * max(lengthOf(a), lengthOf(b)), 0.5);
 }
 
-// True if the displacement of a texel agrees with the displacement d that leads to the texel.
+// True if the displacement of a texel agrees with the displacement d that the search followed to the texel.
 bool comes(int layer, ivec2 at, vec2 d) { return agree(limitedDisplacementOf(layer, at), d); }
 
-// The nearer of the surface found so far and the texel of a layer at the end of a path.
+// The nearer of two surfaces: `nearest`, found so far, and the texel `at` of a layer, where the displacement d leads.
 Nearest nearer(Nearest nearest, int layer, ivec2 at, vec2 d) {
   if (!comes(layer, at, d)) return nearest;
   float depth = depthOf(layer, at);
@@ -114,6 +122,7 @@ Nearest nearer(Nearest nearest, int layer, ivec2 at, vec2 d) {
   return Nearest(layer, at, depth);
 }
 
+// Nearest surface that is at the pixel at time t, over all searched displacements and layers.
 Nearest sampleAt(ivec2 pixel, Searched searched, float t, ivec2 size) {
   Nearest nearest = Nearest(-1, pixel, 0.0);
   for (int k = 0; k < searched.count; ++k) {
@@ -124,7 +133,8 @@ Nearest sampleAt(ivec2 pixel, Searched searched, float t, ivec2 size) {
   return nearest;
 }
 
-// True if the path of the pixel's surface leads to another part of this surface, with a different displacement.
+// True if the path of the pixel's own surface, followed back from time t, leads to a texel of this surface with a different
+// displacement.
 bool isVaried(ivec2 pixel, float t, ivec2 size) {
   vec2 d = limitedDisplacementOf(0, pixel);
   ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);

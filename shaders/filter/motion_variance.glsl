@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Variance of an image with one time sample per pixel, along the motion (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal
-// Variance-Guided Filtering for Motion Blur"; here from one frame, without earlier frames).
-// In:  noisy: linear radiance, one time sample per pixel.
-//      moved: displacement of the surface at the pixel's time, px over the exposure.
-//      dominant: longest displacement that reaches each tile, px over the exposure.
-// Out: variance: variance of the tone (mixin/along_motion.glsl).
-// Method: variance over the pixels within 3 px along the dominant displacement. The variance is 0 if no pixel within 8 px along
-//   the displacement shows a moving surface. These pixels then most likely show the same surface at all times.
-// Fails: a texture along the motion counts as noise.
+// Variance, along the motion, of an image with one time sample per pixel (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal
+// Variance-Guided Filtering for Motion Blur"; here from one frame instead of several). The variance guides the filter
+// filter/along_motion.glsl.
+// In:  `noisy`: linear radiance, one time sample per pixel.
+//      `moved`: displacement of the surface hit at the pixel's sample time, px over the exposure.
+//      `dominant`: longest displacement that reaches each tile, px over the exposure.
+// Out: `variance`: variance of the tone, which is luminance / (1 + luminance).
+// Method: variance over the 7 pixels up to 3 px away along the dominant displacement. If no pixel up to 8 px away along this
+//   line hits a moving surface, the variance is 0, because the pixels then most likely show one static surface at all times.
+// Fails: a texture that varies along the motion counts as noise.
 #include "mixin/along_motion.glsl"
 
-const int kWide = 3;  // px
-const int kLooks = 8;  // px; a surface that moves across shows at some of these pixels at their sample times
+// Largest distance, px, of the pixels in the variance.
+const int kWide = 3;
+// Largest distance, px, of the pixels tested for motion. A surface that passes over the pixel is hit at some of these pixels at
+// their sample times.
+const int kLooks = 8;
 
 bool seesMotion(ivec2 at, ivec2 size) {
   return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStaticRadius;
 }
 
+// True if a pixel up to kLooks px away, along the displacement d, hits a moving surface.
 bool isInMovingRect(ivec2 pixel, vec2 d, ivec2 size) {
   for (int i = -kLooks; i <= kLooks; ++i)
     if (seesMotion(alongBy(pixel, d, float(i)), size)) return true;
@@ -32,7 +37,7 @@ void run(ivec2 pixel) {
     for (int i = -kWide; i <= kWide; ++i) {
       ivec2 at = alongBy(pixel, d, float(i));
       if (!isInside(at, size)) continue;
-      float value = tone(finiteColor(texelFetch(noisy_tex, at, 0))) - own;  // differences, to reduce rounding
+      float value = tone(finiteColor(texelFetch(noisy_tex, at, 0))) - own;  // differences reduce rounding errors
       sum += value;
       squares += value * value;
       count += 1.0;

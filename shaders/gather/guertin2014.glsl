@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Feature-aware gather along two directions, for any anchor (Guertin, McGuire, Nowrouzezahrai 2014, "A Fast and Stable
+// Feature-aware blur along two directions, for any anchor (Guertin, McGuire, Nowrouzezahrai 2014, "A Fast and Stable
 // Feature-Aware Motion Blur Filter", HPG).
-// In:  color: linear radiance.
-//      depth: view depth, metres; +inf for the sky.
-//      velocity: displacement d, px over the exposure.
-//      dominant: longest displacement that reaches each tile, px over the exposure.
-//      second: displacement around each tile that differs most from dominant, px over the exposure (optional).
-//      variance: variance of the directions around each tile, 0 to 1 (absent: half of the samples take the second direction).
-//      slowest: length of the shortest displacement around each tile, px over the exposure (absent: no fast path).
-//      valid: > 1/2 where the layer has a surface (absent: everywhere).
-//      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
-// Out: blurred: rgb: linear radiance times alpha; a: alpha.
-// Method: the filter blurs pixel X along d = dominant, with t_i = lerp(-1, 1, (i + eta*jitter + 1)/(N + 1)). If the exposure
-//   surrounds the raster time, taps lie at |d|/2 * t_i, without the tap on X itself (odd N). Otherwise they lie at |d| (t_i +
-//   1)/2.
-//   round(N/2 * smoothstep(0, 1/2, variance)) taps lie along the second direction v_c (mixin/directions.glsl) instead. They are
-//   skipped if v_c is 0.
-//   A tap Y at the distance D has the weight f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB). Here
-//   e is the sampled direction, wA = |v_c . e|, wB = |unit d(Y) . e|, r is the blur radius (at least 1/2 px), and f and b
-//   compare the depths as shares of the depth. X itself has the weight N/(kappa*rX). The sum is normalised.
-//   X is copied if the blur radius of d is at most 0.505 px. If the shortest displacement is at least 0.65 |d| and its radius
-//   at least 4 px, d(Y) = d. Alpha: as in mcguire2012.glsl, with cylinder(D, rY) * wB for the taps.
-// Fails: the blur inside silhouettes is too opaque, over background from outside. Surfaces that move along neither direction
+// In:  `color`, `depth`: linear radiance; view depth, metres, +inf for the sky.
+//      `velocity`: displacement d(X) of the surface at each pixel X, px over the exposure.
+//      `dominant`: longest displacement that reaches each tile, px over the exposure.
+//      `second`: displacement around each tile that differs most from `dominant`, px over the exposure (absent: `dominant`).
+//      `variance`: variance of motion directions around each tile, 0 to 1 (absent: half of the taps take the second direction).
+//      `slowest`: length of the shortest displacement around each tile, px over the exposure (absent: 0).
+//      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
+//      `background_depth`, `background_valid`: view depth and mask (above 1/2) of the revealed surface (absent: none).
+// Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
+// Method: N taps lie along d, the dominant displacement at pixel X, at t_i = lerp(-1, 1, (i + eta * jitter + 1)/(N + 1)). If
+//   the exposure surrounds the raster time, taps are |d|/2 * t_i from X, without the tap on X itself (odd N); otherwise
+//   |d| (1 + t_i)/2, or |d| (1 - t_i)/2 if it starts there. round(N/2 * smoothstep(0, 1/2, variance)) of the taps lie along a
+//   second direction instead, the unit vector v_c (mixin/directions.glsl); they are skipped if v_c is 0.
+//   A tap at Y, D px from X along the unit direction e, has the weight f * cone(D, rY) * wB + b * cone(D, rX) * wA +
+//   2 * cylinder(D, min(rX, rY)) * max(wA, wB), with wA = |v_c . e| and wB = |unit d(Y) . e|. r is the blur radius, at least
+//   1/2 px. f is 1 if Y is not farther than X, b is 1 if X is not farther than Y. The centre sample X has the weight N/(kappa *
+//   rX). The result is the weighted mean.
+//   X is copied if d is short (kCopiedRadius). If `slowest` is nearly |d|, all taps have d(Y) = d (kUniformShare). Alpha is 1,
+//   or over a revealed surface the foreground's share of all weights: a tap is foreground to the degree that it is in front of
+//   the revealed surface, times cylinder(D, rY) * wB.
+// Fails: too opaque inside silhouettes, where the background is copied from outside. Surfaces that move along neither direction
 //   stay sharp. Where many directions meet, there are noise and gaps.
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
@@ -30,21 +30,29 @@
 #include "mixin/tile_lookup.glsl"
 #include "lib/times.glsl"
 
-const float kCopiedRadius = 0.505;   // px
-const float kUniformShare = 0.65;    // of the dominant displacement
-const float kUniformRadius = 4.0;    // px
+// A pixel is copied if the blur radius of the dominant displacement is at most this, px.
+const float kCopiedRadius = 0.505;
+
+// Motion around a tile is uniform if the shortest displacement is at least this share of the dominant displacement, and has at
+// least this blur radius, px.
+const float kUniformShare = 0.65;
+const float kUniformRadius = 4.0;
 
 struct Tap {
   vec3 color;
   float depth;
-  float radius;    // px
-  vec2 direction;  // unit; 0 for a static surface
+  float radius;    // of the blur, px
+  vec2 direction;  // of the motion, unit; 0 for a static surface
 };
 
+// Tap from a texel, with the displacement d in place of the texel's own. `spread_factor`: largest distance of a surface from
+// its raster position, as a share of its displacement.
 Tap tapFrom(Texel texel, vec2 d, float spread_factor) {
   return Tap(texel.color, texel.depth, max(spread_factor * lengthOf(d), 0.5), unitOf(d));
 }
 
+// Place of a tap: time in exposures, offset and distance from the pixel in px, and direction from the pixel (the sign does not
+// matter).
 struct Sample {
   float t;
   ivec2 offset;
@@ -69,11 +77,13 @@ int secondCount(ivec2 tile) {
 #endif
 }
 
+// True if the motion around the tile is uniform.
 bool movesAsOne(ivec2 tile, vec2 d, float spread_factor) {
   float slowest = slowest_at(tile).x;
   return slowest >= kUniformShare * lengthOf(d) && spread_factor * slowest >= kUniformRadius;
 }
 
+// Weight of a tap at the place `taken`. `here`: tap at the pixel itself. `second`: second direction of the pixel.
 float tapWeight(Tap here, Tap tap, Sample taken, vec2 second) {
   float along_here = abs(dot(second, taken.direction));
   float along_tap = abs(dot(tap.direction, taken.direction));
@@ -84,7 +94,7 @@ float tapWeight(Tap here, Tap tap, Sample taken, vec2 second) {
          2.0 * cylinder(taken.distance_px, min(here.radius, tap.radius)) * max(along_here, along_tap);
 }
 
-// Share of the pixel that the motion of a tap covers, 0 to 1.
+// Coverage of the pixel by the motion of a tap's surface, 0 to 1.
 float covers(Tap tap, Sample taken) {
   float along_tap = tap.radius > 0.5 ? abs(dot(tap.direction, taken.direction)) : 1.0;
   return cylinder(taken.distance_px, tap.radius) * along_tap;

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Gather of paired taps with linear ramps and mirrored background (Jimenez 2014, "Next Generation Post Processing in Call of
-// Duty: Advanced Warfare", SIGGRAPH course), as its public descendants implement it.
-// In:  color: linear radiance.
-//      depth: view depth, metres; +inf for the sky.
-//      velocity: displacement d, px over the exposure.
-//      dominant: longest displacement that reaches each tile, px over the exposure.
-//      slowest: length of the shortest displacement around each tile, px over the exposure (absent: no cheap path).
-//      valid: > 1/2 where the layer has a surface (absent: everywhere).
-//      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
-// Out: blurred: rgb: linear radiance times alpha; a: alpha.
-// Method: d = dominant. Copy pixel X if the blur radius of d is at most copy_below. Average the taps if slowest > cheap_ratio *
-//   |d| and no surface was revealed behind X. Otherwise weight the taps ("full gather"). Counters count the three cases.
-//   Taps are s = i + 1/2 + jitter steps of |d|/N from X: pairs at +-s if the exposure surrounds the raster time (N is even,
-//   rounded up), otherwise single taps. With count = adaptive, N is an even number of at most |d| taps, at least 2.
-//   A tap Y has the weight back * clamp(r(X) - max(s - 1, 0), 0, 1) + front * clamp(r(Y) - max(s - 1, 0), 0, 1), with r the
-//   blur radius in steps. back + front = 1 by the order of the depths; both are 1/2 if the depths are equal. The parameter
-//   `direction` scales the second term. With `mirror`, if one tap of a pair is nearer and faster, both taps have its weight. In
-//   a tie both keep their own weights, so that mirrored images have mirrored results.
-//   Result: sum of weight * colour over N; the rest of the exposure is the colour of X.
-//   Alpha: 1. Over a revealed surface, the result is the foreground alone. A tap then counts to the degree that it is in front
-//   of that surface and spreads over X. The rest of the exposure counts to the degree that X is in front.
-// Fails: inside a silhouette the background is copied from outside, so its edges appear twice. Outside a silhouette, the
-//   background under the object comes from the opposite side. There is one direction per tile.
+// Blur by pairs of taps, with linear ramps at edges and a mirrored background (Jimenez 2014, "Next Generation Post Processing
+// in Call of Duty: Advanced Warfare", SIGGRAPH course), as public code derived from it implements it.
+// In:  `color`: linear radiance.
+//      `depth`: view depth, metres; +inf for the sky.
+//      `velocity`: displacement d(X) of the surface at each pixel X, px over the exposure.
+//      `dominant`: longest displacement that reaches each tile, px over the exposure.
+//      `slowest`: length of the shortest displacement around each tile, px over the exposure (absent: 0).
+//      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
+//      `background_depth`, `background_valid`: view depth and mask (above 1/2) of the revealed surface (absent: none).
+// Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
+// Method: d is the dominant displacement. Copy pixel X if the blur radius of d is at most `copy_below`. Take the plain mean of
+//   the taps if `slowest` > `cheap_ratio` * |d| and no surface is revealed at X. Otherwise weight the taps.
+//   Taps are s = i + 1/2 + jitter steps of |d|/N from X: pairs at +s and -s if the exposure surrounds the raster time (N even,
+//   rounded up), otherwise single taps. With `count` = adaptive, N is even, at most |d| in px and `samples`, at least 2.
+//   A tap at Y has the weight b * clamp(rX - max(s - 1, 0), 0, 1) + f * clamp(rY - max(s - 1, 0), 0, 1), where rX and rY are
+//   the blur radii of the surfaces in steps. f + b = 1: f is 1 if Y is nearer than X, b is 1 if Y is farther (by the relative
+//   difference `depth_extent`), and both are 1/2 at equal depths. The parameter `direction` adds a factor to the second term.
+//   With `mirror`, if one tap of a pair is nearer and faster than the other, both get its weight. Otherwise each keeps its own,
+//   so that mirrored images have mirrored results.
+//   Result: sum of weight * colour, divided by N, plus the colour of X for the rest of the exposure. Alpha is 1. Over a
+//   revealed surface, the result is the foreground alone: a tap counts to the degree that it is in front of that surface and
+//   spreads over X, and the rest to the degree that X is in front.
+// Fails: inside a silhouette the background is copied from outside, so that edges appear twice there. Outside a silhouette, the
+//   background under the blurred object comes from the opposite side. There is one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
 #include "mixin/quantised.glsl"
@@ -31,21 +32,21 @@ struct Tap {
   vec3 color;
   float depth;
   vec2 d;        // px over the exposure
-  float radius;  // px
+  float radius;  // of the blur, px
 };
 
-// Inputs of the gather at one pixel.
+// Inputs of the gather at one pixel. `here`: tap at the pixel itself.
 struct Gather {
   Tap here;
-  vec2 d;             // dominant displacement, px over the exposure
-  float spread_factor;
-  float step_length;  // px
-  bool over;          // a surface was revealed behind the pixel
-  float background;   // depth
+  vec2 d;               // dominant displacement, px over the exposure
+  float spread_factor;  // largest distance of a surface from its raster position, as a share of its displacement
+  float step_length;    // distance between taps, px
+  bool over;            // true if a surface was revealed behind the pixel
+  float background;     // depth of the revealed surface, metres
 };
 
-// Sums over taps. `shown`: rgb: weighted colours of the visible part; alpha: weights of the visible part. `all`: weights of all
-// taps.
+// Sums over taps. `shown`: rgb: sum of weighted colours; alpha: sum of weights; over a revealed surface, of the foreground
+// alone. `all`: sum of the weights of all taps.
 struct Sums {
   vec4 shown;
   float all;
@@ -56,7 +57,8 @@ Tap tapAt(ivec2 pixel, float spread_factor) {
   return Tap(texel.color, texel.depth, texel.d, spread_factor * lengthOf(texel.d));
 }
 
-// Share, 0 to 1, of a tap's blur that counts along the dominant displacement. The parameter `direction` chooses the rule.
+// Factor, 0 to 1, on the spread of a tap's surface along the dominant displacement, by the parameter `direction`. `offset`:
+// position of the tap relative to the pixel, px.
 float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 #if PARAM_direction == direction_projected
   float longest = lengthOf(gather.d);
@@ -70,10 +72,10 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 #endif
 }
 
-// Share of a step that a surface covers, 0 to 1. The step is `steps` away from the pixel; the surface has the blur radius
-// `radius`, px. `after`: the step is on the side of the times after the raster time. With a shutter curve, all steps have the
-// same weight: the radius in steps is the number of steps times the share of the weight until the dominant motion has covered
-// the radius.
+// Share, 0 to 1, of a step that the motion of a surface covers. `radius`: blur radius of the surface, px. `steps`: distance of
+// the step from the pixel, in steps. `after`: true if the step is on the side of the times after the raster time. With a
+// shutter curve, all steps have equal weight instead of equal length. The radius in steps is then the number of steps on this
+// side times the share of the side's weight up to the time when the dominant motion has covered the radius.
 float colorRangeOver(Gather gather, float radius, float steps, bool after) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -85,6 +87,7 @@ float colorRangeOver(Gather gather, float radius, float steps, bool after) {
   return clamp(radius / gather.step_length - max(steps - 1.0, 0.0), 0.0, 1.0);
 }
 
+// Weight of a tap that is `steps` steps, and `offset` px, from the pixel.
 float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset, bool after) {
   float back = 0.5 + 0.5 * depthOrder(gather.here.depth, tap.depth, params.depth_extent);
   float spread_here = colorRangeOver(gather, gather.here.radius, steps, after);
@@ -92,6 +95,7 @@ float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset, bool after) {
   return back * spread_here + (1.0 - back) * spread_tap;
 }
 
+// Weights of a pair of taps: both equal to the weight of the nearer and faster tap, if one tap is both.
 vec2 mirrored(Tap a, Tap b, vec2 weights) {
   if (a.depth > b.depth && b.radius > a.radius) return vec2(weights.y, weights.y);
   if (b.depth > a.depth && a.radius > b.radius) return vec2(weights.x, weights.x);
@@ -108,6 +112,7 @@ struct Pair {
   ivec2 before, after;
 };
 
+// Offsets of a pair at the distance of `steps` steps, if `count` steps span the displacement d.
 Pair pairAt(vec2 d, int count, float steps) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -120,7 +125,8 @@ Pair pairAt(vec2 d, int count, float steps) {
   return Pair(offset, -offset);
 }
 
-// Add a pair of taps. `sides`: weights of the times before (x) and after (y) the raster time.
+// Sums after one more pair of taps. `sides`: factors on the weights of the taps at times before (x) and after (y) the raster
+// time.
 Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, vec2 sides) {
   ivec2 size = textureSize(color_tex, 0);
   ivec2 at_a = clampToImage(pixel + pair.before, size), at_b = clampToImage(pixel + pair.after, size);
@@ -138,8 +144,8 @@ Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, v
   return sums;
 }
 
-// Add a pair of taps, with the weights of both sides if the shutter has a curve. Each branch adds its own sums, so that the
-// result with a box shutter is the same, bit for bit, with and without FACT_weighted.
+// Sums after one more pair of taps. With a shutter curve, the weights of both sides of the exposure are factors. Each branch
+// has its own call, so that the picture with a box shutter is the same, bit for bit, with and without FACT_weighted.
 Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -149,6 +155,7 @@ Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
   return withPairOf(sums, gather, pixel, pair, steps, vec2(1));
 }
 
+// Sums after one more single tap, for an exposure on one side of the raster time.
 Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   ivec2 at = clampToImage(pixel + offset, textureSize(color_tex, 0));
   if (!isValid(at)) return sums;
@@ -161,7 +168,7 @@ Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   return sums;
 }
 
-// Number of taps at a pixel; even if taps come in pairs.
+// Number of taps at a pixel: an even number if taps come in pairs.
 int sampleCount(vec2 d) {
   int most = isCentred(frame.shutter) ? (params.samples + 1) / 2 * 2 : params.samples;
 #if PARAM_count == count_adaptive
@@ -171,12 +178,12 @@ int sampleCount(vec2 d) {
 #endif
 }
 
-// True if all surfaces around the tile move nearly as fast as the dominant displacement.
+// True if the shortest displacement around the tile is nearly as long as the dominant one, so that taps need no weights.
 bool movesAsOne(ivec2 pixel, vec2 d) {
   return slowest_at(pixel / params.tile).x > params.cheap_ratio * lengthOf(d);
 }
 
-// Offset of a single tap, if the exposure lies on one side of the raster time.
+// Offset of a single tap from the pixel, px, if the exposure lies on one side of the raster time. `count` steps span d.
 ivec2 singleAt(vec2 d, int count, float steps) {
   bool after = frame.shutter.y > 0.0;
   float end = after ? frame.shutter.y : frame.shutter.x, part = steps / float(count);
@@ -186,6 +193,7 @@ ivec2 singleAt(vec2 d, int count, float steps) {
   return roundSymmetric(tapOffset(d, end) * part);
 }
 
+// Mean of the taps without weights, except the weights of the two sides under a shutter curve.
 vec3 plainMean(ivec2 pixel, vec2 d, int count, float jitter) {
   ivec2 size = textureSize(color_tex, 0);
   vec3 sum = vec3(0);
@@ -201,6 +209,7 @@ vec3 plainMean(ivec2 pixel, vec2 d, int count, float jitter) {
   return fromSum(sum / float(count));
 }
 
+// Result with weighted taps: linear radiance times alpha, and alpha.
 vec4 fullGather(ivec2 pixel, Gather gather, int count, float jitter) {
   Sums sums = Sums(vec4(0), 0.0);
   bool centred = isCentred(frame.shutter);

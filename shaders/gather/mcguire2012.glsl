@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Gather along the dominant displacement of the tile, for any anchor (McGuire, Hennessy, Bukowski, Osman 2012, "A
-// Reconstruction Filter for Plausible Motion Blur", section 2.3).
-// In:  color: linear radiance.
-//      depth: view depth, metres; +inf for the sky.
-//      velocity: displacement d, px over the exposure.
-//      dominant: longest displacement that reaches each tile, px over the exposure.
-//      second: displacement around each tile that differs most from dominant, px over the exposure (optional).
-//      valid: > 1/2 where the layer has a surface (absent: everywhere).
-//      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
-// Out: blurred: rgb: linear radiance times alpha; a: alpha.
-// Method: the filter blurs pixel X along d = dominant, with t_i = lerp(-1, 1, (i + jitter + 1)/(S + 1)). If the exposure
-//   surrounds the raster time, as in the paper, taps lie at X + d/2 * t_i and the blur radius is |d|/2. The tap on X itself
-//   (odd S) is left out, because the centre sample stands for it. If the exposure ends at the raster time, taps lie at X + d
-//   (t_i + 1)/2, mirrored if it begins there, the radius is |d|, and all S taps count (Tan, Cui, Bhojan 2020). With two
-//   directions, not in the paper but in later code, every odd tap lies along the second one (mixin/directions.glsl, gamma = 3/2
-//   px).
-//   A tap Y at the distance D has the weight f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX). The centre has
-//   the weight 1/rX. The sum is normalised. f and b compare depths as shares of the depth and so have no scale.
-//   Alpha: 1. Over a revealed surface the result is the foreground alone, and alpha the foreground's share of all weights. A
-//   tap is foreground to the degree that it is in front of the revealed surface and that its own motion covers D (otherwise its
-//   surface does not pass over X, for example a floor that slopes up to the viewer). The centre is foreground if it is in
-//   front.
-// Fails: the blur is too opaque inside silhouettes (6/7 in place of 1/2; docs/derivations.md) and has a step at silhouettes.
-//   Ramps are not linear. Opacity depends on S. There is one direction per tile.
+// Blur along the dominant displacement with taps weighted by depth and distance, for any anchor (McGuire, Hennessy, Bukowski,
+// Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", section 2.3).
+// In:  `color`: linear radiance.
+//      `depth`: view depth, metres; +inf for the sky.
+//      `velocity`: displacement d(X) of the surface at each pixel X, px over the exposure.
+//      `dominant`: longest displacement that reaches each tile, px over the exposure.
+//      `second`: displacement around each tile that differs most from `dominant`, px over the exposure (absent: `dominant`).
+//      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
+//      `background_depth`, `background_valid`: view depth and mask (above 1/2) of the revealed surface (absent: none).
+// Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
+// Method: pixel X is blurred along d, the dominant displacement of its tile, with S taps, at t_i = lerp(-1, 1,
+//   (i + jitter + 1)/(S + 1)). If the exposure surrounds the raster time, as in the paper, tap i is at X + t_i * d/2. The tap
+//   on X itself (odd S) is left out, because the centre sample stands for it. If the exposure ends at the raster time, tap i is
+//   at X + d (1 + t_i)/2, and at X - d (1 - t_i)/2 if it starts there; then all S taps count (Tan, Cui, Bhojan 2020). With
+//   `directions` = two, as in later code of the filter, every odd tap lies along a second direction (mixin/directions.glsl).
+//   A tap at Y, D px from X, has the weight f * cone(D, rY) + b * cone(D, rX) + 2 * cylinder(D, rX) * cylinder(D, rY)
+//   (lib/blur.glsl). The blur radius r of a surface is its largest distance from its raster position within the exposure, at
+//   least 1/2 px. f is 1 if Y is not farther than X, b is 1 if X is not farther than Y; both fall to 0 over the relative depth
+//   difference `depth_extent`. The centre sample has the weight 1/rX. The result is the weighted mean.
+//   Alpha is 1. Over a revealed surface, the result is the foreground alone, and alpha its share of all weights. A tap is
+//   foreground to the degree that it is in front of the revealed surface and its own motion covers the distance D. The centre
+//   sample is foreground if it is in front of the revealed surface.
+// Fails: too opaque inside silhouettes (6/7 instead of 1/2; docs/derivations.md), with a step at the silhouette. Coverage is
+//   not linear across edges, and opacity depends on S. There is one direction per tile.
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
@@ -32,14 +32,16 @@
 struct Tap {
   vec3 color;
   float depth;
-  float radius;  // px
+  float radius;  // of the blur, px
 };
 
+// Tap at a pixel. `spread_factor`: largest distance of a surface from its raster position, as a share of its displacement.
 Tap tapAt(ivec2 pixel, float spread_factor) {
   Texel texel = texelAt(pixel);
   return Tap(texel.color, texel.depth, max(spread_factor * lengthOf(texel.d), 0.5));
 }
 
+// Weight of a tap at `distance_px` from the pixel. `here`: tap at the pixel itself.
 float tapWeight(Tap here, Tap tap, float distance_px) {
   float in_front = softDepth(here.depth, tap.depth, params.depth_extent);
   float at_back = softDepth(tap.depth, here.depth, params.depth_extent);

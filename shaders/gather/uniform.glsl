@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Time-uniform gather: each tap along the dominant displacement stands for an equal share of the exposure. Ramps are linear,
-// and the coverage by a moving object over a static one is exact up to sampling.
-// In:  color: linear radiance.
-//      depth: view depth, metres; +inf for the sky.
-//      velocity: displacement d, px over the exposure.
-//      dominant: longest displacement that reaches each tile, px over the exposure.
-//      velocity_post, dominant_post: velocity and dominant after the raster time (absent: motion is linear).
-//      valid: > 1/2 where the layer has a surface (absent: everywhere).
-//      background_depth, background_valid: view depth of the revealed surface, and > 1/2 where it exists (absent: nowhere).
-// Out: blurred: rgb: linear radiance times alpha; a: alpha.
-// Method: for pixel X, N taps Y = X - d*t at the midpoints (i + 1/2 + jitter)/N of the exposure, d = dominant.
-//   Foreground: taps in front of the background of X that pass over X within the exposure. The background is the revealed
-//   surface or, without one, the surface at X. Weight of a tap: |d|/|d(Y)| / N, because fewer taps meet a slower surface, which
-//   passes over X for the whole exposure. alpha is the sum of these weights, at most 1. A static surface at X, in front of a
-//   revealed one, has the rest of the exposure.
-//   Background: none over a revealed surface. Otherwise (1 - alpha) times a mean of taps is added, and alpha becomes 1. The
-//   mean is over the taps at the depth of X that pass over X, and over farther taps within the distance moved by the surface at
-//   X, which stand in for the background it disoccludes. X fills the mean up to the weight of one tap, so that no tap of little
-//   weight dominates the mean.
-//   Split exposure: a tap counts by the path of its surface in the tap's own half. It also counts if its surface passes over X
-//   in the other half only, since the taps of that half lie on the other side of X and miss it. If the dominant motion turns
-//   back, the taps of both halves lie on one side and find the surface, so a tap counts in its own half only.
-// Fails: without a revealed layer, the background inside a silhouette is copied from outside. A moving background counts as
-//   uncorrelated with its cover (product of two means). There is one direction per tile.
+// Time-uniform gather: blurs along the dominant displacement with N taps. Each tap stands for an equal share of the exposure.
+// Coverage by a moving surface over a static one changes linearly across edges and is exact up to sampling.
+// In:  `color`: linear radiance.
+//      `depth`: view depth, metres; +inf for the sky.
+//      `velocity`: displacement d(X) of the surface at each pixel X, px over the exposure.
+//      `dominant`: longest displacement that reaches each tile, px over the exposure.
+//      `velocity_post`, `dominant_post`: `velocity` and `dominant` after the raster time (absent: `velocity`, `dominant`).
+//      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
+//      `background_depth`, `background_valid`: view depth and mask (above 1/2) of the revealed surface (absent: none).
+// Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
+// Method: tap i reads the texel Y = X - d * t_i around the pixel X. d is the dominant displacement, and t_i the time, in
+//   exposures from the raster time, at the share (i + 1/2 + jitter)/N of the exposure.
+//   Foreground: taps in front of the background of X, with a surface that passes over X within the exposure. The background is
+//   the revealed surface or, without one, the surface at X. The weight of a tap is |d| / (N |d(Y)|): the slower its surface,
+//   the longer it stays over X, and the fewer taps meet it. alpha is the sum of the weights, at most 1. A static surface at X
+//   in front of a revealed one adds the rest, 1 - alpha.
+//   Background: not added over a revealed surface. Otherwise add (1 - alpha) times a mean over taps, and set alpha to 1. The
+//   mean is over taps at the depth of X that pass over X, and over farther taps at most as far away as the surface at X moves.
+//   The farther taps replace the background that this surface disoccludes. If the weights of the mean add up to less than one
+//   tap, the colour of X fills the rest, so that a tap of small weight cannot dominate.
+//   If `velocity_post` is present, the two segments of the exposure are tested separately (`passingOf`).
+// Fails: without a revealed layer, the background inside a silhouette is copied from outside. If the background moves, the
+//   product of mean coverage and mean background differs from the mean of their product. There is one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
 #include "mixin/quantised.glsl"
@@ -39,13 +38,19 @@ Tap tapAt(ivec2 pixel) {
   return Tap(texel.color, texel.depth, texel.d, limited(velocity_post_at(pixel)));
 }
 
-// Result of the test if a tap's surface passes over the pixel. `d`: displacement of the surface while it passes, px over the
-// exposure.
+// Result of the test if a tap's surface passes over the pixel. `d`: displacement of the surface in the segment where it passes,
+// px over the exposure.
 struct Passing {
   bool passes;
   vec2 d;
 };
 
+// Tests if the surface of a tap passes over the pixel within the exposure. `offset`: position of the tap relative to the pixel,
+// px. `t`: time of the tap. `turns_back`: true if the dominant motion turns back at the raster time.
+// With two segments, before and after the raster time, the surface is tested in the segment that contains t. It also counts if
+// it passes over the pixel in the other segment only, because the taps of that segment lie on the other side of the pixel and
+// miss the surface. If the dominant motion turns back, the taps of both segments lie on one side and find the surface, so that
+// the exception is not needed.
 Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
   bool after = t > 0.0;
 #if HAS_velocity_post
@@ -61,7 +66,7 @@ Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
 
 #if FACT_weighted
 // Weight, by the shutter curve, of the times when a surface with the displacement d passes over part i of the dominant
-// displacement `along`.
+// displacement `along`. The displacement is divided into as many equal parts as there are samples.
 float weightOfPart(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5);
   float longer = dominant_px / clamp(lengthOf(d), 0.5, dominant_px) * (dot(d, along) < 0.0 ? -1.0 : 1.0);
@@ -70,7 +75,8 @@ float weightOfPart(int i, vec2 d, vec2 along) {
 }
 #endif
 
-// Weight of tap i in the mean of the taps, for a surface with the displacement d; 1 with a box shutter.
+// Weight of tap i in the mean of the background, for a surface with the displacement d; 1 with a box shutter. `along`: dominant
+// displacement.
 float shareOfMean(int i, vec2 d, vec2 along) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -82,7 +88,7 @@ float shareOfMean(int i, vec2 d, vec2 along) {
 }
 
 // Share of the exposure during which the surface of tap i, with the displacement d, is at the pixel. The tap stands for part i
-// of N of the dominant displacement `along`, and a slower surface passes over this part for longer. With a shutter curve, the
+// of N of the dominant displacement `along`; a slower surface passes over this part for longer. With a shutter curve, the
 // result is the weight of these times.
 float timeShare(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5), speed = lengthOf(d);
@@ -92,10 +98,11 @@ float timeShare(int i, vec2 d, vec2 along) {
   return dominant_px / (float(params.samples) * clamp(speed, 0.5, dominant_px));
 }
 
+// True if a surface with this displacement is static.
 bool rests(vec2 d) { return lengthOf(d) < 0.5; }
 
-// Weight of tap i as a sample of the pixel's background. The caller multiplies the weight by the share of the tap that is not
-// foreground. `here_d`: displacement of the pixel's surface.
+// Weight of tap i as a sample of the pixel's background. The caller multiplies this weight by the share of the tap that is not
+// foreground. `here`: tap at the pixel itself; `here_d`: displacement of its surface. `along`: dominant displacement.
 float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
   float same = softDepth(here.depth, tap.depth, params.depth_extent);  // 1 also for a nearer tap
   float moved_px = spreadFactor(frame.shutter) * lengthOf(here_d);
@@ -104,8 +111,9 @@ float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Pass
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
-// 1 if the pixel's surface is static and in front of the revealed one, less if both are near the same depth; 0 if the pixel's
-// surface moves. A static surface is at the pixel for the whole exposure, but only a tap on the pixel itself would meet it.
+// 1 if the pixel's surface is static and in front of the revealed surface; falls to 0 as their depths approach each other; 0 if
+// the pixel's surface moves. A static surface is at the pixel for the whole exposure, but no tap except one on the pixel itself
+// meets it, so that its share is added separately.
 float restsInFront(Tap here, float background) {
   if (!rests(here.d) || !rests(here.d_after)) return 0.0;
   return inFrontOf(here.depth, background, params.depth_extent);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Vertices of a peeled layer, computed as for the nearest surface.
-// In:  as gbuffer/visibility.vert.glsl
-// Out: as gbuffer/visibility.vert.glsl
+// One step of depth peeling, vertex stage: transforms vertices exactly as for the first layer, so that depths agree.
+// In:  vertices of the scene, as in gbuffer/visibility.vert.glsl.
+// Out: clip position and attributes, as in gbuffer/visibility.vert.glsl.
 // Method: include gbuffer/visibility.vert.glsl.
 // Fails: never.
 #include "gbuffer/visibility.vert.glsl"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Depth, normal, ids and displacement of the surface at each pixel, at this pass's time (its `time` in the pipeline).
-// In:  `hit`:      instance + 1 (0 = sky), geometry, primitive
-// Out: `depth`:    view depth, m; +inf for the sky; quantised (mixin/quantised.glsl)
-//      `normal`:   unit normal in world space, towards the camera; 0 for the sky
-//      `id`:       instance + 1, geometry + 1; 0 for the sky
-//      `velocity`: px over the exposure, from the poses that the parameter `displacement` names; 0 if it is not finite;
-//                  quantised (mixin/quantised.glsl)
-// Method: pose the triangle of `hit` and intersect the pixel's ray with its plane. The displacement is the difference of the
-//      point's screen positions at the two ends of the exposure, or at the raster time and in the previous frame.
+// In:  `hit`: visible surface: instance + 1 (0 for the sky), geometry, primitive.
+// Out: `depth`: view depth, metres; +inf for the sky; quantised (mixin/quantised.glsl).
+//      `normal`: unit normal in world space, towards the camera; 0 for the sky.
+//      `id`: instance + 1, geometry + 1; 0 for the sky.
+//      `velocity`: displacement over the exposure, px; 0 if it is not finite; quantised (mixin/quantised.glsl).
+// Method: pose the triangle of `hit` and intersect the pixel's ray with it. With `displacement` = window, the displacement is
+//   the point's screen position at shutter close minus its position at shutter open. With `displacement` = extrapolated, it is
+//   the position at the raster time minus the position in the previous frame, times the length of the exposure in frames.
 // Fails: one displacement per pixel: a curved path within the exposure is treated as a straight line.
 #include "mixin/quantised.glsl"
 #include "mixin/surface.glsl"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Linear radiance of the surface at each pixel, with traced shadows.
-// In:  `hit`:   instance + 1 (0 = sky), geometry, primitive
-//      `light_visibility`:  output of `tile_light_visibility`: per shadow tile, one bit per light; x: the light is visible from
-//               the whole tile; y: the light is blocked from the whole tile; absent: unknown
-// Out: `color`: linear radiance, alpha 1; quantised (mixin/quantised.glsl)
+// In:  `hit`: visible surface: instance + 1 (0 for the sky), geometry, primitive.
+//      `light_visibility`: output of the pass `tile_light_visibility`, one bit per light for each tile of `shadow_tile` px. x:
+//        the light is visible from the whole tile; y: the light is blocked from the whole tile (absent: all shadow rays are
+//        traced).
+// Out: `color`: linear radiance, alpha 1; quantised (mixin/quantised.glsl).
 // Method: intersect the pixel's ray with the triangle at this pass's time (its `time` in the pipeline). Shade the point
-//      (mixin/shade.glsl) as posed at the raster time (`shading` = frozen) or at this pass's time (full). Lights with a bit in
-//      `light_visibility` need no shadow ray.
+//   (mixin/shade.glsl) in its pose at the raster time (`shading` = frozen) or at this pass's time (full). Lights with a bit in
+//   `light_visibility` need no shadow ray.
 // Fails: with frozen shading, lights, shadows and highlights do not move within the exposure.
 #if HAS_light_visibility
 #define STROBE_KEEPS_SHADOWS

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Nearest triangle at each pixel's sample position, fragment stage.
-// In:  fragments of gbuffer/visibility.vert.glsl: instance, geometry, triangle, texture coordinates, vertex alpha
-// Out: `hit`: instance + 1 (0 = sky), geometry, primitive, 0
-// Method: the depth test keeps the nearest fragment. Fragments that alpha cuts out, and back faces of one-sided surfaces, are
-//      discarded by the same tests as for rays (mixin/fragment.glsl).
+// In:  fragments of the triangles drawn by gbuffer/visibility.vert.glsl: instance, geometry, triangle; if needed, also texture
+//      coordinates, vertex alpha and mirroring.
+// Out: `hit`: instance + 1 (0 for the sky), geometry, primitive, 0.
+// Method: the depth test keeps the nearest fragment. Fragments that alpha cuts out, and back faces of one-sided materials, are
+//   discarded by the tests that rays also use (mixin/fragment.glsl).
 // Fails: rasterisation snaps vertices to 1/256 px, so silhouettes may differ from the hits of rays.
 #include "mixin/fragment.glsl"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Nearest triangle at each pixel's sample position, vertex stage.
-// In:  vertices of the scene, fetched by index and posed at this pass's time (its `time` in the pipeline)
-// Out: clip position with reversed depth (infinite for perspective cameras), instance and geometry; if the frame needs them,
-//      also texture coordinates, alpha, triangle number and mirroring
-// Method: transform to view space, then to clip space, and shift by the sample offset. On a device without triangle numbers,
-//      each triangle has three separate vertices, and the index of a vertex gives the triangle number.
+// In:  vertices of the scene, fetched by index and posed at this pass's time (its `time` in the pipeline).
+// Out: clip position with reversed depth (infinite for perspective cameras), instance and geometry. If the frame needs them,
+//      also texture coordinates, vertex alpha, triangle number and mirroring.
+// Method: transform to view space, then to clip space, and shift by the sample offset. On a device without triangle numbers in
+//   fragment shaders, each triangle has three vertices of its own, and the index of a vertex gives the triangle number.
 // Fails: never; but rasterisation snaps the positions to 1/256 px.
 #include "mixin/surface.glsl"
 
@@ -50,8 +50,9 @@ void main() {
   position_os = vertexPosition(SLICE_RASTER, vertex);
 #endif
 
-  // The image moves against the sample offset. Depth is near / z for a perspective camera, and the share of the depth range
-  // behind z for an orthographic camera. Both depths are larger for nearer points.
+  // A sample offset to the right shifts the image to the left. The depth is near / z for a perspective camera, and the
+  // remaining share of the depth range for an orthographic camera: 1 at the near plane, 0 at the end of the range. Nearer
+  // points have larger depths.
   vec2 shift = vec2(-2, -2) * frame.subpixel / vec2(frame.size);
   if (camera.orthographic != 0u) {
     vec2 ndc = p.xy / camera.half_extent;

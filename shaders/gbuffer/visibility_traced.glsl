@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Nearest triangle at each pixel's sample position, by a ray.
-// In:  none
-// Out: `hit`: instance + 1 (0 = sky), geometry, primitive, 0; the same format as the output of the raster pass `visibility`
+// Nearest triangle at each pixel's sample position, found by a ray instead of rasterisation.
+// In:  none.
+// Out: `hit`: instance + 1 (0 for the sky), geometry, primitive, 0; the format of the raster pass `visibility`.
 // Method: trace the camera's ray at this pass's time (its `time` in the pipeline).
 // Fails: never. Silhouettes may differ from the raster pass, which snaps vertices to 1/256 px.
 #include "mixin/trace.glsl"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Composites the blurred raster layer over the blurred revealed layer (Porter and Duff 1984).
-// In:  front: linear radiance times alpha; alpha is 1 where no surface was revealed behind the pixel.
-//      back: linear radiance.
-// Out: color: linear radiance, alpha 1. Where the alpha of front is 1, color is front, bit for bit. Without a mask the hybrid
-//      therefore is the plain gather.
-// Method: color = front + (1 - alpha) * back.
-//   The result is exact where coverage and colours are uncorrelated over time, for example over a static background.
-// Fails: where a textured background moves under a moving silhouette. The product of two means is not the mean of the product
-//   (errors up to 0.2 with perfect layers; docs/derivations.md, "Alpha-over").
+// Composite of the blurred raster layer over the blurred revealed layer (Porter and Duff 1984).
+// In:  `front`: blurred raster layer, linear radiance times alpha; alpha is 1 where no surface was revealed behind the pixel.
+//      `back`: blurred revealed layer, linear radiance.
+// Out: `color`: linear radiance, alpha 1.
+// Method: color = front + (1 - alpha) * back, with the alpha of `front`. Where alpha is 1, `color` equals `front`, bit for bit.
+//   With an empty mask the pipeline `hybrid` therefore equals the plain gather.
+//   The result is exact where coverage and background colour are uncorrelated over time, for example over a static background.
+// Fails: wrong where a textured background moves under a moving silhouette: the product of two means is not the mean of the
+//   product (errors up to 0.2 with perfect layers; docs/derivations.md, "Alpha-over").
 #include "lib/sanitise.glsl"
 
 void run(ivec2 pixel) {

@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: MIT
-// Displaced-position test of the ray mask. It marks moving pixels that, displaced by their motion, land on another instance
-// that is farther away (Tan, Cui, Bhojan 2020, section Ray Mask).
-// In:  depth: view depth, metres; +inf for the sky.
-//      id: instance + 1; 0 for the sky.
-//      velocity: displacement d, px over the exposure.
-// Out: candidate: 1 where the test marks the pixel, otherwise 0.
-// Method: a pixel X with |d| >= `min_displacement` is tested at X + d if the exposure lies before the raster time, at X - d if
-//   it lies after, and at both X + d/2 and X - d/2 if it lies around. X is marked if the pixel there shows another instance
-//   that is farther by more than `depth_margin` times the depth of X. If the position is outside the image, X is marked too,
-//   because the surface there is unknown (counter `off_screen`). Sky pixels are not marked.
-//   With several `taps` the test is repeated at equal parts of the way: four taps at 1/4, 1/2, 3/4 and 1.
-// Fails: one tap skips gaps (spokes of a fan), and several taps skip narrower gaps. Self-occlusion of one instance and motion
-//   of the background are not detected.
+// Displaced-position test of the ray mask: marks moving pixels that land on another, farther instance when displaced by their
+// motion (Tan, Cui, Bhojan 2020, section Ray Mask). At such a pixel the background is likely to be disoccluded.
+// In:  `depth`: view depth, metres; +inf for the sky.
+//      `id`: instance + 1; 0 for the sky.
+//      `velocity`: displacement d of each pixel's surface, px over the exposure.
+// Out: `candidate`: 1 at marked pixels, otherwise 0.
+// Method: a pixel X with |d| >= `min_displacement` is tested at X + d if the exposure ends at the raster time, at X - d if it
+//   starts there, and at X + d/2 and X - d/2 if it is centred. X is marked if the tested pixel shows another instance, farther
+//   than X by more than `depth_margin` times the depth of X. X is also marked if the position is outside the image, where the
+//   surface is unknown (counter `off_screen`). Pixels of the sky are not marked.
+//   With several `taps` the way to each position is divided into as many equal parts, and the end of each part is tested: with
+//   four taps at 1/4, 1/2, 3/4 and 1 of the way.
+// Fails: one tap skips gaps, for example between the spokes of a fan; several taps skip narrower gaps. Misses silhouettes of an
+//   instance in front of itself, and disocclusions by the motion of the background.
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
+// True if the pixel `displaced` shows another instance that is farther than `pixel` by more than the margin.
 bool isBeyond(ivec2 pixel, ivec2 displaced) {
   if (texelFetch(id_tex, displaced, 0).x == texelFetch(id_tex, pixel, 0).x) return false;
   float depth = saneDepth(texelFetch(depth_tex, pixel, 0).x);
   return saneDepth(texelFetch(depth_tex, displaced, 0).x) - depth > params.depth_margin * depth;
 }
 
+// True if a position on the way from the pixel to its displaced position, for time t, is marked. `d`: displacement of the
+// pixel.
 bool isCandidate(ivec2 pixel, vec2 d, float t) {
   if (t == 0.0) return false;
   for (int i = 1; i <= params.taps; ++i) {

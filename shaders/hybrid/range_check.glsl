@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Range check of the ray mask. It marks moving pixels with an edge on the segment of their displacement (Tan, Cui, Bhojan 2020,
-// section Ray Mask).
-// In:  edge: > 1/2 on an edge.
-//      id: instance + 1; 0 for the sky.
-//      velocity: displacement d, px over the exposure.
-// Out: mask: 1 where `ray_reveal` is to look for the surface behind, otherwise 0.
-// Method: a pixel X with |d| >= `min_displacement` is marked if a pixel of the segment is an edge. The segment, X included, is
-//   [X, X + d] if the exposure lies before the raster time, [X - d, X] if it lies after, and [X - d/2, X + d/2] if it lies
-//   around.
-//   Each side of X is tested in `taps` steps. 0 means one step per pixel, because an edge may be one pixel wide and longer
-//   steps miss it.
-//   With own_edge, the first edge met must belong to the instance of X.
-// Fails: the motion of the pixel itself decides, although its motion relative to the background matters.
+// Range check of the ray mask: marks moving pixels with an edge within their displacement (Tan, Cui, Bhojan 2020, section Ray
+// Mask). The background behind such a silhouette is disoccluded within the exposure.
+// In:  `edge`: edge mask, above 1/2 on an edge.
+//      `id`: instance + 1; 0 for the sky.
+//      `velocity`: displacement d of each pixel's surface, px over the exposure.
+// Out: `mask`: 1 where the pass `ray_reveal` traces a ray to the surface behind, otherwise 0.
+// Method: a pixel X with |d| >= `min_displacement` is marked if a pixel of its segment is an edge. The segment includes X. It
+//   is [X, X + d] if the exposure ends at the raster time, [X - d, X] if it starts there, and [X - d/2, X + d/2] if it is
+//   centred.
+//   Each side of X is tested in `taps` steps. With `taps` = 0, one step is one pixel, because an edge may be one pixel wide,
+//   and longer steps miss it. With `own_edge`, only the first edge on each side counts, and only if it belongs to the instance
+//   of X.
+// Fails: uses the motion of the pixel itself, although disocclusion depends on its motion relative to the background.
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
+// True if the first edge, at the pixel `at`, counts for `pixel`.
 bool isMarkedBy(ivec2 pixel, ivec2 at) {
 #if PARAM_own_edge
   return texelFetch(id_tex, at, 0).x == texelFetch(id_tex, pixel, 0).x;
@@ -23,6 +24,7 @@ bool isMarkedBy(ivec2 pixel, ivec2 at) {
 #endif
 }
 
+// True if the side of the segment towards time t contains an edge that counts.
 bool meetsEdge(ivec2 pixel, vec2 d, float t) {
   vec2 whole = tapOffset(d, t);
   int steps = params.taps > 0 ? params.taps : int(ceil(lengthOf(whole)));

@@ -1,43 +1,49 @@
 // SPDX-License-Identifier: MIT
-// Surface behind the foreground, on the ray of the raster sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
-// In:  `hit`:      foreground: instance + 1 (0 = sky), geometry, primitive
-//      `mask`:     above 1/2 where to look for the surface behind
-// Out: `color`:    linear radiance, quantised; this and all other outputs are 0 where nothing is revealed
-//      `depth`:    view depth, m; +inf for the sky; quantised
-//      `id`:       instance + 1, geometry + 1; 0 for the sky
-//      `velocity`: px over the exposure, quantised
-//      `valid`:    1 where a surface or the sky is revealed
-//      `found`:    instance + 1 (0 = sky), geometry, primitive
-// Method: go from hit to hit by `advance` until `termination` holds, or until `max_layers` hits have not ended the search
-//      (counter `capped`). With `instance_filter` the ray skips the foreground's instance (under `geometry` termination its
-//      geometry). `instance` and `geometry` termination then end at the first hit and never reach `max_layers`. A surface
-//      within 4 representable depths of the previous hit (`restart`: within 1e-5 of its depth) counts as the same hit.
-// Fails: `luminance` stops inside an object whose back is lit differently and passes through a background of equal luminance.
-//      It is not linear in the light, except with base colours. `instance` and `geometry` miss a foreground that covers itself
-//      and split an object of several instances; `motion` does not split it.
+// Surface behind the foreground, found by tracing the ray of the raster sample past the foreground (Tan, Cui, Bhojan 2020, "Ray
+// Reveal").
+// In:  `hit`: foreground: instance + 1 (0 for the sky), geometry, primitive.
+//      `mask`: mask, above 1/2 where the surface behind is wanted.
+// Out: `color`: linear radiance, quantised; this and all other outputs are 0 where nothing is revealed.
+//      `depth`: view depth, metres; +inf for the sky; quantised.
+//      `id`: instance + 1, geometry + 1; 0 for the sky.
+//      `velocity`: displacement, px over the exposure, quantised.
+//      `valid`: 1 where a surface or the sky is revealed, otherwise 0.
+//      `found`: revealed surface: instance + 1 (0 for the sky), geometry, primitive.
+// Method: the parameter `advance` chooses how the ray goes on from hit to hit, and `termination` which hit belongs to another
+//   object and ends the search. After `max_layers` other hits the search gives up (counter `capped`; result: `on_cap`).
+//   With `advance` = instance_filter the ray ignores the foreground's instance, or with `termination` = geometry its geometry.
+//   The first hit then ends the search under `termination` = instance and geometry, so that `max_layers` is never reached.
+//   Surfaces within 4 representable depths of the previous hit count as that hit (with `advance` = restart, within 1e-5 of its
+//   depth).
+// Fails: a second surface behind the revealed one stays hidden. `termination` = luminance stops inside an object with a
+//   differently lit back, and passes through a background of equal luminance. Except with base colours, it is not linear in the
+//   light. The values `instance` and `geometry` miss a foreground that covers itself, and stop at other parts of an object made
+//   of several instances; `motion` passes these parts.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
 #include "mixin/quantised.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 
-// 1 if the radiance that the termination rule `luminance` compares is also the colour of the result.
+// 1 if the termination rule `luminance` compares radiances. The compared radiance of the last hit is then also the result's
+// colour, and need not be shaded again.
 #if PARAM_termination == termination_luminance && PARAM_luminance_of == luminance_of_radiance
 #define COLOR_IS_FOUND 1
 #else
 #define COLOR_IS_FOUND 0
 #endif
 
-// Poses that are compared with the pose at the raster time: both ends of the exposure, or the previous frame if displacements
-// are extrapolated.
+// First and last pose for the comparison of a hit's motion with the foreground's motion since the raster time: both ends of the
+// exposure, or the previous frame if displacements are extrapolated.
 #if PARAM_displacement == displacement_extrapolated
 const uint kFirstPose = SLICE_PREVIOUS, kLastPose = SLICE_PREVIOUS;
 #else
 const uint kFirstPose = SLICE_SHUTTER_OPEN, kLastPose = SLICE_SHUTTER_CLOSE;
 #endif
 
-// True if the surface moves on the screen as if it were fixed to the foreground, at each of the poses kFirstPose to kLastPose.
-// Such a surface (a load on a truck, a lamp in its shade) hides the same background as the foreground.
+// True if the hit moves as if it were fixed to the foreground's instance: at each pose from kFirstPose to kLastPose, it is
+// within `same_motion` px of the screen position that a fixed point would have. Such a surface (a load on a truck, a lamp in
+// its shade) hides the same background as the foreground.
 bool goesAlong(Hit hit, uint instance) {
   if (hit.instance == instance) return true;
   vec3 raster_ws = positionOf(SLICE_RASTER, hit);
@@ -49,6 +55,7 @@ bool goesAlong(Hit hit, uint instance) {
   return true;
 }
 
+// Next hit of the search behind the hit `last`, by the parameter `advance`. `front`: hit on the foreground.
 Hit nextHit(Ray ray, Hit front, Hit last) {
 #if PARAM_advance == advance_restart
   return nextFromHit(ray, last);
@@ -61,23 +68,23 @@ Hit nextHit(Ray ray, Hit front, Hit last) {
 #endif
 }
 
-// The hit, recomputed: the ray is intersected with the hit triangle by the function that the raster layer uses, so that the
-// result does not depend on the device.
+// The hit, recomputed from its triangle. The ray is intersected with the triangle by the function that the raster layer uses,
+// so that the result does not depend on the device that traced the ray.
 Hit exactly(Ray ray, Hit hit) {
   return hitOnTriangle(SLICE_RASTER, ray, hit.instance, hit.geometry, hit.primitive);
 }
 
 vec3 pointOn(Ray ray, Hit hit) { return ray.origin + ray.direction * hit.t; }
 
-// True if the displacements of hit and foreground at this pixel differ by more than `same_motion` px.
+// True if the displacements of the hit and the foreground at this pixel differ by more than `same_motion` px.
 bool movesApart(Ray ray, Hit hit, Hit front) {
   Hit exact = exactly(ray, hit);
   return !(distance(displacementOf(exact, pointOn(ray, exact)), displacementOf(front, pointOn(ray, front))) <=
            params.same_motion);
 }
 
-// True if the hit belongs to another object than the foreground, by the parameter `termination`. The function does not serve
-// `termination` = luminance.
+// True if the hit belongs to another object than the foreground, by the parameter `termination`. Not used with `termination` =
+// luminance, which firstBackground tests itself.
 bool isOther(Ray ray, Hit hit, Hit front) {
 #if PARAM_termination == termination_motion
   return !goesAlong(hit, front.instance);
@@ -90,14 +97,16 @@ bool isOther(Ray ray, Hit hit, Hit front) {
 #endif
 }
 
+// Result of a search.
 struct Found {
   Hit hit;
-  vec3 color;  // colour that the termination rule `luminance` compared
-  bool capped;
+  vec3 color;   // colour that the termination rule `luminance` compared
+  bool capped;  // true if the search gave up
   bool passed;  // true if the termination rule `luminance` passed through another instance
 };
 
-// Linear colour of a hit. The termination rule `luminance` compares it with the colour of the foreground.
+// Linear colour of a hit, by the parameter `luminance_of`. The termination rule `luminance` compares this colour with the
+// colour of the foreground.
 vec3 comparedColor(Hit hit) {
 #if PARAM_luminance_of == luminance_of_base_color
   Surface surface = surfaceOf(SLICE_RASTER, hit);
@@ -110,11 +119,12 @@ vec3 comparedColor(Hit hit) {
 #endif
 }
 
-// First hit behind `front` on another object, or a miss. If the ray reaches `max_layers`, the result is the last hit tried.
-// With `termination` = luminance, the foreground is evaluated in a round of its own, so that this function contains the shading
-// code once: each copy takes seconds to compile. A search also ends after 8 repeated hits on the same triangle: far from the
-// origin, `restart` may repeat a hit without end. The 1e-4 in the luminance test keeps a search behind black from ending at
-// black (docs/derivations.md).
+// First hit behind `front` on another object, or a miss. If the search gives up after `max_layers` hits, the result is the last
+// of these hits. A search also gives up after 8 repeated hits on the same triangle: far from the origin, `advance` = restart
+// may repeat a hit without end.
+// With `termination` = luminance, the first iteration of the loop evaluates the foreground. The function then contains the
+// shading code only once, which saves seconds of compile time. The term 1e-4 in the luminance test prevents a search behind a
+// black foreground from ending at another black surface (docs/derivations.md).
 Found firstBackground(Ray ray, Hit front) {
   Found found = Found(front, vec3(0), false, false);
   bool under_way = PARAM_termination != termination_luminance;
@@ -152,6 +162,7 @@ Found firstBackground(Ray ray, Hit front) {
   return found;
 }
 
+// Values of the pass's outputs at a pixel.
 struct Revealed {
   vec4 color;
   float depth;
@@ -179,6 +190,7 @@ Revealed skyHit(Ray ray) {
                   displacementOfSky(ray.direction), true, uvec3(0));
 }
 
+// Searches behind the foreground of a pixel, and counts the result.
 Revealed revealedBackground(ivec2 pixel) {
   uvec4 ids = texelFetch(hit_tex, pixel, 0);
   Ray ray = cameraRay(SLICE_RASTER, samplePosition(pixel));
@@ -191,7 +203,7 @@ Revealed revealedBackground(ivec2 pixel) {
   return isHit(found.hit) ? surfaceHit(ray, found) : skyHit(ray);
 }
 
-// True if the pixel is masked and shows a surface. Nothing lies behind the sky.
+// True if the pixel is masked and shows a surface. Pixels of the sky need no ray, because nothing is behind the sky.
 bool isMasked(ivec2 pixel) {
   return texelFetch(mask_tex, pixel, 0).r > 0.5 && texelFetch(hit_tex, pixel, 0).x != 0u;
 }

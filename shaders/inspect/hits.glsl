@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// All hits of one camera ray at the raster time, nearest first: texel k of the output is hit k.
-// In:  none; the parameters `pixel_x` and `pixel_y` select the pixel
-// Out: `hit`:      instance + 1, geometry + 1, primitive, 1 for a front face; 0 after the last hit
-//      `where`:    x: view depth, m; yzw: unit normal in world space
-//      `velocity`: px over the exposure
-//      `color`:    linear radiance; alpha 1 for a hit, otherwise 0
-// Method: keep the ray's origin. After each hit, set the lower bound of the ray 4 representable numbers beyond the hit. A
-//      repeated hit on the same triangle is not counted.
-// Fails: of two coincident surfaces only one is listed.
+// Hits of one camera ray at the raster time, nearest first, for the inspection of a pixel. Texel k of the output is hit k,
+// counted from 0.
+// In:  none; the parameters `pixel_x` and `pixel_y` select the pixel.
+// Out: `hit`: instance + 1, geometry + 1, primitive, 1 for a front face; 0 after the last hit.
+//      `where`: x: view depth, metres; yzw: unit normal in world space.
+//      `velocity`: displacement, px over the exposure.
+//      `color`: linear radiance; alpha 1 for a hit, otherwise 0.
+// Method: each texel traces the ray from the camera up to its own hit. From hit to hit the ray keeps its origin, and its lower
+//   bound is set 4 representable numbers beyond the last hit. A repeated hit on the same triangle is not counted.
+// Fails: only one of two coincident surfaces is listed.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
 

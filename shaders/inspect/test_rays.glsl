@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
-// One ray per pixel through the scene at the raster time, and its hit, for the comparison of tracing backends. Some rays are
-// ordinary; others are difficult because of rounding.
-// In:  none; points are taken from random triangles of the scene
-// Out: `origin`:    ray origin in world space, relative to the camera at the raster time, m
-//      `direction`: rgb: ray direction; alpha: largest t
-//      `hit`:       instance + 1, geometry, primitive, bits of t; 0 on a miss
-//      `color`:     rgb: t; 0 on a miss
-//      `blocked`:   1 if any surface lies on the ray
-// Method: there are eight kinds of rays. `ray_kind` = all uses one kind per row of pixels in turn; other values use one kind:
-//      between two random points; to a vertex; to an edge; along an axis through a vertex; from a surface point along an edge;
-//      from 10^4 times the distance; from a surface point in a random direction; within an axis-aligned plane.
+// One random ray per pixel through the scene at the raster time, and its hit, to compare the tracing backends. Many of the rays
+// are difficult, because rounding decides which triangle they hit.
+// In:  none; points are taken from random triangles of the scene.
+// Out: `origin`: ray origin relative to the camera at the raster time, world axes, metres.
+//      `direction`: rgb: ray direction, of any length; alpha: largest ray parameter t.
+//      `hit`: instance + 1, geometry, primitive, ray parameter t as the bits of a float; 0 on a miss.
+//      `color`: rgb: t of the hit; 0 on a miss.
+//      `blocked`: 1 if any surface lies on the ray, otherwise 0.
+// Method: the parameter `ray_kind` chooses one of eight kinds of rays, or `all`: the kinds in turn, one per row of pixels.
+//   Kinds: `through`, between two random points; `vertex`, to a vertex; `edge`, to a point of an edge; `axis`, along an axis
+//   through a vertex; `grazing`, from a surface point along an edge of its triangle; `afar`, from far away (10^4 times the
+//   distance between two random points); `surface`, from a surface point in a random direction; `plane`, within an axis-aligned
+//   plane.
 // Fails: never; a degenerate triangle may give the direction (0, 0, 1).
 #include "lib/random.glsl"
 #include "mixin/trace.glsl"
 
 const uint kKinds = 8u;
 
+// Number of random values drawn so far, and number of the ray: together they select the next random value.
 uint drawn = 0u;
 uint ray_number = 0u;
 
@@ -30,6 +33,7 @@ struct Corners {
   vec3 at[3];
 };
 
+// Corners of a random triangle of a random instance, world space; 0 if the instance has no triangles.
 Corners anyTriangle() {
   uint instance = anyUint() % frame.instance_count;
   uint count = instanceAt(instance).geometry_count;
@@ -44,6 +48,7 @@ Corners anyTriangle() {
   return corners;
 }
 
+// Random point of a triangle, evenly distributed.
 vec3 anySurfacePoint(Corners corners) {
   float u = anyFloat(), v = anyFloat();
   if (u + v > 1.0) {
@@ -56,6 +61,7 @@ vec3 anySurfacePoint(Corners corners) {
 // Random point in the box between the first corners of two random triangles.
 vec3 anyPoint() { return mix(anyTriangle().at[0], anyTriangle().at[1], anyVec3()); }
 
+// Random ray of a kind, numbered in the order of the values of `ray_kind`.
 Ray anyRay(uint kind) {
   Corners corners = anyTriangle();
   vec3 edge = corners.at[1] - corners.at[0];

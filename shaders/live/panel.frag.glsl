@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Fragments of the window's panels: texture times vertex color, blended over the window.
-// In:  uv: position in the texture.
-//      color: vertex color, sRGB-encoded.
-//      panel_tex: texture of the panel, sRGB-encoded.
-// Out: color of the window.
-// Method: blend the encoded values without decoding, so that the window shows the values of the image files.
+// Panels of the live window, fragment stage: texture times vertex colour, blended over the window by alpha.
+// In:  `uv`: position in the panel's texture, 0 to 1.
+//      `color`: vertex colour, sRGB-encoded, straight alpha.
+//      `panel_tex`: texture of the panel, sRGB-encoded.
+// Out: `out_color`: colour of the window, sRGB-encoded.
+// Method: multiply and blend the encoded values without decoding, so that pictures in the window have the values of the image
+//   files.
+// Fails: blending is not linear in light, so that translucent panels look different from a mixture of light.
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec4 color;
 layout(location = 0) out vec4 out_color;

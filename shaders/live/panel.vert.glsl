@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Vertices of the window's panels.
-// In:  position_px: position from the window's top left corner, px, y down.
-//      uv: position in the texture.
-//      color: vertex color, sRGB-encoded, straight alpha.
+// Panels of the live window, vertex stage.
+// In:  `position_px`: position in the coordinates of the user interface, px, x right, y down.
+//      `uv`: position in the panel's texture, 0 to 1.
+//      `color`: vertex colour, sRGB-encoded, straight alpha.
+//      `window`: clip units per px, and clip position of the coordinate 0.
 // Out: clip position; uv and color unchanged.
+// Method: scale and shift the position.
+// Fails: never.
 layout(location = 0) in vec2 position_px;
 layout(location = 1) in vec2 uv;
 layout(location = 2) in vec4 color;

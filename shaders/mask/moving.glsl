@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Mask of every pixel that moves, or that a moving surface may reach within the exposure.
-// In:  `velocity`: displacement of each pixel, px over the exposure
-//      `dominant`: longest displacement that reaches each tile, px over the exposure
-// Out: `mask`: 1 where `ray_reveal` is to look for the surface behind, otherwise 0
-// Method: 1 if the longer of the two displacements is not 0 and is at least `min_displacement` px long.
+// Mask of the pixels that move, or that a moving surface may reach within the exposure.
+// In:  `velocity`: displacement of the surface at each pixel, px over the exposure.
+//      `dominant`: longest displacement that reaches each tile, px over the exposure.
+// Out: `mask`: 1 where the pass `ray_reveal` traces a ray to the surface behind, otherwise 0.
+// Method: the mask is 1 if the longer of the two displacements is not 0 and at least `min_displacement` px long.
 // Fails: marks whole tiles around moving surfaces, although most of their pixels disocclude nothing. This costs rays, but
 //   causes no error.
 #include "lib/blur.glsl"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the variance of the directions of motion around it (Guertin et al. 2014).
-// In:  `longest`:  longest displacement of each tile, px over the exposure
-//      `dominant`: longest displacement that reaches each tile, px over the exposure
-// Out: `variance`: from 0 (all displacements are parallel to u) to 1 (all are perpendicular to u); 0 without motion
-// Method: 1 - mean of |u . v| over the 3 x 3 tiles around; u and v are the unit directions of the longest displacements of this
-//      tile and of the other tile. Static tiles (displacement up to 1/2 px) are left out of the mean. If this tile is static, u
-//      is the direction of `dominant`.
-// Fails: each tile has one displacement, so motions that cross within a tile are not detected.
+// Per tile, the variance of the directions of motion in the 3x3 tiles around it (Guertin et al. 2014).
+// In:  `longest`: longest displacement of each tile, px over the exposure.
+//      `dominant`: longest displacement that reaches each tile, px over the exposure.
+// Out: `variance`: from 0 (all displacements are parallel to u) to 1 (all are perpendicular to u); 0 without motion.
+// Method: variance = 1 - mean of |u . v|. u is the unit direction of this tile's longest displacement, or of `dominant` if the
+//   tile is static. v is the unit direction of the longest displacement of each of the 3x3 tiles. Static tiles (displacements
+//   up to 1/2 px) are left out of the mean.
+// Fails: each tile has one displacement, so that motions that cross within a tile are missed.
 #include "lib/blur.glsl"
 
 bool moves(vec2 d) { return lengthOf(d) > 0.5; }

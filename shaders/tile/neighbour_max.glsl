@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the longest displacement of the tiles around that can reach it (McGuire 2012, NeighborMax), and a second
-// displacement that differs from the first.
-// In:  `longest`:  longest displacement of each tile, px over the exposure
-//      `velocities`:  xy, zw: two displacements that represent the tile, px over the exposure; absent: only `longest` is used
-//      `curve`:    curve of the path of `longest`, px; absent: straight
-//      `place`:    texel that has the displacement `longest`, px
-// Out: `dominant`: longest accepted displacement, px over the exposure
-//      `dominant_curve`, `dominant_place`: curve and texel of `dominant`; 0 if paths are straight
-//      `second`:   accepted displacement, longer than 1/2 px, that differs most from `dominant`; `dominant` if none differs
-// Method: test the tiles up to ceil(limit * width * r / tile) tiles away, where r is 1 for a one-sided and 1/2 for a centred
-//      exposure. With `limit` = auto, the measured maximum replaces limit * width. The parameter `rule` decides:
-//      - `all` accepts each tile.
-//      - `sign` (Guertin et al. 2014) requires that the displacement brings the other tile here along each axis that separates
-//      the two tiles. With a centred exposure, all components must point here, or all must point away.
-//      - `swept_box` requires that the box of the other tile, swept along its displacement over the exposure, overlaps this
-//      tile. It accepts a subset of the tiles that `sign` accepts. The test is exact for boxes at any distance.
-//      A tile with a curved path is swept along it under every rule. At equal length the first in raster order wins.
+// Per tile, the longest displacement of the surrounding tiles that can reach this tile within the exposure (NeighborMax of
+// McGuire et al. 2012), and a second displacement that differs from it.
+// In:  `longest`: longest displacement of each tile, px over the exposure.
+//      `velocities`: two displacements (xy, zw) that represent each tile besides `longest`, px over the exposure (absent:
+//        none).
+//      `curve`, `place`: curve of the path of `longest` (mixin/curve.glsl), and position of its texel, px (absent: paths are
+//        straight).
+// Out: `dominant`: longest accepted displacement, px over the exposure.
+//      `dominant_curve`, `dominant_place`: curve of the path of `dominant`, and position of its texel, px; 0 if paths are
+//        straight.
+//      `second`: accepted displacement, longer than 1/2 px, that differs most from `dominant`; `dominant` if none differs.
+// Method: test all tiles up to ceil(limit * width * r / side) tiles away. `limit` is the parameter, in image widths, and width
+//   the image width, px; with `limit` = auto, the longest displacement of the image replaces limit * width. r is 1 for a
+//   one-sided and 1/2 for a centred exposure, and side the side of a tile, px. The parameter `rule` decides which tiles are
+//   accepted:
+//   - `all`: every tile.
+//   - `sign` (Guertin et al. 2014): tiles whose displacement points here along each axis that separates the two tiles. With a
+//     centred exposure, all of these components must point here, or all must point away.
+//   - `swept_box`: tiles whose box, swept along the displacement over the exposure, overlaps this tile. Accepts a subset of the
+//     tiles that `sign` accepts, and is exact at any distance.
+//   A tile with a curved path is swept along the curve under every rule. Of equally long displacements the first in raster
+//   order wins.
 // Fails: a tile is tested by its longest displacement alone. A slower pixel that reaches this tile is lost if the longest
-//      displacement does not reach it.
+//   displacement does not reach it.
 #include "mixin/path.glsl"
 
-// Open interval of the times t when another tile overlaps this tile along one axis: |offset * tile_px + d * t| < tile_px.
-// `offset`: offset of the other tile, tiles; `d`: its displacement along the axis, px. An empty interval is (1, -1).
+// Open interval of the times t, in exposures, when another tile overlaps this tile along one axis: |offset * tile_px + d * t| <
+// tile_px. `offset`: distance of the other tile, in tiles. `d`: its displacement along the axis, px over the exposure.
+// `tile_px`: side of a tile. The interval (1, -1) is empty.
 vec2 overlapTimes(int offset, float d, float tile_px) {
   if (d == 0.0) return offset == 0 ? vec2(-1e30, 1e30) : vec2(1.0, -1.0);
   float a = (-tile_px - float(offset) * tile_px) / d;
@@ -29,6 +35,7 @@ vec2 overlapTimes(int offset, float d, float tile_px) {
   return vec2(min(a, b), max(a, b));
 }
 
+// True if the box of the tile at `offset`, moved by d, overlaps this tile at some time of the exposure (rule `swept_box`).
 bool reaches(ivec2 offset, vec2 d) {
   vec2 in_x = overlapTimes(offset.x, d.x, float(params.tile));
   vec2 in_y = overlapTimes(offset.y, d.y, float(params.tile));
@@ -37,9 +44,10 @@ bool reaches(ivec2 offset, vec2 d) {
   return first < last && first < frame.shutter.y && last > frame.shutter.x;
 }
 
-// True if the rule `sign` accepts a tile at `offset` with the displacement d. With the anchor `end`, a surface that was here
-// before the raster time moves along +offset. With `start`, a surface that will be here later moves along -offset. A centred
-// exposure accepts both directions.
+// True if the rule `sign` accepts the tile at `offset` with the displacement d: d has the required sign along each axis where
+// the offset is not 0. With the anchor `end`, the exposure is before the raster time. A surface that is in the other tile at
+// the raster time was here during the exposure if it moves along +offset. With `start`, it will be here if it moves along
+// -offset. A centred exposure accepts both directions.
 bool pointsHere(ivec2 offset, vec2 d) {
   ivec2 signs = ivec2(sign(vec2(offset)) * sign(d));
   int needed = abs(sign(offset.x)) + abs(sign(offset.y));
@@ -48,7 +56,7 @@ bool pointsHere(ivec2 offset, vec2 d) {
   return found == (frame.shutter.x < 0.0 ? needed : -needed);
 }
 
-// Length of the straight displacement that reaches as far as the tile's longest path, px.
+// Length of a straight displacement that moves a surface at least as far as the tile's longest path, px.
 float lengthAt(ivec2 tile, vec2 d) {
   return reachOf(d, curve_at(tile), frame.shutter);
 }
@@ -57,8 +65,9 @@ bool isCurved(ivec2 tile) {
   return curve_at(tile) != vec4(0);
 }
 
-// True if the box of the other tile, swept along its curve, overlaps this tile within the exposure. The curve is tested in 4 to
-// 64 steps of about half a tile.
+// True if the box of another tile, swept along its curved path, overlaps this tile within the exposure. `tile`: the other tile;
+// `offset`: its distance from this tile, in tiles; d: its displacement. The path is tested at 4 to 64 steps, four for each tile
+// of its reach.
 bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
   vec4 curve = curve_at(tile);
   vec2 at = vec2(offset * params.tile), side = vec2(params.tile);
@@ -80,8 +89,8 @@ bool accepts(ivec2 offset, vec2 d) {
 #endif
 }
 
-// Displacement that differs more from `dominant`: `second` or d. If d is static (up to 1/2 px) or not accepted, the result is
-// `second`.
+// The one of the displacements `second` and d that differs more from `dominant`. d counts only if it is longer than 1/2 px and
+// if the tile at `offset`, which has the displacement d, is accepted.
 vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
   if (lengthOf(d) <= 0.5 || lengthOf(d - dominant) <= lengthOf(second - dominant)) return second;
   return accepts(offset, d) ? d : second;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the length of the shortest displacement around it (Guertin et al. 2014; Jimenez 2014).
-// In:  `shortest`: length of the shortest displacement of each tile, px over the exposure
-// Out: `slowest`:  minimum of `shortest` over the tiles around, px over the exposure
-// Method: minimum over the tiles as far away as for the dominant displacement (tile/neighbour_max.glsl). Every tile counts,
-//      since a surface that does not reach this tile may still lie on the path of a tap.
-// Fails: one static pixel makes the whole neighbourhood slow.
+// Per tile, the length of the shortest displacement in the tiles around it (Guertin et al. 2014; Jimenez 2014). Filters treat
+// the motion as uniform if this length is nearly the length of the dominant displacement.
+// In:  `shortest`: length of the shortest displacement of each tile, px over the exposure.
+// Out: `slowest`: least value of `shortest` in the tiles around, px over the exposure.
+// Method: minimum over all tiles as far away as a displacement of the largest length (`limit`) can reach, as in
+//   tile/neighbour_max.glsl. Every tile counts, because a surface that does not reach this tile may still lie on the path of a
+//   tap.
+// Fails: one static pixel makes the whole neighbourhood count as static.
 #include "mixin/limit.glsl"
 
 void run(ivec2 pixel) {

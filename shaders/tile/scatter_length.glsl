@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Scatters the length of each tile's displacement to all tiles on its path, as Unity's HDRP does; first of three steps.
-// In:  `longest`: longest displacement of each tile, px over the exposure
-// Out: `length`:  per tile, the largest scattered length, px, as the bits of a float; 0: none
-// Method: walk over the tiles on the path (mixin/tile_walk.glsl) and write the length with an atomic maximum. The bits of
-//      floats of at least 0 have the order of the floats.
-// Fails: only the path of the tile's centre is walked. One displacement represents the tile.
+// Per tile, the length of the longest displacement that passes over it. First of three steps that scatter displacements along
+// their paths, instead of gathering them from surrounding tiles, as Unity's HDRP does.
+// In:  `longest`: longest displacement of each tile, px over the exposure.
+// Out: `length`: largest length, px over the exposure, as the bits of a float; 0 if no displacement passes over the tile.
+// Method: each tile walks over the tiles on its path within the exposure (mixin/tile_walk.glsl), and writes the length of its
+//   longest displacement there by an atomic maximum. The maximum of the bits is the maximum of the lengths, because floats of
+//   at least 0 have the order of their bits.
+// Fails: the walk follows the path of the tile's centre, and one displacement represents the tile.
 #include "mixin/tile_walk.glsl"
 
 void run(ivec2 pixel) {

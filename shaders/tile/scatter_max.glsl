@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the longest displacement scattered to it or to one of the 8 tiles around, as Unity's HDRP does; last of three
-// steps.
-// In:  `longest`:  longest displacement of each tile, px over the exposure
-//      `source`:   per tile, code of the tile that scattered the longest displacement to it (tile/scatter_source.glsl)
-// Out: `dominant`: longest scattered displacement, px over the exposure; among equal lengths, of the first tile in raster order
-// Method: maximum over 3 x 3 tiles, because a tile is wider than the line along which its centre was scattered.
-// Fails: one displacement represents all that arrive. It also dominates tiles that are one tile farther than it reaches.
+// Per tile, the longest displacement that passes over the tile or one of its 8 neighbours. Last of three steps that scatter
+// displacements along their paths, as Unity's HDRP does.
+// In:  `longest`: longest displacement of each tile, px over the exposure.
+//      `source`: code of the tile of origin of the longest displacement that passes over each tile (tile/scatter_source.glsl).
+// Out: `dominant`: longest displacement, px over the exposure; among equally long ones, the first in raster order of the 3x3
+//        tiles.
+// Method: maximum over 3x3 tiles, because a moving tile is wider than the line that its centre follows.
+// Fails: one displacement represents all displacements that reach a tile. A displacement also dominates the tile beyond its
+//   end.
 #include "lib/blur.glsl"
 
 void run(ivec2 pixel) {

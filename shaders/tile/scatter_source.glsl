@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the tile that the longest scattered displacement comes from, as Unity's HDRP does; second of three steps.
-// In:  `longest`: longest displacement of each tile, px over the exposure
-//      `length`:  per tile, the largest scattered length, px, as the bits of a float (tile/scatter_length.glsl)
-// Out: `source`:  code of the source tile: number of all tiles minus the source's index in raster order; 0: none
-// Method: walk as in tile/scatter_length.glsl. Where the recorded length of a tile on the path equals the walking tile's
-//      length, write the walking tile's code. The atomic maximum keeps the first tile in raster order.
-// Fails: if equally long displacements cross at a tile, one source represents them all.
+// Per tile, the tile of origin of the longest displacement that passes over it. Second of three steps that scatter
+// displacements along their paths, as Unity's HDRP does.
+// In:  `longest`: longest displacement of each tile, px over the exposure.
+//      `length`: largest length of the displacements that pass over each tile, px over the exposure, as the bits of a float
+//        (tile/scatter_length.glsl).
+// Out: `source`: code of the tile of origin: number of all tiles minus the index of the tile in raster order; 0 if no
+//        displacement passes over the tile.
+// Method: each tile repeats the walk of tile/scatter_length.glsl. Where `length` equals the length of its own displacement, the
+//   tile writes its code by an atomic maximum. The maximum of the codes is the first tile in raster order.
+// Fails: if equally long displacements cross at a tile, only the one of the first tile is kept.
 #include "mixin/tile_walk.glsl"
 
 void run(ivec2 pixel) {

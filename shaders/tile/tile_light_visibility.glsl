@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the lights that are visible from all its surface points and the lights that are blocked from all (Haines and
-// Wallace 1991, "Shaft Culling for Efficient Ray-Cast Radiosity").
-// In:  `hit`:  instance + 1 (0 = sky), geometry, primitive
-// Out: `light_visibility`: bits of the first 32 lights; x: bit i is set if light i is visible from the whole tile; y: bit i is
-//              set if light i is blocked from the whole tile
-// Method: bound the start points of the tile's shadow rays by a box and by planes, one plane for each direction that surfaces
-//      of the tile face. The rays start above their plane. Walk the runtime's tree with the volume between these bounds and the
-//      light (`mixin/light_visibility.glsl`). Tiles at the right and bottom border may be partial.
-// Fails: never wrong, because shadow rays to a light with neither bit are traced. With backends other than `bvh`, whose trees
-//      shaders cannot walk, no bit is set.
+// Per tile, the lights that are visible from all its surface points, and the lights that are blocked from all these points.
+// `shade` traces no shadow rays to these lights (Haines and Wallace 1991, "Shaft Culling for Efficient Ray-Cast Radiosity").
+// In:  `hit`: visible surface: instance + 1 (0 for the sky), geometry, primitive.
+// Out: `light_visibility`: one bit for each of the first 32 lights. x: bit i is set if light i is visible from the whole tile.
+//        y: bit i is set if light i is blocked from the whole tile.
+// Method: bound the origins of the tile's shadow rays by a box and by planes, one plane for each direction that surfaces of the
+//   tile face; the origins are above their planes. Walk the runtime's tree with the volume between these bounds and the light
+//   (mixin/light_visibility.glsl). Tiles at the right and bottom border may be partial.
+// Fails: never gives a wrong bit: if the walk is undecided, both bits are 0, and shadow rays are traced. With backends other
+//   than `bvh`, whose trees shaders cannot walk, no bit is set.
 #include "mixin/shade.glsl"
 #include "mixin/light_visibility.glsl"
 
-const float kFarthest = 1e12;  // m; products of three coordinates, 1e36, stay below the largest float, 3.4e38
-const float kSameFacing = 0.9995, kMostTurned = 0.0316;  // cosine and sine of 1.8 degrees, within which normals share a plane
+// Largest coordinate or distance of origins and lights, m. Products of three, up to 1e36, stay below the largest float, 3.4e38.
+const float kFarthest = 1e12;
+// Cosine and sine of 1.8 degrees. Surfaces share a plane if their normals are at most this angle apart.
+const float kSameFacing = 0.9995, kMostTurned = 0.0316;
 const uint kMostBits = 32u;
 
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
-// Bounds of the surface points of a tile.
+// Bounds of the surface points of a tile, world space. `any`: true if the tile shows a surface. `low`, `high`: box of the
+// points. `one`: one of the points, if possible at the centre of the tile. `has_planes`: false if the surfaces face more
+// directions than the list `start_planes` has room for.
 struct TileHits {
   bool any, has_planes;
   vec3 low, high, one;
@@ -26,8 +30,8 @@ struct TileHits {
   uint plane_count;
 };
 
-// Index of the plane with this normal. If no plane's normal is within kSameFacing, a new plane is added; if the list is full,
-// `has_planes` becomes false.
+// Index of the plane for surfaces with this normal: the first plane of the list with a normal within kSameFacing, or a new
+// plane. If the list is full, `has_planes` becomes false.
 uint planeOf(inout TileHits hits, vec3 normal_ws) {
   uint i = 0u;
   while (i < hits.plane_count && dot(start_planes[i].xyz, normal_ws) < kSameFacing) ++i;
@@ -39,6 +43,7 @@ uint planeOf(inout TileHits hits, vec3 normal_ws) {
   return i;
 }
 
+// Bounds of the surface points at the pixels from `first` to `end` (exclusive).
 TileHits hitsIn(ivec2 first, ivec2 end) {
   TileHits hits = TileHits(false, true, vec3(3e38), vec3(-3e38), vec3(0), 3e38, 0u);
   uint current = 0u;
@@ -67,8 +72,9 @@ TileHits hitsIn(ivec2 first, ivec2 end) {
   return hits;
 }
 
-// Result of all shadow rays from the tile to a light: kVisible (all rays reach it), kBlocked (none does) or kMixed. Also kMixed
-// if all surfaces face away from the light, because `shade` then traces no ray.
+// Common result of all shadow rays from the tile to a light: kVisible (all reach the light), kBlocked (none does), or kMixed
+// (unknown). Also kMixed if all surfaces face away from the light: `shade` traces no ray then, so that a bit would save
+// nothing.
 uint restTowards(TileHits hits, SceneLight light) {
   bool is_place = light.type != LIGHT_DIRECTIONAL;
   vec3 centre = 0.5 * (hits.low + hits.high), extent = 0.5 * (hits.high - hits.low);
@@ -78,8 +84,10 @@ uint restTowards(TileHits hits, SceneLight light) {
   if (!(reach < kFarthest)) return kMixed;
   vec4 at = is_place ? vec4(light.position, 1) : vec4(-light.direction * reach, 0);
 
-  // `shadowOrigin` lifts the start points off the surface. The box allows for 2 % more than this lift, and the planes for 10 %
-  // less. The normals of one plane differ by up to 1.8 degrees, which shortens a lift by 0.05 %; the rest covers rounding.
+  // `shadowOrigin` starts a shadow ray above the surface, at a height of kShadowLift times the larger of its largest coordinate
+  // and the distance of the light. The bounds must contain these origins. The box is therefore enlarged by 2 % more than the
+  // largest height. Each plane is raised by 10 % less than the least height. The normals of one plane differ by up to 1.8
+  // degrees, which lowers an origin above the plane by 0.05 %; the rest of the margins covers rounding.
   float least = max(hits.near, is_place ? length(max(away - extent, vec3(0))) : 0.0);
   RayVolumeStart start = RayVolumeStart(centre, extent + reach * (1.02 * kShadowLift), hits.one, hits.plane_count, 0u,
                                 0.9 * kShadowLift * least);

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the length of the shortest displacement in it (Guertin et al. 2014; Jimenez 2014).
-// In:  `velocity`: px over the exposure
-//      `valid`:    above 1/2 at texels to include; absent: all texels are included
-// Out: `shortest`: px over the exposure, at most `limit` image widths; exactly the limit if no texel is included
-// Method: minimum over the tile, by one work group. Tiles at the right and bottom border may be partial.
-// Fails: directions are not compared, so a rotating tile appears as uniform as a translating one.
+// Per tile, the length of the shortest displacement of its texels (Guertin et al. 2014; Jimenez 2014). Filters compare this
+// length with the dominant displacement, to find uniform motion.
+// In:  `velocity`: displacement of the surface at each texel, px over the exposure.
+//      `valid`: mask, above 1/2 at texels to include (absent: all texels).
+// Out: `shortest`: length of the shortest displacement, px over the exposure, at most `limit` image widths; equal to the limit
+//        if no texel is included.
+// Method: one work group takes the minimum over the tile's texels. Tiles at the right and bottom border may be partial.
+// Fails: lengths are compared, not directions, so that a rotating tile counts as uniform, like a translating tile.
 #include "mixin/limit.glsl"
 #include "lib/group.glsl"
 #include "lib/sanitise.glsl"
 
-shared uint shortest_bits;  // length as the bits of a float; bits of floats of at least 0 have the order of the floats
+// Length of the shortest displacement of the tile, as the bits of a float. Floats of at least 0 have the order of their bits.
+shared uint shortest_bits;
 
 void run(ivec2 tile) {
   bool is_first = gl_LocalInvocationIndex == 0u;

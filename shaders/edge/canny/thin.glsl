@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Thins a gradient to ridges one pixel wide; second of three steps of the Canny detector (Canny 1986).
-// In:  `gradient`: along the steepest direction; length 1 at the threshold of strong edges
-// Out: `ridge`:    1 where the length is above 1, 1/2 where it is above 1 / `ratio`, 0 elsewhere
-// Method: non-maximum suppression. A pixel is 0 if one of its two neighbours across the edge, in the nearest of eight
-//      directions, has a longer gradient. Of two equal neighbours the left or upper one stays.
+// Edge detector `canny`, second of three steps: thins the gradient to ridges one pixel wide (Canny 1986).
+// In:  `gradient`: vector along the steepest change; its length is the strength of the edge, 1 at the threshold of strong edges
+//        (edge/canny/gradient.glsl).
+// Out: `ridge`: 1 (strong) where the strength is above 1, 1/2 (weak) where it is above 1 / `ratio`, 0 elsewhere and beside
+//        ridges.
+// Method: non-maximum suppression. A pixel is on a ridge if neither of its two neighbours along the gradient, in the nearest of
+//   eight directions, is stronger. Of two neighbouring pixels with equal strengths the left one stays, or the upper one if both
+//   are in a column.
 // Fails: where three edges meet, one edge may end a pixel early.
 #include "lib/blur.glsl"
 
-const float kSector = 1.2071068;  // 1 / (2 tan 22.5 deg): rounds to an axis up to 22.5 degrees from it, otherwise to a diagonal
+// Scale of a gradient with a larger component of 1, before it is rounded to one of eight directions: 1 / (2 tan 22.5 deg). A
+// gradient at most 22.5 degrees from an axis rounds to this axis, any other gradient to a diagonal.
+const float kSector = 1.2071068;
 
+// Strength of the edge at a pixel: length of the gradient; 0 outside the image.
 float answerAt(ivec2 pixel) {
   if (!isInside(pixel, textureSize(gradient_tex, 0))) return 0.0;
   return length(vec2(texelFetch(gradient_tex, pixel, 0)));
