@@ -1,30 +1,35 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene; may have: PARAM_displacement.
-// Steps along a camera's ray from one hit to the next hit behind it. Step lengths are proportional to the depth, so that they
-// work at any scale of the scene.
+// Search for the next hit behind a known hit, on a camera's ray at the raster time. The least distance between the two hits is
+// proportional to the depth, so that the functions work at any scale of the scene.
 #ifndef STROBE_ADVANCE_GLSL
 #define STROBE_ADVANCE_GLSL
 #include "mixin/trace.glsl"
 
+// Upper bound of t for a ray without an end.
 const float kFar = 3.0e38;
 
-// Distance that is four representable floats beyond t. Ray intervals are open at their ends, so the hit at t is not found
-// again. Other surfaces within this distance are skipped too; at single precision they coincide with the hit.
+// Start of the ray interval behind a hit at the distance t > 0, for the search for the next hit: four representable floats
+// beyond t. The hit itself is then normally not found again; `isSameTriangle` detects a repetition. Other surfaces within these
+// four floats are skipped too. At single precision they coincide with the hit.
 float justBeyond(float t) { return uintBitsToFloat(floatBitsToUint(t) + 4u); }
 
-// True if both hits are on one triangle. A ray meets a triangle once, so the same triangle means the same hit.
+// True if both hits are on one triangle. A ray meets a triangle at most once, so two hits of one ray on one triangle are one
+// hit that was found twice.
 bool isSameTriangle(Hit a, Hit b) {
   return a.instance == b.instance && a.geometry == b.geometry && a.primitive == b.primitive;
 }
 
-// Next hit on the same ray, beyond the hit `last`. Hits on the instance `skip_instance` are ignored; if `skip_geometry` is not
-// NO_INSTANCE, only hits on this geometry of the instance.
+// Nearest hit on `ray` behind the hit `last` of this ray, at the raster time; a miss if no surface follows. Hits on the
+// instance `skip_instance` are ignored (NO_INSTANCE: ignore nothing). If `skip_geometry` is not NO_INSTANCE, only hits on this
+// geometry of the instance are ignored.
 Hit nextAlong(Ray ray, Hit last, uint skip_instance, uint skip_geometry) {
   return traceExcept(SLICE_RASTER, RAYS_TO_ALL, ray, justBeyond(last.t), kFar, skip_instance, skip_geometry);
 }
 
-// Next hit on a new ray that starts at the hit `last` and ignores hits nearer than 1e-5 of that hit's depth (Tan, Cui, Bhojan
-// 2020).
+// Nearest hit on a new ray that starts at the hit `last` of `ray`, at the raster time; a miss if no surface follows. Hits that
+// are closer to `last` than 1e-5 of the depth of `last` are ignored (Tan, Cui, Bhojan 2020). The result's t is counted from the
+// origin of `ray`.
 Hit nextFromHit(Ray ray, Hit last) {
   Ray onward = Ray(ray.origin + ray.direction * last.t, ray.direction);
   Hit hit = traceNearest(SLICE_RASTER, onward, 1e-5 * last.t, kFar);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Rays through pixels, and projection of points. Pixel coordinates: x right, y down, the first pixel's centre at (0.5, 0.5).
+// Rays through pixels, and projection of points to pixels, for the camera at any slice (the scene posed at one time,
+// shared/scene.h). In pixel coordinates, x points right, y points down, and the first pixel's centre is at (0.5, 0.5).
 #ifndef STROBE_CAMERA_GLSL
 #define STROBE_CAMERA_GLSL
 #include "lib/hit.glsl"
 
-// Normalised device coordinates, in [-1, 1] (x right, y up), of a pixel coordinate.
+// Normalised device coordinates of a position in pixel coordinates: x right, y up, [-1, 1] over the image.
 vec2 ndcOf(vec2 position_px) {
   vec2 unit = position_px / vec2(frame.size);
   return vec2(2.0 * unit.x - 1.0, 1.0 - 2.0 * unit.y);
 }
 
-// Ray through a pixel coordinate. The parameter t of the ray is the view depth, metres.
+// Ray of the camera at `slice` through a position in pixel coordinates; world space. The direction is not of unit length: it is
+// scaled so that the ray's parameter t is the view depth, metres.
 Ray cameraRay(uint slice, vec2 position_px) {
   SceneCamera camera = scene_cameras[slice];
   vec2 offset = ndcOf(position_px) * camera.half_extent;
@@ -20,19 +22,21 @@ Ray cameraRay(uint slice, vec2 position_px) {
   return Ray(camera.position, camera.forward + sideways);
 }
 
-// True if a moving surface may be visible at the pixel at the time of the slice. Conservative: also true for some other pixels.
+// True if a moving surface may be visible at the pixel at the time of `slice`. Conservative: also true at some pixels that show
+// only static surfaces.
 bool isReachedAt(uint slice, ivec2 pixel) {
   ivec4 area = scene_cameras[slice].moving;
   return all(greaterThanEqual(pixel, area.xy)) && all(lessThan(pixel, area.zw));
 }
 
-// Sample position of a pixel in this frame, pixel coordinate.
+// Position of the pixel that this frame samples: the pixel's centre plus `frame.subpixel`, in pixel coordinates.
 vec2 samplePosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.subpixel; }
 
-// The functions below compute with `precise`. Without it, a device may contract a product and a difference to one rounding at
-// one end of a path and not at the other. Static points would then move by some millionths of a pixel.
+// The functions below declare their results `precise`. Otherwise a compiler may fuse a product and a sum, which rounds once
+// instead of twice, at one end of a path but not at the other. Static points would then move by some millionths of a pixel.
 
-// Position in view space of a world position: x right, y up, z the view depth (positive in front).
+// Position of a world position in the view space of the camera at `slice`: x right, y up, z the view depth (positive in front
+// of the camera), metres.
 vec3 viewFromWorld(uint slice, vec3 position_ws) {
   SceneCamera camera = scene_cameras[slice];
   vec3 offset = position_ws - camera.position;
@@ -40,7 +44,8 @@ vec3 viewFromWorld(uint slice, vec3 position_ws) {
   return position_vs;
 }
 
-// Pixel coordinate of a point in view space.
+// Pixel coordinates of a point in view space. The point may project outside of the image. With a perspective camera, the depth
+// position_vs.z must not be 0.
 vec2 pixelFromView(uint slice, vec3 position_vs) {
   SceneCamera camera = scene_cameras[slice];
   float scale = camera.orthographic != 0u ? 1.0 : position_vs.z;
@@ -49,12 +54,13 @@ vec2 pixelFromView(uint slice, vec3 position_vs) {
   return position_px;
 }
 
-// True if this invocation has extrapolated a path from the near plane.
+// Set to true by `pathFromRasterTime` if a path of this invocation crosses the near plane and was therefore extrapolated.
 bool met_near_plane = false;
 
-// Screen offset of a point from the raster time to the time of `slice`, px. `raster_vs`, `other_vs`: positions of the point in
-// view space at these two times. If the point passes behind the near plane on the way, the path up to that plane is
-// extrapolated to its full length. The projection therefore never divides by a depth <= 0.
+// Screen position of a point at the time of `slice` minus its screen position at the raster time, px. `raster_vs`, `other_vs`:
+// view-space positions of the point at the raster time and at the time of `slice`; `raster_vs` must be in front of the camera.
+// `near`: view depth of the near plane, metres. A perspective projection cannot place a point that passes behind the near
+// plane. The path up to that plane is then extrapolated in proportion, so that no depth <= 0 is a divisor.
 vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs, float near) {
   vec2 start = pixelFromView(SLICE_RASTER, raster_vs);
   bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || raster_vs.z <= near;
@@ -68,6 +74,7 @@ vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs, float near) {
   return (pixelFromView(slice, mix(raster_vs, other_vs, s)) - start) / s;
 }
 
+// Screen offset for a point of the scene: the near plane is the camera's near distance at `slice`, enlarged by a thousandth.
 vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs) {
   return pathFromRasterTime(raster_vs, slice, other_vs, scene_cameras[slice].near * 1.001);
 }

@@ -4,50 +4,55 @@
 //   velocity_post_tex, dominant_curve_tex, dominant_place_tex, revealed_dominant_post_tex, revealed_velocity_post_tex,
 //   revealed_dominant_tex, second_tex; may have: PARAM_trajectory, curve_tex, max_displacement_buf, revealed_curve_tex,
 //   max_displacement_post_buf, revealed_max_displacement_buf, revealed_max_displacement_post_buf.
-// Candidate displacements for a composite of layers. The composite uses them to search for the surface at a pixel at a time.
-// The candidates are the different displacements of the tile, of the pixel and of taps along the motion.
-// layered/layered_composite.glsl has the rules and the reasons.
+// Candidate displacements of a pixel, for the composite of layers (layered/layered_composite.glsl, with the rules and the
+// reasons). For each time sample, the composite follows each candidate from the pixel back to a texel of the raster time. It
+// then tests if the texel's surface is at the pixel at the time of the sample. The candidates are the displacements of the
+// tile, of the pixel and of taps along the motion. At most four candidates are kept, and they all differ.
 #ifndef STROBE_CANDIDATES_GLSL
 #define STROBE_CANDIDATES_GLSL
 #include "mixin/layers.glsl"
 #include "mixin/search.glsl"
 #include "lib/times.glsl"
 
+// Largest number of candidates of a pixel.
 const int kMaxCandidates = 4;
 
-// Tolerance for the rounding of a position to a texel, px: sqrt(1/2), rounded up.
+// Least tolerance for the match of a surface, px. Rounding a position to a texel moves the position by up to sqrt(1/2) px; the
+// tolerance is this value, rounded up.
 const float kNearest = 0.75;
 
-// Candidate displacements, the curves of their paths and the texels that have them. Unused entries have the displacement
-// kUnused, which leads to no texel of the image.
+// List of candidates. The entries from `count` on are unused. Their displacement is kUnused, which differs from every real
+// displacement, so that `withCandidate` can compare a path with all entries.
 struct Candidates {
-  vec4 x, y;
+  vec4 x, y;  // displacements (x[k], y[k]), px over the exposure
 #if HAS_curve
-  vec4 curves[kMaxCandidates];
-  ivec2 texels[kMaxCandidates];
+  vec4 curves[kMaxCandidates];   // curves of the paths (mixin/curve.glsl)
+  ivec2 texels[kMaxCandidates];  // texels that have these paths; kNoTexel: unknown
 #endif
-  vec4 tolerance_px;
-  int count;
-  bool overflowed;  // a displacement did not fit that differs from all entries by more than 2 px and 14 %
+  vec4 tolerance_px;  // result of toleranceOf for each displacement, px
+  int count;          // 0 to kMaxCandidates
+  bool overflowed;  // a displacement did not fit although it differs from each entry by over 2 px and over 14 % of its length
 };
 
+// Component of the displacement of an unused entry, px.
 const float kUnused = 1e9;
 
-// Tolerance for the match of a surface, px: the length of the displacement within nearly half the time between two samples.
-// With exactly half, a surface half-way between two samples would match at both: for example the pixel's own surface, at the
-// samples before and after the raster time.
+// Tolerance for the match of a surface with the displacement d, px: the distance that the surface moves in nearly half the time
+// between two samples. With exactly half, a surface half-way between two samples would match at both samples. The pixel's own
+// surface is an example, at the samples before and after the raster time.
 float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
 
-// True if the surface at the texel `now` at the raster time is at the pixel at time t. The tolerance is kNearest or a larger
-// one: where displacements vary over a surface, the nearest match may be almost half-way to the next sample. The larger
-// tolerance is the smaller one of `tolerance_px`, which belongs to the candidate, and of the tolerance for the texel's own
-// displacement.
+// True if the surface that a layer has at the texel `now` at the raster time is at the pixel at time t, within a tolerance.
+// `path`: path of this surface. `tolerance_px`: tolerance of the candidate that led to the texel. The tolerance of the test is
+// kNearest. If larger, it is instead the smaller of `tolerance_px` and the tolerance of the surface's own displacement. The
+// larger tolerance is needed if displacements vary over a surface: the nearest match may then be almost half-way to the next
+// sample.
 bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
   if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
   return isAt(pixel, now, path, t, kNearest) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)));
 }
 
-// Path of candidate k.
+// Path of candidate k, 0 <= k < candidates.count.
 Path candidate(Candidates candidates, int k) {
 #if HAS_curve
   return onCurve(vec2(candidates.x[k], candidates.y[k]), candidates.curves[k]);
@@ -56,8 +61,9 @@ Path candidate(Candidates candidates, int k) {
 #endif
 }
 
-// Add a path, unless it differs from a candidate by half a pixel or less. If the list is full and the path differs from all
-// candidates by more than 2 px and 14 %, set `overflowed` instead.
+// Candidates with one more path. `texel`: texel that has the path; kNoTexel if unknown. The path is not added if it differs
+// from a candidate by half a pixel or less, or if the list is full. If the list is full and the path differs from all
+// candidates by more than 2 px and 14 % of its length, `overflowed` becomes true.
 Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   vec2 d = path.d;
   vec4 x = candidates.x - d.x, y = candidates.y - d.y;
@@ -82,33 +88,36 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   return candidates;
 }
 
-// Add the path of the raster layer at a texel. If `background` is true and the revealed layer has a surface there, add the path
-// of this surface too. `after`: paths for the times after the raster time.
+// Candidates with the path of the raster layer at the texel `at`. If `background` is true and the revealed layer has a surface
+// at this texel, the path of that surface is added too. `after`: add paths for the times after the raster time; otherwise paths
+// for the times before.
 Candidates withAllLayers(Candidates candidates, ivec2 at, bool background, bool after) {
   for (int layer = kRaster; layer == kRaster || (background && layer <= kRevealed && isRevealed(at)); ++layer)
     candidates = withCandidate(candidates, pathOf(layer, at, after), at);
   return candidates;
 }
 
-// True if further taps cannot change the candidates: the list is full, and `overflowed` is already true or has no effect.
+// True if further taps cannot change the candidates: the list is full, and `overflowed` is already true or has no effect,
+// because the pass does not mark unresolved samples.
 bool isFull(Candidates candidates) {
   return candidates.count == kMaxCandidates && (PARAM_marks_unresolved == 0 || candidates.overflowed);
 }
 
-// Index of the tap that is k-th nearest to the raster time. If two taps are equally near (the raster time is in the middle of
-// the exposure), the earlier tap comes first.
+// Index of the time sample that is k-th nearest to the raster time, k from 0. A centred exposure has pairs of equally near
+// samples. In a pair, the earlier sample comes first if the number of samples is even; the later one comes first if it is odd.
 int nearest(int k) {
   if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
   return frame.shutter.x < 0.0 ? params.samples - 1 - k : k;
 }
 
-// Displacements of a tile: the longest one, a second one, and the longest one of the revealed layer.
+// Displacements of a tile: the longest one, a different second one, and the longest one of the revealed layer.
 struct Dominant {
   Path longest, second, revealed;
-  ivec2 place;  // texel with the longest displacement
+  ivec2 place;  // texel that has the longest displacement; kNoTexel: unknown
 };
 
-// Displacements of a tile for the times before the raster time. If motion is not in two segments, they hold for all times.
+// Displacements of a tile for the times before the raster time. Unless motion is in two segments, they are valid for all times.
+// Without the image `revealed_dominant`, the displacement of the revealed layer is the longest displacement.
 Dominant dominantBefore(ivec2 tile) {
   Path longest = onCurve(vec2(dominant_at(tile)), dominant_curve_at(tile)), second = straight(vec2(second_at(tile)));
   Dominant dominant = Dominant(longest, second, longest, ivec2(dominant_place_at(tile)));
@@ -116,15 +125,18 @@ Dominant dominantBefore(ivec2 tile) {
   return dominant;
 }
 
-// Displacements of a tile for the times after the raster time.
+// Displacements of a tile for the times after the raster time, if motion is in two segments.
 Dominant dominantAfter(ivec2 tile) {
   return Dominant(straight(vec2(dominant_post_at(tile))), straight(vec2(second_post_at(tile))),
                   straight(vec2(revealed_dominant_post_at(tile))), kNoTexel);
 }
 
-// Add the displacements at the pixel, then at the taps along the tile's longest and second displacement. The list keeps only
-// the first displacements that fit. The taps therefore go from the pixel outwards, so that the list is the same if time is
-// reversed. One loop serves all taps, because each inlined copy of the loop's body takes long to compile.
+// Candidates with the displacements at the pixel and, with `search_taps`, at the taps along the tile's longest displacement and
+// then along its second displacement. `jitter`: of the tap times, as a share of the time between two samples. `background`,
+// `after`: as in `withAllLayers`.
+// The list keeps the first displacements that fit. The taps go from the pixel outwards, so that with the anchors `end` and
+// `start` a reversal of time does not change the order. One loop serves all taps, because each inlined copy of the loop's body
+// takes long to compile.
 Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   int ways = PARAM_search_taps == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
@@ -133,7 +145,7 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
     Path path = dominant.longest;
     if (way == 2) path = dominant.second;
     int taps = along ? params.samples : 1;
-    int sides = along && !isCentred(frame.shutter) ? 2 : 1;  // the taps of a centred exposure are on both sides
+    int sides = along && !isCentred(frame.shutter) ? 2 : 1;  // a centred exposure has taps on both sides anyway
     for (int k = 0; k < taps && !isFull(candidates); ++k) {
       ivec2 offset = ivec2(0);
       if (along) {
@@ -149,8 +161,9 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
   return candidates;
 }
 
-// Candidates of a pixel. `background`: add displacements of the revealed layer too. `after`: candidates for the times after the
-// raster time.
+// Candidates of a pixel: the displacements of the tile (`dominant`), then the displacements at the pixel and at its taps.
+// `jitter`: of the tap times, as a share of the time between two samples. `background`: include displacements of the revealed
+// layer. `after`: candidates for the times after the raster time; otherwise for the times before.
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   Candidates candidates;
   candidates.x = candidates.y = vec4(kUnused);

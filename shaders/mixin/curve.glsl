@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Needs: nothing; may have: PARAM_trajectory.
-// Curved screen paths of surface points, parabolas or arcs, through poses inside the exposure. With u in [0, 1] from shutter
-// open to shutter close, and x = u - 1/2, the deviation from the straight line between the ends of the path is
-//   parabola:  4 u (1 - u) b,   b = curve.xy, px;
-//   arc:       b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)),   w = curve.zw, in complex numbers.
-// b is the deviation in the middle of the exposure. An arc is a rotation by w.y radians and a scale by exp(w.x) over the
-// exposure, about a centre that moves along a line: for example the path of a point on a rolling wheel. An arc with w = 0 is a
-// parabola. A curve of 0 is the straight line, bit for bit.
+// Curved screen paths of surface points: parabolas or arcs through poses inside the exposure. The vec4 `curve` describes how a
+// path deviates from the straight line between its ends. At the fraction u of the exposure (0 at shutter open, 1 at shutter
+// close), with x = u - 1/2, the deviation in px is
+//   parabola:  4 u (1 - u) b,
+//   arc:       b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)), in complex numbers.
+// b = curve.xy is the deviation in the middle of the exposure, px. w = curve.zw describes an arc: over the exposure, the path
+// scales by exp(w.x) and rotates by w.y radians about a centre that moves along a line, as a point on a rolling wheel does. An
+// arc with w = 0 is a parabola. With curve = 0 the path is the straight line, bit for bit.
 #ifndef STROBE_CURVE_GLSL
 #define STROBE_CURVE_GLSL
 #include "lib/blur.glsl"
@@ -18,18 +19,20 @@
 #endif
 
 #if ON_ARCS
+// Product, quotient and exponential of complex numbers (x real, y imaginary). The divisor b must not be 0.
 vec2 complexProduct(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 vec2 complexQuotient(vec2 a, vec2 b) { return complexProduct(a, vec2(b.x, -b.y)) / dot(b, b); }
 vec2 complexExp(vec2 z) { return exp(z.x) * vec2(cos(z.y), sin(z.y)); }
 
-// |w| below which three terms of a series replace the formula of the arc. For small |w| the formula is a difference of nearly
-// equal numbers.
+// Magnitude of w below which three terms of a series replace the formula of the arc, because the formula is then a difference
+// of nearly equal numbers.
 const float kSmallTurn = 0.3;
 
-// True if an arc rotates and hardly scales. Objects with such paths rotate as a whole in the image plane, about one centre.
+// True if an arc rotates and hardly scales: the logarithm of the scale is less than 1/8 of the turn in radians. Objects with
+// such paths rotate as a whole in the image plane, about one centre.
 bool isTurning(vec4 curve) { return 8.0 * abs(curve.z) < abs(curve.w); }
 
-// Deviation of the curve from the straight line, px. u: 0 at shutter open, 1 at shutter close.
+// Deviation of a path with this curve from the straight line, px. u: 0 at shutter open, 1 at shutter close.
 vec2 fromLine(vec4 curve, float u) {
   vec2 w = curve.zw;
   float x = u - 0.5;
@@ -46,17 +49,19 @@ vec2 fromLine(vec4 curve, float u) {
   return complexProduct(curve.xy, share);
 }
 #else
-// Deviation of the curve from the straight line, px. u: 0 at shutter open, 1 at shutter close.
+// Deviation of a path with this curve from the straight line, px. u: 0 at shutter open, 1 at shutter close.
 vec2 fromLine(vec4 curve, float u) { return 4.0 * u * (1.0 - u) * curve.xy; }
 #endif
 
-// Offset from the raster time to time t, px, of a point with the displacement d and this curve.
+// Screen offset from the raster time to time t of a point with the displacement d and this curve, px. d: px over the exposure.
+// t: in exposures from the raster time. `shutter`: times of shutter open and shutter close.
 vec2 movedBy(vec2 d, vec4 curve, float t, vec2 shutter) {
   if (curve == vec4(0)) return d * t;
   return d * t + fromLine(curve, t - shutter.x) - fromLine(curve, -shutter.x);
 }
 
-// Squared difference of two curves, px^2.
+// Squared difference of two curves, px^2, to compare paths. For arcs, the difference of w is multiplied by the longer b to be a
+// length.
 float apartSquared(vec4 a, vec4 b) {
   if (a == b) return 0.0;
   vec4 apart = a - b;
@@ -66,7 +71,7 @@ float apartSquared(vec4 a, vec4 b) {
   return dot(apart, apart);
 }
 
-// Curve of a path after its displacement is scaled by `share`.
+// Curve of a path that is scaled to `share` of its size, such as a path with a shortened displacement. `share`: 0 to 1.
 vec4 shortenedCurve(vec4 curve, float share) {
 #if ON_ARCS
   return vec4(curve.xy * share, curve.zw);
@@ -75,8 +80,8 @@ vec4 shortenedCurve(vec4 curve, float share) {
 #endif
 }
 
-// Control points 2 to 4 of the parabola as a cubic Bezier curve, relative to control point 1, px. The path lies in the convex
-// hull of the four points.
+// Bezier control points of a parabola: points 2 to 4 of the cubic Bezier curve, relative to point 1 (the position at shutter
+// open), px. The path lies in the convex hull of the four points.
 void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
   points[0] = d / 3.0 + 4.0 / 3.0 * curve.xy;
   points[1] = 2.0 / 3.0 * d + 4.0 / 3.0 * curve.xy;
@@ -84,8 +89,8 @@ void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
 }
 
 #if ON_ARCS
-// Displacements as `straightened` returns them, for an arc: corners of a box around 16 points of the arc, widened by the arc's
-// deviation from the chords between these points.
+// Result of `straightened` for an arc: corners of a box around the arc. The box contains 16 points of the arc, and is widened
+// by 5/4 of the arc's largest deviation from the chords between these points.
 void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   const int kPlaces = 16;
   vec2 low = vec2(0), high = vec2(0), bulge = vec2(0), from = vec2(0);
@@ -104,8 +109,9 @@ void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
 }
 #endif
 
-// Four straight displacements, px over the exposure, whose bounding box bounds the path. Each displacement reaches a control
-// point of the path at the end of the exposure that is farther from the raster time. If the path is straight, all four equal d.
+// Four straight displacements `around`, px over the exposure, that bound a curved path, for passes that process straight motion
+// only. At the end of the exposure that is farther from the raster time, points with these displacements are at four positions.
+// The bounding box of the four positions contains the whole path. If the path is straight, all four displacements equal d.
 void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   around = vec2[4](d, d, d, d);
   if (curve == vec4(0)) return;
@@ -120,15 +126,16 @@ void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
 #endif
 }
 
-// Length of a straight displacement that moves a surface at least as far as the path does, px.
+// Length of a straight displacement that moves a surface at least as far from its position at the raster time as the path does,
+// px.
 float reachOf(vec2 d, vec4 curve, vec2 shutter) {
   vec2 around[4];
   straightened(d, curve, shutter, around);
   return max(max(lengthOf(around[0]), lengthOf(around[1])), max(lengthOf(around[2]), lengthOf(around[3])));
 }
 
-// Number of steps along a curve for a walk over tiles with sides of `tile` px: four per tile of the path's reach, at least 4,
-// at most 64.
+// Number of steps of a walk over tiles along a path: four steps per tile side in `reachOf`, at least 4, at most 64. `tile`:
+// side of a tile, px.
 int stepsAlong(vec2 d, vec4 curve, int tile) { return clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / tile, 4, 64); }
 
 #endif

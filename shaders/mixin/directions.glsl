@@ -2,14 +2,16 @@
 // Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex, background_depth_tex,
 //   background_valid_tex, second_tex, valid_tex; may have: max_displacement_buf, max_displacement_post_buf,
 //   revealed_max_displacement_buf, revealed_max_displacement_post_buf.
-// Second direction of a gather's taps (Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur
-// Filter", section 3).
+// Second direction of a gather (Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter",
+// section 3). The gather takes some of its taps along the dominant displacement of the tile, and the others along the second
+// direction, which may be different at each pixel.
 // In:  `second`: per tile, a displacement in the neighbourhood that differs from the dominant one, px over the exposure.
 #ifndef STROBE_DIRECTIONS_GLSL
 #define STROBE_DIRECTIONS_GLSL
 #include "mixin/layer.glsl"
 
-// A displacement has a side if its component across the dominant displacement is at least this long, px.
+// Shortest component of a displacement across the dominant displacement, px, that defines a side (left or right of the dominant
+// displacement).
 const float kNoSide = 1.0 / 64.0;
 
 // Unit vector along d; 0 if d is 0.
@@ -18,13 +20,14 @@ vec2 unitOf(vec2 d) {
   return d_length > 0.0 ? d / d_length : vec2(0);
 }
 
-// Second direction, a unit vector or 0. `own`: displacement of the pixel's surface. `radius_px`: blur radius of this surface.
-// `other`: another displacement in the neighbourhood.
-// A static pixel uses the perpendicular of the dominant displacement. A pixel with a blur radius of gamma_px + 1/2 or more uses
-// its own displacement. A pixel in between uses a blend of both. The perpendicular points to the same side as `own`. If `own`
-// has no side, the perpendicular points to the same side as `other`. If `other` has no side either, the perpendicular is 0,
-// because no surface is known to move across. (The paper leaves the side to rounding in this case. A one-sided gather would
-// then sample the wrong side half of the time, and mirrored scenes would not give mirrored images.)
+// Second direction, a unit vector or 0. `dominant`: dominant displacement. `own`: displacement of the pixel's surface. `other`:
+// another displacement in the neighbourhood; all three px over the exposure. `radius_px`: blur radius of the pixel's surface.
+// `gamma_px`: range of blur radii of the blend, above 0.
+// If the blur radius is at most 1/2 px (a static surface), the direction is perpendicular to the dominant displacement. From
+// gamma_px + 1/2 px on, the direction is along `own`. Radii in between give a blend of both directions. The perpendicular
+// points to the side of `own` or, if `own` has no side, to the side of `other`. If `other` has no side either, the
+// perpendicular is 0, because no surface is known to move across. (The paper leaves the side to rounding in this case. A
+// one-sided gather would then sample the wrong side half of the time, and mirrored scenes would not give mirrored images.)
 vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float gamma_px) {
   vec2 across = unitOf(vec2(-dominant.y, dominant.x));
   float side = dot(across, own);
@@ -35,13 +38,16 @@ vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float
 }
 
 // Second direction at a pixel that gathers along `dominant`, the dominant displacement of `tile`; a unit vector or 0.
+// `radius_px`: blur radius of the pixel's surface. `gamma_px`: as in `secondDirection`.
 vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gamma_px) {
   return secondDirection(dominant, texelAt(pixel).d, vec2(second_at(tile)), radius_px, gamma_px);
 }
 
-// True if sample i of N is taken along the second direction. `count` of the N samples are. If all taps lie on one side of the
-// pixel, they are counted from the tap nearest to the pixel, because the anchor `start` is the reverse of the anchor `end`.
-// count = N/2 takes every other sample, from the second on. If N is odd, these are the same samples, counted from either end.
+// True if sample i is taken along the second direction. `count` of the N = params.samples samples are taken along this
+// direction, evenly spread. If all taps lie on one side of the pixel, the samples are counted from the tap nearest to the
+// pixel, so that a reversed exposure (anchor `start` instead of `end`) takes the same taps. count = N/2 takes every other
+// sample, from the second on. If N is odd, counting from either end then gives the same samples. Always false if the parameter
+// `directions` is not `two`.
 bool isAlongSecond(int i, int count) {
 #if PARAM_directions == directions_two
   if (frame.shutter.x >= 0.0) i = params.samples - 1 - i;

@@ -6,11 +6,11 @@
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 
-// Largest depth that a detector uses, as a multiple of the depth of the tested pixel. Farther surfaces and the sky count as
-// this depth.
+// Largest ratio of two depths that a detector uses. A surface farther than this multiple of the tested pixel's depth, or the
+// sky, counts as this far, so that differences of depths stay finite.
 const float kFarthest = 16.0;
 
-// View depth at a pixel; outside of the image, at the nearest border pixel.
+// View depth at a pixel, metres; +inf for the sky. Outside of the image: depth at the nearest border pixel.
 float depthAt(ivec2 pixel) {
   return saneDepth(texelFetch(depth_tex, clampToImage(pixel, textureSize(depth_tex, 0)), 0).x);
 }

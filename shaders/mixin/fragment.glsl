@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Inputs of a fragment, written by gbuffer/visibility.vert.glsl, and the test that discards fragments.
+// Inputs of the fragment shaders that draw the scene, written by gbuffer/visibility.vert.glsl, and the test that discards
+// fragments. The inputs behind `#if FACT_*` exist only if the frame needs them.
 #ifndef STROBE_FRAGMENT_GLSL
 #define STROBE_FRAGMENT_GLSL
 #include "mixin/trace_payload.glsl"
@@ -9,24 +10,24 @@ layout(location = 0) flat in uvec2 draw;  // instance, geometry
 #if FACT_alpha
 layout(location = 1) in vec2 uv0;
 layout(location = 2) in vec2 uv1;
-layout(location = 3) in float alpha;
+layout(location = 3) in float alpha;  // of the vertex colour
 #endif
 #ifdef STROBE_SEPARATE_TRIANGLES
-layout(location = 4) flat in uint triangle;
+layout(location = 4) flat in uint triangle;  // number within the geometry
 #else
 uint triangle = uint(gl_PrimitiveID);
 #endif
 #if FACT_one_sided
-layout(location = 5) flat in uint mirrored;
+layout(location = 5) flat in uint mirrored;  // 1 if the instance's transform mirrors, which reverses the winding
 #endif
 #if FACT_blend
-layout(location = 6) in vec3 position_os;
+layout(location = 6) in vec3 position_os;  // object space, at the raster time
 #else
 const vec3 position_os = vec3(0);
 #endif
 
-// True if the fragment is discarded. It is if alpha cuts it out, by the same test as for rays, or if it is on the back of a
-// one-sided material.
+// True if the fragment is to be discarded: alpha cuts it out, by the same test as for rays, or it is on the back of a one-sided
+// material.
 bool isLeftOut() {
 #if FACT_one_sided
   if (gl_FrontFacing == (mirrored != 0u) && isOneSided(draw.x, draw.y)) return true;

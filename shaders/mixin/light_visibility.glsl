@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene; may have: PARAM_displacement.
-// Visibility of a light from all shadow ray origins of a tile at once: kVisible (no ray is blocked), kBlocked (every ray is
-// blocked) or kMixed (unknown).
-// Method: walk the runtime's own tree with the volume that the rays sweep (Haines and Wallace, "Shaft Culling for Efficient
-//   Ray-Cast Radiosity", 1991). All bounds are widened by more than the rounding errors of rays and triangles, so the results
-//   kVisible and kBlocked equal the result of every ray.
-// Fails: returns kMixed with the drivers' acceleration structures, which shaders cannot walk.
+// Visibility of one light from all surface points of a tile of pixels, without a ray for each point. The result is kVisible (no
+// shadow ray is blocked), kBlocked (every shadow ray is blocked) or kMixed (unknown: the rays must be traced).
+// Method: traverse the runtime's own tree (shared/bvh.h) with the volume that the rays sweep (Haines and Wallace, "Shaft
+//   Culling for Efficient Ray-Cast Radiosity", 1991). All bounds are widened by more than the rounding errors of rays and
+//   triangles, so kVisible and kBlocked agree with every traced ray.
+// Fails: always kMixed with the drivers' acceleration structures, which shaders cannot traverse by a volume.
 #ifndef STROBE_SHAFT_GLSL
 #define STROBE_SHAFT_GLSL
 #include "mixin/trace.glsl"
@@ -13,37 +13,41 @@
 const uint kMixed = 0u, kVisible = 1u, kBlocked = 2u;
 
 // Origins of a tile's shadow rays. They lie in the box `centre` +- `extent`. Each origin is at least `raised` above one of the
-// planes `start_planes`, and the light is above the same plane.
+// planes `start_planes`, and the light is above this plane too.
 struct RayVolumeStart {
-  vec3 centre, extent;  // world space
-  vec3 one;             // origin of one of the rays
-  uint plane_count;     // 0: the planes are unknown
+  vec3 centre, extent;  // world space, metres
+  vec3 one;             // point at the origin of one ray; it only selects the triangles that the first walk tests
+  uint plane_count;     // number of planes in start_planes; 0: the planes are unknown
   uint unused_planes;   // bit i is set if no ray to the light starts above plane i
-  float raised;
+  float raised;         // metres
 };
+// Planes below the origins of the shadow rays, one for each direction that surfaces of the tile face.
 const uint kMostStartPlanes = 12u;
 vec4 start_planes[kMostStartPlanes];  // xyz: unit normal n; w: least dot(n, p) over the plane's surface points p
 
 #ifdef STROBE_STRUCTURES_OWN
 
-const int kMaxVolumeNodes = 64;           // nodes that a walk may visit; beyond, it returns kMixed
-const float kRounding = 1.0 / 1048576.0;  // bound of rounding errors in a change of space, as a share of the largest coordinate
+const int kMaxVolumeNodes = 64;           // nodes that one traversal may visit; after more, the result is kMixed
+// Bound of the rounding errors of coordinates that are transformed to another space, as a share of the largest coordinate.
+const float kRounding = 1.0 / 1048576.0;
 
-// Volume of the rays between a box and a light, in the space of a tree. At the parameter u, from 0 to `u_end`, all rays lie
-// between from_low + u * to_low and from_high + u * to_high. u = 0 is the light if it has a position. For a directional light,
-// u = 0 is the box.
+// Volume of the rays between a box and a light, in the space of a tree (world space for the tree over instances, object space
+// for the tree of a mesh). At the parameter u, from 0 to `u_end`, the volume is the box between the corners from_low + u *
+// to_low and from_high + u * to_high. u = 0 is at the light if the light has a position. For a directional light, u = 0 is at
+// the box of origins.
 struct RayVolume {
   vec3 from_low, from_high;
   vec3 low_inverse, high_inverse;  // 1 / to_low, 1 / to_high, bounded
   float u_end;
 };
 
-// Upper bounds of the magnitudes of the components of m * v, for all v with magnitudes of at most `sizes`.
+// Bounds for a product m * v: upper bounds of the magnitudes of its components, if the components of v have magnitudes of at
+// most `sizes`.
 vec3 ofSizes(mat3 m, vec3 sizes) { return mat3(abs(m[0]), abs(m[1]), abs(m[2])) * sizes; }
 
-// Volume of the rays between a box and a light. `light`: position (w = 1) or direction towards it (w = 0). `space`: transform
-// from world space to the space of the tree. `reach`: upper bound of the coordinates of the tree's planes. `size`: upper bound
-// of the world coordinates that are transformed.
+// Volume of the rays between the box `centre` +- `extent` (world space) and a light. `light`: position (w = 1) or direction
+// towards the light (w = 0), world space. `space`: transform from world space to the space of the tree. `reach`: upper bound of
+// the coordinates of the tree's planes. `size`: upper bound of the world coordinates that are transformed.
 RayVolume volumeIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 light, float size) {
   mat3 turned = mat3(space);
   vec3 room = kRounding * (ofSizes(turned, vec3(size)) + abs(space[3]) + reach);
@@ -69,8 +73,8 @@ RayVolume volumeIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 lig
   return volume;
 }
 
-// First child of a node that the volume meets; kNextOnStack if it meets none. `others`: as in `nearestChild`
-// (mixin/trace_bvh.glsl).
+// Child of a node that the volume meets first (at the least u); kNextOnStack if the volume meets no child. `others`: output,
+// stack entry of the other children that the volume meets, or 0 (`firstMet` in mixin/trace_bvh.glsl).
 uint firstChild(uint node, RayVolume volume, out uint others) {
   BvhNode at = loadedNode(node);
   vec3 step_size = stepsOf(at);
@@ -92,14 +96,20 @@ uint firstChild(uint node, RayVolume volume, out uint others) {
   return firstMet(at, node, enter, leave, others);
 }
 
-// Effect of a triangle on the rays: it blocks no ray (kStopsNone), possibly some rays (kStopsSome), all rays (kStopsAll), or
-// all rays on the inner side of one of its edges (kStopsInside). In the last case the value is kStopsInside plus the number of
-// the edge (0 to 2), plus 4 if the corners run in the opposite direction as seen from the light.
+// Effects of a triangle on the shadow rays of a tile:
+// kStopsNone: the triangle blocks no ray.
+// kStopsSome: the triangle may block some rays.
+// kStopsAll: the triangle blocks all rays.
+// kStopsInside: the triangle blocks all rays that pass on the inner side of one of its edges. The value is kStopsInside plus
+// the number of the edge (0 to 2), plus 4 if the corners run in the opposite direction as seen from the light.
 const uint kStopsNone = 0u, kStopsSome = 1u, kStopsAll = 2u, kStopsInside = 3u;
 
-// Effect of a triangle on the rays from `start` to `light`, one of kStops*. `rounding`: bound of the rounding errors of the
-// coordinates of rays and corners.
+// Effect of a triangle on the rays from `start` to `light`, one of kStops*. `light`: position (w = 1) or direction towards the
+// light (w = 0). `corner`: corners in world space. `rounding`: bound of the rounding errors of the coordinates of rays and
+// corners.
 uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
+  // Test if the triangle is below all planes above which rays start. Each ray stays above its plane, so such a triangle blocks
+  // no ray.
   bool is_below = start.plane_count > 0u;
   for (uint i = 0u; i < start.plane_count && is_below; ++i) {
     vec3 n = start_planes[i].xyz;
@@ -116,7 +126,8 @@ uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
   float away = max(sizes.x, max(sizes.y, sizes.z)) + edge;
   float far = max(abs(towards.x), max(abs(towards.y), abs(towards.z))) + edge;
 
-  // Test if the triangle's plane is between the light and the origins. The effect is unknown if the light is in the plane.
+  // Test if the triangle's plane is between the light and the origins. The effect is unknown if the light is nearly in this
+  // plane.
   vec3 normal = cross(edge1, edge2);
   float room = 8.0 * rounding * edge * (edge + max(away, far));
   float light_side = dot(normal, towards), start_side = dot(normal, here), wide = dot(abs(normal), start.extent);
@@ -125,7 +136,8 @@ uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
   if (facing * start_side - wide > room) return kStopsNone;
   bool between = facing * start_side + wide < -room;
 
-  // Test if the origins are on the inner sides of the planes through the light and the edges.
+  // Test if all origins are on the inner sides of the three planes through the light and an edge: the triangle then covers them
+  // all.
   room = 8.0 * rounding * (edge * away + edge * far + away * far);
   uint open = 0u, open_edge = 0u;
   for (uint i = 0u; i < 3u; ++i) {
@@ -142,7 +154,8 @@ uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
   return open == 0u ? kStopsAll : kStopsInside + open_edge + (facing < 0.0 ? 4u : 0u);
 }
 
-// True if every hit on the geometry counts, because alpha cuts no hole into it.
+// True if every hit on the geometry counts, because its material has no alpha that cuts holes into it. `geometry`: member of
+// BvhTriangle.
 bool isSolid(uint instance, uint geometry) {
   if ((geometry & BVH_OPAQUE) != 0u) return true;
 #if FACT_alpha
@@ -153,13 +166,16 @@ bool isSolid(uint instance, uint geometry) {
 #endif
 }
 
+// Transform from its three rows.
 mat4x3 columnsOf(vec4 x, vec4 y, vec4 z) { return transpose(mat3x4(x, y, z)); }
 
-// Visibility of the light from all origins: kVisible, kBlocked or kMixed. `light`: position (w = 1), or direction towards it
-// with the length `reach` (w = 0). `reach`: bound of the coordinates of origins and light and of the distances between them.
-// Method: the first walk follows one ray and searches for a triangle that blocks all rays, or for two triangles with a common
-// edge that together block all rays. Such triangles are on this ray or beside it. If the first walk finds none, the second walk
-// follows the whole volume until it meets a triangle that may block a ray.
+// Visibility of the light from all origins: kVisible, kBlocked or kMixed. `light`: position (w = 1), or direction towards the
+// light with the length `reach` (w = 0); world space. `reach`: upper bound of the coordinates of origins and light, and of the
+// distances between them, metres.
+// Method: the first walk over the tree follows one ray. It searches for a triangle that blocks all rays, or for two triangles
+//   with a common edge that together block all rays; any such triangles are on this ray or beside it. If the first walk finds
+//   none, the second walk follows the whole volume. The result is kMixed if the second walk meets a triangle that may block a
+//   ray, otherwise kVisible. Also kMixed if a walk visits more than kMaxVolumeNodes nodes.
 uint restOf(uint slice, RayVolumeStart start, vec4 light, float reach) {
   uint level = levelOf(slice), root = rootOf(level, RAYS_TO_ALL);
   for (uint walk = 0u; walk < 2u; ++walk) {
@@ -237,6 +253,7 @@ uint restOf(uint slice, RayVolumeStart start, vec4 light, float reach) {
 
 #else
 
+// Stand-in for backends with the drivers' acceleration structures.
 uint restOf(uint slice, RayVolumeStart start, vec4 light, float reach) { return kMixed; }
 
 #endif

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: MIT
 // Needs: nothing; may have: PARAM_color_format, PARAM_depth_encoding, PARAM_velocity_format, count_color_clamped,
 //   count_depth_lost, count_velocity_clamped, scene.
-// Quantise colours, displacements and depths to the memory formats of a renderer. Passes with the parameters velocity_format,
-// color_format or depth_encoding of passes/lib/quantised.lua, and with their counters, include this file.
+// Quantisation of colours, displacements and depths to the memory formats of a renderer. Passes with the parameters
+// velocity_format, color_format or depth_encoding of passes/lib/quantised.lua, and with their counters, include this file.
 // In:  linear colours; displacements, px over the exposure; linear view depths, metres (+inf for the sky, 0 for no surface).
 // Out: the quantised values. The formats fp32 and linear return the input bit for bit, without arithmetic.
-// Method, half floats: round to the nearest, ties to even. The shader rounds, because a store may truncate. A colour channel
-//   beyond 65504 becomes 65504. A displacement beyond 65504 px is shortened until its larger component is 65504, so that it
-//   keeps its direction. Both cases are counted. The largest error is relative 2^-11 for magnitudes from 2^-14 on, and absolute
-//   2^-25 below.
-// Method, depths: encode as a depth buffer does, then decode. With the camera's near distance n:
+// Method, half floats: round to nearest, ties to even. The shader rounds, because a device may truncate when it stores the
+//   value. A colour channel beyond 65504 becomes 65504. A displacement beyond 65504 px is scaled until its larger component is
+//   65504, so that it keeps its direction. Counters count both cases. The largest rounding error is relative 2^-11 for
+//   magnitudes from 2^-14 on, and absolute 2^-25 below.
+// Method, depths: encode as a depth buffer does, then decode. With the near distance n of the camera at the raster time and the
+//   view depth z:
 //   reversed  w = n/z in fp32 (infinite reversed z; sky 0); relative error about 2^-24 for each of two divisions;
-//   inverse   w = 1/z in fp32 (sky 0); same error, independent of the near distance;
+//   inverse   w = 1/z in fp32 (sky 0); the error of `reversed`, independent of the near distance;
 //   unorm24   1 - n/z in 24 bits (infinite standard z; sky 1); relative error up to z/(n * 2^25).
-//   An orthographic camera, whose own projection is linear, uses its near distance in the same formulas.
-// NaN, infinity and a depth of 0 are unchanged in every format. Readers replace NaN and infinity (lib/sanitise.glsl).
+//   The formulas are also used for an orthographic camera, although its own projection is linear.
+//   NaN, infinity and a depth of 0 are unchanged in every format. Readers replace NaN and infinity (lib/sanitise.glsl).
 // Fails: the encoding unorm24 turns surfaces farther than 2^25 n into sky. The encodings reversed and inverse do so where w
-//   rounds to 0 (about 1e38 times n or 1 m). The counter depth_lost counts these surfaces. Surfaces are not nearer than n.
+//   rounds to 0, from a depth of about 1e38 n and 1e38 m on. The counter depth_lost counts these surfaces. The encodings assume
+//   that all surfaces are at the near distance n or farther.
 #ifndef STROBE_STORED_GLSL
 #define STROBE_STORED_GLSL
 
 const float kLargestHalf = 65504.0;
 
-// Nearest half float of a value with a magnitude of at most 65504; infinity and NaN are unchanged.
+// Nearest half float of a value with a magnitude of at most 65504, as a float. Infinity and NaN are unchanged.
 float nearestHalf(float value) {
   uint sign_bit = floatBitsToUint(value) & 0x80000000u, magnitude = floatBitsToUint(value) & 0x7fffffffu;
   if (magnitude >= 0x7f800000u) return value;
@@ -36,6 +38,8 @@ float nearestHalf(float value) {
 // True if the value is finite and beyond the range of half floats.
 bool overflowsHalf(float value) { return abs(value) > kLargestHalf && !isinf(value); }
 
+// Colour in the format `color_format`. Counts `color_clamped` if a channel is clamped. Unchanged if the pass lacks this
+// parameter.
 vec4 quantisedColor(vec4 color) {
 #if defined(PARAM_color_format) && PARAM_color_format == color_format_fp16
   bool clamped = false;
@@ -51,6 +55,8 @@ vec4 quantisedColor(vec4 color) {
   return color;
 }
 
+// Displacement, px over the exposure, in the format `velocity_format`. Counts `velocity_clamped` if the displacement is
+// shortened. Unchanged if the pass lacks this parameter.
 vec2 quantisedVelocity(vec2 velocity) {
 #if defined(PARAM_velocity_format) && PARAM_velocity_format == velocity_format_fp16
   float largest = max(abs(velocity.x), abs(velocity.y));
@@ -64,6 +70,8 @@ vec2 quantisedVelocity(vec2 velocity) {
 }
 
 #if defined(PARAM_depth_encoding)
+// View depth, metres, after encoding to `depth_encoding` and decoding. +inf, counted as `depth_lost`, if the code of the depth
+// is the code of the sky.
 float quantisedDepth(float depth) {
 #if PARAM_depth_encoding == depth_encoding_linear
   return depth;
@@ -77,7 +85,8 @@ float quantisedDepth(float depth) {
   quantised = min(1.0 / depth, 3.402823466e38);
   decoded = 1.0 / quantised;
 #else
-  // The code 1 - n/z is stored as its distance from 1, in steps of 1 / (2^24 - 1). Single precision holds this number exactly.
+  // The shader encodes n/z, the distance of the code 1 - n/z from 1, in steps of 1 / (2^24 - 1). Single precision represents
+  // the number of steps exactly.
   quantised = round(min(near / depth, 1.0) * 16777215.0);
   decoded = near * 16777215.0 / quantised;
 #endif

@@ -3,9 +3,10 @@
 //   scene; may have: PARAM_displacement, color_tex, revealed_color_tex, revealed_depth_tex, revealed_id_tex,
 //   revealed_valid_tex.
 // Colour at the raster time of a surface point that a ray hits at another time.
-// Method: if a layer shows the point at the raster time, interpolate the layer's colour from the four nearest texels that show
-//   its surface. Otherwise shade the point. With `shades_contrast`, use the layer only in two cases: all four texels show the
-//   surface and differ by at most the share `contrast`, or the surface moves by more than `detail_below` px between samples.
+// Method: if a layer shows the point at the raster time, interpolate the layer's colour bilinearly from the four nearest
+//   texels, leaving out texels that show another surface. Otherwise shade the point. With `shades_contrast`, the layer is used
+//   only in two cases: all four texels show the surface and differ by at most the share `contrast`, or the surface moves by
+//   more than `detail_below` px between two samples.
 #ifndef STROBE_CAPTURED_COLOR_GLSL
 #define STROBE_CAPTURED_COLOR_GLSL
 #include "lib/blur.glsl"
@@ -13,12 +14,14 @@
 #include "lib/color_range.glsl"
 #include "mixin/shade.glsl"
 
-// True if the raster layer's texel shows the surface `id` at the view depth `depth`.
+// True if the texel `at` of the raster layer shows the surface `id` (instance + 1, geometry + 1) at the view depth `depth`,
+// metres. Depths may differ by the share `same_depth`.
 bool isShown(ivec2 at, uvec2 id, float depth) {
   return texelFetch(id_tex, at, 0).xy == id && relativeGap(texelFetch(depth_tex, at, 0).x, depth) <= params.same_depth;
 }
 
-// True if the revealed layer's texel shows the surface `id` at the view depth `depth`.
+// True if the texel `at` of the revealed layer shows the surface `id` at the view depth `depth`, as in `isShown`. False if the
+// pass does not read the revealed layer.
 bool isRevealed(ivec2 at, uvec2 id, float depth) {
 #if HAS_revealed_valid
   return texelFetch(revealed_valid_tex, at, 0).x > 0.5 && texelFetch(revealed_id_tex, at, 0).xy == id &&
@@ -28,7 +31,7 @@ bool isRevealed(ivec2 at, uvec2 id, float depth) {
 #endif
 }
 
-// Colour of a texel of the raster layer, if `is_shown`; otherwise of the revealed layer.
+// Linear radiance of a texel, finite: of the raster layer if `is_shown` is true, otherwise of the revealed layer.
 vec3 texelOf(ivec2 at, bool is_shown) {
 #if HAS_revealed_valid
   return finiteColor(is_shown ? texelFetch(color_tex, at, 0) : texelFetch(revealed_color_tex, at, 0));
@@ -37,7 +40,8 @@ vec3 texelOf(ivec2 at, bool is_shown) {
 #endif
 }
 
-// Distance on the screen that a surface point moves between two samples, px.
+// Distance that a surface point moves on the screen between two successive samples, px: its displacement divided by the number
+// of samples. Not valid for points behind the near plane at an end of the exposure.
 float spacingOf(Hit hit) {
   vec3 open_vs = viewFromWorld(SLICE_SHUTTER_OPEN, positionOf(SLICE_SHUTTER_OPEN, hit));
   vec3 close_vs = viewFromWorld(SLICE_SHUTTER_CLOSE, positionOf(SLICE_SHUTTER_CLOSE, hit));
@@ -45,6 +49,8 @@ float spacingOf(Hit hit) {
          float(frame.slice_count * frame.iteration_count);
 }
 
+// Linear radiance of the hit point as at the raster time, from a layer or by shading (counter `shaded`). Texels with a bilinear
+// weight below 1e-3 are skipped.
 vec3 rasterColorOf(Hit hit) {
   vec3 place;
   if (!placeInRaster(hit, place)) place.xy = vec2(-2);

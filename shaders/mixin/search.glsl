@@ -1,44 +1,51 @@
 // SPDX-License-Identifier: MIT
 // Needs: params.limit; may have: PARAM_trajectory, curve_tex, max_displacement_buf, max_displacement_post_buf,
 //   revealed_max_displacement_buf, revealed_max_displacement_post_buf.
-// Iterative search for the texel whose surface is at a pixel at a given time. If a texel's surface is not at the pixel, the
-// texel's own displacement gives the next texel. This handles motion that varies over a surface (perspective, rotation). A
-// texel that passes `isAt` is at the pixel, whichever texels were tried before.
+// Iterative search in a layer for the texel of the raster time that shows the surface at a pixel at time t. A search tests a
+// start texel. If the texel's surface is not at the pixel at time t, the texel's own path gives the next texel to test. The
+// search thus handles motion that varies over a surface (perspective, rotation). A texel counts as found only if `isAt` is true
+// for it, so a poor start texel may lead to no result, but not to a wrong result.
 #ifndef STROBE_SEARCH_GLSL
 #define STROBE_SEARCH_GLSL
 #include "mixin/path.glsl"
 
-// Marks an unknown texel.
+// Position that stands for an unknown texel.
 const ivec2 kNoTexel = ivec2(-1);
 
-// Number of texels that a search tries, on straight and on curved paths. Compilers unroll a loop over two texels.
+// Number of texels that a search tests at most, on straight and on curved paths. Passes without curves always test at most two,
+// because compilers unroll a loop over two texels.
 #if HAS_curve
 const int kIterations = 2, kCurveIterations = 4;
 #else
 const int kIterations = 2, kCurveIterations = kIterations;
 #endif
 
-// True if the search tries another texel after the i-th one.
+// True if the search tests another texel after texel number i, counted from 0. `path`: path of texel i.
 bool iteratesAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurveIterations : kIterations); }
 
-// Largest difference between the paths of adjacent texels of one surface, px. A larger difference means another object.
+// Largest difference between the paths of adjacent texels of one surface, px. If the paths differ more, the texels are assumed
+// to show different objects.
 const float kMostSlope = 2.0;
 
-// Path of a texel of a layer, and the test if the layer has a surface there. The including shader defines both functions.
+// Two functions that the including shader defines: the path of a layer's texel (for times after the raster time if `after` is
+// true, otherwise before), and the test if the layer has a surface at the texel.
 Path pathOf(int layer, ivec2 texel, bool after);
 bool hasSurface(int layer, ivec2 texel);
 
-// Texel at the raster time of a surface that is at the pixel at time t and has this path.
+// Texel at the raster time of a surface that is at the pixel at time t and has this path. The texel may be outside of the
+// image.
 ivec2 nextTexel(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
 
 #if HAS_curve
-// Change of the offset at time t from a texel to the next texel along an axis, px. Unknown if both neighbours belong to another
-// object.
+// Change of the tap offset (`tapOffset`) at time t from a texel to the next texel along an axis, px. The change is unknown if
+// both neighbours along the axis belong to another object.
 struct Slope {
   vec2 px;
   bool is_known;
 };
 
+// Slope at the texel `now` with this path, along `axis`, (1, 0) or (0, 1). It is the difference to the first neighbour on the
+// same object. A neighbour is on the same object if its offset and its displacement differ by at most kMostSlope.
 Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t) {
   vec2 offset = tapOffset(path, t);
   for (int side = 1; side >= -1; side -= 2) {
@@ -51,9 +58,9 @@ Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t) {
   return Slope(vec2(0), false);
 }
 
-// Derivative of the position at time t with respect to the texel. At corners of an object, the slope along one axis is unknown.
-// The motion is then assumed to be a rotation with a uniform scale. Without this assumption, the step from a distant texel
-// would be far off.
+// Derivative of a surface point's screen position at time t with respect to its texel at the raster time. At corners of an
+// object, the slope along one axis is unknown. The motion is then assumed to be a rotation with a uniform scale. Without this
+// assumption, a Newton step from a distant texel would go far off.
 mat2 changeOf(int layer, ivec2 now, Path path, float t) {
   Slope x = slopeOf(layer, now, ivec2(1, 0), path, t), y = slopeOf(layer, now, ivec2(0, 1), path, t);
   if (!x.is_known) x.px = vec2(y.px.y, -y.px.x);
@@ -62,10 +69,12 @@ mat2 changeOf(int layer, ivec2 now, Path path, float t) {
 }
 #endif
 
-// Next texel of the search after the texel `now` of a layer.
+// Next texel to test, after the texel `now` of a layer, if that texel's surface is not at the pixel at time t. `path`: path of
+// the texel `now`.
 // Method: on a straight path, take a step of fixed-point iteration. On a curved path, take a Newton step, because a surface
-// with curved paths rotates and its paths vary. The derivative is exact for rotation on an arc. Otherwise the derivative is the
-// difference to adjacent texels. One step suffices if the whole surface rotates or stretches uniformly.
+//   with curved paths rotates, so that its paths vary. For an arc that rotates, the derivative follows from the arc. Otherwise
+//   the derivative is the difference to adjacent texels. One Newton step suffices if the whole surface rotates or stretches
+//   uniformly.
 ivec2 nextTexelOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 #if HAS_curve
   if (!isCurved(path)) return nextTexel(pixel, path, t);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene; may have: PARAM_displacement.
-// The shading function of all passes: colour of a surface point, as a function of the point and of the pose of the scene alone.
-// The raster layer, revealed layers and ground truth share it. A point has one colour, whether the raster or a ray found it.
-// Differences between methods are therefore differences of visibility and filtering.
-// Method: metallic-roughness of glTF 2.0: Lambert plus GGX (Smith, height-correlated; Schlick's Fresnel) under punctual lights
-//   with traced shadows, plus ambient light that the normal blends from ground to sky.
+// The shading function of all passes: radiance of a surface point towards the camera. The result depends only on the point and
+// on the pose of the scene. Raster layer, revealed layers and ground truth share this function, so a point has one colour,
+// whether the raster or a ray found it. Differences between methods are therefore differences of visibility and filtering.
+// Method: metallic-roughness material of glTF 2.0: Lambert plus GGX (Smith, height-correlated; Schlick's Fresnel). Lights are
+//   punctual, with traced shadows. Ambient light is a blend of the ground's and the sky's radiance, by the direction of the
+//   normal.
 #ifndef STROBE_SHADE_GLSL
 #define STROBE_SHADE_GLSL
 #include "lib/sanitise.glsl"
@@ -12,18 +13,18 @@
 
 const float kPi = 3.14159265358979;
 
-// Ambient radiance from a direction.
+// Ambient radiance from a unit direction, y up: a blend from `frame.ground` (below) to `frame.sky` (above).
 vec3 skyLight(vec3 direction_unit) { return mix(frame.ground, frame.sky, 0.5 + 0.5 * direction_unit.y); }
 
-// Radiance of a ray that leaves the scene.
+// Linear radiance of a ray that leaves the scene. The direction may have any length.
 vec3 environment(vec3 direction_ws) {
   if (frame.background.w != 0.0) return frame.background.rgb;
   return skyLight(unitOr(direction_ws, vec3(0, 1, 0)));
 }
 
-// Footprint of a pixel of the camera at `slice` on the surface's plane: change of the world position per pixel to the right
-// (column 0) and down (column 1). The footprint depends on the surface point alone. The cosine at grazing angles is at least
-// 1/16.
+// Footprint on the surface's plane of a pixel of the camera at `slice`: change of the world position per pixel to the right
+// (column 0) and down (column 1), metres. The footprint depends on the surface point alone. At grazing angles the cosine
+// between plane normal and view direction counts as at least 1/16, which bounds the footprint.
 mat2x3 footprintOf(uint slice, Surface surface) {
   SceneCamera camera = scene_cameras[slice];
   vec2 pixel = 2.0 * camera.half_extent / vec2(frame.size);
@@ -40,7 +41,8 @@ mat2x3 footprintOf(uint slice, Surface surface) {
   return mat2x3(right - view * (dot(n, right) / facing), down - view * (dot(n, down) / facing));
 }
 
-// Change of texture coordinates along `direction_ws` in the triangle's plane, by least squares on the triangle's edges.
+// Change of texture coordinates for the step `direction_ws` in the triangle's plane, by least squares on the triangle's edges.
+// `uv_edge1`, `uv_edge2`: change of the coordinates along both edges. 0 for degenerate triangles.
 vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
   vec3 e1 = surface.edge1_ws, e2 = surface.edge2_ws;
   // Divide by the largest component of the edges, so that their squares stay within range at any scale of the scene.
@@ -56,8 +58,9 @@ vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
   return ((p * c - q * b) * uv_edge1 + (q * a - p * b) * uv_edge2) / determinant;
 }
 
-// Texel of a texture slot at a surface point, filtered anisotropically: several lookups along the longer axis of the footprint,
-// with the mip level of the shorter axis. The slot must have a texture. A texture with a single level gets one lookup.
+// Texture value of a slot at a surface point, filtered anisotropically: the mean of several lookups along the longer axis of
+// the footprint, with the mip level that fits the distance between lookups. `footprint_ws`: result of `footprintOf`. The slot
+// must have a texture. A texture with a single mip level gets one lookup.
 vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   vec2 uv = transformedUv(use, surface.uv0, surface.uv1);
   bool is_plain = textureQueryLevels(scene_textures[nonuniformEXT(use.texture)]) == 1;
@@ -82,12 +85,13 @@ vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   return sum / float(taps);
 }
 
-// Texels at a surface point, one per texture slot; 1 for slots without a texture.
+// Texture values at a surface point, one per texture slot; 1 for slots without a texture.
 struct Texels {
   vec4 base_color, metallic_roughness, normal, emissive;
 };
 
-// Texels of the first `count` slots. One loop serves all slots, because each inlined copy of a lookup takes long to compile.
+// Texture values of the first `count` slots (in the order of USE_*); 1 for the others. One loop serves all slots, because each
+// inlined copy of a lookup takes long to compile.
 Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
   Texels texels = Texels(vec4(1), vec4(1), vec4(1), vec4(1));
   for (int i = 0; i < count; ++i) {
@@ -102,8 +106,8 @@ Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
   return texels;
 }
 
-// World directions of increasing texture coordinates u and v of a texture slot, not of unit length. Returns false if the
-// coordinates are constant.
+// World directions of increasing texture coordinates u and v of a slot, not of unit length. Returns false if the mapping from
+// surface to coordinates is degenerate.
 bool textureAxes(SceneTextureUse use, Surface surface, out vec3 along_u, out vec3 along_v) {
   vec2 d1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
   vec2 d2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
@@ -115,8 +119,9 @@ bool textureAxes(SceneTextureUse use, Surface surface, out vec3 along_u, out vec
   return determinant != 0.0;
 }
 
-// Normal with the material's normal map. The tangent frame is from the vertices' tangents (glTF 2.0, 3.7.2.1) or, if they are
-// missing, from the triangle's texture gradients.
+// Unit normal in world space, perturbed by the material's normal map; the interpolated normal if the material has no such map.
+// `texel`: value of the map. The tangent frame is from the vertices' tangents (glTF 2.0, 3.7.2.1) or, if they are missing, from
+// the directions of the texture coordinates on the triangle.
 vec3 bumpedNormal(uint slice, Hit hit, SceneMaterial material, Surface surface, vec4 texel) {
   SceneTextureUse use = material.uses[USE_NORMAL];
   if (use.texture < 0) return surface.normal_ws;
@@ -136,14 +141,15 @@ vec3 bumpedNormal(uint slice, Hit hit, SceneMaterial material, Surface surface, 
   return unitOr(tangent * n.x - bitangent * n.y + surface.normal_ws * max(n.z, 1e-3), surface.normal_ws);
 }
 
+// Parameters of the reflection at a surface point.
 struct Reflectance {
   vec3 diffuse;   // albedo
   vec3 specular;  // reflectance at normal incidence
   float alpha;    // GGX width
 };
 
-// Diffuse and specular reflectance for light from the direction `light`, times the cosine between the normal and this
-// direction.
+// BRDF (diffuse plus specular) for light from the direction `light`, times the cosine between this direction and the normal n.
+// 0 for light from behind. n, `view` (towards the camera) and `light` are unit vectors.
 vec3 reflected(Reflectance r, vec3 n, vec3 view, vec3 light) {
   float n_l = dot(n, light);
   if (n_l <= 0.0) return vec3(0);
@@ -158,9 +164,12 @@ vec3 reflected(Reflectance r, vec3 n, vec3 view, vec3 light) {
   return (r.diffuse / kPi * (1.0 - fresnel) + fresnel * distribution * visibility) * n_l;
 }
 
-// Distance of a shadow ray's origin from its surface, large enough for single precision to separate both: the share 2^-14 of
-// the distance to the frame's origin or to the light, whichever is larger. A share works at any scale of the scene.
+// Lift of shadow rays off their surface, as a share of a distance: 2^-14.
 const float kShadowLift = 6.1e-5;
+
+// Origin of a shadow ray: the surface point, lifted off its surface so far that single precision separates both. The lift is
+// the share 2^-14 of the distance to the frame's origin (its largest coordinate) or of `extent`, the distance to the light,
+// whichever is larger. A share works at any scale of the scene.
 vec3 shadowOrigin(Surface surface, float extent) {
   vec3 p = abs(surface.position_ws);
   float reach = max(max(p.x, max(p.y, p.z)), extent);
@@ -168,15 +177,16 @@ vec3 shadowOrigin(Surface surface, float extent) {
 }
 
 #ifdef STROBE_KEEPS_SHADOWS
-// Bits of the first 32 lights. known_*: input, lights that are known to be visible or blocked and therefore need no ray.
-// found_*: output, lights that rays found visible or blocked.
+// Results of shadow rays, reused from earlier rays and kept for later rays by passes that define STROBE_KEEPS_SHADOWS. Bit i is
+// for light i of the first 32 lights. known_free, known_blocked: input; lights that are known to be visible or blocked and need
+// no ray. found_free, found_blocked: output; lights that rays found visible or blocked.
 uint known_free = 0u, known_blocked = 0u, found_free = 0u, found_blocked = 0u;
 
-// Bit of a light; 0 from light 32 on.
+// Bit of light `number`; 0 from light 32 on, which has no bit.
 uint bitOf(uint number) { return number < 32u ? 1u << number : 0u; }
 #endif
 
-// True if the light is known to be blocked without a ray.
+// True if light `number` is known to be blocked, without a ray.
 bool isKnownBlocked(uint number) {
 #ifdef STROBE_KEEPS_SHADOWS
   return (known_blocked & bitOf(number)) != 0u;
@@ -185,7 +195,8 @@ bool isKnownBlocked(uint number) {
 #endif
 }
 
-// True if the shadow ray to light `number` is blocked. The ray is traced unless the result is known.
+// True if the shadow ray to light `number` is blocked. The ray is traced unless the light is known to be visible. `t_max`:
+// distance of the light along the ray.
 bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
 #ifdef STROBE_KEEPS_SHADOWS
   uint bit = bitOf(number);
@@ -199,8 +210,8 @@ bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
 #endif
 }
 
-// Irradiance at a surface from punctual light `number`, at normal incidence, including the shadow; 0 on surfaces that face
-// away. `towards`: output, unit direction to the light.
+// Irradiance at normal incidence from punctual light `number` at a surface point, after the shadow test. 0 if the surface faces
+// away from the light or the light does not reach it. `towards`: output, unit direction to the light.
 vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
   SceneLight light = scene_lights[slice * frame.light_count + number];
   vec3 offset = light.position - surface.position_ws;
@@ -239,8 +250,8 @@ vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
 }
 
 #ifdef STROBE_KEEPS_SHADOWS
-// Trace the shadow rays that `shade` traces for a point, without its normal map. Where a normal map turns the surface away from
-// a light or towards it, `shade` traces other lights.
+// Trace the shadow rays that `shade` traces for a point, to set found_free and found_blocked without shading. The function
+// ignores normal maps: where a map turns the normal towards or away from a light, `shade` traces rays to other lights.
 void findShadows(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);
   if ((scene_materials[surface.material].flags & MATERIAL_UNLIT) != 0u) return;
@@ -254,19 +265,20 @@ void findShadows(uint slice, Hit hit) {
 // Number of radiances that this invocation replaced because they were not finite.
 uint replaced_radiances = 0u;
 
-// Radiance after NaN is replaced by 0 and infinity by 65504, so that one texel or light does not spoil a pixel's mean.
+// Finite radiance: NaN becomes 0 and infinity 65504, so that one bad texel or light does not spoil the mean of a pixel.
 vec3 finiteRadiance(vec3 radiance) {
   vec3 sound = finiteColor(vec4(radiance, 0));
   if (sound != radiance) ++replaced_radiances;
   return sound;
 }
 
-// Base colour of a surface point. `texel`: texel of the base colour texture at the point.
+// Base colour of a surface point, linear: material colour times vertex colour times texel. `texel`: value of the base colour
+// texture at the point.
 vec3 baseColorOf(SceneMaterial material, Surface surface, vec4 texel) {
   return material.base_color.rgb * surface.color.rgb * texel.rgb;
 }
 
-// Radiance of a surface point towards the camera; may be infinite or NaN.
+// Linear radiance of a surface point towards the camera, with the scene posed at `slice`; may be infinite or NaN.
 vec3 radianceOf(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);
   SceneMaterial material = scene_materials[surface.material];
@@ -293,7 +305,8 @@ vec3 radianceOf(uint slice, Hit hit) {
     if (irradiance == vec3(0)) continue;
     radiance += irradiance * reflected(r, surface.normal_ws, view, towards);
   }
-  // Ambient light: diffuse by the normal, specular by the mirror direction, dimmer for rough surfaces.
+  // Add ambient light: the diffuse part by the normal, the specular part by the mirror direction. Towards grazing angles, the
+  // specular part of rough surfaces rises less than the specular part of smooth ones.
   vec3 mirror = reflect(-view, surface.normal_ws);
   float edge = pow(1.0 - clamp(dot(surface.normal_ws, view), 0.0, 1.0), 5.0);
   vec3 fresnel = r.specular + (max(vec3(1.0 - roughness), r.specular) - r.specular) * edge;
@@ -301,7 +314,7 @@ vec3 radianceOf(uint slice, Hit hit) {
   return radiance;
 }
 
-// Radiance of the hit point towards the camera, with the scene posed at `slice`; linear, scene-referred, finite.
+// Linear radiance of the hit point towards the camera, with the scene posed at `slice`; scene-referred, finite.
 vec3 shade(uint slice, Hit hit) { return finiteRadiance(radianceOf(slice, hit)); }
 
 #endif

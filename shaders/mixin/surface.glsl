@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene; may have: PARAM_displacement.
-// Attributes, positions and screen paths of the surface at hit points, at any slice.
+// Attributes, positions and screen paths of surface points, which are given as hits (lib/hit.glsl), at any slice.
 #ifndef STROBE_SURFACE_GLSL
 #define STROBE_SURFACE_GLSL
 #include "mixin/camera.glsl"
 #include "mixin/vertex.glsl"
 
+// Indices of the three vertices of a triangle.
 struct Triangle {
   uint vertex[3];
 };
 
+// Vertices of a triangle of the geometry. `primitive`: number of the triangle within the geometry.
 Triangle triangleOf(SceneGeometry geometry, uint primitive) {
   Triangle triangle;
   for (uint corner = 0u; corner < 3u; ++corner) triangle.vertex[corner] = vertexOf(geometry, primitive, corner);
@@ -22,8 +24,8 @@ vec3 worldFromObject(SceneTransform transform, vec3 position_os) {
   return vec3(dot(transform.row_x, p), dot(transform.row_y, p), dot(transform.row_z, p));
 }
 
-// World normal, not of unit length. The cofactors of the matrix transform normals correctly under non-uniform scale and
-// mirroring, without an inverse.
+// Normal in world space from a normal in object space; not of unit length. The cofactors of the transform's matrix give correct
+// normals under non-uniform scale and mirroring, without an inverse.
 vec3 normalFromObject(SceneTransform transform, vec3 normal_os) {
   vec3 x = transform.row_x.xyz, y = transform.row_y.xyz, z = transform.row_z.xyz;
   vec3 c0 = cross(y, z), c1 = cross(z, x), c2 = cross(x, y);
@@ -31,7 +33,8 @@ vec3 normalFromObject(SceneTransform transform, vec3 normal_os) {
   return flip * vec3(dot(c0, normal_os), dot(c1, normal_os), dot(c2, normal_os));
 }
 
-// Unit vector along v at any scale (the largest component is divided out first); `fallback` if v is 0 or infinite.
+// Unit vector along v; `fallback` if v is 0 or infinite. The largest component is divided out first, so that the squares of
+// components stay within range at any scale.
 vec3 unitOr(vec3 v, vec3 fallback) {
   float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
   if (!(largest > 0.0) || isinf(largest)) return fallback;
@@ -39,9 +42,10 @@ vec3 unitOr(vec3 v, vec3 fallback) {
   return v * inversesqrt(dot(v, v));
 }
 
+// Weights of the three corners of a triangle from barycentric coordinates (the weights of the second and third corner).
 vec3 cornerWeights(vec2 barycentrics) { return vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics); }
 
-// World position of a hit point at `slice`.
+// World position of a hit point, with the scene posed at `slice`.
 vec3 positionOf(uint slice, Hit hit) {
   Triangle triangle = triangleOf(geometryOf(hit.instance, hit.geometry), hit.primitive);
   vec3 weights = cornerWeights(hit.barycentrics);
@@ -51,8 +55,9 @@ vec3 positionOf(uint slice, Hit hit) {
   return worldFromObject(transformOf(slice, hit.instance), position_os);
 }
 
-// Position of a hit point in the image of the raster time: texel coordinates, with whole numbers at the centres of texels, and
-// view depth. Returns false if the point is not in front of the camera.
+// Position of a hit point in the raster image. `place`: output; xy: texel coordinates, with whole numbers at the centres of
+// texels; z: view depth at the raster time, metres. Returns false if the point is not in front of the near plane of a
+// perspective camera.
 bool placeInRaster(Hit hit, out vec3 place) {
   vec3 raster_vs = viewFromWorld(SLICE_RASTER, positionOf(SLICE_RASTER, hit));
   place = vec3(pixelFromView(SLICE_RASTER, raster_vs) - frame.subpixel - 0.5, raster_vs.z);
@@ -60,10 +65,11 @@ bool placeInRaster(Hit hit, out vec3 place) {
   return camera.orthographic != 0u || raster_vs.z > camera.near;
 }
 
-// True if the hit instance is proven static within the exposure. True for the sky, which moves only with the camera.
+// True if the hit instance is proven static within the exposure. Also true for a miss, because the sky moves only with the
+// camera.
 bool isAtRest(Hit hit) { return !isHit(hit) || instanceAt(hit.instance).moves == 0u; }
 
-// True if the instance is deformed: its vertices move relative to each other.
+// True if the instance deforms: its vertices move relative to each other, by joints or morph targets.
 bool deforms(uint instance) {
 #if FACT_deforms
   return isDeformed(geometryOf(instance, 0u).first_vertex);
@@ -72,8 +78,8 @@ bool deforms(uint instance) {
 #endif
 }
 
-// World position at `slice` of a point that moves with an instance and is at `position_ws` at the raster time. NaN for deformed
-// instances, which have no single transform; every distance test with NaN then fails.
+// World position at `slice` of a point that is fixed to an instance and is at `position_ws` at the raster time. NaN for
+// deformed instances, which have no single transform; a test of a distance against a bound is then false.
 vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
 #if FACT_deforms
   if (deforms(instance)) return vec3(uintBitsToFloat(0x7fc00000u));
@@ -84,19 +90,20 @@ vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
   return worldFromObject(transformOf(slice, instance), position_os);
 }
 
+// Attributes of a surface point at one slice.
 struct Surface {
   vec3 position_ws;
-  vec3 face_normal_ws;  // unit, of the triangle, on the side that the ray hit
-  vec3 normal_ws;       // unit, interpolated, on the side that the ray hit
-  float normal_side;    // -1 if the vertices' normals are on the other side
-  vec2 uv0, uv1;
-  vec4 color;
+  vec3 face_normal_ws;  // unit normal of the triangle, on the side that the ray hit
+  vec3 normal_ws;       // unit normal interpolated from the vertices, on the side that the ray hit
+  float normal_side;    // -1 if the vertices' normals are on the other side, so that normal_ws is reversed; otherwise 1
+  vec2 uv0, uv1;        // two sets of texture coordinates
+  vec4 color;           // vertex colour, linear
   vec3 edge1_ws, edge2_ws;      // corner 1 - corner 0, corner 2 - corner 0
-  vec2 uv0_edge1, uv0_edge2, uv1_edge1, uv1_edge2;
-  uint material;
+  vec2 uv0_edge1, uv0_edge2, uv1_edge1, uv1_edge2;  // changes of uv0 and uv1 along these edges
+  uint material;        // index into scene_materials
 };
 
-// Surface at a hit point, posed at `slice`.
+// Attributes of a hit point, with the scene posed at `slice`.
 Surface surfaceOf(uint slice, Hit hit) {
   SceneGeometry geometry = geometryOf(hit.instance, hit.geometry);
   SceneTransform transform = transformOf(slice, hit.instance);
@@ -114,14 +121,16 @@ Surface surfaceOf(uint slice, Hit hit) {
   vec3 normal_os =
       weights.x * vertexNormal(slice, a) + weights.y * vertexNormal(slice, b) + weights.z * vertexNormal(slice, c);
   vec3 normal_ws = unitOr(normalFromObject(transform, normal_os), side * surface.face_normal_ws);
-  // The face normal gives the side that the ray hit, because some meshes have normals that disagree with their winding.
+  // Orient the interpolated normal by the face normal, because some meshes have vertex normals that disagree with their
+  // winding.
   surface.normal_side = dot(normal_ws, surface.face_normal_ws) < 0.0 ? -1.0 : 1.0;
   surface.normal_ws = surface.normal_side * normal_ws;
   vec2 a_uv0 = vertexUv0(a), b_uv0 = vertexUv0(b), c_uv0 = vertexUv0(c);
   vec2 a_uv1 = vertexUv1(a), b_uv1 = vertexUv1(b), c_uv1 = vertexUv1(c);
   surface.uv0 = weights.x * a_uv0 + weights.y * b_uv0 + weights.z * c_uv0;
   surface.uv1 = weights.x * a_uv1 + weights.y * b_uv1 + weights.z * c_uv1;
-  // Interpolate by differences, so that three equal colours give exactly this colour in spite of rounded weights.
+  // Interpolate the colour by differences: three equal corner colours then give exactly this colour, although the weights are
+  // rounded.
   vec4 color = vertexColor(a);
   surface.color = color + weights.y * (vertexColor(b) - color) + weights.z * (vertexColor(c) - color);
   surface.edge1_ws = worldFromObject(transform, b_os) - worldFromObject(transform, a_os);
@@ -134,7 +143,8 @@ Surface surfaceOf(uint slice, Hit hit) {
   return surface;
 }
 
-// xyz: direction of a tangent packed by packedTangent (runtime/world/tangent.h). w: handedness, 1 or -1; 0 without a tangent.
+// Unpacked tangent of a vertex, as packed by `packedTangent` (runtime/world/tangent.h). xyz: unit direction in object space. w:
+// handedness, 1 or -1; 0 without a tangent.
 vec4 unpackedTangent(uint packed) {
   if ((packed & TANGENT_PRESENT) == 0u) return vec4(0);
   const uint mask = (1u << TANGENT_BITS) - 1u;
@@ -146,8 +156,8 @@ vec4 unpackedTangent(uint packed) {
   return vec4(normalize(direction), (packed & TANGENT_NEGATIVE) != 0u ? -1.0 : 1.0);
 }
 
-// xyz: tangent of a hit in world space, not of unit length. w: handedness, 1 or -1; 0 if a vertex of the triangle has no
-// tangent.
+// Tangent at a hit point, interpolated from the vertices, with the scene posed at `slice`. xyz: direction in world space, not
+// of unit length. w: handedness, 1 or -1; 0 if a vertex of the triangle has no tangent.
 vec4 tangentOf(uint slice, Hit hit) {
   SceneGeometry geometry = geometryOf(hit.instance, hit.geometry);
   Triangle triangle = triangleOf(geometry, hit.primitive);
@@ -166,9 +176,9 @@ vec4 tangentOf(uint slice, Hit hit) {
   return vec4(dot(x, tangent_os), dot(y, tangent_os), dot(z, tangent_os), handedness * mirrored);
 }
 
-// World position at `slice` of a hit point that is at `raster_ws` at the raster time. Differences of poses and vertices are
-// added to `raster_ws`. Static points therefore stay exactly in place, and a point of a large mesh is as precise as the ray
-// that hit it.
+// World position at `slice` of a hit point that is at `raster_ws` at the raster time. The function adds the differences between
+// both poses to `raster_ws`. Static points therefore stay exactly in place, and a point of a large mesh is as precise as the
+// ray that hit it.
 vec3 movedTo(uint slice, Hit hit, vec3 raster_ws) {
   SceneTransform then = transformOf(slice, hit.instance), now = transformOf(SLICE_RASTER, hit.instance);
   SceneTransform step = SceneTransform(then.row_x - now.row_x, then.row_y - now.row_y, then.row_z - now.row_z);
@@ -189,26 +199,27 @@ vec3 movedTo(uint slice, Hit hit, vec3 raster_ws) {
   return raster_ws + worldFromObject(step, position_os);
 }
 
-// Screen offset of a hit point from the raster time to the time of `slice`, px. `raster_ws`: world position of the point at the
-// raster time.
+// Screen position of a hit point at the time of `slice` minus its position at the raster time, px. `raster_ws`: world position
+// of the point at the raster time.
 vec2 pathOf(uint slice, Hit hit, vec3 raster_ws) {
   vec3 raster_vs = viewFromWorld(SLICE_RASTER, raster_ws);
   return pathFromRasterTime(raster_vs, slice, viewFromWorld(slice, movedTo(slice, hit, raster_ws)));
 }
 
-// Screen offset of a point of a rigid instance from the raster time to the time of `slice`, px. `position_ws`: world position
-// of the point at the raster time.
+// Screen position of a point that is fixed to a rigid instance, at the time of `slice`, minus its position at the raster time,
+// px. `position_ws`: world position of the point at the raster time.
 vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
   vec3 raster_vs = viewFromWorld(SLICE_RASTER, carriedBy(instance, SLICE_RASTER, position_ws));
   return pathFromRasterTime(raster_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
 }
 
-// Distance of the near plane for directions of the sky, which are scaled to a view depth of 1 at the raster time. Directions
-// have no length, so the camera's near distance does not apply to them.
+// View depth of the near plane for points of the sky. These points are directions that are scaled to a view depth of 1 at the
+// raster time, so the camera's near distance in metres does not apply to them.
 const float kSkyNear = 1.0 / 64.0;
 
-// Screen offset of an infinitely distant point along a camera's ray, from the raster time to the time of `slice`, px. The point
-// moves with the camera's rotation alone.
+// Screen position of an infinitely distant point at the time of `slice` minus its position at the raster time, px. The point
+// moves with the camera's rotation alone. `direction_ws`: direction of the camera ray through the point at the raster time; its
+// view depth is 1.
 vec2 pathOfSky(uint slice, vec3 direction_ws) {
   if (scene_cameras[SLICE_RASTER].orthographic != 0u) return vec2(0);
   vec3 raster_vs = viewFromWorld(SLICE_RASTER, scene_cameras[SLICE_RASTER].position + direction_ws);
@@ -216,9 +227,9 @@ vec2 pathOfSky(uint slice, vec3 direction_ws) {
   return pathFromRasterTime(raster_vs, slice, other_vs, kSkyNear);
 }
 
-// Screen displacement of a hit point over the exposure, px: position at shutter close minus position at shutter open. With the
-// parameter `displacement` = extrapolated, the displacement is instead the path since the previous frame, scaled by the length
-// of the exposure in frames, for every anchor.
+// Screen displacement of a hit point over the exposure, px: its position at shutter close minus its position at shutter open.
+// With the parameter `displacement` = extrapolated, the displacement is instead the path since the previous frame, times the
+// length of the exposure in frames, for every anchor. `raster_ws`: world position of the point at the raster time.
 vec2 displacementOf(Hit hit, vec3 raster_ws) {
 #if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
   return -frame.exposure * pathOf(SLICE_PREVIOUS, hit, raster_ws);
@@ -227,7 +238,7 @@ vec2 displacementOf(Hit hit, vec3 raster_ws) {
 #endif
 }
 
-// Screen displacement of the sky over the exposure, px.
+// Screen displacement of the sky over the exposure, px, as in `displacementOf`. `direction_ws`: as in `pathOfSky`.
 vec2 displacementOfSky(vec3 direction_ws) {
 #if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
   return -frame.exposure * pathOfSky(SLICE_PREVIOUS, direction_ws);
@@ -236,8 +247,10 @@ vec2 displacementOfSky(vec3 direction_ws) {
 #endif
 }
 
-// Hit of a camera's ray on a known triangle, for example a triangle that the raster found. A point just outside of the
-// triangle, which the raster includes by rounding, is moved to the triangle's border.
+// Hit of a camera's ray on a known triangle, for example the triangle that the raster layer shows, with the scene posed at
+// `slice`. Raster layer and rays use this one function, so their results are equal. A point just outside of the triangle, which
+// the raster includes by rounding, is moved to the triangle's border. If the triangle is degenerate or seen edge-on, the hit is
+// its centre. `geometry_index`: geometry within the instance. `primitive`: triangle within the geometry.
 Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint primitive) {
   SceneTransform transform = transformOf(slice, instance);
   Triangle triangle = triangleOf(geometryOf(instance, geometry_index), primitive);
@@ -253,12 +266,12 @@ Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint 
   vec3 weights = max(cornerWeights(barycentrics), vec3(0));
   weights /= weights.x + weights.y + weights.z;
   vec3 position_ws = a + weights.y * edge1 + weights.z * edge2;
-  // A mirroring transform reverses the winding.
+  // A mirroring transform reverses the winding of the corners.
   float handed = dot(transform.row_x.xyz, cross(transform.row_y.xyz, transform.row_z.xyz));
   bool front = (determinant > 0.0) == (handed >= 0.0);
   float t = viewFromWorld(slice, position_ws).z;
-  // On triangles with distant corners, rounding errors of the corners can be as large as near objects. There, the ray's
-  // distance to the plane is more accurate.
+  // On triangles with distant corners, rounding errors of the corners can be as large as near objects. For these triangles,
+  // compute t as the ray's distance to the plane, which is more accurate.
   vec3 reach = max(abs(edge1), abs(edge2));
   bool large = max(reach.x, max(reach.y, reach.z)) > 16.0 * t;
   bool inside = all(greaterThanEqual(cornerWeights(barycentrics), vec3(0)));

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, hit_tex, normal_tex, params.max_stretch.
-// Screen paths of the surface points at the texels of a layer, from the scene's poses, and the stretch of pixels along these
-// paths.
+// Screen paths of the surface points that the texels of a layer show, computed from the poses of the scene, and the test if the
+// surface stretches along these paths.
 #ifndef STROBE_TEXEL_PATH_GLSL
 #define STROBE_TEXEL_PATH_GLSL
 #include "lib/blur.glsl"
 #include "mixin/surface.glsl"
 
-// Screen offset of a texel's surface point from the raster time to the time of `slice`, px.
+// Screen position of a texel's surface point at the time of `slice` minus its position at the raster time, px. Without the read
+// `hit`, instances count as rigid.
 vec2 pathOfTexel(uint slice, ivec2 at) {
   Ray ray = cameraRay(SLICE_RASTER, samplePosition(at));
   uint id = texelFetch(id_tex, at, 0).x;
@@ -22,33 +23,37 @@ vec2 pathOfTexel(uint slice, ivec2 at) {
 #endif
 }
 
-// PATH_* bits (shared/scene.h) of an instance. `id`: instance + 1, 0 for the sky. The sky follows the camera, so its path
-// counts as curved and turning.
+// Properties of the motion of an instance, as PATH_* bits (shared/scene.h). `id`: instance + 1, or 0 for the sky. The sky has
+// the bits PATH_CURVED and PATH_TURNS, because it follows every rotation of the camera.
 uint pathKind(uint id) { return id == 0u ? PATH_CURVED | PATH_TURNS : instanceAt(id - 1u).path; }
 
-// Screen offset of a texel's surface point from the raster time to time t, the time of `slice`, px. `kind`: PATH_* bits of the
-// texel's instance. Offsets on straight paths follow from the displacement.
+// Screen position of a texel's surface point at time t minus its position at the raster time, px. `slice`: slice of the time t.
+// `kind`: PATH_* bits of the texel's instance. If the path is straight, the result follows from the displacement, without a
+// pose.
 vec2 shiftAt(uint slice, float t, ivec2 at, uint kind) {
   if ((kind & PATH_CURVED) != 0u) return pathOfTexel(slice, at);
   return t * vec2(texelFetch(velocity_tex, at, 0));
 }
 
-// True if the texel is in the image and shows the instance `id`.
+// True if the texel is in the image and shows the instance `id` (instance + 1, or 0 for the sky).
 bool isSame(ivec2 at, uint id) { return isInside(at, ivec2(frame.size)) && texelFetch(id_tex, at, 0).x == id; }
 
-// World position where the ray through a texel meets the plane through `point_ws` with the normal `normal_ws`.
+// Intersection, in world space, of the camera ray through a texel with the plane through `point_ws` with the normal
+// `normal_ws`.
 vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
   Ray ray = cameraRay(SLICE_RASTER, samplePosition(at));
   return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
 }
 
-// Offsets of the texel itself and of its four neighbours.
+// Offsets to the texel itself and to its four neighbours.
 const ivec2 kCross[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
 
-// True if the surface at the pixel stretches too far: a neighbouring texel of the same object, 1 px away at the raster time, is
-// more than `max_stretch` px away at shutter open or shutter close. If the object has no neighbour along an axis, because its
-// surface is turned away, a point on the surface's plane replaces the neighbour. One loop covers both ends of the exposure and
-// all texels, because each inlined copy of the path takes long to compile.
+// True if the surface at the pixel stretches so far that filters would leave holes between its texels. The test compares the
+// pixel with each of the four neighbours, at 1 px, that shows the object `id` (instance + 1) too. The surface stretches too far
+// if such a neighbour's surface point is more than `max_stretch` px away at shutter open or shutter close. If neither neighbour
+// along an axis shows the object, for example because its surface is nearly edge-on, a point on the surface's plane replaces
+// the neighbour. Always false for the sky, and for passes that do not read `normal`.
+// One loop covers both ends of the exposure and all texels, because each inlined copy of the path takes long to compile.
 bool growsAt(ivec2 pixel, uint id) {
 #if HAS_normal
   vec3 normal_ws = vec3(texelFetch(normal_tex, pixel, 0));
@@ -82,7 +87,8 @@ bool growsAt(ivec2 pixel, uint id) {
 #endif
 }
 
-// True if the layer has a moving surface at the pixel.
+// True if the layer has a surface at the pixel and this surface moves on the screen. A depth of 0 marks pixels without a
+// surface.
 bool isMoving(ivec2 pixel) {
   return texelFetch(depth_tex, pixel, 0).x > 0.0 && vec2(texelFetch(velocity_tex, pixel, 0)) != vec2(0);
 }

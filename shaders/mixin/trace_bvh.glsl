@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// Tracing backend `bvh`: traversal of the runtime's own tree (shared/bvh.h) in compute shaders. Of several hits at the same
-// distance, the hit that comes first in the scene counts, in the order of instance, geometry and triangle.
-// Triangle test: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013), in double precision if the device has
-// it.
+// Tracing backend `bvh`: traversal of the runtime's own tree (shared/bvh.h), in compute shaders. If several hits have equal
+// distances, the hit that comes first in the scene counts, in the order of instance, geometry and triangle.
+// Triangle test: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013), in double precision if the device
+// supports it.
 #include "mixin/trace_bvh_stack.glsl"
 
 #ifdef STROBE_DOUBLES
 #define BVH_FLOAT double
 #define BVH_VEC2 dvec2
 
-// Structures of shared/bvh.h as pairs of words, because one load reads two words. On a processor, loads are most of the cost of
-// a ray.
+// Structures of shared/bvh.h, read as pairs of 32-bit words, because one load can read two words. On a processor, loads are
+// most of the cost of a ray.
 struct BvhNodePairs {
   double at[8];
 };
@@ -25,6 +25,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Bvh
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer BvhPairsOfTriangles { BvhTrianglePairs of[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer BvhPairsOfInstances { BvhInstancePairs of[]; };
 
+// Pair of words number `pair` of a node, of a triangle and of an instance.
 uvec2 nodeWords(uint node, int pair) { return unpackDouble2x32(BvhPairsOfNodes(scene_bvh.nodes).of[node].at[pair]); }
 uvec2 triangleWords(uint triangle, int pair) {
   return unpackDouble2x32(BvhPairsOfTriangles(scene_bvh.triangles).of[triangle].at[pair]);
@@ -33,7 +34,7 @@ uvec2 instanceWords(uint at, int pair) {
   return unpackDouble2x32(BvhPairsOfInstances(scene_bvh.instances).of[at].at[pair]);
 }
 
-// Load nodes, triangles and instances. Members that the traversal does not read are 0.
+// Nodes, triangles and instances, loaded by index. Members that the traversal does not read are 0.
 BvhNode loadedNode(uint node) {
   uvec2 w0 = nodeWords(node, 0), w1 = nodeWords(node, 1), w2 = nodeWords(node, 2), w3 = nodeWords(node, 3);
   uvec2 w4 = nodeWords(node, 4), w5 = nodeWords(node, 5), w6 = nodeWords(node, 6);
@@ -56,13 +57,15 @@ BvhInstance loadedInstance(uint at) {
 #else
 #define BVH_FLOAT float
 #define BVH_VEC2 vec2
+// Nodes, triangles and instances, loaded by index, for devices without double precision.
 BvhNode loadedNode(uint node) { return scene_bvh.nodes.at[node]; }
 BvhTriangle loadedTriangle(uint triangle) { return scene_bvh.triangles.at[triangle]; }
 BvhInstance loadedInstance(uint at) { return scene_bvh.instances.at[at]; }
 #endif
 
-// A ray in the space of a tree. The last three members serve the triangle test: `longest` is the axis of the direction's
-// largest component, `shear` maps the direction to this axis, and `mirrored` preserves the winding.
+// Ray in the space of a tree. `inverse`: 1 / direction, for the tests of boxes. The last three members are for the triangle
+// test: `longest` is the axis of the direction's largest component (0 to 2), `shear` maps the direction to this axis, and
+// `mirrored` is true if two axes are swapped to keep the winding of triangles.
 struct BvhRay {
   vec3 origin, inverse;
   vec3 shear;
@@ -70,18 +73,19 @@ struct BvhRay {
   bool mirrored;
 };
 
-// Vector with permuted axes, so that the axis `longest` of the ray becomes z.
+// Vector with permuted axes: the axis `longest` of the ray becomes z.
 vec3 alongLongest(BvhRay ray, vec3 v) {
   vec3 turned = ray.longest == 0 ? v.yzx : ray.longest == 1 ? v.zxy : v;
   return ray.mirrored ? turned.yxz : turned;
 }
 
-// 1 / direction, bounded so that planes with coordinates up to `reach` are at finite distances.
+// 1 / direction, bounded in magnitude, so that planes with coordinates up to `reach` are at finite distances along the ray.
 vec3 boundedInverse(vec3 origin, vec3 direction, float reach) {
   vec3 bounded = max(abs(direction), max(abs(origin) * 1e-36 + reach * 1e-36, vec3(1e-18)));
   return mix(1.0 / bounded, -1.0 / bounded, lessThan(direction, vec3(0)));
 }
 
+// Ray in the space of a tree. `reach`: upper bound of the coordinates of the tree's planes.
 BvhRay rayOf(vec3 origin, vec3 direction, float reach) {
   vec3 size = abs(direction);
   BvhRay ray = BvhRay(origin, boundedInverse(origin, direction, reach), vec3(0), 0, false);
@@ -92,8 +96,8 @@ BvhRay rayOf(vec3 origin, vec3 direction, float reach) {
   return ray;
 }
 
-// Ray in the space of an instance. `at`: index of the instance at its level. `root`: output, root of the tree of the instance's
-// mesh.
+// Ray in the object space of an instance, from a ray in world space. `at`: index into the instances of all levels. `root`:
+// output, root of the tree of the instance's mesh.
 BvhRay rayIn(uint at, Ray world_ray, out uint root) {
   BvhInstance instance = loadedInstance(at);
   vec4 x = instance.row_x, y = instance.row_y, z = instance.row_z;
@@ -104,8 +108,8 @@ BvhRay rayIn(uint at, Ray world_ray, out uint root) {
   return rayOf(vec3(dot(x, start), dot(y, start), dot(z, start)), direction, instance.reach);
 }
 
-// Intersection of a ray with a triangle. x: distance; a distance that is not positive is a miss. y, z: weights of the second
-// and third corner. `geometry`: output, the triangle's member `geometry`, including the flag BVH_OPAQUE.
+// Intersection of a ray with a triangle. x: distance t along the ray; t <= 0 is a miss. y, z: weights of the second and third
+// corner. `geometry`: output, the member `geometry` of the triangle, including the flag BVH_OPAQUE.
 vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   BvhTriangle met = loadedTriangle(triangle);
   geometry = met.geometry;
@@ -115,7 +119,8 @@ vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   vec2 p = a.xy - ray.shear.xy * a.z;
   vec2 q = b.xy - ray.shear.xy * b.z;
   vec2 r = c.xy - ray.shear.xy * c.z;
-  // Two products that differ after rounding have the same order before rounding, so most misses need no double precision.
+  // Reject most misses in single precision: if two products differ after rounding, their exact values have the same order. The
+  // sign of their difference is then certain.
   vec3 more = vec3(r.x * q.y, p.x * r.y, q.x * p.y), less = vec3(r.y * q.x, p.y * r.x, q.y * p.x);
   bool has_positive = more.x > less.x || more.y > less.y || more.z > less.z;
   bool has_negative = more.x < less.x || more.y < less.y || more.z < less.z;
@@ -136,35 +141,38 @@ vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
   return vec3(float(t / determinant), float(v) / divisor, float(w) / divisor);
 }
 
-// True if `triangle` comes before `other` in the scene, for triangles of one instance.
+// True if `triangle` comes before `other` in the scene, by geometry, then by number. Both are triangles of one instance.
 bool isBefore(uint triangle, uint other) {
   uint geometry = scene_bvh.triangles.at[triangle].geometry, other_geometry = scene_bvh.triangles.at[other].geometry;
   if (geometry != other_geometry) return (geometry & ~BVH_OPAQUE) < (other_geometry & ~BVH_OPAQUE);
   return scene_bvh.triangles.at[triangle].primitive < scene_bvh.triangles.at[other].primitive;
 }
 
-// One plane of each of four children, in steps of the node. The conversion is from signed integers, because processors convert
-// vectors of unsigned integers more slowly.
+// Positions of one bounding plane of each of the four children of a node, in steps from the node's origin, 0 to 255. The
+// conversion is from signed integers, because processors convert vectors of unsigned integers more slowly.
 vec4 planes(uint bytes) { return vec4(ivec4((uvec4(bytes) >> uvec4(0, 8, 16, 24)) & 255u)); }
 
-// Larger and smaller one of two finite distances, compared by their bits. A comparison of bits takes one instruction. A
-// comparison of floats takes three, to handle NaN. The order is right for distances of at least 0. The larger one is right if
-// one distance is at least 0. The smaller one is negative if one distance is negative.
+// Maximum and minimum of finite distances, compared as integers by their bits: this takes one instruction instead of three,
+// because NaN needs no special case. The bits of floats of at least 0 have the order of the floats. With negative distances,
+// the maximum is right if one of the two is at least 0. The minimum is negative if one of the two is negative.
 vec4 largestDistance(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 vec4 smallestDistance(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
 
-// Length of a node's step along each axis, in the tree's units.
+// Size of a node's quantisation step along each axis, in the units of the tree's space.
 vec3 stepsOf(BvhNode at) { return uintBitsToFloat((uvec3(at.steps) << uvec3(23, 15, 7)) & 0x7f800000u); }
 
-// Bound of the rounding errors of the distances along a ray to a node's planes. `offset`: distance to the node's origin.
-// `step_t`: distance per step.
+// Bound of the rounding errors of the distances along a ray to the bounding planes in a node, per axis. `offset`: distance
+// along the ray to the node's origin. `step_t`: distance along the ray per step.
 vec3 slackOf(vec3 offset, vec3 step_t) { return (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0); }
 
-// Nearest child that the ray meets; kNextOnStack if the ray meets no child. The ray meets the children with `enter` (0 or more)
-// <= `leave`. `others`: output, stack entry of the other children that the ray meets; 0 if it meets only one child.
+// Child of the node that the ray meets first; kNextOnStack if the ray meets no child. The node is `at`, and its index is
+// `node`. `enter`, `leave`: distances along the ray to the entry into and the exit from the boxes of the four children; `enter`
+// must be at least 0. The ray meets the children with `enter` <= `leave`. `others`: output, stack entry of the other children
+// that the ray meets, or 0.
 uint firstMet(BvhNode at, uint node, vec4 enter, vec4 leave, out uint others) {
   uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(at.steps >> 24)));
-  // Sort the distances, with the number of the child in the last bits of each. Missed children come last.
+  // Sort the children by `enter`. The last two bits of each key are the number of the child. The keys of missed children are
+  // largest, so that they come last.
   uvec4 keys = (floatBitsToUint(enter) & ~3u) | uvec4(0, 1, 2, 3) | (met - 1u);
   uvec2 first = min(keys.xz, keys.yw), second = max(keys.xz, keys.yw);
   uint k0 = min(first.x, first.y), k3 = max(second.x, second.y);
@@ -178,7 +186,8 @@ uint firstMet(BvhNode at, uint node, vec4 enter, vec4 leave, out uint others) {
   return hits == 0u ? kNextOnStack : nearest;
 }
 
-// Nearest child of a node that the ray meets between t_min (0 or more) and t_max; results as in `firstMet`.
+// Child of a node that the ray meets first between t_min (0 or more) and t_max; kNextOnStack if it meets no child. `others`:
+// output, stack entry of the other children that the ray meets, or 0 (`firstMet`).
 uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint others) {
   BvhNode at = loadedNode(node);
   vec3 step_t = stepsOf(at) * ray.inverse;
@@ -196,7 +205,8 @@ uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint othe
   return firstMet(at, node, enter, leave, others);
 }
 
-// True if a ray from `origin`, in object space, meets the triangle from behind. False in scenes without one-sided materials.
+// True if a ray from `origin` (object space) meets the triangle from behind. Always false in scenes without one-sided
+// materials.
 bool isFromBack(vec3 origin, uint triangle) {
 #if FACT_one_sided
   vec3 a = scene_bvh.triangles.at[triangle].corner[0];
@@ -207,17 +217,18 @@ bool isFromBack(vec3 origin, uint triangle) {
 #endif
 }
 
-// Level of a slice, which selects the trees: 0 for the raster time, 1 and more for the sample times of a loop. The function
-// matches levelOf of runtime/world/structures.h.
+// Level of a slice: number of the set of trees for the time of the slice. 0: raster time; from 1 on: sample times of a loop.
+// The function matches levelOf of runtime/world/structures.h.
 uint levelOf(uint slice) { return slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u; }
 
-// Root of the tree over all instances or, with the mask RAYS_TO_MOVING, over the moving instances.
+// Root node of the tree over all instances at a level or, with `mask` = RAYS_TO_MOVING, of the tree over the moving instances.
 uint rootOf(uint level, uint mask) {
   return scene_bvh.first_root + (2u * level + uint(mask == RAYS_TO_MOVING)) * scene_bvh.nodes_per_tree;
 }
 
-// Trace a ray with the parameters of `traceExcept` (mixin/trace.glsl). `mask`: RAYS_TO_*. `any_hit`: stop at the first hit
-// found, instead of the nearest. `both_sides`: one-sided surfaces count from behind too.
+// Trace one ray, for the functions of mixin/trace.glsl. Slice, interval and skipped instance are as in `traceExcept`. `mask`:
+// RAYS_TO_*. `any_hit`: return any hit in the interval (the first one found) instead of the nearest. `both_sides`: one-sided
+// surfaces count from behind too. A miss has the instance NO_INSTANCE.
 TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray world_ray, float t_min, float t_max,
                    uint skip_instance, uint skip_geometry) {
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
@@ -228,7 +239,7 @@ TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray wor
       boundedInverse(world_ray.origin, world_ray.direction, scene_bvh.nodes.at[reference].reach);
   BvhRay ray = BvhRay(world_ray.origin, world_inverse, vec3(0), 0, false);
   if (mask >= RAYS_TO_ONE) reference = BVH_LEAF | (mask - RAYS_TO_ONE);
-  uint instance = NO_INSTANCE;  // instance of the current tree; NO_INSTANCE for the tree over instances
+  uint instance = NO_INSTANCE;  // instance of the current mesh; NO_INSTANCE in the tree over instances
   BvhStack stack = noEntries();
   while (true) {
     // Descend to the next leaf.

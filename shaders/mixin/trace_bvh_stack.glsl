@@ -1,30 +1,36 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// Stack of a ray that traverses the runtime's own tree. Each entry is a node with children that are left to visit. The newest
-// six entries are in variables. The older entries, of deep trees, are in an array, which a processor keeps in memory.
+// Stack of the nodes that a ray still has to visit in the runtime's own tree. Each entry is a node with the children that are
+// left to visit. The newest six entries are in variables, which are fast. Older entries, which only deep trees have, are in an
+// array, which a processor keeps in memory.
 
-const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;  // references besides nodes and leaves
-const uint kInstanceEnds = 0xffffffffu;  // entry; older entries belong to the tree over instances
-const int kMovedAtOnce = 3;
+// References besides nodes and leaves: continue with the next child on the stack; the traversal is finished.
+const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;
+// Entry below which all entries belong to the tree over instances. Newer entries belong to the tree of one instance's mesh.
+const uint kInstanceEnds = 0xffffffffu;
+const int kMovedAtOnce = 3;  // number of entries that move between variables and array at a time
 
+// Stack of one ray.
 struct BvhStack {
   uint a, b, c, d, e, f;  // entries, newest first; 0: unused
   int older;              // number of entries in the array
 };
 
-uint older_entries[BVH_MESH_DEPTH + BVH_TOP_DEPTH + 1];  // an invocation traces one ray at a time
+// Older entries of the stack. One array suffices, because an invocation traces one ray at a time.
+uint older_entries[BVH_MESH_DEPTH + BVH_TOP_DEPTH + 1];
 
+// Empty stack.
 BvhStack noEntries() {
   return BvhStack(0u, 0u, 0u, 0u, 0u, 0u, 0);
 }
 
-// Stack entry of a node: the node, the numbers of the children that are left (last 2 bits of k1 to k3, nearest first), and the
-// number of these children.
+// Stack entry of a node: the index of the node (24 bits), the numbers of up to three children that are left, and the count of
+// these children (2 bits). The numbers are the last 2 bits of k1 to k3, nearest child first.
 uint entryOf(uint node, uint k1, uint k2, uint k3, uint count) {
   return (node << 8) | ((k1 & 3u) << 2) | ((k2 & 3u) << 4) | ((k3 & 3u) << 6) | count;
 }
 
-// Push an entry if `pushes` is true.
+// Push an entry if `pushes` is true. If all six variables are in use, the oldest three entries first move to the array.
 void push(inout BvhStack stack, uint entry, bool pushes) {
   if (pushes && stack.f != 0u) {
     older_entries[stack.older] = stack.f;
@@ -41,7 +47,7 @@ void push(inout BvhStack stack, uint entry, bool pushes) {
   stack.a = pushes ? entry : stack.a;
 }
 
-// Drop the newest entry.
+// Remove the newest entry. It must be in a variable, as it is after `top`.
 void drop(inout BvhStack stack) {
   stack.a = stack.b;
   stack.b = stack.c;
@@ -51,7 +57,7 @@ void drop(inout BvhStack stack) {
   stack.f = 0u;
 }
 
-// Newest entry; 0 if the stack is empty.
+// Newest entry; 0 if the stack is empty. If all entries are in the array, the newest three move back to the variables.
 uint top(inout BvhStack stack) {
   if (stack.a == 0u && stack.older > 0) {
     stack.older -= kMovedAtOnce;
@@ -62,7 +68,7 @@ uint top(inout BvhStack stack) {
   return stack.a;
 }
 
-// Take the next child from the newest entry. Returns kNothingLeft if the stack is empty.
+// Take the next child from the newest entry, and return its reference. Returns kNothingLeft if the stack is empty.
 uint takeFrom(inout BvhStack stack) {
   uint entry = top(stack);
   if (entry == 0u) return kNothingLeft;

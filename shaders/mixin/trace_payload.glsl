@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Payload of a ray between the stages of the ray tracing pipeline, and the test that accepts hits in every backend.
+// Payload of a ray between the stages of the ray tracing pipeline, and the test that accepts hits in every backend: by skipped
+// instances, alpha cut-outs and one-sided materials. The rasteriser uses the tests of alpha and of one-sided materials too.
 #ifndef STROBE_TRACE_PAYLOAD_GLSL
 #define STROBE_TRACE_PAYLOAD_GLSL
 #include "lib/random.glsl"
 #include "mixin/vertex.glsl"
 
+// Data that the stages of the ray tracing pipeline exchange. The first five members are the hit; the last two are the instance
+// and geometry that the ray skips.
 struct TracePayload {
   uint instance, geometry, primitive;
   vec2 barycentrics;
@@ -13,17 +16,17 @@ struct TracePayload {
   uint skip_instance, skip_geometry;
 };
 
-// Texture coordinates of a texture slot, after the slot's transform.
+// Texture coordinates for a texture slot: the coordinate set that the slot uses, after the slot's transform.
 vec2 transformedUv(SceneTextureUse use, vec2 uv0, vec2 uv1) {
   vec2 uv = use.uv_set == 0u ? uv0 : uv1;
   return use.u * uv.x + use.v * uv.y + use.offset;
 }
 
 #if FACT_blend
-// Alpha threshold, in (0, 1), at a point of an instance with a blended material. Points with a lower alpha are cut out (Wyman
-// and McGuire, "Hashed Alpha Testing", I3D 2017). The threshold is constant in cubes of object space; 16 to 32 cubes span the
-// side of a pixel at the raster time. A surface point is therefore cut out or not at all times and for all rays, and samples
-// within a pixel get different thresholds.
+// Alpha threshold, in (0, 1), at a point of an instance with a blended material: points with a lower alpha are cut out (Wyman
+// and McGuire, "Hashed Alpha Testing", I3D 2017). `position_os`: position of the point in object space at the raster time.
+// The threshold is a hash of small cubes of object space; 16 to 32 cubes span the side of a pixel at the raster time. A surface
+// point therefore has one threshold at all times and for all rays, and samples within a pixel get different thresholds.
 float blendThreshold(uint instance, uint geometry, vec3 position_os) {
   SceneTransform m = transformOf(SLICE_RASTER, instance);
   SceneCamera camera = scene_cameras[SLICE_RASTER];
@@ -38,7 +41,8 @@ float blendThreshold(uint instance, uint geometry, vec3 position_os) {
 }
 #endif
 
-// Alpha threshold of a material with MATERIAL_ALPHA_MASK or MATERIAL_ALPHA_BLEND; points with a lower alpha are cut out.
+// Alpha threshold at a point of a material with MATERIAL_ALPHA_MASK or MATERIAL_ALPHA_BLEND: points with a lower alpha are cut
+// out. `position_os`: as in `blendThreshold`.
 float leastAlpha(SceneMaterial material, uint instance, uint geometry, vec3 position_os) {
 #if FACT_blend
   if ((material.flags & MATERIAL_ALPHA_BLEND) != 0u) return blendThreshold(instance, geometry, position_os);
@@ -46,7 +50,8 @@ float leastAlpha(SceneMaterial material, uint instance, uint geometry, vec3 posi
   return material.alpha_cutoff;
 }
 
-// True if alpha cuts a point of a triangle out. Texels are read at full resolution, so that raster and rays agree.
+// True if alpha cuts out a point of a triangle. The texture is read at full resolution, without mip levels, so that raster and
+// rays agree.
 bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentrics) {
   SceneGeometry geometry = geometryOf(instance, geometry_index);
   SceneMaterial material = scene_materials[geometry.material];
@@ -73,14 +78,15 @@ bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentr
   return alpha < leastAlpha(material, instance, geometry_index, position_os);
 }
 
-// True if the material of a geometry is one-sided.
+// True if the material of the geometry is one-sided.
 bool isOneSided(uint instance, uint geometry_index) {
   SceneGeometry geometry = geometryOf(instance, geometry_index);
   return (scene_materials[geometry.material].flags & MATERIAL_ONE_SIDED) != 0u;
 }
 
-// True if a ray accepts the hit. `is_back_face`: true if the ray meets the triangle from behind and passes through the backs of
-// one-sided materials.
+// True if a ray accepts a hit. A hit is rejected if it is on the skipped instance or geometry, if alpha cuts the point out, or
+// if it is on the back of a one-sided material. `is_back_face`: true if the ray meets the triangle from behind and does not
+// count both sides.
 bool acceptsHit(uint instance, uint geometry, uint primitive, vec2 barycentrics, uint skip_instance, uint skip_geometry,
                 bool is_back_face) {
   bool skipped = instance == skip_instance && (skip_geometry == NO_INSTANCE || geometry == skip_geometry);

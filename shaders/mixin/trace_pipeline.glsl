@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// Tracing backend `pipeline`: ray tracing pipelines. The miss, any-hit and closest-hit stages are in shaders/backend/.
+// Tracing backend `pipeline`: ray tracing pipelines of Vulkan. The miss, any-hit and closest-hit stages are in
+// shaders/backend/.
 layout(location = 0) rayPayloadEXT TracePayload trace_payload;
 
-// Trace a ray with the parameters of `traceExcept` (mixin/trace.glsl). `mask`: RAYS_TO_*. `any_hit`: stop at the first hit
-// found, instead of the nearest. `both_sides`: one-sided surfaces count from behind too.
+// Trace one ray, for the functions of mixin/trace.glsl. Slice, interval and skipped instance are as in `traceExcept`. `mask`:
+// RAYS_TO_*. `any_hit`: return any hit in the interval (the first one found) instead of the nearest. `both_sides`: one-sided
+// surfaces count from behind too. A miss has the instance NO_INSTANCE.
 TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray, float t_min, float t_max,
                    uint skip_instance,
                    uint skip_geometry) {
@@ -14,7 +16,8 @@ TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray
 #endif
   trace_payload = TracePayload(NO_INSTANCE, 0u, 0u, vec2(0), 0.0, skip_instance, skip_geometry);
   if (any_hit) {
-    // A ray that stops at its first hit runs no closest-hit shader. It counts as a hit unless the miss shader resets it.
+    // A ray that stops at its first hit runs no closest-hit shader, which would store the hit. Store a hit in advance; the miss
+    // shader resets it to NO_INSTANCE.
     flags |= gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT;
     trace_payload.instance = 0u;
   }

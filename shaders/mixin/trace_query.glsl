@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
-// Tracing backend `query`: ray queries in compute shaders.
+// Tracing backend `query`: Vulkan ray queries, in compute shaders.
 
-// Trace a ray with the parameters of `traceExcept` (mixin/trace.glsl). `mask`: RAYS_TO_*. `any_hit`: stop at the first hit
-// found, instead of the nearest. `both_sides`: one-sided surfaces count from behind too.
+// Trace one ray, for the functions of mixin/trace.glsl. Slice, interval and skipped instance are as in `traceExcept`. `mask`:
+// RAYS_TO_*. `any_hit`: return any hit in the interval (the first one found) instead of the nearest. `both_sides`: one-sided
+// surfaces count from behind too. A miss has the instance NO_INSTANCE.
 TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray, float t_min, float t_max,
                    uint skip_instance,
                    uint skip_geometry) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Bindings of the scene (set 0), filled by the runtime. If a pass reads the scene, its generated preamble includes this file.
-// Shaders do not include the file.
+// Bindings of the scene (descriptor set 0), filled by the runtime, and functions that read them. The preamble that the runtime
+// generates for a shader includes this file if the pass reads the scene. Shaders do not include it themselves.
 #ifndef STROBE_BINDINGS_GLSL
 #define STROBE_BINDINGS_GLSL
 #include "shared/scene.h"
 
-// Arrays are read by address. A bound buffer can be limited to 128 MiB, and a software device loads from a bound buffer for
-// each invocation separately, with branches that take most of a shader's compile time. Loads by address are not checked: an
-// index must be in the array. The functions below accept any id of an instance and of a geometry. mixin/vertex.glsl reads
-// vertices and indices.
+// Arrays of the scene. Shaders read them by buffer device address instead of binding them, for two reasons. A bound buffer may
+// be limited to 128 MiB. A software device loads from a bound buffer for each invocation separately, with branches that take
+// most of a shader's compile time. Loads by address are not checked, so an index must be within its array. The functions below
+// accept any instance and geometry; mixin/vertex.glsl reads vertices and indices.
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneTangents { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
@@ -30,30 +30,33 @@ layout(set = 0, binding = 1, scalar) uniform SceneArrays {
   SceneInstances instances;
   SceneDraws draws;
   SceneMaterials materials;
-  SceneLights lights;          // slice by slice
-  SceneTransforms transforms;  // slice by slice
+  SceneLights lights;          // all lights of the first slice, then of the next slice, and so on
+  SceneTransforms transforms;  // all instances, slice by slice
   SceneCameras cameras;        // one for each slice
 #if FACT_deforms
-  SceneDeformedVertices deformed;  // slice by slice
-  uint first_deformed;      // index of the first vertex that deforms
-  uint deformed_count;      // number of vertices that deform
+  SceneDeformedVertices deformed;  // all deforming vertices, slice by slice
+  uint first_deformed;      // index of the first deforming vertex; all vertices from there on deform
+  uint deformed_count;      // number of deforming vertices
 #endif
-} scene_arrays;  // `SceneAddresses` of runtime/world/gpu_scene.cpp
+} scene_arrays;  // filled from `SceneAddresses` of runtime/world/gpu_scene.cpp
 #define scene_draws scene_arrays.draws.at
 #define scene_materials scene_arrays.materials.at
 #define scene_lights scene_arrays.lights.at
 #define scene_cameras scene_arrays.cameras.at
 
-// Valid instance id: an id out of range, which a pass under edit may write, becomes the last instance.
+// Index of an existing instance. An index out of range, as a shader that is being edited may produce, becomes the last
+// instance.
 uint knownInstance(uint instance) { return min(instance, max(frame.instance_count, 1u) - 1u); }
 
+// Instance by index; the last one if the index is out of range.
 SceneInstance instanceAt(uint instance) { return scene_arrays.instances.at[knownInstance(instance)]; }
 
-// World-from-object transform of an instance at a slice.
+// World-from-object transform of an instance, with the scene posed at `slice`.
 SceneTransform transformOf(uint slice, uint instance) {
   return scene_arrays.transforms.at[slice * frame.instance_count + knownInstance(instance)];
 }
 
+// Geometry of an instance by its number within the instance; the last one if the number is out of range.
 SceneGeometry geometryOf(uint instance, uint geometry) {
   SceneInstance of = instanceAt(instance);
   return scene_arrays.geometries.at[of.first_geometry + min(geometry, max(of.geometry_count, 1u) - 1u)];
@@ -69,13 +72,13 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Bv
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhTriangles { BvhTriangle at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
 layout(set = 0, binding = 3, scalar) uniform SceneBvh {
-  BvhNodes nodes;          // trees of all meshes; then, for each level (the raster time, then each sample time), the trees
-                           // over all instances and over the moving instances; then, for each level, the trees of the
-                           // deforming meshes
-  BvhTriangles triangles;  // triangles of all meshes; then, for each level, of the deforming meshes
+  BvhNodes nodes;          // first the trees of all meshes; then, for each level, the tree over all instances and the tree
+                           // over the moving instances; then, for each level, the trees of the deforming meshes.
+                           // Level 0 is the raster time; levels from 1 on are the sample times of a loop
+  BvhTriangles triangles;  // triangles of all meshes; then, for each level, triangles of the deforming meshes
   BvhInstances instances;  // all instances, level by level
   uint first_root;         // root of the tree over all instances at the raster time
-  uint nodes_per_tree;
-} scene_bvh;  // `Addresses` of runtime/world/own_structures.cpp
+  uint nodes_per_tree;     // number of nodes that each tree over instances occupies
+} scene_bvh;  // filled from `Addresses` of runtime/world/own_structures.cpp
 #endif
 #endif

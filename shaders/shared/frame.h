@@ -1,44 +1,50 @@
 // SPDX-License-Identifier: MIT
-// Data of the frame, available to every pass.
+// Data of the current frame, which every pass reads as `frame`. Times are in exposures relative to the raster time, unless
+// stated otherwise.
 #ifndef STROBE_SHARED_FRAME_H
 #define STROBE_SHARED_FRAME_H
 #include "shared/types.h"
 STROBE_SHARED_BEGIN
 
+// Position of the exposure relative to the raster time, and the times t of the exposure.
 #define ANCHOR_END 0u   // the exposure ends at the raster time:           t in [-1, 0]
 #define ANCHOR_CENTRE 1u  // the raster time is in the exposure's middle:    t in [-1/2, 1/2]
 #define ANCHOR_START 2u    // the exposure starts at the raster time:         t in [0, 1]
 
 #define CURVE_KNOTS 64  // largest number of knots in each half of a shutter curve
 
+// Members of `frame`. Rectangles are half-open ranges of pixels: x <= pixel x < z, y <= pixel y < w.
 struct FrameData {
-  uvec2 size;     // pixels
-  vec2 subpixel;  // offset of the sample from the pixel's centre, px
-  vec2 shutter;   // (shutter open, shutter close) relative to the raster time, in exposures
+  uvec2 size;     // of the image, pixels
+  vec2 subpixel;  // offset of the sampled position from each pixel's centre, px
+  vec2 shutter;   // times of shutter open and shutter close: (-1, 0), (-1/2, 1/2) or (0, 1), by the anchor
   uint anchor;    // ANCHOR_*
   uint frame;     // number of the frame
-  uint seed;
-  uint iteration;        // of the loop that the pass is in; 0 outside of loops
-  uint iteration_count;  // of this loop and of all loops that sample the same exposure; 1 outside of loops
-  uint part;             // number of the exposure's part that the iteration samples, below `iteration_count`
-  uint slice_count;      // scene times among which each pixel of this iteration can choose; 1 outside of loops
-  uint instance_count;
-  uint light_count;
-  vec3 sky;         // ambient radiance from above
-  vec3 ground;      // ambient radiance from below
-  vec4 background;  // rgb: radiance of rays that miss, if w is 1; if w is 0, these rays get sky and ground
-  ivec4 moving_rect;      // pixels [x, z) x [y, w) that moving surfaces can reach in the exposure; conservative
-  ivec4 crossing;   // pixels [x, z) x [y, w) that may show an object that is outside at raster time, shutter open and close
-  vec2 crossing_times;  // first and last time when such an object is visible, in exposures from the raster time
+  uint seed;      // of random numbers
+  uint iteration;        // number of the iteration, over all loops that sample this exposure together; 0 outside of loops
+  uint iteration_count;  // number of these iterations; 1 outside of loops
+  uint part;             // number of the part of the exposure that the iteration samples, from 0 to iteration_count - 1
+  uint slice_count;      // number of slices (scene times) of this iteration; each pixel may use any; 1 outside of loops
+  uint instance_count;   // number of instances in the scene
+  uint light_count;      // number of lights in the scene
+  vec3 sky;         // linear ambient radiance from above
+  vec3 ground;      // linear ambient radiance from below
+  vec4 background;  // rgb: linear radiance of rays that hit nothing; with w = 0, a blend of sky and ground replaces rgb
+  ivec4 moving_rect;      // rectangle that contains all moving surfaces at all times of the exposure; conservative
+  // Objects that are outside of the image at the raster time, shutter open and shutter close, but may be in the image between
+  // these times. Conservative.
+  ivec4 crossing;       // rectangle that contains these objects whenever they are in the image
+  vec2 crossing_times;  // first and last time when one of these objects may be in the image
   float exposure;       // length of the exposure, in frames
   uint camera_rests;    // 1 if the camera is proven static within the exposure
   uint moving_count;    // number of instances that may move within the exposure
-  // The shutter curve (runtime/math/shutter_curve.h), from shutter open and from shutter close to the middle of the curve's
-  // weight. x of a knot: distance from that end; y: share of the weight up to the knot; z: weight; w: slope of the weight.
-  uvec2 curve_counts;  // number of knots from shutter open, from shutter close; 0: all times have equal weight
-  vec2 curve_sides;    // shares of the weight before and after the raster time
-  vec4 curve_opening[CURVE_KNOTS];
-  vec4 curve_closing[CURVE_KNOTS];
+  // The shutter curve (runtime/math/shutter_curve.h), in two halves: from shutter open and from shutter close to the time that
+  // divides the weight in two. Each half is a list of knots. x: distance of the knot from that end, as a share of the exposure.
+  // y: share of the weight up to the knot. z: weight at the knot (mean 1). w: slope of the weight up to the next knot.
+  uvec2 curve_counts;  // number of knots of both halves; 0: all times have equal weight
+  vec2 curve_sides;    // shares of the weight before (x) and after (y) the raster time
+  vec4 curve_opening[CURVE_KNOTS];  // knots of the half from shutter open
+  vec4 curve_closing[CURVE_KNOTS];  // knots of the half from shutter close
 };
 
 STROBE_SHARED_END

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Macros for structures that C++ fills and GLSL reads from one source; scalar layout on both sides.
+// Macros that open and close the namespace of structures that C++ fills and GLSL reads, from one source file. Both sides use
+// the scalar layout: members follow each other as in C++, without padding to 16 bytes.
 #ifndef STROBE_SHARED_TYPES_H
 #define STROBE_SHARED_TYPES_H
 #ifdef __cplusplus
