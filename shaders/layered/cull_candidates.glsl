@@ -1,38 +1,45 @@
 // SPDX-License-Identifier: MIT
-// Per cell, the candidate background displacements that may make layered/disocclusion_mask.glsl mark a pixel of the cell
-// (conservative).
-// In:  `bounds`: bounds of the displacements in each cell, px over the exposure
-//      `ids`: least and greatest instance + 1 in each cell
-//      `candidates_0` to `candidates_3`: candidate displacements of each tile, two per image, px over the exposure
-//      `max_displacement`: longest displacement in the image, px over the exposure; absent: not measured
-// Out: `culled_0` to `culled_3`: the remaining candidates, in the same order, two per image; kNoVelocity after the last
-// Method: a candidate b is kept if a walk for b from a pixel of the cell may mark that pixel. Such a walk follows the path
-//   -t*(d - b), with d in this cell's bounds. b is dropped if one of two conditions holds for every cell on these paths:
-//   - the cell shows the same single instance as this cell;
-//   - its bounds contain neither a displacement within max(1 px, match * |d - b|) of b, nor a displacement that separates from
-//   this cell's by half a pixel or more until t, which would start a second walk.
-//   Paths are extended by the longest displacement, because a walk continues behind an occluder. Pixels outside the image do
-//   not disocclude anything. The mask is the same, bit for bit, as with all candidates.
+// Culls the candidate displacements of the background, per cell: drops candidates that cannot make the pass disocclusion_mask
+// mark a pixel of the cell. Conservative; may keep a candidate without effect.
+// In:  `bounds`: bounds of the displacements in each cell (least x and y, greatest x and y), px over the exposure
+//      `ids`: least and greatest instance + 1 in each cell; 0 for the sky
+//      `candidates_0` to `candidates_3`: candidate displacements of the background per tile, two per image, px over the
+//        exposure
+//      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
+// Out: `culled_0` to `culled_3`: candidates left in each cell, in the same order, two per image; kNoVelocity after the last
+// Method: for each pixel and candidate b, disocclusion_mask walks from the pixel along the path -t*(d - b). d is the pixel's
+//   displacement, and t the time of shutter open or shutter close, in exposures from the raster time. The pixel is marked if
+//   the walk meets another instance that moves by about b. This pass tests the walks of all pixels of a cell together: d is
+//   then any displacement in the cell's bounds. b is dropped if the walks have no effect in any cell that they may cross. Walks
+//   have no effect in a cell if one of two conditions holds:
+//   - the cell shows only one instance, and the cell where the walks begin shows only this instance too;
+//   - the bounds of the cell contain neither a displacement within max(1 px, match * |d - b|) of b (parameter `match`), nor a
+//     displacement that separates from d by half a pixel or more until t. The latter would start a second walk.
+//   The paths are extended by the longest displacement, because a walk continues behind an occluder. Walks end at the border of
+//   the image. The mask is equal, bit for bit, to the mask without culling.
 // Fails: a cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. It may then mark more
 //   pixels, and candidates beyond the eighth are lost.
 #include "lib/bounds.glsl"
 #include "lib/velocity_list.glsl"
 #include "mixin/limit.glsl"
 
-// Tolerance for rounding errors in comparisons, px.
+// Margin of comparisons for rounding errors, px. With the margin, more candidates are kept.
 const float kSlack = 1e-2;
 
-// Boxes around the pixels of a set of paths, relative to the first pixel: least x and y, greatest x and y, inclusive. The box
-// `steps` contains the paths themselves. The box `farthest` also contains their extensions behind an occluder.
+// Two boxes around a set of paths, as pixel offsets from the starts of the paths: least x and y, greatest x and y, inclusive.
+// The box `steps` contains the paths themselves. The box `farthest` also contains the extensions of the paths behind an
+// occluder.
 struct Path {
   vec4 steps, farthest;
 };
 
-// Boxes around the paths -t*(d - b). `from_b`: box of the differences d - b.
+// Boxes around the paths -t*(d - b) for all displacements d of a cell. `from_b`: box of the differences d - b, px over the
+// exposure. `t`: time at the end of the paths, in exposures from the raster time.
 Path pathOf(vec4 from_b, float t) {
   vec2 a = -t * lowOf(from_b), b = -t * highOf(from_b);
   vec2 low = min(a, b), high = max(a, b);
-  // An extension follows the direction of its path: `share` is an upper bound of the unit direction along each axis.
+  // Each extension continues in the direction of its path. `share`: upper bound of |x| and |y| of the unit vectors of these
+  // directions.
   vec2 share = min(max(abs(low), abs(high)) / max(shortestIn(vec4(low, high)), 0.5), 1.0);
   vec2 on = share * float(params.margin + 2) + 1.0;
   vec2 far_on = on + share * ceil(reachPx());
@@ -43,7 +50,7 @@ Path pathOf(vec4 from_b, float t) {
 }
 
 struct Cell {
-  ivec2 first, last;  // pixels, inclusive
+  ivec2 first, last;  // first and last pixel of the cell, inclusive
   vec4 bounds;
   uvec2 ids;
 };
@@ -54,12 +61,14 @@ Cell cellAt(ivec2 cell) {
               uvec2(texelFetch(ids_tex, cell, 0)));
 }
 
+// True if the cells `cell` and `own` show one common instance and no other.
 bool isOneInstance(Cell own, ivec2 cell) {
   uvec2 ids = uvec2(texelFetch(ids_tex, cell, 0));
   return own.ids.x == own.ids.y && ids.x == own.ids.x && ids.y == own.ids.x;
 }
 
-// True if a walk for b from a pixel of the cell `own` may end in the cell `cell`.
+// True if a walk for the candidate b from a pixel of the cell `own` may have an effect in the cell `cell`: end there, or start
+// a second walk. `from_b` and `t` as in pathOf.
 bool concerns(Cell own, ivec2 cell, vec4 from_b, vec2 b, float t) {
   vec4 there = texelFetch(bounds_tex, cell, 0);
   float matching_px = max(1.0, params.match * longestIn(from_b));
@@ -68,6 +77,7 @@ bool concerns(Cell own, ivec2 cell, vec4 from_b, vec2 b, float t) {
   return (matches || moves) && !isOneInstance(own, cell);
 }
 
+// True if a walk for the candidate b from a pixel of the cell `own`, until time t, may have an effect in any cell.
 bool crossesWithin(Cell own, vec2 b, float t) {
   vec4 from_b = relativeTo(own.bounds, b);
   if (abs(t) * longestIn(from_b) < 0.5 - kSlack) return false;
@@ -91,7 +101,8 @@ bool crosses(Cell own, vec2 b) {
   return false;
 }
 
-// The candidates that are kept (`d`), in order, and all tested candidates (`tried`).
+// Candidates that are kept (`d`), in order, and all candidates tested so far (`tried`). A candidate that several tiles share is
+// tested once.
 struct VelocityList {
   vec2 d[kMaxVelocities];
   int count;
@@ -125,9 +136,9 @@ void run(ivec2 cell) {
   Cell own = cellAt(cell);
   VelocityList velocities;
   velocities.count = velocities.tried_count = 0;
-  // Tiles that overlap the cell: one, or up to four.
+  // First and last tile that overlap the cell. The cell takes the candidates of one, two or four tiles.
   ivec2 from = own.first / params.tile, to = own.last / params.tile;
-  for (int k = 0; k < 4; ++k) {  // a loop, because each inlined copy of crosses() takes long to compile
+  for (int k = 0; k < 4; ++k) {  // one loop for all tiles, because each inlined copy of crosses() takes long to compile
     bool is_right = (k & 1) != 0, is_below = (k & 2) != 0;
     if ((is_right && to.x == from.x) || (is_below && to.y == from.y)) continue;
     velocities = withTile(velocities, own, ivec2(is_right ? to.x : from.x, is_below ? to.y : from.y));

@@ -1,42 +1,45 @@
 // SPDX-License-Identifier: MIT
-// Disocclusion mask by relative motion: pixels that hide a surface which becomes visible within the exposure (an extension of
-// Tan, Cui, Bhojan 2020; docs/derivations.md, "Layers").
+// Disocclusion mask by relative motion: marks pixels that hide a surface which becomes visible within the exposure (an
+// extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Layers").
 // In:  `depth`: view depth, metres; +inf for the sky
 //      `id`: instance + 1; 0 for the sky
 //      `velocity`: displacement of each pixel, px over the exposure
-//      `culled_0` to `culled_3`: per cell, candidate displacements b of the background, two per image; kNoVelocity for none
-//      `bounds`, `ids`: bounds of the displacements and instances in each cell; a walk skips cells that cannot end it
+//      `culled_0` to `culled_3`: per cell, candidate displacements of the background, two per image; kNoVelocity after the last
+//      `bounds`, `ids`: per cell, bounds of the displacements; least and greatest instance + 1
 //      `farthest_around`: depth of the farthest moving surface around each tile, metres; static pixels beyond it are skipped
-//      `max_displacement`: longest displacement in the image, px over the exposure; absent: not measured
-// Out: `mask`: 1 where `ray_reveal` is to look for the surface behind, otherwise 0
-// Method: let the foreground at pixel y move by d, and a point hidden behind y move by b. At time t the point is at y + b*t,
-//   where the foreground shows its texel y - t*(d - b). The point becomes visible if this path leaves the foreground within the
-//   exposure. Only relative motion counts: in a tracking shot, a foreground that is static on the screen is marked.
-//   A walk takes steps of 1 px along the path, and `margin` px farther (an extra pixel costs a ray, a missing one is an error).
-//   y is marked if the walk meets a pixel q of another instance that moves by b, within max(1 px, match * |d - b|), and is not
-//   nearer than the last pixel of y's instance by the share `occluder`. If the first q that moves relative to y does not move
-//   by b, a second walk uses b = d(q), because candidates are inexact where the motion of a background varies.
-//   A path that ends behind an occluder continues to the occluder's end. Paths end at the image border (counter `off_screen`).
-// Fails: misses backgrounds whose motion no pixel around shows, self-occlusion, and motions beyond the eighth.
+//      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
+// Out: `mask`: 1 where the pass ray_reveal is to trace a ray to the surface behind, otherwise 0
+// Method: let the foreground at pixel y move by d, and a point hidden behind y by the candidate b. At time t, the point is at y
+//   + b*t. The foreground covers this place with its texel y - t*(d - b) of the raster time. The point becomes visible once
+//   this texel is beyond the silhouette of the foreground. Only relative motion counts: in a tracking shot, a foreground that
+//   is static on the screen is marked.
+//   A walk follows the path y - t*(d - b) to shutter open or close in steps of 1 px, and `margin` px farther: an extra pixel
+//   costs a ray, a missing one is an error. y is marked if the walk meets a pixel q of another instance that moves by b, within
+//   max(1 px, match * |d - b|) (parameter `match`). Occluders do not count: pixels q nearer than the last pixel of y's instance
+//   by the share `occluder`. A path that ends behind an occluder continues to the occluder's end. Paths end at the image border
+//   (counter `off_screen`). If no q moves by b, a second walk takes b from the first q that moves relative to y, because
+//   candidates are inexact where the motion of a background varies.
+// Fails: misses backgrounds if no pixel around shows their motion, parts of an instance behind other parts of the instance, and
+//   motions beyond the eighth near a tile.
 #include "lib/bounds.glsl"
 #include "lib/velocity_list.glsl"
 #include "lib/sanitise.glsl"
 #include "mixin/limit.glsl"
 
-// The loops of a walk run one after the other and have small bodies, because a GPU runs a loop until the slowest pixel of a
-// subgroup has finished it.
+// A walk runs three loops with small bodies, one after the other (firstConcern, lastOwn, walked). The reason is that a GPU runs
+// a loop until the slowest pixel of a subgroup has finished the loop, and the other pixels wait.
 
-// The path y - t*(d - b), with one step per pixel.
+// Path y - t*(d - b) of a walk from the pixel y, in steps of one pixel.
 struct Path {
-  ivec2 pixel;  // y
-  vec2 d, b;
-  float t;
-  vec2 unit;    // offset of one step, px
-  int steps;    // steps to the end of the path, `margin` included
-  int longest;  // steps to the end of the path if it continues behind an occluder
-  int inside;   // steps inside the image
-  uint own;     // instance + 1 at y
-  float matching_px;
+  ivec2 pixel;        // y
+  vec2 d, b;          // displacements of the foreground at y and of the background, px over the exposure
+  float t;            // time at the end of the path, in exposures from the raster time
+  vec2 unit;          // offset of one step, px
+  int steps;          // steps to the end of the path, `margin` included
+  int longest;        // steps to the farthest end of a path that continues behind an occluder
+  int inside;         // number of steps until the path leaves the image
+  uint own;           // instance + 1 at y
+  float matching_px;  // largest distance from b of a displacement that counts as b
 };
 
 const int kNoStep = 1 << 24;
@@ -66,12 +69,14 @@ bool isOwn(Path path, ivec2 at) { return texelFetch(id_tex, at, 0).x == path.own
 
 float depthAt(ivec2 at) { return saneDepth(texelFetch(depth_tex, at, 0).x); }
 
-// True if a surface of this depth is an occluder, behind which the foreground may continue. A slanted background, such as the
-// ground under an object, can be slightly nearer at the end of the path although it is farther at the pixel itself. The
-// parameter `occluder` is larger than this difference.
+// True if a surface at `depth` is an occluder of a foreground at `own_depth`: nearer by more than the share `occluder`. The
+// foreground may continue behind an occluder. The parameter `occluder` must be large enough for a slanted background, such as
+// the ground under an object. Such a background can be slightly nearer at the end of the path, although it is farther at the
+// pixel itself.
 bool occludes(float depth, float own_depth) { return depth < own_depth * (1.0 - params.occluder); }
 
-// True if a walk may end in the cell. The cell may then contain another instance that moves by about b, or relative to y.
+// True if a walk along the path may end in the cell, or find the displacement of a second walk there. The cell may then show
+// another instance that moves by about b, or that moves relative to the foreground at y.
 bool concerns(Path path, ivec2 cell) {
   uvec2 ids = uvec2(texelFetch(ids_tex, cell, 0));
   vec4 bounds = texelFetch(bounds_tex, cell, 0);
@@ -81,8 +86,9 @@ bool concerns(Path path, ivec2 cell) {
   return (matches || moves) && !(ids.x == path.own && ids.y == path.own);
 }
 
-// First step, between `from` and `to`, in a cell where the walk may end, or a step shortly before it; otherwise kNoStep. The
-// search goes from cell to cell along the path (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
+// First step of the path, from `from` to `to`, that lies in a cell where the walk may end (`concerns`), or a step shortly
+// before; kNoStep without such a cell. The search goes from cell to cell along the path (Amanatides and Woo, "A Fast Voxel
+// Traversal Algorithm", 1987).
 int firstConcern(Path path, int from, int to) {
   ivec2 cell = placeOn(path, from) / params.cell_side;
   ivec2 ahead = ivec2(greaterThan(path.unit, vec2(0)));
@@ -100,12 +106,12 @@ int firstConcern(Path path, int from, int to) {
 }
 
 struct Walk {
-  bool crosses;   // the path reaches a background that moves by b
-  bool meets;     // the path reaches a background that moves relative to y, but not by b
+  bool crosses;   // the path meets a background that moves by b
+  bool meets;     // the path meets a background that moves relative to the foreground at y, but not by b
   vec2 d_beyond;  // with `meets`: displacement of the first such background
 };
 
-// Last step before step i that is on y's instance.
+// Last step before step i where the path is on the instance of the pixel y.
 int lastOwn(Path path, int i) {
   --i;
   while (i > 0 && !isOwn(path, placeOn(path, i))) --i;
@@ -116,7 +122,8 @@ Walk walked(Path path) {
   Walk walk = Walk(false, false, vec2(0));
   int first = firstConcern(path, 1, path.longest);
   if (first == kNoStep) return walk;
-  // A path that ends behind an occluder continues to the occluder's end, because the occluder may hide the silhouette.
+  // A path that ends behind an occluder continues to the occluder's end, because the occluder may hide the silhouette of the
+  // foreground.
   int i = min(first, path.steps);
   int own_step = lastOwn(path, i);
   bool occluded = false;
@@ -141,6 +148,8 @@ Walk walked(Path path) {
   return walk;
 }
 
+// True if a point that moves by b behind the foreground of the pixel, which moves by d, becomes visible between the raster time
+// and time t.
 bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   Walk walk = Walk(false, true, b);
   bool off_screen = false;
@@ -153,7 +162,8 @@ bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   return walk.crosses;
 }
 
-// True if the pixel is static and farther away than every moving surface around it.
+// True if the pixel is static and farther than each moving surface around. Such a pixel is background: it hides no moving
+// surface that the image shows, so nothing becomes visible behind it.
 bool isBackgroundMotion(ivec2 pixel, vec2 d) {
   return d == vec2(0) && occludes(texelFetch(farthest_around_tex, pixel / params.tile, 0).x, depthAt(pixel));
 }

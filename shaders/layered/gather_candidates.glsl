@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Per tile, up to eight distinct displacements of the tiles around it, nearest tiles first: the candidate displacements of the
-// background hidden behind its pixels.
-// In:  `velocities`: longest displacement of each tile and the displacement farthest from it, px over the exposure
+// Collects candidate displacements of the background per tile: up to eight distinct displacements of the tile and of the tiles
+// around, nearest tiles first. A surface hidden behind the tile's pixels may move by one of these displacements.
+// In:  `velocities`: xy: longest displacement of each tile; zw: displacement that differs most from xy; px over the exposure
 //      `farthest`: view depth of the farthest moving surface in each tile, metres; 0 without motion
-//      `max_displacement`: longest displacement in the image, px over the exposure; absent: not measured
+//      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
 // Out: `candidates_0` to `candidates_3`: two displacements each, px over the exposure; kNoVelocity after the last
 //      `farthest_around`: greatest value of `farthest` among all tiles in range, metres
-// Method: read the tiles ring by ring, until eight displacements are found. The range is the distance by which two surfaces
-//   can move apart within the exposure:
-//   twice the longest displacement (limit * width or, with limit = auto, `max_displacement`), times spreadFactor. Two
-//   displacements are distinct if they differ by more than 1 px and by more than a tenth of the longer one.
-// Fails: of more than eight displacements, the displacements of the farthest tiles are lost; at equal distance, the last tiles
-//   in raster order.
+// Method: read the tiles in square rings of growing distance, until eight displacements are found or the range ends. Two
+//   displacements are distinct if they differ by more than 1 px and by more than a tenth of the longer one. The range is the
+//   largest distance that two surfaces can move apart within the exposure: 2 * L * s, px. L is the longest displacement:
+//   `limit` * width or, with `limit` = auto, `max_displacement`. s is spreadFactor (lib/blur.glsl): 1 if the exposure lies on
+//   one side of the raster time, 1/2 if it is centred.
+// Fails: of more than eight displacements, the displacements of the farthest tiles are lost. Among equally far tiles, the
+//   displacements of the last tiles in raster order are lost.
 #include "mixin/limit.glsl"
 #include "lib/velocity_list.glsl"
 
@@ -20,6 +21,7 @@ struct VelocityList {
   int count;
 };
 
+// Adds the displacement d, unless the list is full or contains a displacement that counts as equal.
 VelocityList withMotion(VelocityList velocities, vec2 d) {
   for (int i = 0; i < velocities.count; ++i) {
     float same_px = max(1.0, 0.1 * max(lengthOf(velocities.d[i]), lengthOf(d)));
@@ -38,7 +40,7 @@ VelocityList withTile(VelocityList velocities, ivec2 tile) {
   return withMotion(velocities, vec2(pair.z, pair.w));
 }
 
-// Adds the displacements of the tiles at the distance `ring` from `tile`, in raster order.
+// Adds the displacements of the tiles in the square ring at a distance of `ring` tiles around `tile`, in raster order.
 VelocityList withRing(VelocityList velocities, ivec2 tile, int ring) {
   for (int y = -ring; y <= ring; ++y) {
     int stride = abs(y) == ring ? 1 : max(2 * ring, 1);
@@ -47,6 +49,7 @@ VelocityList withRing(VelocityList velocities, ivec2 tile, int ring) {
   return velocities;
 }
 
+// View depth of the farthest moving surface in the tiles at most `radius` tiles away, metres; 0 without motion.
 float farthestAround(ivec2 tile, int radius, ivec2 size) {
   ivec2 from = max(tile - radius, ivec2(0)), to = min(tile + radius, size - 1);
   float farthest = 0.0;

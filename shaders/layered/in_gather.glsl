@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// One gather over both layers: the mean over the time samples of the foreground at the pixel over its background (an extension
-// of Tan, Cui, Bhojan 2020; docs/derivations.md, "Both in one gather").
+// Gather over both layers: at each time sample, the foreground over the background of the pixel; the result is the mean over
+// the samples (an extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Both layers in one gather").
 // In:  `color`: raster layer, linear radiance
 //      `depth`: view depth, metres; +inf for the sky
 //      `id`: instance + 1, geometry + 1; 0 for the sky
 //      `velocity`: displacement d of each pixel, px over the exposure
 //      `dominant`: longest displacement that reaches each tile, px over the exposure
-//      `revealed_color`, `revealed_depth`, `revealed_id`, `revealed_velocity`: the same images of the revealed layer
+//      `revealed_color`, `revealed_depth`, `revealed_id`, `revealed_velocity`: these images of the revealed layer
 //      `revealed_valid`: above 1/2 where the revealed layer has a surface
-//      `velocity_post`, `dominant_post`, `revealed_velocity_post`: displacements after the raster time; absent: as before it
+//      `velocity_post`, `dominant_post`, `revealed_velocity_post`: displacements after the raster time; absent: the
+//        displacements above hold for all times
 // Out: `blurred`: linear radiance, alpha 1
-// Method: the background B of a pixel X is the revealed surface at X, or the raster surface if none was revealed. The N time
-//   samples t_i are the midpoints (i + 1/2 + jitter)/N of the exposure and have equal weights.
-//   Foreground: two searches begin at X - t_i*d; d is the tile's dominant displacement in one and d(X) in the other. A tap Y is
-//   at X at t_i if |Y + t_i*d(Y) - X| <= max(3/4, |d|/(2N)) px (rounding to a texel; half the distance between two samples).
-//   If Y is not at X, d(Y) leads to one more tap. The nearer surface found covers B in part if it is in front by less than
-//   `depth_extent`, otherwise fully.
+// Method: the N time samples t_i of a pixel X are the midpoints (i + 1/2 + jitter)/N of N equal parts of the exposure. The
+//   background B of X is the revealed surface at X, or the raster surface if none was revealed.
+//   Foreground: two searches begin at X - t_i*d, where d is the tile's dominant displacement in one, d(X) in the other. A texel
+//   Y is at X at t_i if |Y + t_i*d(Y) - X| <= max(3/4, |d|/(2N)) px: 3/4 px allow for rounding to a texel, |d|/(2N) is half the
+//   distance between two samples. If Y is not at X, the search tries one more texel, X - t_i*d(Y). The nearer of the two
+//   surfaces found covers B fully, or in part if it is in front by less than the share `depth_extent` of the depth.
 //   Background: the raster texel at Y = X - t_i*d(B), if it has B's instance or is not in front of B. Otherwise the texel
 //   revealed at Y, or B itself if none was revealed there (counter `fallback`).
-// Fails: misses foregrounds that move by neither displacement, above all if they move against both. Backgrounds that turn or
-//   meet are misplaced, because d(B) is taken at X. Surfaces behind the revealed layer are missing.
+// Fails: misses foregrounds that move by neither displacement, above all if they move against both. Misplaces backgrounds that
+//   turn or that meet near X, because d(B) is taken at X. Surfaces behind the revealed layer are missing.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layers.glsl"
@@ -30,7 +31,7 @@
 struct Tap {
   vec3 color;
   float depth;
-  Path path;  // path before the raster time, or after it, as requested
+  Path path;  // motion before or after the raster time, as the caller requests
   uint instance;
 };
 
@@ -38,7 +39,8 @@ Tap rasterAt(ivec2 pixel, bool after) {
   return Tap(colorOf(kRaster, pixel), saneDepth(depth_at(pixel).x), pathOf(kRaster, pixel, after), id_at(pixel).x);
 }
 
-// Background of a pixel: the revealed surface, or the raster surface if none was revealed.
+// Background of a pixel: the revealed surface, or the raster surface if none was revealed. `after`: for times after the raster
+// time.
 Tap backgroundOf(ivec2 pixel, bool after) {
   if (!isRevealed(pixel)) return rasterAt(pixel, after);
   return Tap(colorOf(kRevealed, pixel), revealedDepth(pixel), pathOf(kRevealed, pixel, after), revealed_id_at(pixel).x);
@@ -60,8 +62,8 @@ struct Cover {
 
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
-// Raster surface that covers the background at the pixel at time t; kNoCover if no such surface is found. The search begins at
-// the texel `now`. The length of `path`, the motion that the search assumes, sets the tolerance.
+// Raster surface that covers the background `back` at the pixel at time t; kNoCover if no such surface is found. The search
+// begins at the texel `now`. `path`: motion that the search assumes; its length sets the tolerance.
 Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
   for (int fallback_estimate = 0; fallback_estimate < kIterations; ++fallback_estimate) {
@@ -74,14 +76,16 @@ Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   return kNoCover;
 }
 
-// The nearer of two covers; at about equal depths, the first one. Otherwise rounding would choose between two taps of one
-// surface.
+// The nearer of two covers. At about equal depths it is the first one, because otherwise rounding would choose between two
+// texels of one surface.
 Cover nearer(Cover a, Cover b) {
   if (a.share == 0.0) return b;
   return b.share > 0.0 && inFrontOf(b.depth, a.depth, params.depth_extent) > 0.5 ? b : a;
 }
 
-// Colour of the background at the pixel at time t. A raster texel in front of the background at the raster time hides it.
+// Colour of the background `back` at the pixel at time t. The raster layer shows the background at its place of the raster
+// time, unless a surface there is in front of the background. Then the colour comes from the revealed layer or, as a fallback,
+// from `back`.
 vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
   ivec2 now = tapFor(pixel, back.path, t);
   if (isInside(now, textureSize(color_tex, 0))) {

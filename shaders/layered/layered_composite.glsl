@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Per-time layered composite: the mean over the time samples of the nearest surface of both layers that is at the pixel at each
-// time (an extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Per-time layered gather").
+// Per-time layered composite: at each time sample, the nearest surface of both layers at the pixel; the result is the mean over
+// the samples (an extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Per-time layered gather").
 // In:  `color`, `depth`: raster layer: linear radiance; view depth, metres, +inf for the sky
-//      `velocity`: displacement d of each pixel; `dominant`, `second`: two displacements per tile; px over the exposure
+//      `velocity`: displacement d of each pixel; `dominant`, `second`: two displacements of each tile; px over the exposure
 //      `revealed_color`, `_depth`, `_velocity`, `_dominant`: images of the revealed layer; `_valid`: > 1/2 where it exists
-//      `velocity_post`, `dominant_post`, `second_post`, `revealed_*_post`: after the raster time; absent: as before it
-//      `curve`, `revealed_curve`, `dominant_curve`: curves of the paths, px; `dominant_place`: texel of `dominant`; optional
+//      `velocity_post`, `dominant_post`, `second_post`, `revealed_*_post`: for times after the raster time; absent: unchanged
+//      `curve`, `revealed_curve`, `dominant_curve`: curves of paths, px; `dominant_place`: texel with `dominant`; all optional
 //      `moved`, `background`: per cell, > 1/2 if a moving (a revealed) surface is there at some time; absent: everywhere
-//      `unlisted`: per cell, > 1/2 if a surface may arrive that no displacement of the tile leads to
-//      `unreliable`: per cell, bit i is set if the layers are unreliable in stratum i of at most 32
+//      `unlisted`: per cell, > 1/2 if a surface may arrive by a displacement that is not among the tile's displacements
+//      `unreliable`: per cell, bit i is set if the layers may be wrong in stratum i of at most 32
 //      `silhouettes`: > 1/2 next to a texel with a different displacement
-// Out: `blurred`: linear radiance, alpha 1; with `marks_unresolved` sum of the resolved samples over N, alpha: their share
+// Out: `blurred`: linear radiance, alpha 1; with `marks_unresolved`: sum of the resolved samples, over N; alpha: their share
 //      `unresolved`: bit i is set if stratum i of at most 64 is unresolved
-//      `fallback_estimate`: estimate of the unresolved samples, over N; alpha: its expected error (see Estimate); optional
-// Method: for each midpoint t_i = (i + 1/2 + jitter)/N of the exposure, each candidate displacement g leads to the texel
-//   Y = X - t_i*g of both layers. Y is at X if |Y + t_i*d(Y) - X| <= max(3/4, .99 min(|g|, |d(Y)|)/(2N)) px (see Constants). If
-//   Y is not at X, d(Y) leads to one more texel, on curves to three. The nearest texel at X counts; at equal depths, the first.
-//   Candidates: the displacements of the tile; d of both layers at X and, with `search_taps`, at X +- t_i*g for g = dominant
-//   and second, nearest taps first. At most 4 candidates are kept that differ by more than 1/2 px.
-//   A sample without a surface takes the texel of X, revealed or raster (counter `fallback`). With `marks_unresolved` it is
-//   unresolved, as are unreliable samples, samples beside a silhouette, and pixels with too many candidates. `marks_contrast`
-//   adds samples between texels of high `contrast` whose surface moves by less than `detail_below` px per sample.
-// Fails: misses surfaces hidden at the raster time and not revealed. Misplaces surfaces whose paths deviate, or that grow, by
-//   more than the tolerance. Ignores motions beyond 4 at a pixel.
+//      `fallback_estimate`: sum of estimates of unresolved samples, over N; alpha: expected error (see Estimate); optional
+// Method: at each time t_i = (i + 1/2 + jitter)/N of the exposure, i < N = `samples`, each candidate displacement g leads from
+//   pixel X to texel Y = X - t_i*g of both layers. Y is at X if |Y + t_i*d(Y) - X| <= max(3/4, .99 min(|g|, |d(Y)|)/(2N)) px
+//   (Constants). Otherwise d(Y) leads to one more texel, on curves to three. The nearest texel at X counts.
+//   Candidates: the tile's displacements; d of both layers at X and, with `search_taps`, at X +- t_i*g for the two
+//   displacements g of the tile, nearest taps first. At most 4 are kept, which differ by more than 1/2 px.
+//   A sample without a surface takes the texel of X (counter `fallback`); with `marks_unresolved` it is unresolved. So are
+//   samples with unreliable layers, at silhouettes, at pixels with too many candidates and, with `marks_contrast`, between
+//   texels of high `contrast` on surfaces that move by at most `detail_below` px per sample.
+// Fails: misses surfaces hidden at the raster time and not revealed, and motions beyond 4 at a pixel. Misplaces surfaces if
+//   their paths deviate, or they stretch, by more than the tolerance.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/candidates.glsl"
@@ -33,39 +33,44 @@
 
 // --- Constants
 // ----------------------------------------------------------------------------------------------------------------
-// 3/4 px (mixin/candidates.glsl): rounding a position to a texel moves it by at most sqrt(1/2) = .71 px.
-// .99 min(|g|, |d(Y)|)/(2N) (mixin/candidates.glsl): two successive time samples are |d|/N px apart. A texel half-way between
-//   them must count at neither sample, so the tolerance is just below half of this distance. With an earlier tolerance of
-//   |g|/(2N), the pixel's own foreground counted at the samples next to the raster time. With up to four samples and motion
-//   above 10 px, the error was then up to twice the error of ground truth with as many samples. It is now at most 1.05 times
-//   that error (237c3545, RenderPassage).
-// 1/4 px^2 (mixin/candidates.glsl): candidates within 1/2 px lead to texels at most 1/2 px apart, since |t| <= 1.
-// 4 px^2, .02 |d|^2 (mixin/candidates.glsl): a fifth candidate makes the list overflow if it differs from each of the four by
-//   more than 2 px and by more than sqrt(.02) = .14 of its length, as in shaders/cell/classify_cells.glsl. No derivation is
-//   recorded.
-// 1.5 px (isAtSilhouette, colorFound): a sample lies at most sqrt(2) = 1.41 px from the texels of its bilinear footprint. The
-//   rest allows for displacements that vary over a surface.
+// Numbers of the Method, in mixin/candidates.glsl:
+// - 3/4 px: rounding a position to a texel moves it by at most sqrt(1/2) = .71 px.
+// - .99 min(|g|, |d(Y)|)/(2N): two successive time samples are |d|/N px apart. A texel half-way between them must count at
+//   neither sample, so the tolerance is just below half of this distance. With an earlier tolerance of |g|/(2N), the pixel's
+//   own foreground counted at the samples next to the raster time. With up to four samples and motion above 10 px, the error
+//   was then up to twice the error of ground truth with as many samples. Now it is at most 1.05 times that error (237c3545, the
+//   test RenderPassage).
+// - 1/4 px^2: two candidates count as one up to this squared difference. Two candidates within 1/2 px of each other lead to
+//   places at most 1/2 px apart, since |t| <= 1.
+// - 4 px^2, .02 |d|^2: a fifth candidate d makes the list overflow if it differs from each of the four by more than 2 px and by
+//   more than sqrt(.02) = .14 of its length, as in shaders/cell/classify_cells.glsl. No derivation is recorded.
+// Number in isAtSilhouette and colorFound:
+// - 1.5 px: a sample lies at most sqrt(2) = 1.41 px from the texels of its bilinear footprint. The rest allows for
+//   displacements that vary over a surface.
 
-// True if unresolved samples get a fallback estimate. Surfaces are then searched for at the times of these samples too.
+// True if unresolved samples get a fallback estimate. The composite then searches surfaces at the times of these samples too.
 #ifdef WRITES_ESTIMATE
 const bool kWritesEstimate = true;
 #else
 const bool kWritesEstimate = false;
 #endif
 
-// Depths that differ by less than 2^-16 of the depth count as equal, because rays and raster compute the depth of one surface
-// with different rounding errors. 2^-16 is 128 to 256 units in the last place of a float.
+// Factor for the comparison of depths: depths that differ by less than 2^-16 of the depth count as equal, because rays and
+// raster compute the depth of one surface with different rounding errors. 2^-16 is 128 to 256 units in the last place of a
+// float.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
-// Distance from a texel's centre along an axis, px, within which a sample reads no neighbour of the texel. At 1e-3, the
-// neighbours have weights below 1e-3, which colorFound skips. For 0.05, no derivation is recorded.
+// Largest distance along an axis, px, between a sample and the centre of its nearest texel, such that the neighbour along this
+// axis is not tested for a silhouette. At 1e-3, such neighbours have weights below 1e-3, which colorFound skips. For 0.05, no
+// derivation is recorded.
 const float kCentre = PARAM_marks_contrast != 0 ? 1e-3 : 0.05;
 
+// Nearest surface at the pixel at one time sample, of the candidates tried so far.
 struct Nearest {
-  int layer;
-  ivec2 now;  // texel of the layer that shows the surface at the raster time
-  float depth;
-  bool at_silhouette;  // a moving silhouette may pass between the texels around the sample
+  int layer;           // kNothing, kRaster or kRevealed
+  ivec2 now;           // texel of the layer that shows the surface at the raster time
+  float depth;         // view depth at the raster time, metres
+  bool at_silhouette;  // a moving silhouette may lie between the texels around the sample
 };
 
 // --- Surfaces at a pixel
@@ -76,7 +81,7 @@ Nearest nearer(Nearest nearest, int layer, ivec2 now, float depth) {
   return Nearest(layer, now, depth, nearest.at_silhouette);
 }
 
-// Raster surface at the pixel itself, where most searches end, so that it is read only once.
+// Raster surface at the pixel itself. Most searches end there, so the surface is read once for all time samples.
 struct Own {
   Path before, after;
   float depth;
@@ -98,6 +103,7 @@ float rasterDepth(Own own, ivec2 pixel, ivec2 now) {
   return now == pixel ? own.depth : saneDepth(depth_at(now).x);
 }
 
+// `nearest` or, if nearer, the surface of the raster layer at the pixel at time t. The search begins at the texel `now`.
 Nearest nearerRaster(Nearest nearest, Own own, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
   for (int i = 0; i < kCurveIterations; ++i) {
@@ -112,6 +118,7 @@ Nearest nearerRaster(Nearest nearest, Own own, ivec2 pixel, ivec2 now, float t, 
   return nearest;
 }
 
+// `nearest` or, if nearer, the surface of the revealed layer at the pixel at time t. The search begins at the texel `now`.
 Nearest nearerRevealed(Nearest nearest, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
   for (int i = 0; i < kCurveIterations && isRevealed(now); ++i) {
@@ -125,9 +132,10 @@ Nearest nearerRevealed(Nearest nearest, ivec2 pixel, ivec2 now, float t, float t
   return nearest;
 }
 
-// True if a moving silhouette may pass between the texels around a sample. With marks_contrast, the test is whether their
-// displacements differ (movesOtherwise). Otherwise it is whether some of these texels are at the pixel at time t, within
-// 1.5 px, and some are not.
+// True if a moving silhouette may lie between the four texels around a sample, so that the sample may be on either side. `now`:
+// texel nearest to the sample. `offset`: position of the sample relative to the pixel, px. With marks_contrast: true if the
+// displacements of the texels differ (movesOtherwise). Otherwise: true if some of the texels, but not all, are at the pixel at
+// time t, within 1.5 px.
 bool isAtSilhouette(ivec2 pixel, ivec2 now, vec2 offset, float t) {
   vec2 off_centre = offset - vec2(now - pixel);
   ivec2 beside = ivec2(greaterThan(off_centre, vec2(kCentre))) - ivec2(lessThan(off_centre, vec2(-kCentre)));
@@ -151,8 +159,8 @@ bool isAtSilhouette(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 #endif
 }
 
-// First texel of the search with candidate k. If the candidate has a curve, it is the texel with this curve, because Newton's
-// method reaches farther from there. Otherwise it is `now`, the tap of the candidate.
+// Texel where the search with candidate k begins. Without a curve, it is `now`, the texel that the candidate's displacement
+// leads to. With a curve, it is the texel that has this curve, because Newton's method finds more distant surfaces from there.
 ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
 #if HAS_curve
   ivec2 texel = candidates.texels[k];
@@ -161,9 +169,11 @@ ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
   return now;
 }
 
-// Nearest surface at the pixel at time t. Each kind of candidate is needed (docs/derivations.md, "Which displacements to try").
-// Without the taps, the slower one of two moving surfaces is missed. Without the taps on the other side, a slower surface that
-// moves against the dominant motion is missed. Without `second`, a surface that moves across the dominant motion is missed.
+// Nearest surface at the pixel at time t. `background`: search the revealed layer too.
+// Each kind of candidate is needed (docs/derivations.md, "Candidate displacements"):
+// - Without the taps along the motion, the slower one of two moving surfaces is missed.
+// - Without taps on both sides of the pixel, a slower surface that moves against the dominant motion is missed.
+// - Without `second`, a surface that moves across the dominant motion is missed.
 Nearest sampleAt(ivec2 pixel, Own own, Candidates candidates, bool background, float t) {
   ivec2 size = textureSize(color_tex, 0);
   Nearest nearest = Nearest(kNothing, pixel, 0.0, false);
@@ -182,11 +192,14 @@ Nearest sampleAt(ivec2 pixel, Own own, Candidates candidates, bool background, f
   return nearest;
 }
 
-// Colour of the surface found, linear radiance. With taps = linear, it is the bilinear mean of the four texels around the
-// sample. A texel that is not at the pixel at time t, within 1.5 px, is missing from the mean, and texels with a weight below
-// 1e-3 are skipped. `alike`: false if a texel is missing or, with marks_contrast, if the contrast of the texels is above the
-// parameter `contrast`; with marks_contrast, always true for surfaces faster than `detail_below` px per sample. `color_range`:
-// range of the texels' colours. With WRITES_ESTIMATE, raster colours replace missing texels in this range.
+// Colour of the surface `nearest` at the pixel at time t, linear radiance. With taps = nearest, it is the colour of the texel
+// `nearest.now`. With taps = linear, it is the bilinear mean of the four texels around the sample. The mean leaves out texels
+// that are not at the pixel at time t, within 1.5 px, and texels with a weight below 1e-3.
+// `alike`: true with taps = nearest and without marks_contrast. Otherwise false if a texel with a larger weight is left out.
+// With marks_contrast, it is also false if the contrast of the texels is above the parameter `contrast`. With marks_contrast,
+// it is always true for surfaces that move by more than `detail_below` px between two samples, because such samples are too
+// sparse to show the contrast.
+// `color_range`: range of the texels' colours. With WRITES_ESTIMATE, the colours of the raster layer replace texels left out.
 vec3 colorFound(Nearest nearest, ivec2 pixel, float t, out bool alike, out ColorRange color_range) {
   alike = true;
   color_range = emptyColorRange();
@@ -225,7 +238,8 @@ vec3 colorFound(Nearest nearest, ivec2 pixel, float t, out bool alike, out Color
   return colorOf(nearest.layer, nearest.now);
 }
 
-// True if the surface found is the static raster surface of the pixel itself. Its colour is the colour of this texel.
+// True if the surface found is the static raster surface of the pixel itself. Its colour is then the colour of the pixel's own
+// texel, and no other texel is read.
 bool isOwnAtRest(Own own, Nearest nearest, ivec2 pixel, float t) {
   Path path = rasterPath(own, pixel, pixel, t > 0.0);
   return nearest.layer == kRaster && nearest.now == pixel && path.d == vec2(0) && !isCurved(path);
@@ -236,8 +250,10 @@ bool isOwnAtRest(Own own, Nearest nearest, ivec2 pixel, float t) {
 // Largest number of strata in the image `unreliable`, which has one word of 32 bits per cell.
 const int kStrata = 32;
 
+// Bit of the stratum of time sample i, for sets of at most 64 strata (lib/parts.glsl).
 uvec2 partOf(int i) { return partBit(params.samples > kMostParts ? i * kMostParts / params.samples : i); }
 
+// Set of the unresolved strata that the word `unreliable` of a cell marks. A word covers at most 32 strata, the set at most 64.
 uvec2 openOf(uint unreliable) {
   if (params.samples <= kStrata) return uvec2(unreliable, 0u);
   int parts = min(params.samples, kMostParts);
@@ -248,25 +264,26 @@ uvec2 openOf(uint unreliable) {
   return unresolved;
 }
 
-// Fallback estimate of the unresolved samples. Its expected error is the sum of three terms:
-// - for samples between texels of high contrast, a share of that contrast, with independent signs from texel to texel along the
-//   path;
-// - for samples of an unreliable layer, a share of the range of all colours at the pixel;
-// - for samples without a surface, the whole range, extended to black.
+// Fallback estimate of the unresolved samples of a pixel, and numbers for offBy, which computes the expected error of the
+// estimate. The error is the sum of three terms:
+// - for samples between texels of high contrast: the share kBetweenTexels of that contrast. Samples between the same texels
+//   have equal errors; errors of different texels along the path have independent signs, so their squares add up.
+// - for samples of an unreliable layer: the share kUnreliable of the range of all colours at the pixel.
+// - for samples without a surface: the whole range, extended to black.
 struct Estimate {
   vec3 sum;
-  float squares;  // sum of squared contrasts, each times the number of samples between the same texels
+  float squares;  // sum of squared errors, each times the number of samples between the same texels
   int unreliable;    // number of samples with unreliable layers
   int unknown;    // number of samples without a surface in any layer
 };
 
-// Error of a sample as a share of the contrast of the texels around it. The value is near 1/sqrt(12) = 0.289, the standard
-// deviation of a uniform distribution between the values of two texels; no derivation is recorded.
+// Expected error of a sample between texels, as a share of the difference of their colours. The value is near 1/sqrt(12) =
+// 0.289, the standard deviation of a uniform distribution between the values of two texels; no derivation is recorded.
 const float kBetweenTexels = 0.3;
 
-// Error of a sample with unreliable layers, as a share of the colour range at the pixel, as if an eighth of these samples were
-// off by the whole range. No derivation is recorded. The two shares kBetweenTexels and kUnreliable affect only the order of the
-// pixels in experiments/ray_budget.
+// Expected error of a sample with unreliable layers, as a share of the colour range at the pixel: as if an eighth of these
+// samples were off by the whole range. No derivation is recorded. The two shares kBetweenTexels and kUnreliable only affect the
+// priority of pixels for rays in experiments/ray_budget.
 const float kUnreliable = 0.125;
 
 float mostOf(vec3 value) { return max(value.r, max(value.g, value.b)); }
@@ -284,6 +301,7 @@ Estimate withEstimate(Estimate fallback_estimate, vec3 color, ColorRange color_r
   return fallback_estimate;
 }
 
+// Expected error of the fallback estimate, linear radiance. `all_hit`: range of all colours at the pixel.
 float offBy(Estimate fallback_estimate, ColorRange all_hit) {
   float unreliable = kUnreliable * float(fallback_estimate.unreliable) * widthOf(all_hit);
   float unknown = float(fallback_estimate.unknown) * widthOf(withColor(all_hit, vec3(0)));
@@ -296,8 +314,8 @@ void finishEstimate(ivec2 pixel, vec3 part, float off_by) {
 #endif
 }
 
-// Writes the outputs. `part`: sum of the resolved samples, divided by the number of all samples. `share`: share of the samples
-// that are resolved.
+// Writes the outputs `blurred` and `unresolved`. `part`: sum of the resolved samples, divided by the number of all samples.
+// `share`: share of the samples that are resolved.
 void finish(ivec2 pixel, vec3 part, float share, uvec2 unresolved) {
 #if PARAM_marks_unresolved
   imageStore(unresolved_img, pixel, uvec4(unresolved, 0u, 0u));

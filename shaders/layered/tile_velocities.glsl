@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the two displacements that represent it, and the depth of its farthest moving surface.
+// Reduces each tile to two displacements that represent its motions, and to the depth of its farthest moving surface.
 // In:  `velocity`: displacement of each pixel, px over the exposure
 //      `depth`: view depth, metres; +inf for the sky
-// Out: `velocities`: xy: longest displacement a; zw: displacement that differs most from a; px over the exposure, shortened to
-//      the displacement limit
+// Out: `velocities`: xy: longest displacement a; zw: displacement that differs most from a; px over the exposure. Displacements
+//        are shortened to the parameter `limit`
 //      `farthest`: view depth of the farthest moving surface, metres; 0 without motion
-// Method: one work group per tile computes the maximum of |d|, then of |d - a|, then of the depth where the displacement d is
-//   not 0. Among equal values, the first texel in raster order counts. A tile with two motions yields both motions.
+//      `max_displacement`: entry 0: longest displacement in the image, px over the exposure, as the bits of a float
+// Method: one work group per tile finds three maxima, one after the other: of |d|, where d is the displacement of a texel; of
+//   |d - a|; and of the depth of texels with d other than 0. Among equal values, the first texel in raster order counts. A tile
+//   with two motions yields both motions.
 // Fails: if a tile has three different motions, the third one is lost.
 #include "mixin/limit.glsl"
 #include "lib/group.glsl"
@@ -16,14 +18,15 @@ vec2 displacementAt(ivec2 pixel) {
   return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
 }
 
-shared vec2 found;          // written by one invocation
-shared uint farthest_bits;  // depth as the bits of a float; bits of floats of at least 0 have the order of the floats
+shared vec2 found;          // result of farthestFrom, written by one invocation for all
+shared uint farthest_bits;  // largest depth, as the bits of a float: floats of at least 0 have the order of their bits
 
-// Displacement in the tile that differs most from `from`, px over the exposure.
+// Displacement in the tile that differs most from `from`, px over the exposure. The tile's texels are in [first, end). Contains
+// barriers.
 vec2 farthestFrom(vec2 from, ivec2 first, ivec2 end) {
   vec2 farthest = displacementAt(first);
   float distance_px = lengthOf(farthest - from);
-  uint at = gl_LocalInvocationIndex == 0u ? 0u : ~0u;  // invocation 0 owns the first texel
+  uint at = gl_LocalInvocationIndex == 0u ? 0u : ~0u;  // invocation 0 begins with the first texel
   ivec2 own = ownFirst(first);
   for (int y = own.y; y < end.y; y += kGroupSide) {
     for (int x = own.x; x < end.x; x += kGroupSide) {
@@ -40,6 +43,7 @@ vec2 farthestFrom(vec2 from, ivec2 first, ivec2 end) {
   return found;
 }
 
+// View depth of the farthest moving surface in the tile, metres; 0 without motion. Contains a barrier.
 float farthestMoving(ivec2 first, ivec2 end) {
   float farthest = 0.0;
   ivec2 own = ownFirst(first);

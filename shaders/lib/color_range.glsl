@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smallest and largest value of a set of colours, per channel.
+// Range of a set of colours: smallest and largest value of each channel. Used to test if the colours are nearly equal.
 #ifndef STROBE_SPREAD_GLSL
 #define STROBE_SPREAD_GLSL
 
@@ -13,7 +13,8 @@ ColorRange withColor(ColorRange color_range, vec3 color) {
   return ColorRange(min(color_range.low, color), max(color_range.high, color));
 }
 
-// True if no channel differs by more than `share` times the largest magnitude of any channel; also true without colours.
+// True if the range is at most the share `share` of the colours: in no channel is high - low larger than `share` times the
+// largest magnitude of any channel. Also true for an empty range.
 bool isNarrow(ColorRange color_range, float share) {
   vec3 apart = color_range.high - color_range.low, of = max(abs(color_range.low), abs(color_range.high));
   return max(apart.r, max(apart.g, apart.b)) <= share * max(of.r, max(of.g, of.b));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Summary of the surfaces that a pixel's time samples hit: (surface, geometry, triangle, distance). A moving surface is stored
-// only if the samples hit no static one.
+// Summary of the surfaces that the time samples of a pixel hit, as (instance + 2, geometry, triangle, distance). Ground truth
+// skips rays where the summaries of the first samples agree (docs/truth.md). A moving surface is in the summary only if the
+// samples hit no static surface.
 #ifndef STROBE_SEEN_GLSL
 #define STROBE_SEEN_GLSL
 
-// Special values of the first component, which otherwise is instance + 2. The third component, the triangle, may be
-// kSeveralSurfaces as well.
+// Special values of the first component of a summary, which otherwise is instance + 2: no surface yet, the sky, or several
+// surfaces. The third component, the triangle, may be kSeveralSurfaces as well.
 const uint kNoSurface = 0u, kSkySurface = 1u, kSeveralSurfaces = 0xffffffffu;
 
 // True if all samples hit one geometry of one instance, or the sky.
@@ -15,12 +16,13 @@ bool isOneTriangle(uvec4 ids) { return isOneSurface(ids) && ids.z != kSeveralSur
 
 uint instanceOf(uvec4 ids) { return ids.x - 2u; }
 
-// Shadows of the first 16 lights on an instance, packed into one word. Bit i is set if light i was visible from all samples
-// that traced its shadow ray. Bit 16 + i is set if the light was blocked from all these samples. Both bits are set if no sample
-// traced the light, for example on a surface that faces away from it.
-// A texel holds the shadows of two instances: (first instance + 2, its shadows, second instance + 2, its shadows). If samples
-// hit a third instance, the third component becomes kSeveralSurfaces.
-// `free_and_blocked`: bits of the lights found visible (x) and of the lights found blocked (y).
+// Shadows of the first 16 lights on an instance, packed into one word. Bit i is set if light i was visible in all samples that
+// traced its shadow ray. Bit 16 + i is set if the light was blocked in all these samples. Both bits are set if no sample traced
+// the ray, for example on a surface that faces away from the light. Neither is set if samples differ.
+// A texel has the shadows of two instances: (first instance + 2, its shadows, second instance + 2, its shadows). If samples hit
+// a third instance, the third component becomes kSeveralSurfaces.
+// The function returns the shadows of one sample. `free_and_blocked`: bits of the lights found visible (x) and of the lights
+// found blocked (y).
 uint shadowsFrom(uvec2 free_and_blocked) {
   uvec2 never = ~free_and_blocked.yx;
   return (never.x & 0xffffu) | (never.y << 16u);
@@ -30,12 +32,13 @@ uvec2 lightsOf(uint shadows) { return uvec2(shadows & ~(shadows >> 16u) & 0xffff
 // Number of lights that are known to be visible or blocked.
 int countLights(uint shadows) { return bitCount((shadows ^ (shadows >> 16u)) & 0xffffu); }
 
-// Shadows that the texel `kept` holds for an instance; 0, which means unknown, if the texel does not hold this instance.
+// Shadows on `instance` according to the texel `kept`; 0, which means unknown, if the texel does not hold this instance.
 uint shadowsOf(uvec4 kept, uint instance) {
   return kept.x == instance + 2u ? kept.y : kept.z == instance + 2u ? kept.w : 0u;
 }
 
-// Texel `kept` after one more sample, which hit `instance` and found `shadows` there.
+// Texel `kept` after one more sample, which hit `instance` and found `shadows` there. The shadows of samples are combined by
+// bitwise and.
 uvec4 withShadows(uvec4 kept, uint instance, uint shadows) {
   uint whose = instance + 2u;
   if (kept.x == kNoSurface) return uvec4(whose, shadows, kNoSurface, 0u);

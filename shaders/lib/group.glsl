@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reductions over a tile, for passes that run one work group of 8x8 invocations for each pixel of their output.
+// Reductions over a tile of an image, for passes that write one texel per tile: one work group of 8x8 invocations reads a tile.
 #ifndef STROBE_GROUP_GLSL
 #define STROBE_GROUP_GLSL
 
@@ -17,8 +17,9 @@ uint placeInTile(ivec2 texel, ivec2 first, int width) {
 
 shared uint group_greatest, group_first;
 
-// True if this invocation has the greatest value of the group and, among equal values, the least `place`. Values are at least
-// 0. True for exactly one invocation if the places of equal values differ. Contains barriers: all invocations must call it.
+// True if this invocation has the greatest value of the work group. Among equal values, the invocation with the least `place`
+// wins, so exactly one invocation gets true if the places of equal values differ. Values are at least 0. Contains barriers: all
+// invocations must call the function.
 bool isGreatest(float value, uint place) {
   if (gl_LocalInvocationIndex == 0u) {
     group_greatest = 0u;

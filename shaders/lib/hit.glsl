@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A surface point, given by its place on the mesh instead of its position in space, so that it can be posed at any time.
+// Hit of a ray: a surface point, stored as a place on the mesh instead of a position in space, so that the point can be posed
+// at any time. Also the ray.
 #ifndef STROBE_HIT_GLSL
 #define STROBE_HIT_GLSL
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Running means of colours: rgb is the mean so far, a the number of samples. A sum of thousands of equal numbers drifts by
-// rounding. The running mean of equal numbers is that number, bit for bit, for any count.
+// Running means of colours: rgb is the mean so far, a is the number of samples. Running means replace sums, because a sum of
+// thousands of equal numbers drifts by rounding. The running mean of equal numbers is that number, bit for bit, for any count.
 #ifndef STROBE_MEAN_GLSL
 #define STROBE_MEAN_GLSL
 

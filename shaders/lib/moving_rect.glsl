@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Test if a pixel is in the rectangle of the image that moving surfaces can reach within the exposure.
+// Test if a pixel is in the moving rectangle `frame.moving_rect`: the pixels that moving surfaces can reach within the
+// exposure.
 #ifndef STROBE_REACHED_GLSL
 #define STROBE_REACHED_GLSL
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets of at most 64 parts of the exposure, one bit for each part.
+// Sets of time strata: one bit for each of at most 64 parts of the exposure, in two words of 32 bits.
 #ifndef STROBE_PARTS_GLSL
 #define STROBE_PARTS_GLSL
 
@@ -7,7 +7,7 @@ const int kMostParts = 64;
 
 uvec2 partBit(int part) { return part < 32 ? uvec2(1u << uint(part), 0u) : uvec2(0u, 1u << uint(part - 32)); }
 
-// Word with its lowest `count` bits set; a negative count is 0, a count above 32 is 32.
+// Word with the lowest `count` bits set. A negative count gives 0, a count above 32 gives all bits.
 uint firstBits(int count) { return count <= 0 ? 0u : count < 32 ? (1u << uint(count)) - 1u : ~0u; }
 
 // Set of the first `count` parts.

@@ -10,12 +10,13 @@ uint pcgHash(uint value) {
   return (word >> 22u) ^ word;
 }
 
+// Random word for a pixel. `iteration`: number of the sample. `dimension`: distinguishes the random numbers of one sample.
 uint randomUint(uint pixel, uint iteration, uint dimension) {
   return pcgHash(frame.seed ^ pcgHash(frame.frame ^ pcgHash(pixel ^ pcgHash(iteration ^ pcgHash(dimension)))));
 }
 
-// Owen scrambling by a hash: the seed and the bits above a bit decide if it is flipped (Laine and Karras 2011; Burley,
-// "Practical Hash-based Owen Scrambling", JCGT 2020; multipliers by Vegdahl).
+// Owen scrambling of a value in [0, 2^32) by a hash: for each bit, the seed and the higher bits decide if the bit is flipped
+// (Laine and Karras 2011; Burley, "Practical Hash-based Owen Scrambling", JCGT 2020; multipliers by Vegdahl).
 uint scrambled(uint value, uint seed) {
   uint x = bitfieldReverse(value);
   x ^= x * 0x3d20adeau;
@@ -26,8 +27,9 @@ uint scrambled(uint value, uint seed) {
   return bitfieldReverse(x);
 }
 
-// Point `number`, in [0, 1)^2, of the first two dimensions of the Sobol sequence, scrambled per pixel. The first n points are
-// evenly spread. They are also evenly spread in three dimensions, with number / n as the third coordinate.
+// Point `number` of a two-dimensional Sobol sequence in [0, 1)^2, with its own scrambling for each pixel. The first n points
+// are evenly spread over the square. With number / n as the third coordinate, they are also evenly spread in three dimensions,
+// for example over the pixel and the exposure.
 vec2 stratified2(uint pixel, uint number) {
   uvec2 point = uvec2(0u), bit = uvec2(0x80000000u);
   for (uint rest = number; rest != 0u; rest >>= 1u) {
@@ -38,9 +40,9 @@ vec2 stratified2(uint pixel, uint number) {
   return vec2(x >> 8u, y >> 8u) * (1.0 / 16777216.0);
 }
 
-// Half of the sequence, 0 or 1, that contains point `number`: the parity of two of every three bits of the number. The highest
-// bits of the coordinates are parities of other sets of bits, so that each half is spread nearly as evenly as the whole
-// sequence.
+// Half of the Sobol sequence, 0 or 1, that contains point `number`. Ground truth compares the means of both halves. The half is
+// the parity of two of every three bits of the number. The highest bits of the coordinates are parities of other sets of bits,
+// so that each half is spread nearly as evenly as the whole sequence.
 uint stratifiedHalf(uint number) { return uint(bitCount(number & 0xdb6db6dbu)) & 1u; }
 
 #endif

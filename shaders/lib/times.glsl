@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Sample times of equal weight under the frame's shutter curve, for all filters (docs/exposure.md, docs/derivations.md). The
-// times depend on the frame alone. With the curve `box` they are evenly spaced. FACT_weighted is 0 if the frame has no other
-// curve; then the code for curves is not compiled.
-// The frame stores a curve from both ends of the exposure to the middle of its weight. A symmetric curve therefore has
-// mirrored times, bit for bit.
+// shutter curve is the weight of each time of the exposure. Samples are denser where the weight is larger. With the curve `box`
+// the times are evenly spaced. FACT_weighted is 0 if the frame has the curve `box`; the code for other curves is then not
+// compiled.
+// The frame stores a curve as knots with linear weights in between, in two lists: from shutter open and from shutter close,
+// each to the time that halves the total weight. A symmetric curve therefore has mirrored times, bit for bit. Below, a share of
+// the weight is a share of the total weight.
 #ifndef STROBE_TIMES_GLSL
 #define STROBE_TIMES_GLSL
 #include "lib/blur.glsl"
@@ -11,11 +13,13 @@
 #if FACT_weighted
 bool isWeighted() { return frame.curve_counts.x > 0u; }
 
-// Knot i of the shutter curve, counted from shutter close (if `closing`) or shutter open. x: distance from that end, as a share
-// of the exposure. y: share of the weight up to the knot. z: weight. w: slope of the weight.
+// Knot i of the shutter curve, counted from shutter close (if `closing`) or from shutter open. x: distance of the knot from
+// that end, as a share of the exposure. y: share of the weight between that end and the knot. z: weight at the knot. w: slope
+// of the weight up to the next knot.
 vec4 curveKnot(bool closing, uint i) { return closing ? frame.curve_closing[i] : frame.curve_opening[i]; }
 
-// Last knot whose distance (`what` = 0) or share (`what` = 1) is at most `value`.
+// Last knot before a distance or a share of weight: the last knot with a distance (`what` = 0) or a share (`what` = 1) of at
+// most `value`. Binary search.
 vec4 curveKnotBefore(bool closing, int what, float value) {
   uint low = 0u, high = closing ? frame.curve_counts.y : frame.curve_counts.x;
   while (high - low > 1u) {
@@ -26,8 +30,8 @@ vec4 curveKnotBefore(bool closing, int what, float value) {
   return curveKnot(closing, low);
 }
 
-// Distance from an end of the exposure, as a share of the exposure, within which the share `share` (at most 1/2) of the weight
-// lies.
+// Distance from an end of the exposure, as a share of the exposure, such that `share` (at most 1/2) of the weight lies within
+// this distance. The weight is linear between knots, so the distance is the solution of a quadratic equation.
 float distanceToShare(bool closing, float share) {
   vec4 knot = curveKnotBefore(closing, 1, share);
   float more = share - knot.y;
@@ -35,34 +39,38 @@ float distanceToShare(bool closing, float share) {
   return more > 0.0 && twice_mean > 0.0 ? knot.x + 2.0 * more / twice_mean : knot.x;
 }
 
-// Time at the distance `away`, a share of the exposure, from shutter close (if `closing`) or shutter open.
+// Time at the distance `away` (a share of the exposure) from shutter close (if `closing`) or shutter open, in exposures from
+// the raster time.
 float timeFromEnd(bool closing, float away) {
   return closing ? frame.shutter.y * (1.0 - away) + frame.shutter.x * away
                  : frame.shutter.x * (1.0 - away) + frame.shutter.y * away;
 }
 
-// Time that divides the weight: `share` of the weight lies between this time and one end, `others` between this time and the
-// other end.
+// Time that divides the weight into two parts. `share`: part between this time and one end of the exposure, which is shutter
+// close if `closing`, otherwise shutter open. `others`: part between this time and the other end. The result is computed from
+// the end with the smaller part, because the knots of an end reach only to the middle of the weight. If the parts are equal, it
+// is the mean of the results from both ends.
 float timeBetween(bool closing, float share, float others) {
   if (share < others) return timeFromEnd(closing, distanceToShare(closing, share));
   if (share > others) return timeFromEnd(!closing, distanceToShare(!closing, others));
   return 0.5 * (timeFromEnd(closing, distanceToShare(closing, 0.5)) + timeFromEnd(!closing, distanceToShare(!closing, 0.5)));
 }
 
-// Distance of a time from an end, as a share of the exposure.
+// Distance of time t from shutter close (if `closing`) or shutter open, as a share of the exposure.
 float distanceFromEnd(bool closing, float t) {
   vec2 window = frame.shutter;
   return clamp((closing ? window.y - t : t - window.x) / (window.y - window.x), 0.0, 1.0);
 }
 
-// Share of the weight within the distance `away` from an end of the exposure. The share is at most 1/2.
+// Share of the weight within the distance `away` (a share of the exposure) from an end of the exposure. The share is at most
+// 1/2. Inverse of distanceToShare.
 float shareToDistance(bool closing, float away) {
   vec4 knot = curveKnotBefore(closing, 0, away);
   float more = away - knot.x;
   return min(knot.y + more * (knot.z + 0.5 * knot.w * more), 0.5);
 }
 
-// Share of the weight between a time and an end of the exposure.
+// Share of the weight between time t and shutter close (if `closing`) or shutter open.
 float shareFromEnd(bool closing, float t) {
   float away = distanceFromEnd(closing, t);
   uint last = (closing ? frame.curve_counts.y : frame.curve_counts.x) - 1u;
@@ -71,7 +79,7 @@ float shareFromEnd(bool closing, float t) {
 }
 #endif
 
-// Time at the fraction part / parts of the exposure's weight.
+// Time before which the fraction part / parts of the exposure's weight lies, in exposures from the raster time.
 float timeAt(float part, int parts) {
 #if FACT_weighted
   if (isWeighted()) return timeBetween(false, part / float(parts), (float(parts) - part) / float(parts));
@@ -79,11 +87,12 @@ float timeAt(float part, int parts) {
   return evenTimeAt(part, parts, frame.shutter);
 }
 
-// Time of sample i of n: midpoint of part i of n parts of equal weight, moved by a jitter in [-1/2, 1/2] of a part.
+// Time of sample i of n: the midpoint of part i of n parts of the exposure of equal weight. `jitter`: shift of the time, in
+// [-1/2, 1/2] of a part.
 float sampleTime(int i, int n, float jitter) { return timeAt(float(i) + 0.5 + jitter, n); }
 
-// Index of the sample that falls on the raster time in the middle of the exposure; -1 if no sample does. The n samples are at
-// the fractions 1/(n + 1) to n/(n + 1) of the weight.
+// Index of the sample that is exactly at the raster time, for n samples at the fractions 1/(n + 1) to n/(n + 1) of the weight;
+// -1 if no sample is. Only a middle sample can be at the raster time, in an exposure with times on both sides.
 int sampleAtRasterTime(int n) {
   if (!isCentred(frame.shutter) || n % 2 == 0) return -1;
 #if FACT_weighted
@@ -94,8 +103,8 @@ int sampleAtRasterTime(int n) {
 
 // ---- one side of the exposure: from the raster time to shutter close (`after`) or back to shutter open
 
-// Weight of one side of the exposure, as a multiple of half of the total weight. 1 if the exposure has only one side or the
-// curve `box`.
+// Weight of one side of the exposure, as a multiple of half of the total weight. The factor is 1 with the curve `box`, and if
+// the exposure has only one side.
 float sideFactor(bool after) {
 #if FACT_weighted
   if (isWeighted() && isCentred(frame.shutter)) return 2.0 * (after ? frame.curve_sides.y : frame.curve_sides.x);
@@ -103,7 +112,7 @@ float sideFactor(bool after) {
   return 1.0;
 }
 
-// Time on one side of the exposure, such that `share` of the side's weight lies between the raster time and this time.
+// Time on one side of the exposure, such that `share` of the weight of this side lies between the raster time and this time.
 float timeOutwards(bool after, float share) {
   float end = after ? frame.shutter.y : frame.shutter.x;
 #if FACT_weighted
@@ -115,7 +124,7 @@ float timeOutwards(bool after, float share) {
   return end * share;
 }
 
-// Share of a side's weight that lies within the time `span` (>= 0) of the raster time.
+// Share of the weight of one side that lies within the time `span` (>= 0) of the raster time. Inverse of timeOutwards.
 float shareWithin(bool after, float span) {
 #if FACT_weighted
   if (isWeighted()) {

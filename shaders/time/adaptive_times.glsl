@@ -1,38 +1,42 @@
 // SPDX-License-Identifier: MIT
 // Mean radiance of each pixel over the exposure, by rays at few times and adaptive subdivision between them (adaptive
 // quadrature).
-// In:  `color`:    linear radiance at the raster time
-//      `depth`:    view depth, m; +inf for the sky
-//      `id`:       instance + 1, geometry + 1; 0 for the sky
-//      `hit`:      instance + 1 (0 = sky), geometry, primitive
-//      `velocity`: px over the exposure
-//      `certain`:  per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, otherwise 0
-//      `longest`:  per cell: longest displacement of the surfaces that reach the cell, px over the exposure
-// Out: `picture`:  linear radiance, alpha 1
-// Method: trace first rays at times a power of two of samples apart, so that `longest` moves by at most `pace` image widths
-//      between two rays. Two rays at the times a < b of n suffice if error * (b - a) / n <= `allowance`, in the channel with
-//      the largest error. Otherwise, or if the raster image shows a third surface that arrives between the two times, trace a
-//      ray half-way between. If both rays hit one surface that the raster image shows, the times between take that surface's
-//      texels along its path, and the error is the larger difference between ray and texel. Otherwise the times between take
-//      the mean of both rays, and the error is the difference of their colours. With `allowance` = 0 the result is the mean of
-//      all n times. In cells with `certain` = 1 the result is the mean of `samples` texels along the motion.
+// In:  `color`: linear radiance at the raster time
+//      `depth`: view depth, metres; +inf for the sky
+//      `id`: instance + 1, geometry + 1; 0 for the sky
+//      `hit`: instance + 1 (0 = sky), geometry, primitive
+//      `velocity`: displacement, px over the exposure
+//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, otherwise 0
+//      `longest`: per cell: longest displacement of the surfaces that reach the cell, px over the exposure
+// Out: `picture`: linear radiance, alpha 1
+// Method: cells with `certain` = 1 take the mean of `samples` texels along the motion; static cells, and pixels that no motion
+//   reaches, copy `color`. Other pixels trace rays at some of the n times of the loop:
+//   1. Trace first rays at every k-th time. k is the largest power of two such that `longest` moves by at most `pace` image
+//      widths between two rays.
+//   2. Between two successive rays, at the times number a < b, estimate the colours and their error. If both rays hit one
+//      surface and the raster image shows both points, the times between take that surface's texels along its path, and the
+//      error is the larger difference between a ray and its texel. Otherwise the times between take the mean of both rays, and
+//      the error is the difference of their colours. The channel with the largest error counts.
+//   3. Trace a ray half-way between if error * (b - a)/n > `allowance`, or if the raster image shows a third surface that
+//      arrives between the two times. Then repeat steps 2 and 3 for both halves.
 // Fails: misses a surface that appears and disappears between two rays of equal colour, unless the raster image shows it.
 #include "lib/blur.glsl"
 #include "lib/moving_rect.glsl"
 #include "lib/times.glsl"
 #include "mixin/static_background.glsl"
 
-const int kLevels = 12;  // depth of the subdivision; enough for 2^12 times (the pipeline `selective` has at most 256)
+const int kLevels = 12;  // largest depth of the subdivision; enough for 2^12 times (the pipeline `selective` has at most 256)
 
-// Result of one ray. Colours are scaled by kSumScale (toSum of lib/sanitise.glsl).
+// Result of one ray. Colours are multiplied by kSumScale (toSum of lib/sanitise.glsl), so that their sums stay finite.
 struct Sample {
   vec3 color;
   uvec2 id;     // instance + 1, geometry + 1; 0 for the sky
   vec3 place;   // position of the hit point at the raster time: texel (xy), view depth (z)
-  float apart;  // largest difference from the raster image's colour at `place`; kFar if the raster image hides the point
+  float apart;  // largest difference of a channel from the raster texel at `place`; kFar if the texel does not show the point
 };
 
-// True if the raster image shows the surface `id` at `place`. `color`: colour of the raster texel there, in the scale of sums.
+// True if the raster image shows the surface `id` at `place` (texel, view depth). `color`: colour of the raster texel there,
+// multiplied by kSumScale.
 bool isKept(vec3 place, uvec2 id, out vec3 color) {
   color = vec3(0);
   ivec2 at = ivec2(round(clamp(vec2(place), vec2(-2), vec2(frame.size) + 1.0)));
@@ -42,6 +46,7 @@ bool isKept(vec3 place, uvec2 id, out vec3 color) {
   return true;
 }
 
+// Largest difference of two colours in a channel.
 float apart(vec3 a, vec3 b) {
   vec3 by = abs(a - b);
   return max(by.r, max(by.g, by.b));
@@ -49,6 +54,8 @@ float apart(vec3 a, vec3 b) {
 
 uint traced = 0u;
 
+// Traces a ray through the pixel at time `part` of the loop. The ray updates `static_background`, which later rays of the pixel
+// reuse.
 Sample sampleAt(ivec2 pixel, int part, inout StaticBackground static_background) {
   ++traced;
   uint slice = SLICE_SAMPLE + uint(part);
@@ -78,9 +85,10 @@ Sample sampleAt(ivec2 pixel, int part, inout StaticBackground static_background)
 // True if both samples hit one surface and the raster image shows both hit points.
 bool isTold(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
 
-// True if the raster image shows a third surface, neither a nor b, that the displacement d brings to the pixel in this part of
-// the exposure. The tolerance is 3/4 px, because rounding the position to a texel moves it by up to 1/2 px along each axis,
-// and by 0.71 px diagonally.
+// True if the raster image shows a third surface that is at the pixel at time `part` of `count`. The displacement d leads to
+// one texel of the raster image, and the displacement of that texel decides if its surface is at the pixel. a and b: ids of the
+// surfaces that the rays before and after this time hit; a third surface has another id. The tolerance is 3/4 px, because
+// rounding the position to a texel moves it by up to 1/2 px along each axis, and by 0.71 px diagonally.
 bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
   float t = sampleTime(part, count, 0.0);
   ivec2 now = pixel + roundSymmetric(tapOffset(d, t));
@@ -90,8 +98,9 @@ bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
   return isAt(pixel, now, finiteDisplacement(texelFetch(velocity_tex, now, 0)), t, 0.75);
 }
 
-// True if the times between the samples a and b need no ray. `sum` is then the sum of the colours at these times. The colours
-// are raster texels along the path if both samples hit one surface that the raster image shows, otherwise the mean of a and b.
+// True if the times between the samples a and b need no ray. `at` and `end` are the numbers of these samples among `count`
+// times, d is the longest displacement in the cell. `sum` is then the sum of the colours at the times between. The colours are
+// raster texels along the path if both samples hit one surface that the raster image shows, otherwise the mean of a and b.
 bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum) {
   bool told = isTold(a, b);
   sum = 0.5 * float(end - at - 1) * (a.color + b.color);
@@ -107,7 +116,8 @@ bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count
   return true;
 }
 
-// Distance in time between two successive first rays of a pixel, in samples; a power of two.
+// Distance in time between two successive first rays of a pixel, in samples: the largest power of two such that the
+// displacement d moves by at most `pace` image widths between the rays.
 int firstStep(vec2 d, int count) {
   float longest = lengthOf(d);
   int step = 1;
@@ -115,8 +125,9 @@ int firstStep(vec2 d, int count) {
   return step;
 }
 
-// Mean radiance of the pixel over the exposure. `from`: last sample in the sum, at the time with the index `at`. `waiting`:
-// stack of later samples that are already traced; the earliest is on top.
+// Mean radiance of the pixel over the exposure, by rays. The loop goes through the times in order. `from`: last sample that the
+// sum includes; `at`: number of its time. `waiting`: stack of later samples that are already traced, with the earliest on top;
+// `ends`: numbers of their times.
 vec3 meanOver(ivec2 pixel) {
   vec2 d = vec2(texelFetch(longest_tex, pixel / params.cell_side, 0));
   int count = int(frame.slice_count), step = firstStep(d, count);
@@ -144,7 +155,7 @@ vec3 meanOver(ivec2 pixel) {
   return fromSum(sum / float(count));
 }
 
-// Mean radiance of the texels that pass over the pixel, for uniform motion.
+// Mean radiance of the texels that pass over the pixel, if the surroundings move uniformly by the displacement of the pixel.
 vec3 gathered(ivec2 pixel) {
   vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
   ivec2 size = ivec2(frame.size);

@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: MIT
-// Per cell, the time strata that may contain a surface at a position that the layers do not describe.
-// In:  `bounds`:   displacements of the unreliable surfaces of each cell at the raster time, px over the exposure
-//      `deviation_bounds`:    path deviations of these surfaces in the middle of the exposure, px
-//      `background_bounds`, `background_deviation_bounds`: displacements and path deviations of the revealed layer
-//      `shutter_open_bounds`, `shutter_open_deviation_bounds`: displacements and path deviations of surfaces visible only at
-//        shutter open
-//      `shutter_close_bounds`, `shutter_close_deviation_bounds`: displacements and path deviations of surfaces visible only at
-//        shutter close
+// Marks, per cell, the time strata when the layers are unreliable: a surface may be in the cell at a place that the layers do
+// not describe.
+// In:  `bounds`, `deviation_bounds`: per cell, bounds of the displacements (px over the exposure) and of the path deviations in
+//        the middle of the exposure (px) of the raster layer's unreliable texels (marked by `nonlinear` of path_deviation or
+//        path_curve)
+//      `background_bounds`, `background_deviation_bounds`: these bounds for the revealed layer
+//      `shutter_open_bounds`, `shutter_open_deviation_bounds`: these bounds for surfaces that are visible only at shutter open
+//      `shutter_close_bounds`, `shutter_close_deviation_bounds`: these bounds for surfaces that are visible only at shutter
+//        close
 // Out: `unreliable`: bit i is set if stratum i of `samples` is unreliable; with more than 32 samples, stratum i of 32
-// Method: for each stratum, move the cell's box by all multiples of `bounds` within the stratum plus `deviation_bounds` times
-//      the change of the parabola 4 u (1 - u), where u is the share of the exposure that has passed. Widen the result by kSlack
-//      and set the bit in all cells that it overlaps (atomic or). Skip displacements too small to blur. Cells in
-//      `frame.crossing` are marked at `frame.crossing_times`, because a surface may cross them that is outside the image at the
-//      raster time and at both ends of the exposure.
-// Fails: a path that is not a parabola may leave the marked cells. A cell with different motions marks too many cells around.
+// Method: for each stratum, move the box of the cell's pixels along all paths within the bounds. A path is a displacement times
+//   the elapsed time, plus a path deviation times the change of the parabola 4 u (1 - u), where u is the share of the exposure
+//   that has passed. Widen the result by kSlack px, and set the bit in all cells that the result overlaps (atomic or). Skip
+//   displacements too small to blur. Also mark the cells in `frame.crossing` at `frame.crossing_times`: a surface that is
+//   outside the image at the raster time and at both ends of the exposure may cross these cells.
+// Fails: a surface on a path that is not a parabola may leave the marked cells. A cell with different motions marks too many
+//   cells around.
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
 #include "lib/times.glsl"
 
 const float kSlack = 1.5;  // margin of each box, px; covers rounding and the width of a tap
 
-// Box of the displacements in `bounds`, multiplied by all factors from `low` to `high`.
+// Box of all displacements in `bounds` multiplied by all factors from `low` to `high`.
 vec4 times(vec4 bounds, float low, float high) {
   vec4 a = bounds * low, b = bounds * high;
   return vec4(min(min(lowOf(a), highOf(a)), min(lowOf(b), highOf(b))), max(max(lowOf(a), highOf(a)), max(lowOf(b), highOf(b))));
 }
 
-// Path deviation at time t as a share of the deviation in the middle of the exposure, for a parabola.
+// Path deviation at time t (in exposures from the raster time) as a share of the deviation in the middle of the exposure, for a
+// parabola. `window`: times of shutter open and shutter close.
 float deviationShare(float t, vec2 window) { return 4.0 * (t - window.x) * (window.y - t); }
 
-// Sets `bit` in all cells that the cell's box overlaps after moving by the displacements in `way`.
+// Sets `bit` in all cells that the box of the cell overlaps after it moves by the displacements in `way`, px.
 void unreliability(ivec2 cell, vec4 way, uint bit) {
   vec2 low = vec2(cell * params.cell_side) + lowOf(way) - kSlack;
   vec2 high = vec2((cell + 1) * params.cell_side) + highOf(way) + kSlack;
@@ -42,17 +45,18 @@ void unreliability(ivec2 cell, vec4 way, uint bit) {
   }
 }
 
-// Earliest and latest time of stratum `number` of `count`. Without jitter, a stratum with a single sample is one time.
+// Earliest and latest time of stratum `number` of `count`, in exposures from the raster time. Without jitter, a stratum with a
+// single sample is one time.
 vec2 partTimes(int number, int count) {
   if (params.jittered == 0 && params.samples <= 32) return vec2(sampleTime(number, count, 0.0));
   return vec2(timeAt(float(number), count), timeAt(float(number + 1), count));
 }
 
-// True if all displacements, shortened to the limit, are too small to blur.
+// True if all displacements in the bounds, shortened to the parameter `limit`, are too small to blur.
 bool isStatic(vec4 bounds) { return spreadFactor(frame.shutter) * min(longestIn(bounds), limitPx()) <= kStaticRadius; }
 
-// For each stratum, marks the cells that the surfaces of a cell may reach. `visible_part`: time when the surfaces lie in the
-// cell, in exposures from the raster time. Deviations have a margin of 10 %, because paths are only nearly parabolas; this
+// For each stratum, marks the cells that unreliable surfaces of a cell may reach. `visible_part`: time when the surfaces are in
+// the cell, in exposures from the raster time. Deviations have a margin of 10 %, because paths are only nearly parabolas; this
 // value is not derived.
 void markAllUnreliable(ivec2 cell, vec4 bounds, vec4 deviation_bounds, float visible_part) {
   if (isEmpty(bounds) || isStatic(bounds)) return;
@@ -68,8 +72,8 @@ void markAllUnreliable(ivec2 cell, vec4 bounds, vec4 deviation_bounds, float vis
   }
 }
 
-// Marks the cell at `frame.crossing_times` if it overlaps `frame.crossing`. Surfaces that cross the image between the ends of
-// the exposure are in no layer.
+// Marks the cell at the strata within `frame.crossing_times` if it overlaps the rectangle `frame.crossing`. Surfaces that cross
+// the image between the ends of the exposure are in no layer.
 void markUnreliable(ivec2 cell) {
   ivec4 pixels = ivec4(cell, cell + 1) * params.cell_side, area = frame.crossing;
   if (any(lessThanEqual(area.zw, pixels.xy)) || any(greaterThanEqual(area.xy, pixels.zw))) return;

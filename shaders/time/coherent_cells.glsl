@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Per cell, a flag that a gather along the motion is reliable, because the image around the cell shifts as a whole.
-// In:  `bounds`:   displacements of each cell, px over the exposure
-//      `velocity`: px over the exposure, at the raster time
-//      `id`:       instance + 1 at the raster time; 0 for the sky
-// Out: `certain`:  1 if the gather is reliable, 1/2 if the cell is static, otherwise 0
-//      `longest`:  longest displacement of the surfaces that reach the cell, px over the exposure
-// Method: join the bounds of all cells whose surfaces reach this cell or that a gather in this cell reads. If the diagonal
-//      of the joined box is at most `apart_px`, trace `validation_rays` rays. Each ray has a random pixel of the cell and
-//      its own part of the exposure, and must hit the point that the motion brings there. The rays detect surfaces that the
-//      displacements of the raster time do not describe: curved paths, disoccluded surfaces, and surfaces from outside the
-//      image.
+// Finds cells where a gather along the motion is reliable, because all surfaces that reach the cell move alike.
+// In:  `bounds`: bounds of the displacements in each cell, px over the exposure
+//      `velocity`: displacement, px over the exposure
+//      `id`: instance + 1 at the raster time; 0 for the sky
+//      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
+// Out: `certain`: 1 if the gather is reliable, 1/2 if the cell is static, otherwise 0
+//      `longest`: longest displacement of the surfaces that reach the cell, px over the exposure
+// Method: join the bounds of all cells that contain surfaces which reach this cell, or texels that a gather in this cell reads.
+//   If the diagonal of the joined box is at most `apart_px`, validate the cell with `validation_rays` rays. Each ray has a
+//   random pixel of the cell and its own part of the exposure. The ray must hit the point that the pixel's displacement brings
+//   there. Otherwise a surface is present that the displacements of the raster time do not describe: with a curved path,
+//   disoccluded, or from outside the image. The cell is then not certain, and `longest` is at least kUnknown image widths.
 // Fails: misses a surface much smaller than a cell that the raster image does not show and no ray hits.
 #include "lib/bounds.glsl"
 #include "lib/random.glsl"
@@ -18,17 +19,19 @@
 #include "mixin/limit.glsl"
 #include "mixin/trace.glsl"
 
-// Displacement assumed for a surface of unknown motion that only a ray has found, image widths. Half the image makes the first
-// rays of `adaptive_times` dense in time. The value is not derived.
+// Displacement assumed for a surface of unknown motion that only a validation ray has found, image widths. With half the image
+// width, the pass adaptive_times traces dense first rays. The value is not derived.
 const float kUnknown = 0.5;
 
-// True if a surface that is `way` cells away at the raster time and has a displacement in `bounds` may reach this cell.
+// True if a surface may reach this cell within the exposure. `way`: offset of the surface's cell from this cell, in cells.
+// `bounds`: bounds of the surface's displacement.
 bool comes(vec4 bounds, ivec2 way) {
   vec4 path = travelled(bounds, frame.shutter);
   vec2 side = vec2(params.cell_side), off = vec2(way) * side;
   return all(lessThan(off + lowOf(path), side)) && all(greaterThan(off + highOf(path), -side));
 }
 
+// Smallest box that contains both boxes.
 vec4 joined(vec4 a, vec4 b) { return vec4(min(lowOf(a), lowOf(b)), max(highOf(a), highOf(b))); }
 
 // Bounds of the displacements of all surfaces that reach the cell, and of all texels that a gather in the cell reads, px over
@@ -79,7 +82,7 @@ bool agrees(ivec2 cell, uint number) {
   return shows(texel, isHit(hit) ? hit.instance + 1u : 0u);
 }
 
-// Corner of the box `bounds` that is farthest from zero.
+// Displacement in the box `bounds` that is longest: the corner farthest from zero.
 vec2 longestOf(vec4 bounds) {
   vec2 low = lowOf(bounds), high = highOf(bounds);
   return mix(low, high, greaterThan(abs(high), abs(low)));

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Moving surfaces that are visible at one end of the exposure but in no layer of the raster time, because they face away at the
-// raster time, lie outside the image, or lie behind more than one surface.
-// In:  `hit`:            surface at that end of the exposure: instance + 1, geometry, primitive; 0 for the sky and, for a
-//                        static camera, for static surfaces
-//      `depth`, `revealed_depth`: view depth of the raster and the revealed layer, m; +inf for the sky
+// Moving surfaces that are visible at one end of the exposure (shutter open or shutter close), but are in neither layer of the
+// raster time. At the raster time they face away, lie outside the image, or lie behind more than one surface.
+// In:  `hit`: surface visible at that end: instance + 1, geometry, primitive; 0 for the sky and, for a static camera, for
+//        static surfaces
+//      `depth`, `revealed_depth`: view depth of the raster layer and the revealed layer, metres; +inf for the sky
 //      `id`, `revealed_id`: instance + 1 of both layers; 0 for the sky
 //      `revealed_valid`: above 1/2 where the revealed layer has a surface
-// Out: `disoccluded`:         1 if neither layer has the surface that the pixel shows at that end
-//      `velocity`:       displacement of this surface, px over the exposure
-//      `path_deviation`:           path deviation of this surface in the middle of the exposure, px
-// Method: this pass runs at the time of that end, in a loop with one time, the middle of the exposure. Project the hit point to
-//      the raster time and search the four texels around in both layers for its id and depth (within `same_depth`). Points
-//      that do not move on the screen are skipped, because only their own pixel shows them, and the samples of that pixel are
-//      unresolved anyway if no layer has the point.
+// Out: `disoccluded`: 1 if neither layer has the surface that the pixel shows at that end
+//      `velocity`: displacement of this surface, px over the exposure
+//      `path_deviation`: path deviation of this surface in the middle of the exposure, px
+// Method: the pass runs at the time of that end, in a loop with a single time, the middle of the exposure. Project the hit
+//   point to its position at the raster time. Search the four texels around that position in both layers for the id of the
+//   point and its depth (within the share `same_depth`). Skip points that do not move on the screen: only their own pixel shows
+//   them, and if no layer has the point, the samples of that pixel are unresolved anyway.
 // Fails: misses a surface that appears and disappears again between the ends of the exposure.
 #include "lib/blur.glsl"
 #include "mixin/quantised.glsl"
@@ -32,16 +32,18 @@ bool hasSurface(vec2 position_px, uint id, float depth) {
   return false;
 }
 
-// Path deviation in the middle of the exposure, px. The arguments are paths from the raster time, px.
+// Path deviation in the middle of the exposure, px. The arguments are offsets of the surface from its position at the raster
+// time, at shutter open, in the middle and at shutter close, px.
 vec2 deviationOf(vec2 to_open, vec2 to_middle, vec2 to_close) { return to_middle - 0.5 * (to_open + to_close); }
 
-// True if `id` is a static instance and its view depth at the pixel, `depth_there`, is less than `depth`.
+// True if `id` (instance + 1) is a static instance that is nearer at the pixel (`depth_there`) than `depth`; view depths,
+// metres.
 bool isHiding(ivec2 pixel, uint id, float depth_there, float depth) {
   return id != 0u && instanceAt(id - 1u).moves == 0u && depth_there < depth;
 }
 
-// True if a static surface hides the depth `depth` at the pixel, for a static camera. The image at that end of the exposure
-// omits static surfaces, so they are read from the layers.
+// True if a static surface hides a surface at the view depth `depth` at the pixel, for a static camera. The input `hit` omits
+// static surfaces, so the layers provide them.
 bool isHidden(ivec2 pixel, float depth) {
   if (frame.camera_rests == 0u) return false;
   if (isHiding(pixel, texelFetch(id_tex, pixel, 0).x, texelFetch(depth_tex, pixel, 0).x, depth)) return true;
@@ -51,10 +53,11 @@ bool isHidden(ivec2 pixel, float depth) {
 
 // Result for the surface that a pixel shows at the tested end of the exposure.
 struct Disoccluded {
-  bool is_so;  // the surface is in no layer
+  bool is_so;  // the surface is in neither layer
   vec2 velocity, path_deviation;
 };
 
+// Result for a pixel that shows the sky at the tested end. The sky moves with the rotation of the camera.
 Disoccluded disoccludedSky(ivec2 pixel, Ray ray) {
   vec2 velocity = displacementOfSky(ray.direction);
   if (velocity == vec2(0)) return Disoccluded(false, vec2(0), vec2(0));
@@ -64,6 +67,7 @@ Disoccluded disoccludedSky(ivec2 pixel, Ray ray) {
   return Disoccluded(!has_surface, velocity, path_deviation);
 }
 
+// Result for a pixel that shows the surface `hit` at the tested end.
 Disoccluded disoccludedSurface(ivec2 pixel, Hit hit) {
   if ((instanceAt(hit.instance).path & PATH_MAY_APPEAR) == 0u) return Disoccluded(false, vec2(0), vec2(0));
   vec3 raster_ws = positionOf(SLICE_RASTER, hit);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Texels next to a texel with a different displacement; a moving silhouette may lie between the two texels.
+// Marks texels next to a texel with a different displacement: a moving silhouette may lie between the two texels.
 // In:  `velocity`: displacement, px over the exposure
 //      `velocity_post`: displacement after the raster time, px over the exposure; absent: `velocity`
 // Out: `near`: 1 if one of the eight texels around, inside the image, has a different displacement; otherwise 0
-// Method: compare the displacements with movesOtherwise() (lib/blur.glsl), with the parameter `slowest`.
+// Method: compare the displacements of the texel and of each neighbour by movesOtherwise() (lib/blur.glsl): they are different
+//   from a threshold on. The threshold is 5 % of the shorter displacement, at least `slowest` px, and at most 1/2 px (or
+//   `slowest`, if that is larger).
 // Fails: misses surfaces narrower than a pixel that lie between texels.
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"

@@ -1,38 +1,40 @@
 // SPDX-License-Identifier: MIT
 // Fits parabolas or arcs (mixin/curve.glsl) to the paths of a layer's points, through true poses inside the exposure.
-// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
-//      `id`:       instance + 1; 0 for the sky
-//      `velocity`: px over the exposure
-//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
-//      `normal`:   unit normal in world space; absent: growth is not tested
-// Out: `curve`:    xy: path deviation in the middle, px; zw: for an arc, logarithm of the growth factor and turn in radians,
-//                  over the exposure
-//      `path_deviation`:     path deviation in the middle of the exposure, px
-//      `nonlinear`:     1 if the path is more than `max_deviation` px from the curve at a time of the loop, or if two points
-//                  one pixel apart move more than `max_stretch` px apart
-// Method: the loop has three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs five, at 1/10, 3/10, 5/10, 7/10 and 9/10.
-//      Both curves meet the path in the middle of the exposure. On an arc, the second differences of the positions turn and
-//      grow as the arc does, for any centre and any linear motion of the centre. The quotient of two second differences
-//      therefore gives turn and growth.
-// Fails: parabolas fail beyond a sixth of a turn, arcs beyond one and a quarter turns. Circles seen obliquely are neither.
+// In:  `depth`: view depth, metres; +inf for the sky, 0 where the layer has no surface
+//      `id`: instance + 1; 0 for the sky
+//      `velocity`: displacement, px over the exposure
+//      `hit`: instance + 1, geometry, primitive; absent: deformation by joints and morph targets is ignored
+//      `normal`: unit normal in world space; absent: the stretch is not tested
+// Out: `curve`: xy: path deviation in the middle of the exposure, px; zw: for an arc, logarithm of the growth factor and turn
+//        in radians, over the exposure
+//      `path_deviation`: path deviation in the middle of the exposure, px
+//      `nonlinear`: 1 if the path is more than `max_deviation` px from the curve at a time of the loop, or if two points one
+//        pixel apart move more than `max_stretch` px apart
+// Method: pose the point at shutter open, at shutter close and at the times of the loop: three times for parabolas, at 1/6, 1/2
+//   and 5/6 of the exposure, and five for arcs, at 1/10, 3/10, 5/10, 7/10 and 9/10. Both kinds of curve meet the path at both
+//   ends and in the middle. On an arc, the second differences of the positions rotate and grow as the arc does, for any centre
+//   and any linear motion of the centre. The quotient of two second differences, as complex numbers, therefore gives turn and
+//   growth.
+// Fails: parabolas fail beyond a sixth of a turn, arcs beyond one and a quarter turns. A circle seen obliquely fits neither.
 #include "mixin/quantised.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"
 
 const int kPoses = PARAM_trajectory == trajectory_arc ? 5 : 3;
 
+// Time of pose k of the loop, as a share of the exposure from shutter open.
 float timeOfPose(int k) { return (float(k) + 0.5) / float(kPoses); }
 
 #if ON_ARCS
-// Limits of an arc; beyond each limit the curve is a parabola.
+// Limits of an arc. Beyond each limit the curve is a parabola.
 // kLeastDifference: shortest second difference that exceeds rounding errors, px; about four float spacings at 2048 to 4096 px.
 // kMaxStretch: largest logarithm of a growth factor over the exposure (e^4 = 55); not derived.
-// kMostTurn: largest turn, radians. The two second differences are 0.4 of the exposure apart, so turns are unique below
-// pi / 0.4 = 7.85. The value is 2 % less, so that rounding cannot reverse the sign.
+// kMostTurn: largest turn, radians. The two second differences are 0.4 of the exposure apart, so turns are unique below pi /
+// 0.4 = 7.85. The value is 2 % less, so that rounding cannot reverse the sign.
 const float kLeastDifference = 1e-3, kMaxStretch = 4.0, kMostTurn = 7.7;
 
-// Logarithm of the growth factor (x), and turn in radians (y), of a path over the exposure; 0 if it is not an arc. `places`:
-// positions at the five times, px.
+// Logarithm of the growth factor (x) and turn in radians (y) over the exposure, of a path that is an arc; 0 if the path is not
+// an arc. `places`: positions of the point at the five times, px.
 vec2 turnOf(vec2 places[kPoses]) {
   vec2 early = places[0] - 2.0 * places[1] + places[2], late = places[2] - 2.0 * places[3] + places[4];
   if (min(lengthOf(early), lengthOf(late)) < kLeastDifference) return vec2(0);

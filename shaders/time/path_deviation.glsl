@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Path deviation of a layer: marks surfaces that straight displacements do not describe.
-// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
-//      `id`:       instance + 1; 0 for the sky
-//      `velocity`: px over the exposure
-//      `hit`:      instance + 1, geometry, primitive; absent: surfaces are rigid
-//      `normal`:   unit normal in world space; absent: growth is not tested
-// Out: `path_deviation`:     path deviation, px: position in the middle of the exposure minus the midpoint of the path's ends
-//      `nonlinear`:     1 if `path_deviation` is longer than `max_deviation` px, or if a pixel grows to more than `max_stretch`
+// Path deviation of a layer, and marks for the surfaces that straight displacements do not describe.
+// In:  `depth`: view depth, metres; +inf for the sky, 0 where the layer has no surface
+//      `id`: instance + 1; 0 for the sky
+//      `velocity`: displacement, px over the exposure
+//      `hit`: instance + 1, geometry, primitive; absent: deformation by joints and morph targets is ignored
+//      `normal`: unit normal in world space; absent: the stretch is not tested
+// Out: `path_deviation`: position in the middle of the exposure minus the midpoint of the path's ends, px
+//      `nonlinear`: 1 if `path_deviation` is longer than `max_deviation` px, or if a pixel stretches to more than `max_stretch`
 //        px
-// Method: pose the point at shutter open, in the middle of the exposure and at shutter close. The loop has one time, the
-//      middle. A pixel's growth is the largest distance, at shutter open or close, of two points that are one pixel apart at
-//      the raster time.
-// Fails: a path that leaves its line and returns to it by the middle of the exposure counts as straight.
+// Method: pose the point at shutter open, in the middle of the exposure (the only time of the loop) and at shutter close. The
+//   stretch of a pixel is the largest distance, at shutter open or close, of two points that are one pixel apart at the raster
+//   time.
+// Fails: a path that leaves its line and returns to the line by the middle of the exposure counts as straight.
 #include "mixin/quantised.glsl"
 #include "mixin/texel_path.glsl"
 
-// Slices of the middle of the exposure, of shutter open and of shutter close.
+// Slices of the scene in the middle of the exposure, at shutter open and at shutter close.
 const uint kSlices[3] = uint[3](SLICE_SAMPLE, SLICE_SHUTTER_OPEN, SLICE_SHUTTER_CLOSE);
 
-// Path deviation of the surface at a texel, in the middle of the exposure, px. An end at the raster time adds 0.
+// Path deviation of the surface at a texel, in the middle of the exposure, px. An end of the exposure at the raster time is
+// skipped, because its offset from the raster time is 0.
 vec2 deviationAt(ivec2 pixel) {
   vec2 path_deviation = vec2(0);
   for (int k = 0; k < 3; ++k) {

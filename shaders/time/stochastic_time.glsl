@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Radiance of each pixel at one random time of the exposure (Cook, Porter, Carpenter 1984, "Distributed Ray Tracing").
-// In:  `color`:    linear radiance at the raster time
-//      `velocity`: px over the exposure, at the raster time
+// In:  `color`: linear radiance at the raster time
+//      `velocity`: displacement of the surface at the raster time, px over the exposure
 //      `dominant`: longest displacement that reaches the tile, px over the exposure
-// Out: `noisy`:    linear radiance at the drawn time, alpha 1
-//      `moved`:    displacement of the surface hit at the drawn time, px over the exposure
+// Out: `noisy`: linear radiance at the drawn time, alpha 1
+//      `moved`: displacement of the surface hit at the drawn time, px over the exposure
 // Method: draw one of the loop's times by a hash of pixel, frame and seed, trace the scene as posed at that time, and shade the
-//      hit as at the raster time. The mean over seeds is the mean over the loop's times. If `dominant` moves no surface by more
-//      than half a pixel, copy `color` and `velocity`.
-// Fails: noise, because one time represents all. A surface that enters the image where no tile has a displacement is missed.
+//   hit as at the raster time. The mean over seeds is the mean over the loop's times. Copy `color` and `velocity` where
+//   `dominant` moves no surface by more than half a pixel.
+// Fails: noise, because one time represents the whole exposure. A surface that enters the image where no tile has a
+//   displacement is missed.
 #include "lib/blur.glsl"
 #include "lib/noise.glsl"
 #include "mixin/shade.glsl"
 
+// Key of the noise: differs from frame to frame only with jitter_frame = per_frame.
 uint keyOfFrame() {
 #if PARAM_jitter_frame == jitter_frame_per_frame
   return noiseKey(frame.frame, frame.seed);

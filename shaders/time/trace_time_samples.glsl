@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Traces the time samples that no layer resolves, each at the time of the sample.
-// In:  `partial`:           linear radiance: sum of the resolved samples, divided by the number of all samples; alpha: share of
-//        resolved samples
-//      `unresolved`:           bit i is set if time i of the loop is unresolved
-//      `hit`:            raster layer: instance + 1 (0 = sky), geometry, primitive
+// Traces rays for the time samples that no layer resolves, each at the time of its sample.
+// In:  `partial`: sum of the resolved samples, divided by the number of all samples, linear radiance; alpha: share of resolved
+//        samples
+//      `unresolved`: bit i is set if time i of the loop is unresolved
+//      `hit`: raster layer: instance + 1 (0 = sky), geometry, primitive
 //      `color`, `revealed_color`: linear radiance of the raster layer and of the revealed layer
-//      `depth`, `revealed_depth`: view depth of both layers, m; +inf for the sky
+//      `depth`, `revealed_depth`: view depth of both layers, metres; +inf for the sky
 //      `id`, `revealed_id`: instance + 1, geometry + 1 of both layers; 0 for the sky
 //      `revealed_valid`: above 1/2 where the revealed layer has a surface
-// Out: `picture`:        linear radiance, alpha 1
+// Out: `picture`: linear radiance, alpha 1
 // Method: trace the scene as posed at the sample's time. If a layer shows the hit point, take that layer's colour
-//      (mixin/raster_color.glsl). Otherwise shade the point as at the raster time. Add the mean of the traced samples with the
-//      weight of the unresolved samples. For validation, the resolved samples are traced too in the share `validation_share` of
-//      the pixel blocks in the moving rectangle. The counter `mismatched` counts pixels whose traced mean differs from the mean
-//      of the layers by more than the share `mismatch_tolerance`.
+//   (mixin/raster_color.glsl). Otherwise shade the point as at the raster time. Add the mean of the traced samples to
+//   `partial`, with the weight of the unresolved samples.
+//   Validation: in the share `validation_share` of the pixel blocks in the moving rectangle, trace the resolved samples too.
+//   The counter `mismatched` counts pixels where the mean of these rays differs from the mean of the layers by more than the
+//   share `mismatch_tolerance`.
 // Fails: highlights and shadows do not move within the exposure. Silhouettes are aliased, because each ray goes through the
-//      centre of the pixel.
+//   centre of the pixel.
 #include "lib/validation.glsl"
 #include "lib/parts.glsl"
 #include "lib/moving_rect.glsl"
 #include "mixin/raster_color.glsl"
 #include "mixin/static_background.glsl"
 
+// Radiance at the pixel at the time of `slice`. The ray updates `static_background`, which later rays of the pixel reuse.
 vec3 sampleAt(ivec2 pixel, uint slice, inout StaticBackground static_background) {
   Ray ray = cameraRay(slice, samplePosition(pixel));
   Hit hit = nearestAt(slice, ray, static_background);
@@ -31,7 +33,7 @@ vec3 sampleAt(ivec2 pixel, uint slice, inout StaticBackground static_background)
   return color;
 }
 
-// Mean radiance at the pixel over the times in the set `times`.
+// Mean radiance at the pixel over the times of the loop in the set `times` (lib/parts.glsl).
 vec3 meanOf(ivec2 pixel, uvec2 times, inout StaticBackground static_background) {
   int count = countParts(times);
   vec3 sum = vec3(0);
@@ -49,8 +51,8 @@ vec3 meanOf(ivec2 pixel, uvec2 times, inout StaticBackground static_background) 
   return fromSum(sum / float(count));
 }
 
-// Compares the mean of the resolved samples with the mean `is_so` of traced samples at the same times, and counts a mismatch.
-// The tolerance has the constant part 1e-3 (linear radiance), so that nearly black pixels do not mismatch.
+// Compares the mean of a pixel's resolved samples (from `partial`) with the mean `is_so` of rays at the same times, and counts
+// a mismatch. The tolerance has the constant part 1e-3 (linear radiance), so that nearly black pixels do not mismatch.
 void validation_share(vec4 partial, vec3 is_so) {
   vec3 said = vec3(partial) / partial.a;
   vec3 apart = abs(said - is_so), larger = max(abs(said), abs(is_so));

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Splits the motion of a layer into two linear segments, before and after the raster time.
-// In:  `depth`:    view depth, m; +inf for the sky, 0 where the layer has no surface
-//      `id`:       instance + 1; 0 for the sky
-//      `velocity`: px over the exposure
-// Out: `velocity_pre`:   velocity before the raster time, scaled to the whole exposure, px
-//      `velocity_post`:  velocity after the raster time, scaled to the whole exposure, px
-// Method: pose the point at both ends of the exposure and divide each path by its part of the exposure. A point that is at y at
-//      the raster time is at y + velocity_pre * t for t < 0 and at y + velocity_post * t for t > 0. Both outputs equal
-//      `velocity` if the exposure lies on one side of the raster time. They also do if joints or morph targets deform the
-//      instance, because `id` then does not identify the point.
+// In:  `depth`: view depth, metres; +inf for the sky, 0 where the layer has no surface
+//      `id`: instance + 1; 0 for the sky
+//      `velocity`: displacement, px over the exposure
+// Out: `velocity_pre`: velocity before the raster time, scaled to the whole exposure, px
+//      `velocity_post`: velocity after the raster time, scaled to the whole exposure, px
+// Method: pose the point at both ends of the exposure. Divide each offset from the position at the raster time by the part of
+//   the exposure between the raster time and that end. A point that is at y at the raster time is then at y + velocity_pre * t
+//   for t < 0 and at y + velocity_post * t for t > 0 (t in exposures). Both outputs equal `velocity` in two cases: if the
+//   exposure lies on one side of the raster time, and if joints or morph targets deform the instance, because `id` then does
+//   not identify the point.
 // Fails: motion that changes direction or speed at any time other than the raster time.
 #include "lib/blur.glsl"
 #include "mixin/quantised.glsl"
 #include "mixin/surface.glsl"
 
+// Screen offset of the surface at a texel from the raster time to the time of `slice`, px. `id`: instance + 1; 0 for the sky.
+// `depth`: view depth, metres.
 vec2 pathOfTexel(uint slice, Ray ray, uint id, float depth) {
   if (id == 0u) return pathOfSky(slice, ray.direction);
   return pathOfPoint(slice, id - 1u, ray.origin + ray.direction * depth);

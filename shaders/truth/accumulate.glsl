@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Adds one time sample to the mean of its half of the samples (Haeberli and Akeley 1990, "The Accumulation Buffer").
+// Adds one time sample to one of two running means, each over half of the samples (Haeberli and Akeley 1990, "The Accumulation
+// Buffer").
 // In:  `color`: linear radiance at one time
 // Out: `mean_a`, `mean_b`: updated; rgb: mean linear radiance of the samples of even iterations (`mean_a`) and of odd
-//      iterations (`mean_b`); alpha: number of samples
-// Method: running mean (lib/mean.glsl). The difference of the two halves gives the error of their mean (truth/mean.glsl).
+//        iterations (`mean_b`); alpha: number of samples
+// Method: running mean (lib/mean.glsl). There are two means because their difference gives the error of the mean of all samples
+//   (truth/mean.glsl).
 // Fails: never.
 #include "lib/mean.glsl"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Per block of pixels, the squared difference of the means of two halves of the samples; first step of the stop test.
+// Squared difference of the means of two halves of the samples, summed over blocks of pixels; first step of the test that stops
+// the loop over samples (truth/stop.glsl).
 // In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: number of samples
-// Out: `half_difference`: x: sum of (mean a - mean b)^2 over the block's pixels and channels; y: number of pixels, 0 if a half
-//                has no sample in one of the pixels
-// Method: sum over a block, whose side is `block` px. Blocks at the right and bottom border may be partial.
+// Out: `half_difference`: per block; x: sum of (mean a - mean b)^2 over the block's pixels and channels; y: number of pixels.
+//        Both are 0 if a half has no sample in one of the pixels
+// Method: sum over a square block with a side of `block` px. Blocks at the right and bottom border may be partial.
 // Fails: never.
 void run(ivec2 pixel) {
   ivec2 first = pixel * params.block;

@@ -2,10 +2,11 @@
 // Joins two sets of time samples of ground truth into one set.
 // In:  `first_a`, `first_b`: first set: rgb: mean linear radiance of each half of the samples; alpha: number of samples
 //      `more_a`, `more_b`: second set: rgb: mean linear radiance of each half of the samples; alpha: number of samples
-//      `first_regions`, `more_regions`: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
+//      `first_regions`, `more_regions`: regions of each set for the report of errors, bits 1 inner, 2 hidden, 4 outer, 8 self
+//        (lib/regions.glsl)
 // Out: `mean_a`, `mean_b`: rgb: mean linear radiance of each half of all samples; alpha: number of samples
-//      `regions`: bits 1 inner, 2 hidden, 4 outer, 8 self
-// Method: means weighted by the numbers of samples; regions combined by bitwise or.
+//      `regions`: regions of all samples, with the bits of the inputs
+// Method: weight the means by the numbers of samples; combine the regions by bitwise or.
 // Fails: never.
 #include "lib/mean.glsl"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Mean of two independent halves of the samples, and its error.
+// Mean of all time samples of ground truth, from the means of two independent halves, and the error of this mean.
 // In:  `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: number of samples
-// Out: `color`:      linear radiance, mean of all samples; alpha 1
-//      `error`:      rgb: |mean a - mean b| / 2, linear radiance; alpha: number of all samples
-// Method: the mean is weighted by the numbers of samples. The root mean square of `error` over the image is the standard error
-//      of `color`.
+// Out: `color`: mean of all samples, linear radiance; alpha 1
+//      `error`: rgb: |mean a - mean b| / 2, linear radiance; alpha: number of all samples
+// Method: weight the means of the halves by their numbers of samples. The root mean square of `error` over the image is the
+//   standard error of `color`.
 // Fails: if a half has no samples, the error is 0 although it is unknown.
 #include "lib/mean.glsl"
 

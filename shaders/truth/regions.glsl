@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Image regions for the report of errors, from the surfaces that the time samples hit.
+// Image regions for the report of errors, from the surfaces that the time samples of ground truth hit.
 // In:  `regions`: region bits of all samples (lib/regions.glsl), combined by bitwise or
-// Out: `inner`:   1 if a sample hits another, farther instance than the raster layer shows at the pixel
-//      `hidden`:  1 if a sample hits a point that is occluded at the raster time
-//      `outer`:   1 if a sample hits another, nearer instance than the raster layer shows at the pixel
-//      `self`:    1 if a sample hits an occluded point of the instance that the raster layer shows at the pixel
+// Out: `inner`: 1 if a sample hits another, farther instance than the raster layer shows at the pixel
+//      `hidden`: 1 if a sample hits a point that is occluded at the raster time
+//      `outer`: 1 if a sample hits another, nearer instance than the raster layer shows at the pixel
+//      `self`: 1 if a sample hits an occluded point of the instance that the raster layer shows at the pixel
 // Method: write each bit to its own image.
 // Fails: never.
 #include "lib/regions.glsl"

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Adds one time sample to each pixel's mean, by distributed ray tracing in time (Cook, Porter, Carpenter 1984).
-// In:  `hit`:     raster layer: instance + 1 (0 = sky), geometry, primitive
-//      `pixel_list`:  pixels to sample; absent: all pixels
-//      `light_visibility`:    output of `tile_light_visibility`: per shadow tile, bits of the lights that are visible (x) and
-//                 blocked (y) from all surfaces of the tile
+// In:  `hit`: raster layer: instance + 1 (0 = sky), geometry, primitive
+//      `pixel_list`: pixels to sample; absent: all pixels
+//      `light_visibility`: per shadow tile, bits of the lights visible (x) and blocked (y) from all its surfaces; absent: none
 //      `known_hit`, `known_shadows`, `even_color`: consensus of the first samples (truth/sample_consensus.glsl); absent: none
 //      `first_static`, `first_static_mean`, `first_regions`: outputs `static_background`, `static_mean` and `regions` of the
-//                 samples before this loop; absent: none
-// Out: (all outputs are updated) `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
-//      `regions`: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
-//      `static_background`:  common surface of the static hits, with its distance (lib/consensus.glsl). With `pixel` = box, the
-//                 common surface of the moving hits if no hit is static
-//      `static_mean`:   rgb: mean linear radiance of the static hits; alpha: number of static hits
-//      `contrast`:  largest difference of a static sample's radiance from the mean before it, as a share of that mean
-//      `shadows`: visible and blocked lights of two instances (lib/consensus.glsl)
+//        loop before; absent: none
+// Out: all outputs are updated. `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
+//      `regions`: regions for the report of errors: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
+//      `static_background`: common surface of the static hits, with its distance (lib/consensus.glsl). With `pixel` = box, the
+//        common surface of the moving hits if no hit is static
+//      `static_mean`: rgb: mean linear radiance of the static hits; alpha: number of static hits
+//      `contrast`: largest difference of a static sample's radiance from the mean before the sample, as a share of that mean
+//      `shadows`: visible and blocked lights on two instances (lib/consensus.glsl)
 // Method: draw one of the iteration's times, trace the scene as posed at that time, shade the hit, and add the radiance without
-//      clamping. Two shortcuts are exact: static surfaces are found once per ray, and moving surfaces have their own tree. One
-//      shortcut is an assumption: later samples agree with the consensus of the first samples (docs/truth.md).
-// Fails: misses a surface between all first samples. The share `validation_share` of the pixel blocks traces every ray and
-//      counts contradictions.
+//   clamping. Two shortcuts are exact: the static surface on a ray is found once, and rays then test only the moving surfaces,
+//   which have their own tree. One shortcut is an assumption: later samples agree with the consensus of the first samples
+//   (docs/truth.md).
+// Fails: misses a surface that lies between all first samples. To measure this, the share `validation_share` of the pixel
+//   blocks traces every ray and counts contradictions.
 #include "lib/validation.glsl"
 #include "lib/mean.glsl"
 #include "lib/moving_rect.glsl"
@@ -30,16 +30,18 @@
 const float kFar = 3.0e38;
 const bool kFrozen = PARAM_shading == shading_frozen;
 
+// True if two transforms are equal, bit for bit.
 bool sameTransform(SceneTransform a, SceneTransform b) {
   return a.row_x == b.row_x && a.row_y == b.row_y && a.row_z == b.row_z;
 }
 
-// True if the instance has its pose of the raster time in this slice. False for deformed instances, because their vertices are
-// not compared.
+// True if the instance has the same pose at `slice` as at the raster time. False for deformed instances, because their vertices
+// are not compared.
 bool isPosedAlike(uint slice, uint instance) {
   return !deforms(instance) && sameTransform(transformOf(slice, instance), transformOf(SLICE_RASTER, instance));
 }
 
+// True if the camera has the same pose and field of view at `slice` as at the raster time.
 bool cameraIsStill(uint slice) {
   if (frame.camera_rests != 0u) return true;
   SceneCamera a = scene_cameras[slice], b = scene_cameras[SLICE_RASTER];
@@ -47,23 +49,23 @@ bool cameraIsStill(uint slice) {
          a.half_extent == b.half_extent;
 }
 
-// The hit in the form of lib/consensus.glsl: instance + 2, geometry, triangle.
+// Ids of a hit in the form of lib/consensus.glsl: instance + 2, geometry, triangle.
 uvec4 idsOf(Hit hit) {
   return isHit(hit) ? uvec4(hit.instance + 2u, hit.geometry, hit.primitive, 0u) : uvec4(kSkySurface, 0u, 0u, 0u);
 }
 
-// True if a sample that is traced in full, for validation, differs from the surface on which the first samples agree, or from
-// the shadows that are assumed for it.
+// True if the current sample contradicts the consensus: it hits another surface than the first samples agree on, or has other
+// shadows. Computed only for samples that trace all rays, for validation.
 bool misses = false;
 
-// True if the camera is static and `ids` is one moving surface.
+// True if the camera is static and `ids` (form of lib/consensus.glsl) is one surface of a moving instance.
 bool isMoving(uvec4 ids) {
   return frame.camera_rests != 0u && isOneSurface(ids) && ids.x != kSkySurface && instanceAt(instanceOf(ids)).moves != 0u;
 }
 
-// True if the hit point is occluded at the raster time, or behind the near plane at that time. The last 2^-12 of the distance
-// to the point is not tested, because the point's own surface lies there. With a static camera, only moving surfaces occlude a
-// static point, and nothing occludes a rigid instance that is in front of everything.
+// True if the hit point is occluded at the raster time, or behind the near plane at that time. The ray ends 2^-12 of the
+// distance before the point, because the point's own surface lies there. With a static camera, two tests need fewer rays: only
+// moving surfaces occlude a static point, and nothing occludes a rigid instance that is in front of all others.
 bool wasOccluded(ivec2 pixel, Hit hit) {
   bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
   if (by_moving && !isReachedAt(SLICE_RASTER, pixel)) return false;
@@ -78,8 +80,8 @@ bool wasOccluded(ivec2 pixel, Hit hit) {
   return isHidden(SLICE_RASTER, mask, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
 }
 
-// True if the hit point is inside the image and beyond the near plane at the raster time. `place`: pixel at the point's
-// position at that time.
+// True if the hit point is inside the image and beyond the near plane at the raster time. `place`: pixel that contains the
+// point at that time.
 bool isInRaster(Hit hit, out ivec2 place) {
   vec3 position_vs = viewFromWorld(SLICE_RASTER, positionOf(SLICE_RASTER, hit));
   vec2 place_px = pixelFromView(SLICE_RASTER, position_vs);
@@ -90,17 +92,18 @@ bool isInRaster(Hit hit, out ivec2 place) {
   return true;
 }
 
-// Bits of the report regions that an occluded point at this hit would add to the pixel; 0 if the pixel has them all. `known`:
-// bits that the pixel has.
+// Bits of the report regions that the pixel gets if the hit point is occluded at the raster time; 0 if the pixel has all of
+// these bits already, so that no occlusion test is needed. `known`: bits that the pixel has.
 uint wantedRegions(ivec2 pixel, Hit hit, uint known) {
   if (!isHit(hit)) return 0u;
   uint wanted = hit.instance + 1u == hit_at(pixel).x ? kRegionHidden | kRegionSelf : kRegionHidden;
   return (known & wanted) != wanted ? wanted : 0u;
 }
 
-// Bits of the report regions of a sample. `is_static`: neither camera nor instance has moved since the raster time, so a
-// comparison with the depth of the raster layer replaces the occlusion test. `hidden`: result of the occlusion test if
-// `is_static` is false: bits of the regions of an occluded point, or 0 if the point is visible at the raster time.
+// Bits of the report regions of a sample. They compare the hit with the surface that the raster layer shows at the pixel.
+// `is_static`: neither camera nor instance has moved since the raster time; a comparison of depths then replaces the occlusion
+// test. `hidden`: result of the occlusion test if `is_static` is false: bits of the regions of an occluded point, or 0 if the
+// point is visible at the raster time.
 uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_static, uint hidden) {
   uvec4 ids = hit_at(pixel);
   uint id = isHit(hit) ? hit.instance + 1u : 0u;
@@ -119,7 +122,7 @@ uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_static, uint h
   return found | hidden;
 }
 
-// True if rays may pass through the triangle, because its material has alpha cut-outs.
+// True if rays may pass through the triangle `ids` (form of lib/consensus.glsl), because its material has alpha cut-outs.
 bool hasHoles(uvec4 ids) {
 #if FACT_alpha
   if (ids.x == kSkySurface) return false;
@@ -129,34 +132,38 @@ bool hasHoles(uvec4 ids) {
 #endif
 }
 
-// Adds the sample to the mean of its half of the samples. The difference of the two halves gives the error of their mean.
+// Adds sample `number` to the mean of its half of the samples. The difference of the two halves gives the error of their mean.
 void addSample(ivec2 pixel, uint number, vec3 color) {
   uint half_of = PARAM_pixel == pixel_box ? stratifiedHalf(number) : frame.iteration & 1u;
   if (half_of == 0u) imageStore(mean_a_img, pixel, withSample(imageLoad(mean_a_img, pixel), color));
   else imageStore(mean_b_img, pixel, withSample(imageLoad(mean_b_img, pixel), color));
 }
 
-// Sets both means as if all samples of the loop had this colour, for pixels where no moving surface can be visible.
+// Sets the means of both halves as if all samples of the loop had this colour, for pixels where no moving surface can be
+// visible.
 void setSamples(ivec2 pixel, vec3 color) {
   imageStore(mean_a_img, pixel, vec4(color, float((frame.iteration_count + 1u) / 2u)));
   imageStore(mean_b_img, pixel, vec4(color, float(frame.iteration_count / 2u)));
 }
 
-// Static surface that earlier samples of the pixel hit, in this loop or in the loop before it (lib/consensus.glsl).
+// Static surface that earlier samples of the pixel hit, in this loop or in the loop before (form of lib/consensus.glsl);
+// kNoSurface if no sample did.
 uvec4 staticBefore(ivec2 pixel) {
   uvec4 static_background = imageLoad(static_background_img, pixel);
   return static_background.x == kNoSurface ? first_static_at(pixel) : static_background;
 }
 
+// Mean radiance of these static hits (rgb) and their number (alpha), from this loop or the loop before.
 vec4 staticMeanBefore(ivec2 pixel) {
   vec4 static_mean = imageLoad(static_mean_img, pixel);
   return static_mean.a == 0.0 ? first_static_mean_at(pixel) : static_mean;
 }
 
+// Bits of the report regions that earlier samples of the pixel have set, in this loop or the loop before.
 uint regionsBefore(ivec2 pixel) { return imageLoad(regions_img, pixel).r | first_regions_at(pixel).r; }
 
-// Intersection of a ray with the surface of the consensus; a miss if the ray passes beside the surface or through a hole in it.
-// `t`: distance along the ray.
+// Intersection of a ray with the surface that the first samples agree on (`consensus`, form of lib/consensus.glsl). The result
+// is a miss if the ray passes beside the surface or through a hole. `t`: distance along the ray.
 Hit hitOnConsensus(uint slice, Ray ray, uvec4 consensus, out float t) {
   uint instance = instanceOf(consensus);
   bool one_triangle = isOneTriangle(consensus) && !hasHoles(consensus) && !isMoving(consensus);
@@ -169,15 +176,18 @@ Hit hitOnConsensus(uint slice, Ray ray, uvec4 consensus, out float t) {
   return hit;
 }
 
-// Surface on a sample's ray that earlier samples have found, so that the ray need not test the whole scene.
+// Surface on a sample's ray that is known from earlier samples, so that the ray need not test the whole scene.
 struct Known {
-  bool is_known, is_found;  // is_found: the surface is static, and an earlier sample on the same ray hit it
+  bool is_known, is_found;  // is_known: `hit` is valid; is_found: an earlier sample on the same ray hit this static surface
   Hit hit;
-  float t;       // distance along the ray, as traversal computes it
-  uvec4 consensus;  // consensus of the first samples
-  Hit taken;     // intersection of this ray with the surface `consensus`
+  float t;                  // distance along the ray, as traversal computes it
+  uvec4 consensus;          // surface that the first samples agree on (form of lib/consensus.glsl)
+  Hit taken;                // intersection of this ray with the surface `consensus`
 };
 
+// Surface known on the ray. `one_ray`: all samples of the pixel have one ray, so an earlier hit on a static surface is valid
+// for this sample. `spares_rays`: false for samples that trace all rays; the consensus is then compared with the traced hit,
+// but not used.
 Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) {
   Known known = Known(false, false, noHit(), kFar, uvec4(kNoSurface), noHit());
   uvec4 found = one_ray ? staticBefore(pixel) : uvec4(kNoSurface);
@@ -198,7 +208,7 @@ Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) 
   return known;
 }
 
-// True if a fully traced sample, `hit`, is on another surface than the consensus predicts.
+// True if the hit of a fully traced sample is on another surface than the consensus predicts.
 bool contradicts(Known known, Hit hit) {
   if (!isOneSurface(known.consensus)) return false;
   uvec4 ids = idsOf(hit);
@@ -207,8 +217,10 @@ bool contradicts(Known known, Hit hit) {
   return isAtRest(hit) && known.consensus.xyz != ids.xyz;
 }
 
-// Known shadows at the hit point, in the form of lib/consensus.glsl; 0 if unknown. `is_shown`: true if the camera moves and the
-// first samples hit only the point's triangle at the raster time.
+// Shadows at the hit point that the first samples agree on (form of lib/consensus.glsl); 0 if unknown. With a static camera,
+// they are stored at the pixel itself, with a moving camera, at the pixel that shows the point at the raster time. `is_shown`:
+// true if the camera moves and the first samples in that pixel hit only the point's triangle, so that the raster image is
+// assumed to show the point.
 uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   is_shown = false;
   if (!kFrozen || !isHit(hit)) return 0u;
@@ -221,8 +233,9 @@ uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   return shadowsOf(known_shadows_at(place), hit.instance);
 }
 
-// Nearest hit on a sample's ray. If the hit `static_background` is known, the ray tests only moving surfaces up to that hit. At
-// equal distance the first instance of the scene wins. `t`: distance along the ray, as traversal computes it.
+// Nearest hit on a sample's ray. If `is_known`, `static_background` is the known hit at the distance `t`: the ray tests only
+// moving surfaces up to that hit or, if no moving surface can be visible, nothing. At equal distance the first instance of the
+// scene wins. On return, `t` is the distance along the ray, as traversal computes it.
 Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit static_background, inout float t) {
   if (is_known && (!isAtRest(static_background) || !isReachedAt(slice, pixel))) return static_background;
   uint mask = is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
@@ -241,8 +254,8 @@ void takeAsKnown(uvec2 lights) {
   known_blocked = found_blocked = lights.y;
 }
 
-// Linear radiance of a hit, or of the sky. `known`: bits of the lights known to be visible (x) and blocked (y). They replace
-// shadow rays only with `spares_rays`; otherwise a contradiction sets `misses`.
+// Linear radiance of a hit, or of the sky. `known`: bits of the lights assumed to be visible (x) and blocked (y). With
+// `spares_rays`, these lights get no shadow ray. Otherwise all shadow rays are traced, and a contradiction sets `misses`.
 vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   if (!isHit(hit)) return environment(ray.direction);
   takeAsKnown(spares_rays ? known : uvec2(0u));
@@ -251,7 +264,8 @@ vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   return color;
 }
 
-// Summary of the surfaces of earlier samples and of one more surface, `ids` (lib/consensus.glsl).
+// Summary of the surfaces of several samples (form of lib/consensus.glsl): the summary `before` and one more surface, `ids`,
+// joined.
 uvec4 withSurface(uvec4 before, uvec4 ids) {
   if (before.x == kNoSurface) return ids;
   if (before.xy != ids.xy) return uvec4(kSeveralSurfaces, 0u, 0u, 0u);
@@ -259,14 +273,14 @@ uvec4 withSurface(uvec4 before, uvec4 ids) {
   return before;
 }
 
-// Records a moving surface, unless an earlier sample has hit a static surface.
+// Records a moving surface in the summary of the pixel, unless an earlier sample has hit a static surface.
 void noteMoving(ivec2 pixel, Hit hit) {
   uvec4 before = imageLoad(static_background_img, pixel);
   if (before.x == kNoSurface || isMoving(before)) imageStore(static_background_img, pixel, withSurface(before, idsOf(hit)));
 }
 
-// Records a surface and its shadows for the consensus and for later samples. The surface is static, or the hit of a probe at
-// the raster time. Returns false for the first such sample of the pixel, otherwise true.
+// Records a surface and its shadows for the consensus and for later samples. The surface is a static hit, or the hit of a probe
+// at the raster time. Returns false for the first such sample of the pixel, otherwise true.
 bool noteSurface(ivec2 pixel, Hit hit, float background_t) {
   uvec4 before = imageLoad(static_background_img, pixel);
   bool is_first = before.x == kNoSurface || isMoving(before);
@@ -281,6 +295,7 @@ bool noteSurface(ivec2 pixel, Hit hit, float background_t) {
   return !is_first;
 }
 
+// Records a static hit: surface, shadows, mean radiance and contrast.
 void note(ivec2 pixel, Hit hit, float background_t, vec3 color) {
   bool was_static = noteSurface(pixel, hit, background_t);
   vec4 static_mean = imageLoad(static_mean_img, pixel);
@@ -292,9 +307,10 @@ void note(ivec2 pixel, Hit hit, float background_t, vec3 color) {
 #endif
 }
 
-// Bits of the lights visible (x) and blocked (y) from the whole shadow tile; 0 if the raster image does not show the hit. With
-// pixel = centre, the pixel must show the hit's triangle. With pixel = box, the pixel and the eight pixels around it must show
-// the hit's surface.
+// Bits of the lights that are visible (x) and blocked (y) at the hit, from the light visibility of the shadow tile. 0 if the
+// raster image does not show the hit, because the tile's result is valid only for surfaces that the raster image shows. With
+// pixel = centre, the pixel must show the hit's triangle. With pixel = box, the pixel and the eight pixels around must show the
+// hit's surface.
 uvec2 knownShadows(ivec2 pixel, Hit hit) {
   if (!isHit(hit)) return uvec2(0u);
   uvec3 ids = uvec3(hit.instance + 1u, hit.geometry, hit.primitive);
@@ -312,8 +328,8 @@ uvec2 knownShadows(ivec2 pixel, Hit hit) {
 }
 
 #if PARAM_probes
-// Traces a ray at the raster time through a position in the pixel, and records the surface hit and its shadows. The radiance is
-// not used, because the camera moves.
+// Probe: traces a ray at the raster time through a position in the pixel, and records the surface hit and its shadows. The
+// probe has no radiance: with a moving camera, it is on another ray than the sample.
 void probe(ivec2 pixel, vec2 position_px) {
   Ray ray = cameraRay(SLICE_RASTER, position_px);
   float t = kFar;
@@ -336,7 +352,7 @@ void run(ivec2 pixel) {
   Ray ray = cameraRay(slice, position_px);
   bool validated = isValidated(pixel / kValidationBlock, params.validation_share);
   bool spares_rays = PARAM_every_ray == 0 && !validated;
-  // With a static camera, all rays through the pixel's centre are one ray.
+  // With a static camera, all rays through the centre of a pixel are one ray.
   bool one_ray = PARAM_every_ray == 0 && kFrozen && PARAM_pixel == pixel_centre && frame.camera_rests != 0u;
 
   vec4 even = even_color_at(pixel);
@@ -348,8 +364,8 @@ void run(ivec2 pixel) {
   bool at_rest = isAtRest(hit);
   misses = !spares_rays && contradicts(known, hit);
 
-  // Test the occlusion at the raster time if the regions need it. With a moving camera, also test it if the known shadows save
-  // more than one ray.
+  // Test the occlusion of the hit at the raster time in two cases: the regions need the result, or, with a moving camera, the
+  // shadows of the first samples save more rays than the test costs (more than one).
   uint regions = 0u, wanted = 0u;
   bool is_static = false, is_shown;
 #if PARAM_mark_regions

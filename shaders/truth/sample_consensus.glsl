@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Consensus of the first samples of a pixel and of the eight around it, so that the other samples need fewer rays.
-// In:  `static_background`:        common surface of the static hits, or of the moving hits if none is static: instance + 2,
-//                       geometry, triangle
-//      `static_mean`:         rgb: mean linear radiance of the static hits; alpha: number of static hits
-//      `contrast`:        largest difference of a static sample's radiance from the mean before it, as a share of that mean
-//      `shadows`:       visible and blocked lights of two instances (lib/consensus.glsl)
-// Out: `known_hit`:     surface that all samples hit, and its triangle if they hit only one; x = 0 without a consensus
-//      `known_shadows`: visible and blocked lights of the pixel's two instances that all samples confirm (lib/consensus.glsl)
-//      `even_color`:    rgb: linear radiance, alpha: 1 if all samples hit one surface and their radiance differs by at most the
-//                       share `even_within`; otherwise 0
-//      `more`:          0 if these samples are enough, otherwise 1
-// Method: compare the pixel with the eight around it. A silhouette that cuts off less of a pixel than the distance of its
-//      samples is found by the samples of a neighbour. The samples are enough if their radiance is uniform, the camera is
-//      static, shading is frozen, no moving surface can be visible at the pixel, and the pixel is not validated.
-// Fails: a surface that lies between all of these samples is missed.
+// Consensus of the first samples of a pixel and of the eight pixels around, so that the other samples need fewer rays.
+// In:  `static_background`: common surface of the static hits, or of the moving hits if none is static: instance + 2, geometry,
+//        triangle (lib/consensus.glsl)
+//      `static_mean`: rgb: mean linear radiance of the static hits; alpha: number of static hits
+//      `contrast`: largest difference of a static sample's radiance from the mean before the sample, as a share of that mean
+//      `shadows`: visible and blocked lights on two instances (lib/consensus.glsl)
+// Out: `known_hit`: surface that the samples of all nine pixels agree on, and its triangle if they agree on one; x = 0 without
+//        a consensus
+//      `known_shadows`: visible and blocked lights on the pixel's two instances that all samples confirm (lib/consensus.glsl)
+//      `even_color`: rgb: linear radiance; alpha: 1 if all samples hit one surface and their radiance differs by at most the
+//        share `even_within`, otherwise 0
+//      `more`: 0 if these samples are enough, otherwise 1
+// Method: compare the pixel with the eight pixels around, because a silhouette may cut off a part of a pixel so small that it
+//   lies between the pixel's samples. The samples of a neighbour then find the silhouette. The samples are enough if their
+//   radiance is uniform, the camera is static, shading is frozen, no moving surface can be visible at the pixel, and the pixel
+//   is not validated.
+// Fails: misses a surface that lies between all of these samples.
 #include "lib/validation.glsl"
 #include "lib/moving_rect.glsl"
 #include "lib/consensus.glsl"
 
-// Shadows on an instance according to the samples of another pixel, in the form of lib/consensus.glsl. `kept`: shadows that the
-// other pixel has recorded; `whose`: instance + 2. All bits are set if the other pixel's samples never hit the instance. No bit
-// is set if they hit more instances than the texel holds, so that the result is unknown.
+// Shadows on an instance according to the samples of another pixel, in the form of lib/consensus.glsl. `kept`: shadows of two
+// instances that the other pixel has recorded. `whose`: instance + 2. All bits are set (no contradiction) if the other pixel's
+// samples never hit the instance. No bit is set (unknown) if they hit more instances than `kept` holds.
 uint shadowsBeside(uvec4 kept, uint whose) {
   if (kept.x == whose) return kept.y;
   if (kept.z == whose) return kept.w;

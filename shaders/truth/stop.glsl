@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Stops the loop of time samples when the standard error of their mean is small enough.
-// In:  `half_difference`: per block: x: sum of the squared differences of the two halves' means; y: number of pixels, 0 if
-//      the difference is unknown
-// Out: `stop`:   one pixel: 1 if at least `min_samples` iterations have run and the standard error is at most `tolerance`;
-//      otherwise 0
-// Method: standard error = rms(mean a - mean b) / 2 over all pixels and channels.
+// Stops the loop over time samples when the standard error of their mean is small enough.
+// In:  `half_difference`: per block: x: sum of the squared differences of the two halves' means; y: number of pixels, 0 if the
+//        difference is unknown
+// Out: `stop`: one pixel: 1 if at least `min_samples` iterations have run and the standard error is at most `tolerance`,
+//        otherwise 0
+// Method: standard error = rms(mean a - mean b) / 2, where mean a and mean b are the means of the two halves, and rms is the
+//   root of the mean square over all pixels and channels.
 // Fails: two halves that agree by chance stop the loop too early; `min_samples` makes this unlikely.
 void run(ivec2 pixel) {
   ivec2 size = textureSize(half_difference_tex, 0);
