@@ -195,9 +195,13 @@ std::string pageOf(const std::vector<ExtremeOutcome>& outcomes) {
   }
   return "<!-- Written by `strobe stability --extremes --write docs/extreme-cases.md`; do not edit. -->\n\n"
          "# Extreme cases\n\n"
-         "Every pipeline runs each case with each of its presets, on pictures of at most 64 x 64 px. The expected "
-         "picture follows from a closed form, from truth, or from another picture that must be equal. Every picture "
-         "must be finite.\n\n" +
+         "An extreme case is a small scene with an input at the limit of its range, for example a displacement of ten "
+         "million pixels or a picture of one pixel. Every pipeline draws each case with each of its presets, on "
+         "pictures of at most 64 x 64 px. The expected result follows from a closed form, from ground truth, or from "
+         "another picture that must be equal. Every picture must be finite.\n\nThe first table counts the cases by "
+         "subject. A method is a pipeline with a preset. Pairs of a case and a method with another result than "
+         "expected count as failed. Most cases show a bright bar that moves over a static background; the raster image "
+         "is the picture without blur.\n\n" +
          page::markdownOf(countsOf(outcomes)) + failuresOf(outcomes) + "\n## The cases\n\n" + page::markdownOf(cases);
 }
 

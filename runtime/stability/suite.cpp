@@ -263,7 +263,7 @@ static page::Table exceptionsOf(const Report& report) {
 static std::string refusalsOf(const Report& report) {
   std::map<std::string, std::string> reasons;
   for (const Refused& one : report.refused) reasons.emplace(one.name, one.reason);
-  std::string text = reasons.empty() ? "" : "Refused:\n\n";
+  std::string text = reasons.empty() ? "" : "Refused settings, each with the message of the program:\n\n";
   for (const auto& [name, reason] : reasons) text += fmt::format("- `{}`: {}\n", name, reason);
   return reasons.empty() ? "" : text + "\n";
 }
@@ -272,8 +272,8 @@ static std::string sectionOf(const Report& report) {
   auto holds_all = [](const auto& variant) { return exceptionsIn(variant.second).empty(); };
   auto whole = std::count_if(report.variants.begin(), report.variants.end(), holds_all);
   std::string text = fmt::format(
-      "## {}\n\n{} variants, {} of which hold every invariant. {} more values change "
-      "nothing where they were tried.\n\n{}\n",
+      "## {}\n\nChecked variants: {}. Variants that hold every invariant: {}. Further values, not checked because they "
+      "give the plan of a checked variant: {}.\n\n{}\n",
       report.pipeline, report.variants.size(), whole, report.same, page::markdownOf(totalsOf(report)));
   std::string exceptions = page::markdownOf(exceptionsOf(report));
   if (!exceptions.empty()) text += exceptions + "\n";
@@ -284,14 +284,21 @@ std::string pageOf(const std::vector<Report>& reports, const Options& options) {
   std::string text =
       "<!-- Written by `strobe stability --write docs/stability.md`; do not edit. -->\n\n# Invariants held\n\n";
   text += fmt::format(
-      "For each pipeline, the cases of every variant and invariant ([what they are](invariants.md)), {} each, seed {}: "
-      "totals by invariant, then the variants that do not hold all of them. The reasons are in the last table.\n\n",
+      "`strobe stability` checks [invariants](invariants.md), properties that every blur has, on generated scenes. A "
+      "variant is one setting of a pipeline. Cases per variant and invariant: {}; random seed: {}.\n\nFor each "
+      "pipeline, the first table counts the cases by invariant: cases that hold, cases that break the invariant as the "
+      "pipeline declares, cases that the pipeline refuses, and failed cases. The second table lists the variants that "
+      "do not hold all invariants. The last table of the page has the declared breaks with their reasons.\n\n",
       options.cases, options.seed);
   for (const Report& report : reports) text += sectionOf(report);
   page::Table declared{"", {"with", "invariant", "seen in", "why"}};
   for (const auto& [key, one] : merged(reports))
     declared.add({"`" + one.where + "`", one.invariant, fmt::format("{} of {} cases", one.seen, one.used), one.reason});
-  return text + "## Declared breaks\n\n" + page::markdownOf(declared);
+  return text +
+         "## Declared breaks\n\nA pass, a pipeline or a value of a parameter may break an invariant by design, and "
+         "then declares the reason. The third column has the number of cases that break the invariant, of all cases "
+         "with the pass, pipeline or value.\n\n" +
+         page::markdownOf(declared);
 }
 
 Json toJson(const Report& report) {
