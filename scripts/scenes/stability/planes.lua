@@ -16,10 +16,10 @@
 --      8  `count` x `count` leaves, each a separate instance
 --      9  a ball of `count` x `count` triangles
 -- Further parameters:
--- aside             shift of the card of kind 2 to the right, metres
+-- aside               shift of the card of kind 2 to the right, metres
 -- velocity_x, _y, _z  motion of the shapes, metres over the exposure; walls and the room are static
--- camera_x, _y, _z  motion of the camera, metres over the exposure
--- turn              rotation of the camera to its left, degrees over the exposure
+-- camera_x, _y, _z    motion of the camera, metres over the exposure
+-- turn                rotation of the camera to its left, degrees over the exposure
 local scene = require "strobe.scene"
 
 local param = scene.param
