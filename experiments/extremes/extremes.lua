@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Measures the range of speed, number of samples, scale and other quantities in which each method is reliable. One quantity
--- varies to an extreme, while the error against ground truth is measured.
+-- Measures where each method is reliable. One quantity at a time (speed, number of samples, scale and others) varies to an
+-- extreme, and the error against ground truth is measured.
 --   strobe sweep experiments/extremes/extremes.lua -o out/extremes
 local experiment = require "strobe.experiment"
 
@@ -45,8 +45,8 @@ local function all_drift(axis, values, benign, allowed)
 end
 
 -- Returns a function, which returns the largest relative difference between the errors with the formats `values` and the error
--- with the format `benign`, divided by the allowed difference `allowed`. The maximum is over all cases and blurs, without
--- the pairs for which `except(arm, case)` is true.
+-- with the format `benign`, divided by the allowed difference `allowed`. The maximum is over all cases and blurs; a
+-- pair is left out if `except(arm, case)` is true.
 local function format_drift(axis, values, benign, allowed, except)
   return function(r)
     local most = 0

@@ -45,8 +45,8 @@ local layers = "layers 2024"
 local most = 0.15
 local arms = { { name = layers, pipeline = "lee2024" } }
 
--- Shots in which the share of pixels with rays varies, from none to all pixels that hybrid_traced gives a ray. They make a
--- curve of error against this share.
+-- Shots where the share of pixels with rays varies, from none to all pixels that have rays in hybrid_traced. The report draws
+-- a curve of error against this share.
 local curve_shots = { "room", "room_tracking", "tracking_parallax", "stacked", "enters", "car_and_road" }
 local curve, only_there, has_curve = {}, {}, {}
 for _, name in ipairs(curve_shots) do has_curve[name] = true end

@@ -75,8 +75,8 @@ return pipeline {
                      "instead of bands. Fails by up to twice the error of `midpoint` at each silhouette.",
       },
       breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
-    slices       = int { 1, min = 1, max = 64, doc = "number of times per iteration at which the scene is posed; each " ..
-                                                 "pixel uses one of these times at random",
+    slices       = int { 1, min = 1, max = 64, doc = "number of sample times per iteration, each with its pose of the " ..
+                                                 "scene; each pixel uses one of these times at random",
       breaks = { other = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
     shading      = shade.params.shading,
     pixel        = choice { "centre", "box", default = "centre", doc = "position of a sample in its pixel",
@@ -97,7 +97,7 @@ return pipeline {
       doc = "find the regions of the error report (inner, hidden, outer, self); costs one more ray per sample" },
     validation_share = trace.params.validation_share,
     tolerance        = float { 0, min = 0, max = 1e6,
-      doc = "standard error of the mean at which sampling stops, linear radiance; 0: sampling does not stop early" },
+      doc = "sampling stops once the standard error of the mean is at most this, linear radiance; 0: it does not stop early" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"

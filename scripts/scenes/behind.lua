@@ -11,8 +11,8 @@
 --         nodes     the two parts of `parts` as two objects with the same motion
 --         posts     a rotating ring of posts, one object: far posts move in the opposite direction of near posts
 -- behind  varied    a wall of cells of different luminances
---         alike     the wall of `varied` and, in front of it, a panel; the cells of the panel have the luminance of the plain
---                   box, but other colours
+--         alike     a panel in front of the wall of `varied`; the cells of the panel have the luminance of the plain box, but
+--                   other colours
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 

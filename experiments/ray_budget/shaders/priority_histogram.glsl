@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Histogram of the ray priorities of all pixels (lib/priority.glsl), from which priority_limit.glsl computes a threshold.
+// Histogram of the ray priorities of all pixels (lib/priority.glsl). priority_limit.glsl computes a threshold from the counts.
 // In:  priority: ray priority of each pixel, 0 to 4095.
 // Out: counts: entry i is the number of pixels with priority i. Entry 0 stays 0, because priority 0 is never selected.
 // Method: the pass has fewer invocations than the picture has pixels. Each invocation counts every n-th pixel, where n is the

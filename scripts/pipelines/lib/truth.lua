@@ -23,7 +23,7 @@ end
 --   before      results of the first samples; nil: these samples are the first
 --   consensus   results that all first samples agree on; a ray with a known result is skipped
 --   every_ray   true: no ray is skipped
---   stats       true: store per-pixel statistics of the samples, from which the consensus is computed
+--   stats       true: store per-pixel statistics of the samples, to compute the consensus
 --   probes      true: also trace a ray at the raster time with its shadow rays, if the camera moves
 --   pixel_list  list of the pixels to sample; nil: all pixels
 --   as          name of the node

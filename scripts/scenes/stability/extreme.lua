@@ -9,7 +9,7 @@
 -- speed     factor on the speed of card and ball
 -- camera_speed  motion of the camera to the left, px over the exposure at a depth of 16
 -- turn      rotation of the camera to the left, degrees over the exposure
--- rest_s    time at which the objects have the poses given in this file, seconds
+-- rest_s    scene time when the objects have the poses given in this file, seconds
 local scene = require "strobe.scene"
 
 local param = scene.param
