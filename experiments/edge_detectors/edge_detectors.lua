@@ -65,7 +65,7 @@ return experiment {
       region = "inner", values = normals, shots = { "vase" },
       at = function(value) return { [of_normal] = value, [canny_normal] = value } end },
   } },
-  -- Arms whose detector lacks the varied threshold are rendered once, not for each threshold.
+  -- An arm is rendered once, not for each value of the threshold, if its detector lacks the threshold.
   skip     = function(point)
     if point.normal then return not has_normals[point.arm] end
     return point.depth ~= 0.05 and (point.arm == "id" or point.arm == "no rays")

@@ -23,7 +23,7 @@ local function bounds_of(layer, name)
   }.bounds
 end
 
--- Mask of the pixels whose background is disoccluded within the exposure, because a silhouette moves relative to its
+-- Mask of the pixels where background is disoccluded within the exposure, because a silhouette moves relative to the
 -- background.
 function layers.disocclusion_mask(raster)
   local tile = tiles.velocities(raster)
@@ -104,7 +104,7 @@ function layers.both(p)
   return { whole = whole, mask = mask, found = found, raster = raster, revealed = revealed }
 end
 
--- Returns the outputs of a pipeline whose picture is `color`. `both`: result of layers.both.
+-- Returns the outputs of a pipeline with the picture `color`. `both`: result of layers.both.
 function layers.outputs(p, both, color)
   local found = both.found
   return scene.outputs(both.whole, {

@@ -39,7 +39,7 @@ end
 
 -- Finds the dominant displacement of each tile of `layer`: the longest displacement that can reach the tile within the
 -- exposure. `layer` has velocity and optionally valid. Options in `given`:
---   extra   a second layer, whose displacements are included
+--   extra   a second layer; its displacements are included
 --   second  true: also find the displacement around each tile that differs most from the dominant one
 --   prefix  start of the names of the nodes
 -- Returns these images:

@@ -26,8 +26,8 @@ local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                       
 local order, peel = param("order", 0), param("peel", 0)  -- order of objects (0: fixed); number of nearest objects left out
 local value = param("value", 0)                          -- colour of all objects; 0: random colours
 local first, second = param("first", 1), param("second", 1)  -- weights of the two terms that add up to each colour
--- Radiance of the nearest card (0: as the other cards), and a factor on this radiance. A negative factor selects a lit metal,
--- whose shading multiplies its colour by 0; if the colour is infinite, the result is not a number.
+-- Radiance of the nearest card (0: as the other cards), and a factor on this radiance. A negative factor selects a lit metal:
+-- shading multiplies its colour by 0, and 0 times an infinite colour is not a number.
 local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 
 local exposures_per_second = 24 / 0.5
@@ -111,7 +111,7 @@ local function material(i, name)
 end
 
 -- Returns a material with a radiance beyond the range of colours. The radiance is the product of a texel, `hot`, and a colour,
--- |hot_scale|. If `hot_scale` is negative, the material is lit metal, whose shading multiplies its colour by 0.
+-- |hot_scale|. If `hot_scale` is negative, the material is lit metal, so that shading multiplies its colour by 0.
 local function hot_material()
   local texel = scene.texture.texels { width = 1, height = 1, texels = { { hot, hot, hot } } }
   local factor = math.abs(hot_scale)

@@ -22,7 +22,7 @@ local exposures_per_second = 24 / 0.5
 local function world(p) return { p[1] + offset, p[2] + 0.3 * offset, p[3] - 0.7 * offset } end
 local function scaled(p) return { p[1] * scale, p[2] * scale, p[3] * scale } end
 
--- Returns a node at the position `p` (before scaling), with the offset of the scene applied as `nesting` says.
+-- Returns a node at the position `p` (before scaling), with the offset of the scene, applied by the rule `nesting`.
 local function placed(p, fields)
   p = scaled(p)
   if nesting == 0 or nesting == 3 then

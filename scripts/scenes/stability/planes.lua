@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Simple shapes whose screen paths and coverage have closed forms, so that tests know the exact picture. A pinhole camera at
+-- Simple shapes with screen paths and coverage in closed form, so that the exact picture is known. A pinhole camera at
 -- the origin looks along -z with a focal length of `focal` px. Lengths are in metres, motions in metres over an exposure of
 -- half a frame at 24 frames per second. The parameter `kind` selects the shapes:
 --      0  the sky only
