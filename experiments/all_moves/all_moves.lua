@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Compares the time and the error of the hybrid with truth and with an accumulation buffer, under moving cameras.
+-- Compares the pipeline hybrid_traced with ground truth and with an accumulation buffer, by time and error, under moving
+-- cameras.
 --   strobe sweep experiments/all_moves/all_moves.lua -o out/all_moves
 local experiment = require "strobe.experiment"
 
@@ -17,7 +18,7 @@ local cheaper = "the hybrid has become faster since this was found; the ratio wa
 
 local function at(r, arm, shot) return r.at { shot = shot, arm = arm } end
 
--- Returns the largest value of `of(shot)` over `shots`, and the name of that shot.
+-- Returns the largest value of the function `of` over `shots`, and the name of the shot with this value.
 local function most(shots, of)
   local found, where = -math.huge, ""
   for _, shot in ipairs(shots) do

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Objects that turn, have many parts, enter or leave the picture, before backgrounds with detail.
--- The floor is the RMSE of truth with 16 midpoint samples. The part of an error e above the floor is sqrt(e^2 - floor^2), or 0
--- if e is smaller than the floor. Expectations for hybrid_traced in each shot, written before measuring:
---   in disoccluded regions (inner, hidden, self) its RMSE above the floor is at most a third of the RMSE above the floor of
---     the best post-process;
---   in every region its RMSE is at most 1.5 times the floor;
---   in no region does a baseline have a smaller RMSE. Baselines with layers or rays (`others`) were added later.
+-- Measures the errors of the pipeline hybrid_traced for objects that turn, have many parts, enter or leave the picture, before
+-- backgrounds with detail. The baselines are other methods. The floor is the RMSE of ground truth with 16 midpoint samples, as
+-- many as each method has. The part of an error e above the floor is sqrt(e^2 - floor^2), or 0 if e is smaller than the floor.
+-- Expectations in each shot, written before measuring:
+--   In disoccluded regions (inner, hidden, self), the RMSE of hybrid_traced above the floor is at most a third of the RMSE of
+--     the best post-process above the floor.
+--   In every region, the RMSE of hybrid_traced is at most 1.5 times the floor.
+--   In no region does a baseline have a smaller RMSE. Baselines with layers or rays (`others`) were added later.
 --   strobe sweep experiments/any_object/any_object.lua -o out/any_object
 -- The scenes of the last shots are shared data (STROBE_DATA). These shots are skipped if the data is missing.
 local experiment = require "strobe.experiment"
@@ -18,11 +19,11 @@ local others = { "lee2024", "oberberger2022" }
 local regions = { "whole", "inner", "hidden", "outer", "self" }
 local uncovered = { "inner", "hidden", "self" }
 
-local least_pixels = 100  -- no rule is tested in a region with fewer pixels
+local least_pixels = 100  -- regions with fewer pixels are not tested
 
--- Returns the RMSE in a region of a shot: `own` of the hybrid, `floor`, `best` of the best post-process and `any` of the best
--- baseline. `best` and `any` are tables { rmse = , name = } with the name of the arm. Returns nil if the region has too few
--- pixels or if displacements were shortened.
+-- Returns errors in a region of a shot: `own`, the RMSE of hybrid_traced; `floor`; `best`, the best post-process; `any`, the
+-- best baseline of any kind. `best` and `any` are tables { rmse = , name = } with the name of the arm. Returns nil if the
+-- region has too few pixels, or if displacements were shortened to the limit, so that the blur is too short.
 local function errors(r, shot, region)
   local function at(arm) return r.at { shot = shot, arm = arm, region = region } end
   local own = at(hybrid)
@@ -42,8 +43,8 @@ end
 
 local function above(error, least) return math.sqrt(math.max(0, error * error - least * least)) end
 
--- Each rule is tested in its `regions`. `holds` takes the errors of one region. It returns whether the rule holds, and a text
--- with the numbers that were compared.
+-- The three expectations as rules. Each rule is tested in its `regions`. The function `holds` takes the errors of one region,
+-- and returns two values: true if the rule holds, and a text with the compared numbers.
 local rules = {
   { text = "in disoccluded regions the hybrid's error above the floor is at most a third of the best post-process's",
     regions = uncovered, holds = function(e)
@@ -58,7 +59,7 @@ local rules = {
     end },
 }
 
--- Reasons of the expectations that are known to fail, by shot and number of the rule.
+-- Reasons why some expectations failed; reports print them. The table `known` has them by shot and number of the rule.
 local fine = "texture finer than a pixel is smoothed by the texels of the layers, and path deviations of up to half a " ..
              "pixel are neglected. With every hit shaded and every nonlinear path traced, the error is at the floor"
 local known = {

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- Compares the errors of composites of the raster layer and the revealed layer, and of weights of the taps.
+-- Compares passes that composite the raster layer with the layer that rays reveal behind it, and weights of the taps that blur
+-- each layer, by their errors.
 local experiment = require "strobe.experiment"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local better = "over a background at rest the error of alpha-over is slightly smaller than the error of layered"
 local cheap = "in scenes that are cheap to draw, the composite takes most of the frame time"
 

@@ -7,8 +7,9 @@ local experiment = require "strobe.experiment"
 local height, displacement = 180, 16
 local seed, best = "hybrid", "hybrid_traced"
 
--- Returns a function that declares one measured cost for each name in `parts`, a string of names separated by spaces. The
--- costs are expected to grow as `how`, for the reason `why`, in the arm `arm` (default: all arms).
+-- Returns a function that declares expected times. `how`: expected growth of the time with the varied quantity ("constant",
+-- "linear" or "logarithmic"). Arguments of the function: `parts`, names of passes or "frame", separated by spaces; `why`, the
+-- reason for this growth; `arm`, the only arm with this growth (nil: all arms).
 local function grow(how)
   return function(parts, why, arm)
     local list = {}
@@ -18,7 +19,8 @@ local function grow(how)
 end
 local constant, linear, logarithmic = grow "constant", grow "linear", grow "logarithmic"
 
--- Returns an axis of the shot `cards`. Its field `costs` is a list of lists of costs, which this function joins.
+-- Returns an axis (a varied quantity) of the shot `cards`. The field `costs` of `fields` is a list of lists of expected times,
+-- which this function joins to one list.
 local function axis(fields)
   local costs = {}
   for _, list in ipairs(fields.costs) do table.move(list, 1, #list, #costs + 1, costs) end
@@ -104,7 +106,7 @@ local lights = axis {
   },
 }
 
--- Returns a frame rate that the paper published. It was measured with another model of a living room.
+-- Returns a frame rate that the paper published, for comparison. It was measured with another model of a living room.
 local function published(fps)
   return { fps = fps, shot = "living room", by = "Tan, Cui and Bhojan 2020, figure 1: GeForce RTX 2080 Ti, size not stated" }
 end

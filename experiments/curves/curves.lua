@@ -1,17 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- Errors of straight, parabolic and circular paths for objects that turn or approach.
+-- Compares straight, parabolic and circular screen paths of surface points, by their errors for objects that turn or approach.
 --   strobe sweep experiments/curves/curves.lua -o out/curves
 local experiment = require "strobe.experiment"
 
-local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" } -- rotations by less than a fifth of a turn
+local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" } -- objects turn by less than a fifth of a turn
 local curves = { "line", "quadratic", "arc" }
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
 local function layers(curve) return "layers, " .. curve end
 
--- Error of an arm beyond the error of truth with as many samples: sqrt(e^2 - floor^2), since squares of independent errors
--- add up.
+-- Returns the part of an arm's error e beyond the error of ground truth with as many samples (the floor): sqrt(e^2 - floor^2),
+-- because the squares of independent errors add up.
 local function beyond(r, shot, arm, region)
   local own, floor = at(r, shot, arm, region).rmse, at(r, shot, "truth, 16 samples", region).rmse
   return math.sqrt(math.max(own * own - floor * floor, 0))
@@ -27,7 +27,7 @@ add("rays at the sample times", "hybrid_traced")
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
   set = { samples = 16, times = "midpoint" } }
 
--- Returns the largest value of `of(shot)` over `shots`, and the name of that shot.
+-- Returns the largest value of the function `of` over `shots`, and the name of the shot with this value.
 local function largest(of)
   local most, where = 0, ""
   for _, shot in ipairs(shots) do

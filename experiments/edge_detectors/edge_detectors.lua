@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- Compares edge detectors and their thresholds in the published ray mask.
+-- Compares edge detectors and their thresholds. The ray mask as published by Tan, Cui and Bhojan 2020 traces rays at moving
+-- pixels with an edge along their motion.
 local experiment = require "strobe.experiment"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local thinned = "edges thinned to lines of one pixel mark fewer pixels than need a ray"
 local creases = "normals do add edges: a low threshold of normals marks silhouettes with a small step in depth"
 
@@ -14,7 +15,7 @@ local canny_normal = "edge_gradient.normal_threshold"
 
 local steps = "experiments/pipelines/hybrid_steps.lua"
 
--- Returns an arm with the edge detector `name`. `lacks`: thresholds that the detector does not have.
+-- Returns an arm with the edge detector `name`. `lacks`: varied thresholds that the detector does not have.
 local function arm(name, lacks)
   return { name = name, pipeline = steps, set = { mask = "paper", edge = name }, lacks = lacks }
 end
@@ -64,7 +65,7 @@ return experiment {
       region = "inner", values = normals, shots = { "vase" },
       at = function(value) return { [of_normal] = value, [canny_normal] = value } end },
   } },
-  -- Arms without the varied threshold are drawn once.
+  -- An arm is rendered once, not for each value of the threshold, if its detector lacks the threshold.
   skip     = function(point)
     if point.normal then return not has_normals[point.arm] end
     return point.depth ~= 0.05 and (point.arm == "id" or point.arm == "no rays")

@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Varies 11 parameters of the hybrid at once. Reports the front of error against time and the effect of each parameter.
--- The points follow the Sobol sequence, so that each value of a parameter is combined evenly with the values of the others.
+-- Varies 11 parameters of the hybrid at once, in 64 points (settings of all parameters). Reports the Pareto front of error
+-- against time, and the effect of each parameter. The points follow a Sobol sequence, so that each value of a parameter is
+-- combined evenly with the values of the others.
 local experiment = require "strobe.experiment"
 local sequences = require "strobe.sequences"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local gather = "the composite in_gather is as good as layered in this shot, because only the vase moves"
 
 local count = 64
@@ -22,11 +23,11 @@ local knobs = {
   { "jitter", { "none", "ign" } },
 }
 
--- Values of each knob, one per point, as lists of equal length for experiment.zip.
+-- Values of each parameter (knob), one per point: lists of equal length for experiment.zip, which takes their values in step.
 local values, names = {}, {}
 for k, knob in ipairs(knobs) do values[knob[1]], names[k] = {}, knob[1] end
--- Keep each point of a Sobol sequence with one more dimension if its coordinate 8 is below 1/2. These points are as evenly
--- spread in the other dimensions.
+-- Take a Sobol sequence of twice as many points, with one more dimension, and keep the points with coordinate 8 below 1/2. The
+-- kept points are as evenly spread in the other dimensions.
 for _, point in ipairs(sequences.sobol(2 * count, #knobs + 1)) do
   if table.remove(point, 8) < 0.5 then
     for k, knob in ipairs(knobs) do table.insert(values[knob[1]], knob[2][1 + math.floor(point[k] * #knob[2])]) end
@@ -46,8 +47,8 @@ local function point(i)
   return wanted
 end
 
--- Returns the indices of the points on the front, and all points. A point is not on the front if another point is at least as
--- good in error and in time, and better in error or in time.
+-- Returns the indices of the points on the Pareto front, and all points. A point is not on the front if another point is at
+-- least as good in error and in time, and better in one of the two.
 local function front(r)
   local all, on = {}, {}
   for i = 1, count do all[i] = r.at(point(i)) end
@@ -62,7 +63,7 @@ local function front(r)
   return on, all
 end
 
--- Returns the number of points on the front for each value of a knob, and a text with these numbers.
+-- Returns the number of points on the front with each value of a knob, and a text with these numbers.
 local function on_front(r, name)
   local on, counts, texts, order = front(r), {}, {}, {}
   for _, knob in ipairs(knobs) do if knob[1] == name then order = knob[2] end end
@@ -71,8 +72,8 @@ local function on_front(r, name)
   return counts, ("of %d points on the front: %s"):format(#on, table.concat(texts, ", "))
 end
 
--- Effect of a knob. For each value, computes the geometric mean of the inner error and the mean time of all points with this
--- value. Returns the largest mean error divided by the least, and a text with all means.
+-- Returns the effect of a knob, and a text with all means. For each value of the knob, the mean error is the geometric mean of
+-- the errors in the region inner, over all points with this value. The effect is the largest mean error divided by the least.
 local function effect(r, name, order)
   local texts, least, most = {}, math.huge, 0
   for n, value in ipairs(order) do

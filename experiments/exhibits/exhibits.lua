@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Shows the most frequent complaints about motion blur, one exhibit each: the artefact, its error and its remedy.
+-- Shows the most frequent complaints about motion blur. Each shot is one exhibit: an artefact, its error and its remedy.
 --   strobe sweep experiments/exhibits/exhibits.lua -o out/exhibits
 local experiment = require "strobe.experiment"
 
@@ -9,7 +9,8 @@ local steps = "experiments/pipelines/hybrid_steps.lua"
 local straight, curved = "layers, straight paths", "layers, curved paths"
 local frozen = "truth, light at the raster time"
 
--- Arms of each exhibit: first the arms with the artefact, then the arms without it. Times are ratios to the first arm.
+-- Arms of each exhibit, by the name of the shot: first the arms with the artefact, then the arms without the artefact. Times of
+-- an exhibit are ratios to the time of its first arm.
 local drawn = {
   wheel      = { { straight }, { curved, best } },
   silhouette = { { bevy }, { mcguire, best } },
@@ -35,7 +36,7 @@ local function is_drawn(shot, arm)
   return false
 end
 
--- Returns `shots`. The note of each shot also lists the arms with the artefact and the arms without it.
+-- Extends the note of each shot by a list of the arms with the artefact and without the artefact. Returns `shots`.
 local function labelled(shots)
   for _, shot in ipairs(shots) do
     local wrong, mended = drawn[shot.name][1], drawn[shot.name][2]
@@ -53,8 +54,8 @@ local function at(r, shot, arm, more)
   return r.at(wanted)
 end
 
--- Returns the expectation that the arm `mended` has at most `share` times the error of the arm `wrong`. Its numbers also
--- have the ratio of their times.
+-- Returns the expectation that the arm `mended` has at most `share` times the error of the arm `wrong`. The text of the
+-- expectation's numbers also has the ratio of the times of both arms.
 local function mends(shot, wrong, mended, share, more)
   local where = more and more.region and ", " .. more.region or ""
   return { ("%s%s: %s has at most %g times the error of %s"):format(shot, where, mended, share, wrong), shot = shot,

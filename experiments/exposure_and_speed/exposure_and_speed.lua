@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- Measures the errors of post-process blurs and of the hybrid over exposures and speeds.
+-- Measures the errors of post-process blurs and of the hybrid at many pairs of exposure and speed.
 local experiment = require "strobe.experiment"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local all_moves = "in a tracking shot most of the picture is traced by rays at the sample times"
 
 local best, published = "hybrid_traced", "hybrid"
@@ -13,7 +13,7 @@ local function at(r, arm, shot, speed, exposure, region)
   return r.at { arm = arm, shot = shot, speed = speed, exposure = exposure, region = region or "inner" }
 end
 
--- Returns the largest value of `of(shot, speed, exposure)` over all points of `shots`, and the name of its point.
+-- Returns the largest value of `of(shot, speed, exposure)` over all shots, speeds and exposures, and the name of this point.
 local function most(shots, of)
   local largest, where = -math.huge, ""
   for _, shot in ipairs(shots) do
@@ -35,8 +35,8 @@ local function best_baseline(r, ...)
   return least
 end
 
--- Returns the expectation that the error of `arm` is below `factor` times the error of the best post-process, at every point
--- of `shots`.
+-- Returns the expectation that the error of `arm` is below `factor` times the error of the best post-process, at every speed
+-- and exposure of `shots`.
 local function less(arm, factor, shots, text, known)
   return { text, known = known, function(r)
     local ratio, where = most(shots, function(...) return at(r, arm, ...).rmse / best_baseline(r, ...) end)
@@ -44,7 +44,8 @@ local function less(arm, factor, shots, text, known)
   end }
 end
 
--- Limit of the displacements, image widths. It clamps none: the longest one is 52 px of 320, 0.16 of the width.
+-- Longest displacement that filters handle, image widths. The displacements here are shorter: at most 52 of 320 px, 0.16
+-- widths.
 local limit = 0.4
 local arms = { { name = "no blur", pipeline = "none" } }
 for i, pipeline in ipairs { "mcguire2012", "guertin2014", "jimenez2014", "ue4" } do
@@ -72,7 +73,7 @@ return experiment {
   base     = "McGuire 2012",
   rounds   = 5,
   vary     = {
-    -- The scene's parameter `pixels` is the displacement over half a frame, px.
+    -- The scene moves the vase by its parameter `pixels` (px) over half a frame, the exposure in the scene's file.
     experiment.list { name = "speed", title = "Speed", unit = "px a frame", scale = "log", benign = 13, region = "inner",
       values = speeds, at = function(speed) return { ["scene.pixels"] = speed / 2 } end },
     experiment.list { name = "exposure", title = "Exposure", unit = "frames", scale = "log", benign = 0.25,

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Measures the reliable range of each method: the error against truth while one quantity varies to an extreme.
+-- Measures where each method is reliable. One quantity at a time (speed, number of samples, scale and others) varies to an
+-- extreme, and the error against ground truth is measured.
 --   strobe sweep experiments/extremes/extremes.lua -o out/extremes
 local experiment = require "strobe.experiment"
 
@@ -13,10 +14,11 @@ local arms = { "no blur", "McGuire 2012", "UE4-style", "Guertin 2014", "Jimenez 
 local scales = { 1e-6, 1e-4, 0.01, 1, 100, 1e4, 1e6 }
 local offsets = { 0, 1, 100, 1e4, 1e6, 1e7 }
 
--- Error of an arm at a value of an axis.
+-- Returns the error of an arm at a value of an axis (a varied quantity).
 local function error_at(r, axis, value, arm, region) return r.at { [axis] = value, arm = arm, region = region }.rmse end
 
--- Returns an expectation. `of(r)` is a deviation divided by the allowed deviation, and the expectation holds up to 1.
+-- Returns an expectation. `of(r)` returns a deviation divided by the allowed deviation; the expectation holds if this is at
+-- most 1.
 local function expectation(axis, text, of)
   return { text, axis = axis, function(r)
     local most = of(r)
@@ -24,7 +26,8 @@ local function expectation(axis, text, of)
   end }
 end
 
--- Largest relative difference between the errors of `arm` along an axis and its error at `benign`, divided by `allowed`.
+-- Returns the largest relative difference between the errors of `arm` at `values` of an axis and its error at the harmless
+-- value `benign`, divided by the allowed difference `allowed`.
 local function drift(r, axis, values, benign, arm, region, allowed)
   local base, most = error_at(r, axis, benign, arm, region), 0
   for _, value in ipairs(values) do
@@ -41,8 +44,9 @@ local function all_drift(axis, values, benign, allowed)
   end
 end
 
--- Returns a function. It computes the largest relative difference between errors with the formats `values` and errors with
--- `benign`, divided by `allowed`, over all cases and blurs except pairs with `except(arm, case)`.
+-- Returns a function, which returns the largest relative difference between the errors with the formats `values` and the error
+-- with the format `benign`, divided by the allowed difference `allowed`. The maximum is over all cases and blurs; a
+-- pair is left out if `except(arm, case)` is true.
 local function format_drift(axis, values, benign, allowed, except)
   return function(r)
     local most = 0

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Effect of the largest number of hits that a ray may test (`max_layers`, called the cap) on error and time.
+-- Measures how error and time depend on the largest number of hits that a ray may test on its way through the foreground. This
+-- number is the parameter `max_layers`, called the cap here.
 --   strobe sweep experiments/hits_tried/hits_tried.lua -o out/hits_tried
 local experiment = require "strobe.experiment"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local target = "the hit that ends the ray counts as tested too, so four walls need a cap of 4, and twigs and leaves up to 16"
 
 local list = experiment.list

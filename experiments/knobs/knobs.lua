@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Changes one parameter of the hybrid at a time. Measures the time that the change saves, the error that it adds, and the
--- scenes that require the unchanged value.
+-- Changes one setting (knob) of the pipeline hybrid_traced at a time. Measures the time that the change saves, the error that
+-- it adds, and the scenes that require the unchanged setting.
 --   strobe sweep experiments/knobs/knobs.lua -o out/knobs
 local experiment = require "strobe.experiment"
 
 local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots with motion
 
--- A knob replaces the pipeline, parameters (`set`) or options of the shot (`run`). `needed`: shots with an
--- expected increase of the error by more than a twentieth.
+-- Knobs. Each replaces the pipeline, parameters of the pipeline (`set`) or options of the shot (`run`). `needed`: shots where
+-- the change is expected to increase the error by more than a twentieth.
 local knobs = {
   { name = "arcs", set = { trajectory = "arc" }, needed = {} },
   { name = "no rays at the sample times", pipeline = "hybrid_layered", needed = moving },
@@ -49,14 +49,14 @@ local function at(r, shot, knob)
   return r.at { shot = shot, arm = (knob == plain or ways[knob]) and best or knob, run = ways[knob] and knob or plain }
 end
 
--- Measure with a knob divided by the same measure of the unchanged hybrid; 1 if both are 0.
+-- Returns a measure with a knob changed, divided by this measure with all knobs unchanged; 1 if both are 0.
 local function ratio(r, shot, knob, measure)
   local own, other = at(r, shot, knob)[measure], at(r, shot, plain)[measure]
   if other == 0 then return own == 0 and 1 or math.huge end
   return own / other
 end
 
--- Text of the least and the greatest ratio over all shots, for example "time 0.83 (fan) to 1.01 (still)".
+-- Returns a text with the least and the greatest ratio over all shots, for example "time 0.83 (fan) to 1.01 (still)".
 local function range(r, knob, measure, what)
   local least, most, least_at, most_at = math.huge, -math.huge, "", ""
   for _, shot in ipairs(shots) do

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Compares two ray masks. The published mask depends on the motion of the foreground. The disocclusion mask depends on the
--- motion of the foreground relative to the surface beyond its silhouette.
+-- Compares two ray masks, which decide the pixels where a ray looks for the background. The published mask depends on the
+-- motion of the foreground. The disocclusion mask (arm "relative") depends on the motion of the foreground relative to the
+-- surface beyond its silhouette.
 local experiment = require "strobe.experiment"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local many = "in the tracking shot tiles have more velocities than their lists hold, so the relative mask misses pixels too"
 local steps = "between twigs, a single tested position skips disoccluded surfaces (4 positions have a smaller error), and " ..
   "Sobel misses small steps in depth"
@@ -11,11 +12,12 @@ local steps = "between twigs, a single tested position skips disoccluded surface
 local moving_background = { "slower", "together", "against", "faster", "only_background", "tracking" }
 local still_background = { "bar", "vase" }
 
--- Error in the disoccluded region. A first version of this file used `inner`, which is empty where only the background moves.
+-- Returns the error in the region hidden, the disoccluded pixels. A first version of this file used the region inner, which is
+-- empty where only the background moves.
 local function error_of(r, shot, arm) return r.at { shot = shot, arm = arm, region = "hidden" }.rmse end
 local function whole(r, shot, arm) return r.at { shot = shot, arm = arm, region = "whole" }.rmse end
 
--- Returns the expectation that the error with the published mask is at least `factor` times that with the relative mask.
+-- Returns the expectation that the error with the published mask is at least `factor` times the error with the relative mask.
 local function gains(shot, factor, text, known)
   return { text, shot = shot, known = known, function(r)
     local paper, relative = error_of(r, shot, "paper"), error_of(r, shot, "relative")

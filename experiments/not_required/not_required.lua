@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Measures the time of parts of the hybrid in a scene that does not need these parts.
+-- Measures the time that parts of the pipeline hybrid_traced cost in a simple scene that does not need these parts.
 --   strobe sweep experiments/not_required/not_required.lua -o out/not_required
 local experiment = require "strobe.experiment"
 

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Compares the hybrid, which traces rays at masked pixels and at sample times, with a method of full layers and with other
--- methods since 2020.
+-- Compares the pipeline hybrid_traced with other methods since 2020. hybrid_traced traces rays at masked pixels and at sample
+-- times. One of the other methods (Lee et al. 2024) draws several full layers by depth peeling instead.
 --   strobe sweep experiments/peers/peers.lua -o out/peers
 local experiment = require "strobe.experiment"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local own_rays = "rasterised layers need rays only for light, while each traced time sample needs a ray. " ..
                  "Rasterised layers in turn draw the scene again for each layer"
 
@@ -13,8 +13,8 @@ local layers, best = "layers 2024", "hybrid_traced"
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region } end
 
--- Returns the expectation that the error of `arm` in a region is at most `factor` times the error of `other`, in every
--- shot.
+-- Returns the expectation that, in every shot, the error of `arm` in a region is at most `factor` times the error of the arm
+-- `other`.
 local function below(arm, other, region, factor, text)
   return { text, function(r)
     local most, where = 0, ""

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The steps of hybrid and hybrid_layered in any combination, for experiments that change one step and keep the others.
+-- The steps of the pipelines hybrid and hybrid_layered (mask, rays, composite) in any combination, for experiments that change
+-- one step and keep the others.
 local pass        = require "strobe.pass"
 local pipeline    = require "strobe.pipeline"
 local displaced_position = require "passes.hybrid.displaced_position"
@@ -37,7 +38,7 @@ function masks.paper(p, raster)
   return range_check { edge = edge, id = raster.id, velocity = raster.velocity, own_edge = p.own_edge, as = "mask" }.mask
 end
 
--- Returns both layers, blurred separately, as inputs of the composite alpha_over.
+-- Blurs the raster layer and the revealed layer separately, and returns both as inputs of the composite alpha_over.
 local function blurred(p, raster, revealed)
   local both = p.tiles() == "union" and tiles.dominant(p, raster, { extra = revealed }) or nil
   local function blur(layer, name, background)

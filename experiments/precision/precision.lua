@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Effect of the number formats of images between passes on error and memory.
--- Expected: half floats for colours change every error by less than a hundredth, and depth encodings by less than a
+-- Measures how error and memory depend on the number formats of the images between passes (half or single precision, encodings
+-- of depth). Expected: half floats for colours change every error by less than a hundredth, depth encodings by less than a
 -- thousandth.
 --   strobe sweep experiments/precision/precision.lua -o out/precision
 local experiment = require "strobe.experiment"
@@ -10,8 +10,8 @@ local formats = { "velocity_format", "color_format", "both", "depth_encoding" }
 local arms = { "hybrid", "McGuire 2012", "Guertin 2014", "Jimenez 2014" }
 local shots = { "living_room", "textured_bar", "quad_2d", "wedge" }
 
--- Returns a test for an expectation: between the first of `values` and every other one, the error of each arm in each shot
--- changes by less than the share `allowed`.
+-- Returns the test of an expectation. For each arm and shot, the error with every other value of `values` differs from the
+-- error with the first value by less than the share `allowed`.
 local function steady(axis, values, allowed)
   return function(r)
     local most = 0

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Compares full layers drawn at every pixel with the hybrid with rays for a share of the pixels, chosen by priority.
+-- Compares two methods: full layers, drawn at every pixel by depth peeling, and the hybrid with rays for only a share of the
+-- pixels. Pixels with a high priority (expected gain of a ray) get the rays.
 --   cd experiments/ray_budget; strobe sweep ray_budget.lua -o out/ray_budget
 local experiment = require "strobe.experiment"
 
@@ -20,7 +21,8 @@ local shots = {
   shot("behind", "Behind", "behind"),
   shot("cards", "Cards", "cards"),
 }
--- Displacements, px. They are the same shares of the picture as in the scenes at their own sizes.
+-- Scenes and their displacements, px; none: as the scene's file has it. In this smaller picture, a displacement is the same
+-- share of the picture as in the scene at its own size.
 local objects = { { "tracking_parallax", 17 }, { "stacked", 27 }, { "enters", 33 }, { "car_and_road", 33 }, { "caged_fan", 27 },
   { "door", 33 }, { "leaves", 20 }, { "nearer" }, { "pendulum", 33 }, { "spoked_wheel", 20 }, { "telescope", 33 },
   { "chase" }, { "drive" }, { "glass", 13 }, { "gloss", 13 }, { "jump", 13 }, { "panorama", 13 }, { "shadow", 17 } }
@@ -43,7 +45,8 @@ local layers = "layers 2024"
 local most = 0.15
 local arms = { { name = layers, pipeline = "lee2024" } }
 
--- Shots for a curve of error against the share of pixels with rays, from none to all that the hybrid traces.
+-- Shots where the share of pixels with rays varies, from none to all pixels that have rays in hybrid_traced. The report draws
+-- a curve of error against this share.
 local curve_shots = { "room", "room_tracking", "tracking_parallax", "stacked", "enters", "car_and_road" }
 local curve, only_there, has_curve = {}, {}, {}
 for _, name in ipairs(curve_shots) do has_curve[name] = true end
@@ -56,14 +59,14 @@ for _, share in ipairs { 0, 0.05, most, 0.3, 1 } do
 end
 local limited = curve[3]
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local grain = "alpha-blended surfaces are drawn in a random share of the pixels, and this grain is most of the error. A " ..
               "layer moves one random pattern along its path, and rays at the sample times draw a new pattern for each " ..
               "sample"
 local blended = "glass"
 
--- Returns the expectation that the hybrid with limited rays has at most the error of full layers in `region`, in every shot
--- that has pixels in the region. The shot named `but` is left out.
+-- Returns the expectation that the hybrid with limited rays has at most the error of full layers in `region`. It is tested in
+-- every shot that has pixels in the region, except the shot `but`.
 local function below(region, but)
   local text = ("in the region %s of every scene%s the hybrid with rays for %g %% of the pixels has at most the error of " ..
     "full layers")
@@ -87,7 +90,7 @@ local function below(region, but)
   end }
 end
 
--- Error of an arm divided by the error without rays, as geometric mean over `curve_shots`.
+-- Returns the geometric mean over `curve_shots` of the error of an arm, divided by the error without rays.
 local function over_curve(r, name)
   local sum = 0
   for _, shot_name in ipairs(curve_shots) do

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Tests a claim of Tan, Cui and Bhojan 2020 with different interpretations of the points that the paper leaves open.
+-- Tests a claim of Tan, Cui and Bhojan 2020: the error of the hybrid is smaller than the errors of post-process blurs. The
+-- paper leaves some points open, so the claim is tested with several interpretations.
 local experiment = require "strobe.experiment"
 
 local shots = { "plain", "patterned", "solid", "vase" }
 local mcguire, ue4 = "McGuire 2012", "UE4-style"
 
--- Cumulative interpretations. The first is the paper as written. Each later one adds one change to those before it.
+-- Cumulative interpretations. The first is the paper as written. Each further interpretation adds one change to the previous.
 local steps = {
   { "as written", {} },
   { "passes over its own instance", { advance = "instance_filter" } },
@@ -15,7 +16,7 @@ local steps = {
   { "instance ends the ray", { termination = "instance", on_cap = "fallback" } },
 }
 
--- Single interpretations. Each makes one change to the paper as written.
+-- Single interpretations: each makes one change to the paper as written.
 local alone = {
   { "geometry ends the ray", { termination = "geometry", advance = "origin_kept" } },
   { "luminance of base colour", { luminance_of = "base_color" } },
@@ -38,12 +39,12 @@ local arms = {
   { name = ue4, pipeline = "ue4", set = { limit = 0.1 } },
 }
 
--- Parameters that only experiments/pipelines/hybrid_steps.lua has.
+-- Parameters that the pipeline hybrid_steps.lua has, but the shipped pipeline hybrid has not.
 local is_step = { mask = true, composite = true, tiles = true }
 local as_written = { mask = "paper", composite = "alpha_over", tiles = "separate", own_edge = false,
                      termination = "luminance", advance = "restart", on_cap = "last_hit", weights = "mcguire2012" }
 
--- Returns an arm with the paper as written, except for the parameters in `set`.
+-- Returns an arm that follows the paper as written, except for the parameters in `set`. It uses hybrid if hybrid has them all.
 local function reading_of(name, set)
   for key in pairs(set) do
     if is_step[key] then
@@ -79,8 +80,8 @@ arms[#arms + 1] = reading_of(material, { luminance_of = "material", weights = "u
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
--- Returns the expectation that `arm` has a smaller FLIP over the picture than both post-processes. Figure 1 of the paper makes
--- this claim.
+-- Returns the expectation that `arm` has a smaller mean FLIP error of the picture than both post-processes, as figure 1 of the
+-- paper claims.
 local function bears_out(arm, shot, known)
   return { ("the paper's claim, a smaller error than McGuire's and UE4's, holds with the interpretation: %s"):format(arm),
     shot = shot, known = known, function(r)

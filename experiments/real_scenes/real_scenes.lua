@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- Real scenes: an object moves about 40 px over the exposure before a background with detail. No displacement is clamped.
--- The expectation was written before measuring. It applies if the background has detail: its standard deviation over `inner` is
--- at least a fifth of its mean difference from the foreground. Then the RMSE of hybrid_traced in `inner` against frozen
--- truth is at most a fifth of the RMSE of each baseline with the same anchor, and at most 1.5 times the RMSE of truth with 16
--- samples.
+-- Measures errors in real scenes, where an object moves by about 40 px over the exposure before a background with detail. No
+-- displacement is shortened to a limit. The expectation was written before measuring. It applies if the background has detail:
+-- in the region inner, its standard deviation is at least a fifth of its mean difference from the foreground. Then the RMSE of
+-- hybrid_traced in inner is at most a fifth of the RMSE of each baseline with the same anchor. It is also at most 1.5 times the
+-- RMSE of ground truth with 16 samples. Errors are against ground truth with the light of the raster time.
 --   strobe sweep experiments/real_scenes/real_scenes.lua -o out/real_scenes
 -- Two of the scenes are shared data (STROBE_DATA). Their shots are skipped if the data is missing.
 local experiment = require "strobe.experiment"
@@ -11,7 +11,7 @@ local experiment = require "strobe.experiment"
 local baselines = { "McGuire 2012", "UE4-style" }
 local hybrid = "hybrid_traced"
 
--- Returns the expectation of one shot. It does not apply if displacements were shortened.
+-- Returns the expectation for one shot. It does not apply if displacements were shortened to the limit of the filters.
 local function expected(shot)
   local text = "the inner RMSE of " .. hybrid .. " is at most a fifth of the RMSE of each baseline, and at most 1.5 times " ..
                "the RMSE of truth with 16 samples"
@@ -31,14 +31,14 @@ local function expected(shot)
   end }
 end
 
--- Returns the same motion for each of several nodes of one object.
+-- Returns a table that gives one motion to several nodes, which are parts of one object.
 local function together(motion, nodes)
   local moves = {}
   for _, name in ipairs(nodes) do moves[name] = motion end
   return moves
 end
 
--- Returns the expectation that the claim of the paper's figure 1 holds for the vase of that figure.
+-- Returns the expectation that, for the vase of the paper's figure 1, the paper's claim holds.
 local function corresponds(shot)
   return { "hybrid has a smaller error than both post-processes, by RMSE and by FLIP of the whole picture",
     shot = shot, function(r)
@@ -75,7 +75,7 @@ return experiment {
   },
   truth = { pipeline = "ground_truth", set = { samples = 128, times = "stratified" },
             full = { shading = "full", samples = 16 } },
-  -- The baselines are measured with a centred exposure too, against truth with the same anchor.
+  -- The exposure ends at the raster time or is centred on it. The truth of each error has the same anchor.
   vary = { experiment.list { name = "anchor", values = { "end", "centre" } } },
   skip = function(point)
     local of_both = point.arm == "truth, 16 samples" or point.arm == baselines[1] or point.arm == baselines[2]

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Effect of the number of samples and of the tile size on error and time, for methods with and without a traced background.
+-- Measures how error and time depend on the number of samples and the tile size, with and without a traced background.
 local experiment = require "strobe.experiment"
 
 local function inner(r, arm, samples, tile)

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Compares positions of the exposure relative to the raster time (figure 2 of Tan, Cui and Bhojan 2020). The errors are against
--- truth with the same exposure. Also compares one displacement over the exposure with two, one before and one after the raster
--- time.
+-- Compares three positions of the exposure relative to the raster time (anchors; figure 2 of Tan, Cui and Bhojan 2020). The
+-- error of each picture is against ground truth with the same exposure. Also compares two models of motion: one displacement
+-- over the exposure, or two displacements, one before and one after the raster time.
 local experiment = require "strobe.experiment"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local sides = "the card's left edge is lighter than its right edge, and the anchor decides which of the two edges lies " ..
               "inside the region: the errors of truth with 16 samples differ by the same factor"
 

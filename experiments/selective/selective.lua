@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Compares the pipeline `selective` with all other pipelines by error against cost. Its parameter `effort` leads from a
--- post-process blur to truth.
+-- Compares the pipeline `selective` with all other pipelines, by error against cost. The parameter `effort` of `selective`
+-- leads from a post-process blur to ground truth, so its settings form a curve.
 --   strobe sweep experiments/selective/selective.lua -o out/selective
 local experiment = require "strobe.experiment"
 
@@ -21,7 +21,8 @@ local shots = {
   shot("behind", "Behind", "behind"),
   shot("cards", "Cards", "cards"),
 }
--- Displacements, px. They are the same shares of the picture as in the scenes at 480x270.
+-- Scenes and their displacements, px; none: as the scene's file has it. In this smaller picture, a displacement is the same
+-- share of the picture as in the scene at 480x270.
 local objects = { { "caged_fan", 27 }, { "car_and_road", 33 }, { "door", 33 }, { "enters", 33 }, { "leaves", 20 }, { "nearer" },
   { "pendulum", 33 }, { "spoked_wheel", 20 }, { "stacked", 27 }, { "telescope", 33 }, { "tracking_parallax", 17 } }
 local oracles = { "bar", "half_plane", "hidden_white", "quad_2d", "textured_bar", "wedge" }
@@ -39,7 +40,7 @@ add("oracles", oracles)
 add("stability", properties)
 shots[#shots + 1] = shot("planes", "Planes", "stability/planes", { ["scene.kind"] = 2, ["scene.velocity_x"] = 0.83 })
 
-local arms, others, own = {}, {}, {}  -- all arms; names of those with other pipelines; of those with selective
+local arms, others, own = {}, {}, {}  -- all; names of arms with other pipelines, with selective
 local base = "McGuire 2012"
 local postprocess = "UE4-style"  -- equals selective with effort = 0
 local function arm(list, name, pipeline, set)
@@ -58,8 +59,8 @@ arm(others, "Bevy", "bevy")
 arm(others, "HDRP", "hdrp")
 arm(others, "layers 2024", "lee2024")
 arm(others, "oberberger2022", "oberberger2022")
--- Truth with a measured time. From an effort of 0.75 on, selective has the plan of ground_truth. At 0.8 it has 4 times
--- `samples` samples.
+-- Arms of ground truth with a measured time. From an effort of 0.75 on, the pipeline selective runs the passes of ground_truth.
+-- At an effort of 0.8, it has 4 times `samples` samples.
 for _, samples in ipairs { 4, 8, 16, 32 } do
   arm(others, ("truth, %d"):format(samples), "selective", { effort = 0.8, samples = samples // 4 })
 end
@@ -71,15 +72,16 @@ arms[#arms + 1] = { name = exact, pipeline = "ground_truth", timed = true, set =
 
 -- ---- curves
 
--- Returns the cost and the error of an arm in a shot. The cost is the frame time divided by the time of the arm `base`, or rays
--- per pixel. The error is divided by the error of `base`.
+-- Returns the cost and the error of an arm in a shot. `cost`: "rays" for the rays per pixel, otherwise the frame time divided
+-- by the frame time of the arm `base`. The error is divided by the error of `base`.
 local function in_shot(r, one, name, cost)
   local here, unit = r.at { shot = one.name, arm = name }, r.at { shot = one.name, arm = base }
   local of = cost == "rays" and here.rays / (width * height) or here.ms_ratio
   return of, math.max(here.rmse, 1e-6) / math.max(unit.rmse, 1e-6)
 end
 
--- Returns the geometric means of cost and error over all shots. The mean of rays is arithmetic, because rays may be 0.
+-- Returns the geometric means of cost and error over all shots. If the cost is rays, its mean is arithmetic, because an arm may
+-- trace 0 rays.
 local function over_all(r, name, cost)
   local costs, errors = 0, 0
   for _, one in ipairs(shots) do
@@ -99,8 +101,8 @@ local function points(names, at)
   return list
 end
 
--- Returns the least error of the curve up to a cost, or nil below the cost of its first point. Between its points the curve is
--- linear in logarithms.
+-- Returns the least error on `curve` at costs up to `cost`; nil if `cost` is below the cost of the first point. Between the
+-- points of the curve, log(error) is linear in log(cost).
 local function on_curve(curve, cost)
   if cost < curve[1].cost then return nil end
   local least = curve[1].error
@@ -115,7 +117,7 @@ local function on_curve(curve, cost)
   return least
 end
 
--- Returns the names of the points of `list` that lie below the curve by more than a fiftieth.
+-- Returns the names of the points of `list` with an error below the curve, by more than a fiftieth of the error on the curve.
 local function below(curve, list)
   local found = {}
   for _, one in ipairs(list) do
@@ -125,7 +127,7 @@ local function below(curve, list)
   return found
 end
 
--- Returns the points of `curve` on the front: no point of `list` is at least as good in cost and in error.
+-- Returns the points of `curve` on the Pareto front: no point of `list` is at least as good in both cost and error.
 local function on_front(curve, list)
   local names = {}
   for _, own_one in ipairs(curve) do
@@ -155,8 +157,8 @@ local function of_curve(cost, words, known)
   }
 end
 
--- Returns the number of scenes without a point below the curve. Also returns the points below the curve in each other scene,
--- as texts.
+-- Returns the number of scenes where no point of another pipeline lies below the curve of selective. Also returns a text for
+-- each of the other scenes, with the points below the curve.
 local function scene_by_scene(r, cost)
   local good, texts = 0, {}
   for _, one in ipairs(shots) do

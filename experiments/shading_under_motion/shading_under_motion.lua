@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Measures the error of frozen shading: all methods except truth use the light, shadows and highlights of the raster time.
+-- Measures the error of frozen shading: all methods except ground truth use the light, shadows and highlights of the raster
+-- time for the whole exposure.
 --   strobe sweep experiments/shading_under_motion/shading_under_motion.lua -o out/shading_under_motion
 local experiment = require "strobe.experiment"
 
@@ -9,10 +10,11 @@ local in_pictures = { lamp = true, shadow = true, gloss = true }
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
--- RMS difference between truth with frozen shading and truth with shading at each time sample.
+-- Returns the RMS difference between two ground truths: with frozen shading, and with shading at each time sample (full).
 local function freezing(r, shot, region) return at(r, shot, "ground truth", region).rmse_full end
 
--- Share of frozen shading in a method's squared error against full truth: 1 - (error against frozen truth / error)^2.
+-- Returns the share of a method's squared error that frozen shading causes: 1 - (error against frozen truth / error against
+-- full truth)^2.
 local function share(r, shot, arm, region)
   local full, frozen = at(r, shot, arm, region).rmse_full, at(r, shot, arm, region).rmse
   return 1 - frozen * frozen / (full * full)

@@ -1,14 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- Measures errors under slow motion and with many samples. The remaining errors there are steps at silhouettes, and textures
--- that are smoothed by the pixels of a layer.
+-- Measures errors under motion by less than a pixel and more, and with few and many samples. Under slow motion and with many
+-- samples, the remaining errors are steps at silhouettes, and textures that are smoothed because a layer stores one colour per
+-- pixel.
 --   strobe sweep experiments/sub_pixel/sub_pixel.lua -o out/sub_pixel
 local experiment = require "strobe.experiment"
 
 local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
 local best, floor = "hybrid_traced", "truth, as many samples"
 
--- Returns the largest and the least ratio of the errors of `arm` and `other` over all speeds and numbers of samples. The name
--- of its point follows each ratio.
+-- Returns the error of `arm` divided by the error of `other`: the largest ratio and the least ratio over all speeds and numbers
+-- of samples. After each ratio comes the name of its point (speed and number).
 local function ratios(r, arm, other)
   local most, least, most_at, least_at = 0, math.huge, "", ""
   for _, speed in ipairs(speeds) do

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Compares the rules that end a ray at the first hit on the background. The rules compare luminance (as published), geometry
--- (proposed by the paper), instance or motion.
+-- Compares rules that decide where a ray through the foreground ends: at the first hit that counts as background. A rule
+-- compares the luminance of the hit with the foreground (as published), its geometry (proposed by the paper), its instance or
+-- its motion.
 local experiment = require "strobe.experiment"
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local turns = "termination by motion treats each instance as one object: it compares the motions of different instances only"
 
 local ways = { "luminance", "geometry", "instance", "motion" }
@@ -20,7 +21,7 @@ local function worse(shot, arm, other, factor, text, region, known)
   end }
 end
 
--- Returns the expectation that the errors of two arms are within a tenth of each other.
+-- Returns the expectation that the errors of two arms differ by a factor of at most 1.1.
 local function alike(shot, arm, other, text, known)
   return { text, shot = shot, known = known, function(r)
     local a, b = error_of(r, shot, arm), error_of(r, shot, other)

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Compares the frame times and the errors of the ray tracing backends.
+-- Compares the ray tracing backends (ray queries, ray tracing pipelines, the runtime's own tree) by frame times and errors.
 local experiment = require "strobe.experiment"
 
 local list = experiment.list
@@ -12,12 +12,13 @@ local function at(r, shot, arm, wanted)
   return r.at(key)
 end
 
--- Frame time with the runtime's own tree, divided by the frame time with ray queries.
+-- Returns the frame time with the runtime's own tree, divided by the frame time with ray queries.
 local function share(r, shot, arm)
   return at(r, shot, arm, { backend = "bvh" }).ms_ratio / at(r, shot, arm, { backend = "query" }).ms_ratio
 end
 
--- Largest relative difference between an error with ray queries and with another backend. `groups`: lists of arms.
+-- Returns the largest relative difference between the errors of an arm with ray queries and with another backend. `groups`:
+-- lists of arms.
 local function most_apart(r, groups)
   local most = 0
   for _, shot in ipairs { "room", "cells" } do
@@ -33,7 +34,7 @@ local function most_apart(r, groups)
   return most
 end
 
--- Reasons of failed expectations.
+-- Reasons why some of the expectations below failed; reports print them.
 local borders = "some of truth's tens of millions of rays pass so close to the border of a triangle that rounding decides " ..
                 "the hit, and backends round differently. The pictures of methods are equal bit for bit"
 

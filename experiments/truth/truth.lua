@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Measures the time that truth needs for a given error, if it traces every ray and if it skips rays with a known result. The
--- samples cover whole pixels.
+-- Measures the time that ground truth needs for a given error, in two modes: it traces every ray, or it skips rays with a
+-- result that the first samples of the pixel agree on. Samples are spread over the area of each pixel.
 --   strobe sweep experiments/truth/truth.lua -o out/truth
 local experiment = require "strobe.experiment"
 
@@ -18,8 +18,8 @@ end
 
 local function at(r, shot, name, samples) return r.at { shot = shot.name, arm = name, samples = samples } end
 
--- Time of an arm with `samples` samples, divided by the time that the arm `of` needs for the same error. The time of `of` is
--- interpolated or extrapolated between its points, linearly in logarithms.
+-- Returns the time of an arm with `samples` samples, divided by the time that the arm `of` needs for an equal error. This time
+-- is interpolated or extrapolated from the measured points of `of`, linearly in log(error) and log(time).
 local function share(r, shot, name, samples, of)
   local own, k = at(r, shot, name, samples), 1
   while k < #counts - 1 and at(r, shot, of, counts[k + 1]).rmse > own.rmse do k = k + 1 end

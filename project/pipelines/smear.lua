@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The raster image, averaged along the displacement of each pixel by the pass `smear`.
+-- Motion blur of the raster image: the pass `smear` averages colours along the displacement of each pixel.
 local pipeline = require "strobe.pipeline"
 local smear    = require "passes.smear"
 local scene    = require "scripts.pipelines.lib.scene"

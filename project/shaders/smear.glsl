@@ -2,7 +2,7 @@
 // Average of `taps` colours along the pixel's own displacement.
 // In:  `color`: linear radiance. `velocity`: displacement, px over the exposure, y down.
 // Out: `color`: linear radiance, alpha 1.
-// Method: at time t, in exposures after the raster time, the pixel X shows the colour at X - displacement * t.
+// Method: mean of the colours at X - t * displacement for pixel X, over times t, in exposures after the raster time.
 // Fails: moving surfaces are not blurred over static ones, and disoccluded background is missing.
 #include "lib/times.glsl"
 

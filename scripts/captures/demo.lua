@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- Figure 1 of Tan, Cui and Bhojan 2020, with errors. In the first shot a vase slides past a cushion; in the second a camera
--- follows the vase. Expected: in the region inner the error of hybrid_traced is smaller than the error of either baseline, by
--- more than two standard errors of truth. The noise of truth shifts each error by at most one standard error (triangle
--- inequality).
+-- Figure 1 of Tan, Cui and Bhojan 2020, with errors against ground truth. In the first shot, a vase slides past a cushion. In
+-- the second shot, a camera follows the vase. The capture checks one expectation, in the region inner (pixels of a moving
+-- object that show its background at another time): the error of hybrid_traced is smaller than the errors of both baselines, by
+-- more than two standard errors of truth. The noise of truth shifts each of the two compared errors by at most one standard
+-- error (triangle inequality).
 --   strobe demo
 local capture = require "strobe.capture"
 
@@ -31,7 +32,7 @@ local shots = {
     crops = { { 400, 195, 120, 68 }, "inner" } },
 }
 
--- For each shot: a row of pictures, a row for each crop, and a row of differences from truth.
+-- Rows of the figure. Each shot has a row of pictures, a row for each crop, and a row of differences from truth.
 local rows, cells = {}, {}
 local function add(row, of_truth)
   rows[#rows + 1] = row

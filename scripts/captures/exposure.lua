@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A film of one moment at longer and longer exposures, with the hybrid beside truth. The vase has the same speed in all
--- pictures.
+-- A film that shows longer and longer exposures of one moment, from 1/12 of a frame to a whole frame. The pipeline
+-- hybrid_traced is beside ground truth. The vase has the same speed in all pictures.
 --   strobe capture scripts/captures/exposure.lua -o out/exposure
 local capture = require "strobe.capture"
 

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Figure 1 of Tan, Cui and Bhojan 2020, on the living room: a close-up of a vase whose left edge covers the left edge of a
--- cushion. The vase moves to the left by 40 px over the exposure, which ends at the raster time, so that its left edge
--- disoccludes the background. The paper claims the following. With the filter of McGuire et al., the background is hardly
--- visible. UE4 fills it with a mirror image of the pixels beside the vase, which adds a false cushion edge (yellow arrow). The
--- hybrid has the cushion edge of truth (green arrow).
+-- Figure 1 of Tan, Cui and Bhojan 2020, with the scene of the living room: a close-up of a vase whose left edge covers the left
+-- edge of a cushion. The vase moves to the left by 40 px over the exposure. The exposure ends at the raster time, so background
+-- that the raster image hides behind the left edge of the vase is visible earlier in the exposure. The paper makes three
+-- claims. With the filter of McGuire et al., this background is hardly visible. UE4 fills it with a mirror image of the pixels
+-- beside the vase, which adds a false cushion edge (yellow arrow). The hybrid has the cushion edge of ground truth (green
+-- arrow).
 --   strobe capture scripts/captures/figure1.lua -o out/figure1
 local capture = require "strobe.capture"
 
@@ -49,8 +50,9 @@ return capture {
         { row = 2, column = "ray-traced", empty = true },
       },
     },
-    -- Two interpretations of the paper: to the letter, and ours. To the letter, a ray takes another luminance for the
-    -- background, which fails here because the pattern of the vase has several luminances.
+    -- Two interpretations of the paper: its text to the letter, and ours. To the letter, a ray ends at the first hit with a
+    -- luminance that differs from the foreground. Here this fails, because the pattern of the vase itself has several
+    -- luminances.
     {
       name = "figure1_presets", crop = crop, zoom = 2, width_mm = 85, text_size = 22, gap = 8,
       caption = "inner RMSE {rmse inner %.3f}",

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Figure 2 of Tan, Cui and Bhojan 2020: the range of the samples that a pixel averages. McGuire et al. 2012 put the pixel in
--- the middle of this range, so that half of the exposure is before and half is after the raster time. Tan et al. put the pixel
--- at the end of the range.
+-- Figure 2 of Tan, Cui and Bhojan 2020: the line of samples that a pixel averages. McGuire et al. 2012 put the pixel in the
+-- middle of this line, so that half of the exposure is before and half is after the raster time. Tan et al. put the pixel at
+-- the end of the line.
 --   strobe capture scripts/captures/figure2.lua -o out/figure2
 local capture = require "strobe.capture"
 
 local function shot(anchor) return { name = anchor, scene = "living_room", camera = "main", anchor = anchor } end
 
--- Three pixels: inside the vase, near its edge, and beside the vase.
+-- Samples of three pixels: inside the vase, near its edge, and beside the vase.
 local ranges = {}
 for i, at in ipairs { { 500, 262 }, { 524, 276 }, { 550, 290 } } do
   ranges[i] = { at = at, along = "neighbour_max.dominant", samples = 5, displacement = i == 1 }

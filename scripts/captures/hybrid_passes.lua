@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The output of each pass of the hybrid, for the vase in front of the cushion.
+-- The output of each pass of the pipeline hybrid_traced, for the vase in front of the cushion.
 --   strobe capture scripts/captures/hybrid_passes.lua -o out/hybrid_passes
 local capture = require "strobe.capture"
 

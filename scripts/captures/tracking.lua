@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The camera follows the vase past the room: a figure of one moment, with errors, and a film.
+-- A tracking shot: the camera follows a vase, so that the room moves past. A figure of one moment, with errors, and a film.
 --   strobe capture scripts/captures/tracking.lua -o out/tracking
 local capture = require "strobe.capture"
 

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The accumulation buffer: the scene is drawn at many times, and the pictures are averaged. Haeberli and Akeley 1990.
+-- Motion blur by an accumulation buffer (Haeberli and Akeley 1990): the scene is rasterised at many times of the exposure, and
+-- the pictures are averaged.
 local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
 local raster_color = require "passes.lib.raster_color"
@@ -12,12 +13,12 @@ local scene    = require "scripts.pipelines.lib.scene"
 local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
 
 return pipeline {
-  doc = "Mean of pictures of the scene at each time sample, shaded as at the raster time (Haeberli and Akeley 1990)",
+  doc = "Accumulation buffer (Haeberli and Akeley 1990): mean of pictures at many times, all shaded as at the raster time",
   breaks = { mirrored = snapped, scaled = snapped },
   params = {
     samples = blur.samples { doc = "number of time samples; the scene is drawn once for each" },
     reuse   = pipeline.choice { "none", "blended", "detailed", default = "detailed",
-      doc = "colour of a surface in a time sample: shaded, or read from the raster image where it shows the surface",
+      doc = "source of a surface's colour in a time sample: new shading, or the raster image if that image shows the surface",
       values = {
         none = "Every sample is shaded in the pose of the raster time. Costs a shadow ray per sample and light.",
         blended = "The four nearest texels of the raster image are blended if they show the surface. Otherwise the sample " ..
@@ -26,9 +27,11 @@ return pipeline {
                    "surface moves by at most `detail_below` from sample to sample.",
       } },
     contrast = raster_color.contrast {
-      doc = "with reuse = detailed: largest difference of four texels that are always blended, as a share of their colour" },
+      doc = "largest relative difference between the colours of the four raster texels around a surface point that are " ..
+            "still blended; used with reuse = detailed" },
     detail_below = raster_color.detail_below {
-      doc = "with reuse = detailed: displacement from sample to sample above which the four texels are always blended" },
+      doc = "displacement of a surface from one time sample to the next, above which its four raster texels are blended " ..
+            "even if they differ; used with reuse = detailed" },
   },
   build = function(p)
     local raster = scene.raster()

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The motion blur of the Bevy engine (2024), for any anchor.
+-- The motion blur of the Bevy engine (2024), for any anchor (position of the exposure relative to the raster time).
 local pipeline = require "strobe.pipeline"
 local filter   = require "passes.filter.bevy"
 local options  = require "scripts.pipelines.lib.options"

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Ground truth: the mean of the scene in its true poses at many times of the exposure. Displacements, limits, tiles and layers
--- are not used.
+-- Ground truth: the mean of the scene in its true poses at many times of the exposure. Blur methods approximate this mean by
+-- displacements, tiles and layers; ground truth uses none of these.
 local pipeline   = require "strobe.pipeline"
 local shade      = require "passes.gbuffer.shade"
 local visibility = require "passes.gbuffer.visibility"
@@ -18,7 +18,8 @@ local smooth = "samples cover the whole pixel, so static silhouettes are smooth 
 
 local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
 
--- One time sample by rasterisation. Rasterisation and rays share no visibility code, so that each can check the other.
+-- Adds one time sample by rasterisation to the mean. Rasterisation and rays share no visibility code, so that each can check
+-- the other.
 local function rastered_sample(p)
   if p.pixel() == "box" then error("mode = raster samples pixel centres only: pixel = box needs mode = rays", 0) end
   if p.slices() > 1 then error("mode = raster draws one time per iteration: slices > 1 needs mode = rays", 0) end
@@ -52,7 +53,7 @@ return pipeline {
   },
   params = {
     mode         = choice { "rays", "brute", "raster", default = "rays",
-      doc = "method that finds the nearest surface at each time; `raster` finds no error regions",
+      doc = "method that finds the nearest surface at each time; `raster` does not find the regions of the error report",
       values = {
         rays   = "Rays through the whole pixel or its centre, at several times in one iteration. Static surfaces are traced " ..
                  "once, moving surfaces at each time. A ray is skipped if the first samples of the pixel and its " ..
@@ -67,14 +68,15 @@ return pipeline {
       breaks = { raster = { mirrored = snapped } } },
     samples      = int { 1024, min = 1, max = 65536, role = "sample_count", doc = "largest number of time samples" },
     times        = choice { "midpoint", "stratified", default = "midpoint", role = "sample_times",
-      doc = "time of a sample in its stratum",
+      doc = "time of a sample within its stratum (its part of the exposure)",
       values = {
         midpoint   = "The middle. The error is at most half a sample per silhouette. Fails with bands where samples are few.",
         stratified = "A random time. With several slices, each pixel takes the time of one slice. Unbiased, with noise " ..
                      "instead of bands. Fails by up to twice the error of `midpoint` at each silhouette.",
       },
       breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
-    slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; each pixel uses a random one",
+    slices       = int { 1, min = 1, max = 64, doc = "number of sample times per iteration, each with its pose of the " ..
+                                                 "scene; each pixel uses one of these times at random",
       breaks = { other = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
     shading      = shade.params.shading,
     pixel        = choice { "centre", "box", default = "centre", doc = "position of a sample in its pixel",
@@ -92,10 +94,10 @@ return pipeline {
             "least 8, and at most 64 if `tolerance` is above 0" },
     even_within  = agreement.params.even_within,
     mark_regions = bool { true, role = "regions",
-      doc = "find the error regions; costs one more ray per sample" },
+      doc = "find the regions of the error report (inner, hidden, outer, self); costs one more ray per sample" },
     validation_share = trace.params.validation_share,
     tolerance        = float { 0, min = 0, max = 1e6,
-      doc = "standard error of the mean that stops sampling, linear radiance; 0: sampling does not stop early" },
+      doc = "sampling stops once the standard error of the mean is at most this, linear radiance; 0: it does not stop early" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Post-process blur of Guertin, McGuire and Nowrouzezahrai 2014, for any anchor.
+-- Post-process blur of Guertin, McGuire and Nowrouzezahrai 2014, for any anchor (position of the exposure relative to the
+-- raster time).
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.guertin2014"
 local gathers  = require "scripts.pipelines.lib.gathers"
@@ -8,7 +9,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "Guertin et al. 2014: a gather along the dominant displacement and a second direction",
+  doc = "Guertin et al. 2014: blur of each pixel along the longest displacement of surrounding tiles and a second direction",
   params = {
     options.blur(40),
     directions   = gather.params.directions,
@@ -24,7 +25,8 @@ return pipeline {
     eta          = gather.params.eta,
     tile_jitter  = gather.params.tile_jitter,
     uniform_path = pipeline.bool { true,
-      doc = "use the dominant displacement for all surfaces if the shortest one around is at least 0.65 times as long" },
+      doc = "take the longest displacement near a pixel as the motion of all surfaces there, if the shortest displacement " ..
+            "near the pixel is at least 0.65 times as long" },
   },
   build = function(p)
     local raster = scene.raster()

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The motion blur of Unity's High Definition Render Pipeline (since 2019), for any anchor.
+-- The motion blur of Unity's High Definition Render Pipeline (since 2019), for any anchor (position of the exposure relative to
+-- the raster time).
 local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
 local jitter   = require "passes.lib.jitter"
@@ -13,8 +14,9 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
--- Dominant displacement of each tile. Unlike in tiles.dominant, a tile writes its displacement to all tiles along this
--- displacement.
+-- Dominant displacement of each tile: the longest displacement that passes over the tile. Each tile writes (scatters) its
+-- displacement to all tiles along this displacement. Elsewhere, tiles.dominant reads (gathers) the displacements of the
+-- surrounding tiles.
 local function dominant(raster)
   local tile = tile_max { velocity = raster.velocity }
   local longest = tile.longest
@@ -27,7 +29,7 @@ local function dominant(raster)
 end
 
 return pipeline {
-  doc = "Unity HDRP: tap pairs of Jimenez 2014, tiles that scatter along their motion, and weights by the alignment of motions",
+  doc = "Unity HDRP: tap pairs of Jimenez 2014, tiles that scatter along their motion, weights by the alignment of motions",
   params = {
     options.picture,
     tile         = blur.tile { 16 },

@@ -13,15 +13,15 @@ local options     = require "scripts.pipelines.lib.options"
 local scene       = require "scripts.pipelines.lib.scene"
 local tiles       = require "scripts.pipelines.lib.tiles"
 
--- Ray Mask: moving pixels with an edge along their displacement. The edge detector runs only at pixels whose displaced position
--- shows another, farther object.
+-- Ray Mask: the pixels that trace a ray. A pixel is masked if it moves and an edge lies along its displacement. The edge
+-- detector runs only at candidates: pixels with a displacement to a position that shows another, farther object.
 local function ray_mask(p, raster)
   local where = candidate { depth = raster.depth, id = raster.id, velocity = raster.velocity, taps = p.mask_taps }.candidate
   local edge = edges.detected(p.edge(), raster, where)
   return range_check { edge = edge, id = raster.id, velocity = raster.velocity, own_edge = p.own_edge, as = "mask" }.mask
 end
 
--- Ray Reveal: one ray per masked pixel, which passes the foreground and ends at the next object.
+-- Ray Reveal: traces one ray per masked pixel, through the foreground object, to the next object behind it.
 local function ray_reveal(raster, mask)
   local found = reveal { hit = raster.hit, mask = mask }
   return scene.layer {
@@ -29,28 +29,30 @@ local function ray_reveal(raster, mask)
   }
 end
 
--- Post-Process: tile dilation and gather of one layer. `background`: the layer that silhouettes of `layer` disocclude, or nil.
+-- Post-Process: blurs one layer by a gather along the longest displacements of the surrounding tiles. `background`: the layer
+-- behind `layer`, which moving silhouettes of `layer` disocclude; nil: none.
 local function blurred(p, layer, name, background)
   local dominant = tiles.dominant(p, layer, { prefix = name .. "_" })
   return gathers.blurred(p.weights(), gathers.images(layer, dominant, background), "gather_" .. name, p.color_format)
 end
 
-local edge_choice = { default = "sobel", doc = "edge detector of the ray mask", values = edges.texts(),
+local edge_choice = { default = "sobel", doc = "edge detector that decides which pixels trace a ray", values = edges.texts(),
                       table.unpack(edges.names) }
 
 local text = {
   edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit",
   weights = "mcguire2012",
 }
--- Two settings where the text of the paper is silent or contradicts its claims: a ray passes the whole foreground object at
--- once, and each tap has an equal share of the exposure.
+-- The text of the paper, except for two settings where the text is silent or contradicts the paper's claims. Here a ray passes
+-- the whole foreground object at once, and each tap has an equal share of the exposure.
 local paper = { text, advance = "instance_filter", weights = "uniform" }
 
 return pipeline {
-  doc = "The published method: raster image and ray-traced background, blurred and composited (Tan, Cui and Bhojan 2020)",
+  doc = "Hybrid MBlur (Tan, Cui and Bhojan 2020): raster image and ray-traced background, each blurred, then composited",
   params = {
     options.blur(40),
-    mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "positions along a displacement that the ray mask tests" },
+    mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "number of positions along a pixel's displacement where the " ..
+                                                           "ray mask tests for a farther object" },
     edge         = pipeline.choice(edge_choice),
     own_edge     = pipeline.bool { true,
       doc = "require that the first edge along the displacement belongs to the pixel's own instance" },
@@ -65,10 +67,12 @@ return pipeline {
     directions   = mcguire2012.params.directions,
   },
   presets = {
-    paper = { doc = "the paper, so that its claims hold: a ray passes the foreground object at once, taps have equal weights",
+    paper = { doc = "settings that make the paper's claims hold: a ray passes the foreground object at once, taps have " ..
+                    "equal weights",
               set = paper },
-    text = { doc = "the paper to the letter", set = text },
-    geometry_index = { doc = "like `paper`, but a ray ends at another geometry instead of luminance (proposed in the paper)",
+    text = { doc = "settings that follow the text of the paper to the letter", set = text },
+    geometry_index = { doc = "settings of `paper`, but a ray ends at another geometry instead of another luminance, as the " ..
+                             "paper proposes",
                        set = { paper, termination = "geometry" } },
   },
   default_preset = "paper",

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Extension of the pipeline `hybrid`: rays find the background that relative motion disoccludes. The raster layer and this
--- revealed layer are composited per time sample.
+-- Extension of the pipeline `hybrid`. Rays find the background that becomes visible because the foreground moves relative to
+-- it. The raster layer and this revealed background are composited separately at each time sample.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.layered.layered_composite"

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Extension of hybrid_layered: rays resolve the time samples that the layers leave unresolved.
+-- Extension of the pipeline `hybrid_layered`: if the two layers do not give the colour of a time sample, a ray at the time of
+-- that sample gives it.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.layered.layered_composite"
@@ -10,7 +11,9 @@ local time_samples = require "scripts.pipelines.lib.time_samples"
 
 local by_cell = "cells decide which samples are traced, and the grid of cells starts at the corner of the picture"
 local by_threshold = "thresholds decide which samples are traced, and rounding may cross a threshold"
-local slowest = 0.02  -- px over the exposure: a slower silhouette changes the coverage of a pixel by less than 0.02
+-- Displacement below which a silhouette counts as static, px over the exposure. A slower silhouette changes the coverage of a
+-- pixel by less than 0.02.
+local slowest = 0.02
 
 return pipeline {
   doc = "Hybrid like hybrid_layered, with a ray for each time sample that its two layers do not resolve",

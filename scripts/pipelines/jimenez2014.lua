@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Post-process blur of Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any
--- anchor.
+-- Post-process blur of Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any anchor
+-- (position of the exposure relative to the raster time).
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.jimenez2014"
 local gathers  = require "scripts.pipelines.lib.gathers"
@@ -9,7 +9,8 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "Jimenez 2014: gather of tap pairs along the dominant displacement, linear weight ramps, mirrored background",
+  doc = "Jimenez 2014: gather of tap pairs along the longest displacement nearby; background that one tap lacks is filled " ..
+        "from the opposite tap",
   params = {
     options.blur(20),
     mirror      = gather.params.mirror,

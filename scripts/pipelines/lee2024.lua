@@ -18,7 +18,7 @@ local function layer_behind(front, number)
   }
 end
 
--- Inputs of the filter. The first layer holds the visible surfaces.
+-- Returns the images that the filter reads. The first of `layers` has the visible surfaces.
 local function images(p, layers)
   local read = { id = layers[1].id, color = layers[1].color, depth = layers[1].depth, velocity = layers[1].velocity }
   for number = 2, #layers do
@@ -35,7 +35,7 @@ local function images(p, layers)
 end
 
 return pipeline {
-  doc = "Lee, Kwon and Oh 2024: full raster layers by depth peeling, searched backwards along displacements",
+  doc = "Lee, Kwon and Oh 2024: search backwards along displacements, in full raster layers made by depth peeling",
   params = {
     options.tiles(40),
     layer_count = pipeline.int { 4, min = 1, max = 4, doc = "number of depth layers, including the visible layer" },

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Post-process blur of McGuire, Hennessy, Bukowski and Osman 2012, for any anchor.
+-- Post-process blur of McGuire, Hennessy, Bukowski and Osman 2012, for any anchor (position of the exposure relative to the
+-- raster time).
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.mcguire2012"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -9,7 +10,7 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 local gathers  = require "scripts.pipelines.lib.gathers"
 
 return pipeline {
-  doc = "McGuire et al. 2012: a gather along the dominant displacement of the surrounding tiles",
+  doc = "McGuire et al. 2012: blur of each pixel along the longest displacement of the surrounding tiles",
   params = {
     options.blur(40),
     weights = pipeline.choice(gathers.choice("mcguire2012",

@@ -14,7 +14,8 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 return pipeline {
   doc = "Oberberger et al. 2022 on one frame: one ray per pixel at a random time, then a wavelet filter along the motion",
   params = {
-    octaves = pipeline.int { 4, min = 0, max = 6, doc = "filter levels, each twice as wide as the one before; 0: no filter" },
+    octaves = pipeline.int { 4, min = 0, max = 6, doc = "number of filter levels, each twice as wide as the previous level; " ..
+                                                     "0: no filter" },
     deviations = along_motion.params.deviations,
     tile   = blur.tile,
     limit  = blur.limit,

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- One parameter, `effort`, leads from a post-process blur to ground truth. In between, some pixels are gathered: those where
--- the gather is certain. The other pixels trace rays at several times.
+-- Blur with one parameter, `effort`, that leads from a post-process gather (0) to ground truth (1). Between these ends, a pixel
+-- is gathered if the gather is reliable there. The other pixels trace rays at several times.
 local pipeline = require "strobe.pipeline"
 local velocity_bounds  = require "passes.cell.velocity_bounds"
 local tile_max         = require "passes.tile.tile_max"
@@ -52,16 +52,16 @@ local function true_times(p)
 end
 
 return pipeline {
-  doc = "Blur of adjustable effort, from post-process to ground truth: rays at several times where a gather is not certain",
+  doc = "Blur of adjustable effort, from post-process to ground truth: rays at several times where a gather is not reliable",
   params = {
     options.blur(16),
     effort = pipeline.float { 0.4, min = 0, max = 1,
-      doc = "0, or any value if limit = 0: the gather of ue4. Below 0.75: rays at several times where the gather is not " ..
-            "certain. From 0.75: ground truth, which has 16 times `samples` time samples at 1" },
+      doc = "work per picture. 0, or any value if limit = 0: the gather of ue4. Above 0 and below 0.75: rays at several " ..
+            "times where the gather is not reliable. From 0.75: ground truth; at 1, with 16 times `samples` time samples" },
   },
   presets = {
     post_process = { doc = "a post-process blur without rays", set = { effort = 0 } },
-    few_rays     = { doc = "as few rays as possible, where a gather is not certain", set = { effort = 0.1 } },
+    few_rays     = { doc = "few rays, only where a gather is not reliable", set = { effort = 0.1 } },
   },
   compare_with = "ue4",
   equals = {

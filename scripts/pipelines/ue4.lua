@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Stand-in for the post-process blur of game engines around 2020 (filter of Jimenez 2014, mirrored background).
+-- Stand-in for the post-process blur of game engines around 2020: the filter of Jimenez 2014 with tiles of 16 px. Background
+-- that one tap lacks is filled from the opposite tap.
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.jimenez2014"
 local gathers  = require "scripts.pipelines.lib.gathers"
@@ -8,7 +9,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "Stand-in for engines' post-process blur: Jimenez 2014 with mirrored background, 16 px tiles, 5 % of the width",
+  doc = "Stand-in for the post-process blur of game engines around 2020: the filter of Jimenez 2014 with 16 px tiles",
   params = {
     options.blur(16),
     mirror = gather.params.mirror,

@@ -1,15 +1,18 @@
 -- SPDX-License-Identifier: MIT
--- A closed object slides past panels by `speed` px over the exposure. A ray through the object hits its parts and its far side
--- before it hits the disoccluded background. All materials are unlit, so the colours determine the luminances.
+-- Test scene for rays that pass through a moving object to the background behind it. A closed object slides past panels by
+-- `speed` px over the exposure. A ray through the object hits its parts and its far side before it hits the background. A rule
+-- that ends the ray by luminance, geometry or instance may stop at the wrong hit. All materials are unlit, so the colours
+-- determine the luminances. Parameters:
 -- cell    side of the cells of the background, px
 -- front   plain     a box of one colour
 --         textured  the same box, checkered: its far side is as bright as its near side at half of the pixels
 --         parts     an object of two parts of different luminance: a box inside a box
---         alike     the object of `parts`, but both parts have one luminance
+--         alike     the object of `parts`, but both parts have equal luminances
 --         nodes     the two parts of `parts` as two objects with the same motion
 --         posts     a rotating ring of posts, one object: far posts move in the opposite direction of near posts
--- behind  varied    a wall of cells of different luminance
---         alike     a panel in front of the wall of `varied`; its cells have the luminance of the plain box, but other colours
+-- behind  varied    a wall of cells of different luminances
+--         alike     a panel in front of the wall of `varied`; the cells of the panel have the luminance of the plain box, but
+--                   other colours
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 
@@ -20,7 +23,7 @@ local w, h = stage.width, stage.height
 
 -- ---- colours
 
--- Returns `color`, scaled to the luminance `luminance`.
+-- Returns `color`, scaled so that its luminance is `luminance`.
 local function as_bright(color, luminance)
   local factor = luminance / (0.2126 * color[1] + 0.7152 * color[2] + 0.0722 * color[3])
   return { factor * color[1], factor * color[2], factor * color[3] }

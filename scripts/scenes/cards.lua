@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A card slides in front of a wall with small cards on it. Each parameter varies one quantity that may influence the cost of a
--- frame. Lengths are shares of the picture's height, so that the picture looks the same at every size.
+-- A card slides in front of a wall with small cards on it. Experiments with this scene measure the time of a frame; each
+-- parameter varies one quantity that may influence this time. Lengths are shares of the picture's height, so that the picture
+-- looks the same at every size. Parameters:
 -- cover      side of the moving card, as a share of the height
 -- shift      displacement of this card over the exposure, as a share of the height
 -- instances  number of small cards on the wall; if it is a square number, they cover a quarter of the picture
@@ -11,7 +12,7 @@ local scene = require "strobe.scene"
 local cover, shift = scene.param("cover", 0.4), scene.param("shift", 0.09)
 local instances, cells, lights = scene.param("instances", 16), scene.param("cells", 16), scene.param("lights", 1)
 
--- At z = 0 the picture has height 1. The wall is farther away and larger than the picture.
+-- At z = 0, where the moving card is, the picture is 1 unit high. The wall is farther away and larger than the picture.
 local distance, behind, per_second = 2, 0.6, 24 / 0.5
 local fov = math.deg(2 * math.atan(0.5 / distance))
 local wall = (distance + behind) / distance

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A living room in low evening sun. A vase with twigs slides past a striped cushion. It moves by `pixels` px over the exposure
--- at frame 0, in a picture of `height` lines with `fps` and `exposure`. Camera "main" is static; camera "tracking" follows the
--- vase.
+-- A living room in low evening sun. A vase with twigs slides past a striped cushion. In a picture of `height` lines, with `fps`
+-- frames per second and an exposure of `exposure` frames, the vase moves by `pixels` px over the exposure at frame 0. Camera
+-- "main" is static; camera "tracking" follows the vase.
 local scene = require "strobe.scene"
 local furniture = require "scripts.scenes.lib.furniture"
 
@@ -30,7 +30,7 @@ end
 local metres_per_pixel = 2 * math.tan(math.rad(fov / 2)) * view_depth(vase_at) / height
 local motion = { velocity = { pixels * metres_per_pixel * fps / exposure, 0, 0 } }
 
--- Time until the vase leaves the picture of camera "main", seconds. It then has moved by 0.42 of the width.
+-- Time until the vase leaves the picture of camera "main", seconds. By then, the vase has moved by 0.42 of the picture's width.
 local loop = 0.42 * width * exposure / fps / math.max(math.abs(pixels), 1)
 
 -- ---- materials
@@ -122,7 +122,7 @@ add { name = "front_wall", shape = scene.box { size = { 6.2, 2.7, 0.1 }, tile = 
   position = { 0, 1.35, 3.85 } }
 add { name = "right_wall", shape = scene.box { size = { 0.1, 2.7, 6.2 }, tile = 2 }, material = plaster,
   position = { 3.05, 1.35, 0.7 } }
--- The window: z from -1.1 to 1.5, y from 0.75 to 2.3.
+-- Wall with an opening for the window, from z = -1.1 to 1.5 and from y = 0.75 to 2.3, metres.
 add {
   name = "window_wall", position = { -3.05, 0, 0 },
   parts = {
@@ -177,7 +177,7 @@ for _, part in ipairs(furniture.coffee_table { position = { 0.1, 0, -0.35 }, siz
                                                metal = black_steel }) do
   nodes[#nodes + 1] = part
 end
--- Vase and twigs are one object with one motion, so that neither counts as the background of the other.
+-- Vase and twigs are one object with one motion, so that no pass takes the vase as background of the twigs or vice versa.
 local vase_parts = furniture.twigs { position = { 0, 0.34, 0 }, seed = 4 }
 table.insert(vase_parts, 1, {
   material = glaze,

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A striped card slides over a static checker. The raster time is frame 1. The card moves to the right by `before` px in the
--- half exposure before this time, and by `after` px (negative: back) in the half exposure after it. The camera is orthographic;
--- one unit is one pixel.
+-- Test scene for motion that turns back at the raster time. A striped card slides over a static checker. The raster time is the
+-- time of frame 1. The card moves to the right by `before` px in the half exposure before this frame's time, and by `after` px
+-- (negative: back to the left) in the half exposure after this time. The camera is orthographic; one unit is one pixel.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -21,7 +21,7 @@ local checker = scene.material {
 local card = pixels.rectangle(picture, "card", { left, top, right, bottom }, 0,
   pixels.textured("card", right - left, 1, pixels.stripes(right - left, 8, 0.9, 0.6)))
 
--- At frame 1 the card is at the position given in the node.
+-- Centre of the card at frame 1, which is the position of its node.
 local x, y = (left + right - w) / 2, (h - top - bottom) / 2
 local frame = 1 / picture.fps
 local function path(displacement) return displacement / (picture.exposure / 2) end

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A hollow vase slides by `pixels` px over the exposure past a striped cushion on a bench, in low sun. It is a simpler scene
--- with the situation of figure 1 of Tan, Cui and Bhojan 2020. `vase`: "plain" (one colour) or "patterned". `hollow`: 0 for a
--- solid vase.
+-- A hollow vase slides by `pixels` px over the exposure past a striped cushion on a bench, in low sun. The scene has the
+-- situation of figure 1 of Tan, Cui and Bhojan 2020, with fewer objects than the living room. `vase`: "plain" (one colour) or
+-- "patterned". `hollow`: 0 for a solid vase, otherwise the vase is hollow.
 local scene = require "strobe.scene"
 
 local texture, material, node, srgb = scene.texture, scene.material, scene.node, scene.srgb

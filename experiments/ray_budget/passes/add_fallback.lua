@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Replaces unresolved samples by their fallback estimate in pixels without rays.
+-- Completes the pixels that the ray budget leaves without rays: adds the fallback estimate, a colour from the layers, in place
+-- of the time samples that the layers do not resolve.
 local pass = require "strobe.pass"
 
 return pass.compute {

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Histogram of priorities.
+-- Histogram of the ray priorities of all pixels. The pass `priority_limit` reads it to compute a threshold for the ray budget.
 local pass = require "strobe.pass"
 
 return pass.compute {

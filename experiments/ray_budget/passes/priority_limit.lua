@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Priority threshold: at most a given share of the pixels have a higher priority.
+-- Threshold on the ray priority of pixels, chosen so that at most a given share of the pixels (the ray budget) exceed it.
 local pass = require "strobe.pass"
 
 return pass.compute {

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Priority of masked pixels, by the expected gain of a ray that reveals their background.
+-- Ray priority of the masked pixels: the expected gain of a ray that reveals the background, which is how much the colour of
+-- the pixel is expected to change.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 

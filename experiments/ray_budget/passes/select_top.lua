@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Mask of the pixels whose priority is above a threshold.
+-- Mask of the pixels that get rays: the pixels with a priority above the threshold of the ray budget.
 local pass = require "strobe.pass"
 
 return pass.compute {

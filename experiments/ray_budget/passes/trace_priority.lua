@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Priority of pixels with unresolved samples, by the expected gain of rays.
+-- Ray priority of pixels with time samples that the layers do not resolve: the expected gain of rays for these samples, which
+-- is the uncertainty of the estimate used without rays.
 local pass = require "strobe.pass"
 
 return pass.compute {

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- hybrid_traced with rays for at most a given share of the pixels, those with the highest priority.
+-- The pipeline hybrid_traced with a ray budget: at most a given share of the pixels have rays. The pixels with the highest
+-- priority (expected gain of a ray) get the rays. All other pixels use the layers alone.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local select_top_pixels  = require "passes.select_top"
@@ -15,10 +16,11 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 local time_samples = require "scripts.pipelines.lib.time_samples"
 
-local slowest   = 0.02  -- slowest motion whose silhouettes are traced, px over the exposure, as in hybrid_traced
-local revealing = 0.6   -- share of the budget for revealing rays; the rest traces unresolved samples
+local slowest   = 0.02  -- least motion of a silhouette that needs rays, px over the exposure, as in hybrid_traced
+local revealing = 0.6   -- share of the budget for rays that reveal the background; the rest is for unresolved samples
 
--- Returns the mask of the pixels with the highest priority, at most `part` (default 1) of the ray budget.
+-- Returns the mask of the pixels with the highest values of `priority`. `part`: share of the ray budget that the mask may use;
+-- nil: 1. `name`: name of the node that makes the mask.
 local function select_top(p, priority, name, part)
   local counts = priority_histogram { priority = priority, as = name .. "_counts" }.counts
   local limit = priority_limit {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Replaces unresolved samples by their fallback estimate at pixels without rays.
-// In:  partial: sum of the resolved samples, divided by the number of all samples, linear; alpha: share of resolved samples.
-//      unresolved: unresolved samples, one bit each.
-//      fallback_estimate: sum of the fallback estimates of unresolved samples, divided by the number of all samples, linear.
-//      mask: > 1/2 at pixels with rays, whose samples stay unresolved.
-// Out: partial_now: partial inside the mask; outside, partial + fallback_estimate with alpha 1.
-//      unresolved_now: unresolved inside the mask; 0 outside.
+// Completes the pixels without rays: adds the fallback estimate in place of their unresolved time samples.
+// In:  partial: sum of the resolved samples, divided by the number of all samples, linear radiance; alpha: share of resolved
+//               samples.
+//      unresolved: bit i is set if time stratum i of at most 64 is unresolved.
+//      fallback_estimate: sum of the fallback estimates of the unresolved samples, divided by the number of all samples, linear
+//               radiance.
+//      mask: > 1/2 at pixels with rays; a later pass traces their unresolved samples.
+// Out: partial_now: colour of each pixel, complete at pixels without rays, linear radiance; alpha: share of resolved samples.
+//      unresolved_now: unresolved samples that remain for rays, as in unresolved.
+// Method: outside of the mask, if a sample is unresolved, partial_now = partial + fallback_estimate with alpha 1, and
+//      unresolved_now = 0. All other pixels are copied.
 // Fails: inherits the errors of the fallback estimate.
 #include "lib/sanitise.glsl"
 

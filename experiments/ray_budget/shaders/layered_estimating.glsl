@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The composite `layered` with the additional output fallback_estimate, a fallback estimate of the unresolved samples.
+// The composite `layered` with the further output fallback_estimate: a colour for the time samples that no layer resolves, for
+// pixels without rays.
 // In, Out, Method, Fails: see layered/layered_composite.glsl.
 #define WRITES_ESTIMATE
 #include "layered/layered_composite.glsl"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Histogram of priorities (lib/priority.glsl).
-// In:  priority: priority of each pixel, 0 to 4095.
+// Histogram of the ray priorities of all pixels (lib/priority.glsl). priority_limit.glsl computes a threshold from the counts.
+// In:  priority: ray priority of each pixel, 0 to 4095.
 // Out: counts: entry i is the number of pixels with priority i. Entry 0 stays 0, because priority 0 is never selected.
-// Method: each invocation counts its share of the picture with atomic additions.
+// Method: the pass has fewer invocations than the picture has pixels. Each invocation counts every n-th pixel, where n is the
+//      number of invocations, with atomic additions.
 // Fails: does not fail.
 #include "lib/priority.glsl"
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Priority threshold (lib/priority.glsl): at most a given share of the pixels have a higher priority.
-// In:  priority: priority of each pixel; only the size of the image is read.
-//      counts: histogram of priority_histogram.glsl: entry i is the number of pixels with priority i.
-// Out: limit: threshold, one texel: the largest priority that is not selected; 0 if all masked pixels fit in the share.
-// Fails: selects all pixels of one priority or none.
+// Threshold on the ray priority of pixels (lib/priority.glsl), which at most a given share of the pixels exceed.
+// In:  priority: ray priority of each pixel; only the size of the image is read.
+//      counts: histogram from priority_histogram.glsl: entry i is the number of pixels with priority i.
+// Out: limit: threshold, one texel: the largest priority that is not selected; 0 if all pixels with a priority above 0 fit.
+// Method: from the highest priority downwards, subtract the counts from the allowed number of pixels. The threshold is the
+//      first priority with more pixels than the number that is left.
+// Fails: selects all pixels of one priority or none, so a part of the share may stay unused.
 #include "lib/priority.glsl"
 
 void run(ivec2 texel) {

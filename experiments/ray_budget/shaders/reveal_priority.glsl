@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Priority of masked pixels by the expected gain of a ray that reveals their background.
+// Ray priority of the masked pixels: the expected gain of a ray that reveals the background, as a difference of colours.
 // In:  mask: > 1/2 at pixels whose background is to be revealed.
-//      color: colour, linear.
+//      color: colour of the raster layer, linear radiance.
 //      depth: linear view depth, metres; sky +inf.
 //      id: instance + 1; sky 0.
 //      velocity: displacement over the exposure, px.
 //      dominant: longest displacement that reaches each tile, px over the exposure.
-// Out: priority: priority of each pixel (lib/priority.glsl); 0 outside the mask.
-// Method: let the foreground at pixel X move by d over the exposure and its background by g. At time t the background is
-//   visible if another, farther surface is at X + t (g - d) at the raster time. The gain is the mean over the sample times
-//   of the difference between the colours there and at X, for g = 0 or g = dominant, whichever gives more.
+// Out: priority: ray priority of each pixel (lib/priority.glsl); 0 outside the mask.
+// Method: let d be the displacement of the foreground at pixel X over the exposure, and g the displacement of its background.
+//   At time t (in exposures after the raster time), the background counts as visible if the raster image has another, farther
+//   instance at X + t (g - d). The gain at time t is then the difference of the colours there and at X, otherwise 0. The gain
+//   of the pixel is the mean over the sample times, for g = 0 or for g = dominant, whichever is larger.
 // Fails: misestimates the gain if the background has another displacement, or if its colours vary behind the foreground.
 #include "lib/blur.glsl"
 #include "lib/priority.glsl"

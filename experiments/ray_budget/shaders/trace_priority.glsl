@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Priority of pixels by the expected gain of rays at the sample times. Pixels that already have a ray are first: the budget
-// counts pixels, so further rays there are free.
-// In:  unresolved: unresolved samples, one bit each.
-//      fallback_estimate: alpha: uncertainty of the fallback estimate, radiance.
-//      mask: > 1/2 at pixels that already have a ray.
-// Out: priority: priority of each pixel (lib/priority.glsl).
+// Ray priority of pixels with unresolved time samples: the expected gain of rays at the times of these samples.
+// In:  unresolved: bit i is set if time stratum i of at most 64 is unresolved.
+//      fallback_estimate: alpha: uncertainty of the estimate that is used without rays, linear radiance.
+//      mask: > 1/2 at pixels that already have a ray, which reveals their background.
+// Out: priority: ray priority of each pixel (lib/priority.glsl); 0 if the pixel has neither a ray nor unresolved samples.
+// Method: the priority is the quantised uncertainty. Pixels of the mask have the highest priority, because the ray budget
+//      counts pixels, so that further rays at such a pixel are free.
 // Fails: the order is only as good as the uncertainty that fallback_estimate stores.
 #include "lib/priority.glsl"
 

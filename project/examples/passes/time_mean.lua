@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Running mean of the images of a loop. The update `mean` is zero before the loop and keeps its value between iterations.
+-- Running mean of the images that a loop makes, one per iteration. The pass reads and writes `mean` (an update). `mean` is zero
+-- before the loop and keeps its value from iteration to iteration.
 local pass = require "strobe.pass"
 
 return pass.compute {

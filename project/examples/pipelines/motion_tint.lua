@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The raster image with tinted moving pixels. The parameter `tint` chooses a file of passes/motion_tint.
+-- The raster image with a tint on moving pixels. The parameter `tint` has one choice for each file of passes/motion_tint.
 local pipeline = require "strobe.pipeline"
 local pass     = require "strobe.pass"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -13,7 +13,7 @@ return pipeline {
   params = { tint = pipeline.choice(tints) },
   build  = function(p)
     local raster = scene.raster()
-    local tint = pass.member("motion_tint", p.tint())  -- p.tint() is a value: the choice decides the graph
+    local tint = pass.member("motion_tint", p.tint())  -- p.tint() is the chosen name; it selects the pass
     return scene.outputs(raster, { color = tint(pass.wired(tint, raster, { as = "tint" })).tinted })
   end,
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The raster image, averaged with the surface that a ray finds behind it.
+-- The raster image, averaged with the colours of the surfaces that rays find behind the visible surfaces.
 local pipeline       = require "strobe.pipeline"
 local second_surface = require "passes.second_surface"
 local scene          = require "scripts.pipelines.lib.scene"

@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Stream compaction: makes a list of the masked pixels, so that passes can be dispatched over this list.
+-- Stream compaction: makes a list of the masked pixels, so that passes can be dispatched over this list instead of the whole
+-- image.
 local ballot  = require "passes.compact.ballot"
 local scan    = require "passes.compact.scan"
 local scatter = require "passes.compact.scatter"
 
 local compact = {}
 
--- Returns the list of the masked pixels. The names of its nodes start with `name`.
+-- Returns the list of the pixels in `mask`. The names of the three nodes that make the list start with `name`.
 function compact.pixels(mask, name)
   local bits = ballot { mask = mask, as = name .. "_squares" }.bits
   local rows = scan { bits = bits, as = name .. "_rows" }

@@ -1,17 +1,18 @@
 -- SPDX-License-Identifier: MIT
--- Edge detectors: each file of passes/edge is a pass that writes `edge`. The detector may read images of the raster layer
--- (depth, normal, id, ...), the mask `where` of the pixels to test, and further images, which a function in `prepared` makes.
+-- Edge detectors: each file of passes/edge is a pass that writes an edge mask, `edge`. The detector may read images of the
+-- raster layer (depth, normal, id, ...), the mask `where` of the pixels to test, and further images, which a function in
+-- `prepared` makes.
 local pass     = require "strobe.pass"
 local gradient = require "passes.edge.canny.gradient"
 local thin     = require "passes.edge.canny.thin"
 
 local edges = { names = pass.family "edge" }
 
--- Key: name of a detector. Value: a function that makes further inputs of this detector from the raster layer.
+-- Functions by the name of a detector. A function makes further images, which the detector reads, from the raster layer.
 local prepared = {}
 
--- The thresholds of strong edges are parameters of the node edge_gradient. The node edge_thin has the ratio of strong to weak
--- thresholds.
+-- Canny detector: the node edge_gradient has the thresholds of strong edges as parameters, and the node edge_thin has the ratio
+-- of strong to weak thresholds.
 function prepared.canny(raster)
   local steepest = gradient { depth = raster.depth, normal = raster.normal, as = "edge_gradient" }.gradient
   return { ridge = thin { gradient = steepest, as = "edge_thin" }.ridge }
@@ -26,8 +27,8 @@ function edges.detected(name, raster, where)
   return detector(pass.wired(detector, images, { as = "edge" })).edge
 end
 
--- Returns the effect and the failures of each detector, for a pipeline's menu. A detector file with mistakes has no text here;
--- its mistakes are reported when the detector is chosen.
+-- Returns a text for each detector, for a pipeline's menu: its effect and its failures. A detector file with mistakes is
+-- left out here; its mistakes are reported when the detector is chosen.
 function edges.texts()
   local texts = {}
   for _, name in ipairs(edges.names) do

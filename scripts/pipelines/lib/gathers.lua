@@ -11,7 +11,8 @@ local images_of_gather = pipeline.record("the inputs of a gather", {
   "slowest", "variance",
 })
 
--- Declaration of a choice parameter: its values are the files of passes/gather, or only those in `names`.
+-- Returns the declaration of a choice parameter that selects a gather. Its values are the files of passes/gather, or only the
+-- files in `names`.
 function gathers.choice(default, doc, names)
   local declared = names or pass.family("gather")
   declared.default, declared.doc, declared.values = default, doc, {}
@@ -22,16 +23,16 @@ function gathers.choice(default, doc, names)
   return declared
 end
 
--- Returns a blurred layer. `weights`: name of the gather, a file of passes/gather. `images`: inputs of the gather, from
--- gathers.images. `name`: name of the node. `color_format`: format of the blurred layer; nil: fp32, for a final picture.
+-- Blurs a layer and returns the result. `weights`: name of the gather, a file of passes/gather. `images`: inputs of the gather,
+-- from gathers.images. `name`: name of the node. `color_format`: memory format of the result; nil: fp32, for a final picture.
 function gathers.blurred(weights, images, name, color_format)
   local gather = pass.member("gather", weights)
   paths.require_segments(images, gather, "weights = " .. weights)
   return gather(pass.wired(gather, images, { as = name, color_format = color_format or "fp32" })).blurred
 end
 
--- Inputs of a gather. `layer`: the layer to blur (color, depth, velocity, optionally valid). `around`: result of tiles.dominant
--- for this layer. `background`: the layer revealed behind it, or nil.
+-- Returns the inputs of a gather. `layer`: the layer to blur (color, depth, velocity, optionally valid). `around`: result of
+-- tiles.dominant for this layer. `background`: the layer that rays reveal behind `layer`; nil: none.
 function gathers.images(layer, around, background)
   return images_of_gather {
     color = layer.color, depth = layer.depth, velocity = layer.velocity, valid = layer.valid,

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The raster layer and the layer that rays reveal behind it, for composites per time sample.
+-- Makes the two layers that a composite combines at each time sample: the raster layer, and the layer of the surfaces that rays
+-- reveal behind it.
 local pass              = require "strobe.pass"
 local cull_candidates   = require "passes.layered.cull_candidates"
 local gather_candidates = require "passes.layered.gather_candidates"
@@ -14,7 +15,7 @@ local tiles             = require "scripts.pipelines.lib.tiles"
 
 local layers = {}
 
--- Bounds of the velocities in each cell of a layer. `name` names the node.
+-- Least and greatest velocity in each cell of a layer (cell: a small square of pixels). `name`: name of the node.
 local function bounds_of(layer, name)
   return velocity_bounds {
     velocity = layer.velocity, velocity_post = layer.velocity_post, curve = layer.curve, valid = layer.valid,
@@ -22,7 +23,8 @@ local function bounds_of(layer, name)
   }.bounds
 end
 
--- Mask of the pixels that a silhouette disoccludes by its motion relative to its background.
+-- Mask of the pixels where background is disoccluded within the exposure, because a silhouette moves relative to the
+-- background.
 function layers.disocclusion_mask(raster)
   local tile = tiles.velocities(raster)
   local max_displacement = tile.max_displacement
@@ -45,20 +47,21 @@ function layers.disocclusion_mask(raster)
   }.mask
 end
 
--- Traces a ray past the foreground in each masked pixel; returns the ports of the pass ray_reveal. `runs`: "moving_rect" if the
--- mask is 0 outside of the moving rectangle, otherwise nil.
+-- Traces a ray past the foreground in each masked pixel; returns the outputs of the pass ray_reveal. `runs`: "moving_rect" if
+-- the mask is 0 outside of the rectangle that contains all motion, otherwise nil.
 function layers.revealed(raster, mask, runs)
   return reveal { hit = raster.hit, mask = mask, runs = runs }
 end
 
--- The revealed layer. `found`: ports of the pass ray_reveal.
+-- Returns the revealed layer. `found`: outputs of the pass ray_reveal.
 function layers.of(found)
   return scene.layer {
     color = found.color, depth = found.depth, id = found.id, velocity = found.velocity, valid = found.valid, hit = found.found,
   }
 end
 
--- Ports of classify_cells, which marks the cells with motion. The composite copies the pixels of all other cells.
+-- Returns the outputs of the pass classify_cells, which marks the cells that moving surfaces reach. The composite copies the
+-- pixels of all other cells.
 local function moving_cells(raster, revealed, images, slowest)
   -- The velocity bounds made for the disocclusion mask are valid only for straight paths with one segment.
   local is_simple = raster.bounds and not (raster.curve or raster.velocity_post)
@@ -78,18 +81,18 @@ local function put(images, prefix, layer)
   for name, image in pairs(layer) do images[prefix .. name] = image end
 end
 
--- Adds curves to both layers if paths are not straight lines. If curves are extrapolated, the raster layer has its curve
--- already.
+-- Adds the curved paths of surface points to both layers, unless paths are straight lines. The raster layer is left out if
+-- curves are extrapolated, because layers.both has added its curve before.
 function layers.add_curves(p, raster, revealed)
   local background = { "revealed", revealed }
   paths.add_curves(p, paths.are_extrapolated(p) and { background } or { { "raster", raster }, background })
 end
 
 -- Returns a table with these fields:
---   whole             the raster layer, before its motion is split into two segments
+--   whole             the raster layer, with one displacement for the whole exposure
 --   mask              the disocclusion mask
---   found             the ports of the pass ray_reveal
---   raster, revealed  both layers for a composite
+--   found             the outputs of the pass ray_reveal
+--   raster, revealed  both layers for a composite; with range = split, each has a velocity before and after the raster time
 function layers.both(p)
   local whole = scene.raster()
   if paths.are_extrapolated(p) then paths.add_curves(p, { { "raster", whole } }) end
@@ -101,7 +104,7 @@ function layers.both(p)
   return { whole = whole, mask = mask, found = found, raster = raster, revealed = revealed }
 end
 
--- The outputs of a pipeline with the picture `color`. `both`: result of layers.both.
+-- Returns the outputs of a pipeline with the picture `color`. `both`: result of layers.both.
 function layers.outputs(p, both, color)
   local found = both.found
   return scene.outputs(both.whole, {
@@ -111,9 +114,9 @@ function layers.outputs(p, both, color)
   })
 end
 
--- Inputs of the pass `composite`: the images of the raster layer, the images of the revealed layer with the prefix "revealed_",
--- and displacements per tile. `slowest`: largest displacement of a static pixel, px; nil: 0.5. `apart`: true if each layer has
--- its own displacements per tile, nil if both layers share them.
+-- Returns the inputs of the pass `composite`: the images of the raster layer, the images of the revealed layer with the prefix
+-- "revealed_", and displacements per tile. `slowest`: largest displacement that counts as static, px; nil: 0.5. `apart`: true
+-- if each layer has its own displacements per tile, nil if both layers share them.
 function layers.images(p, raster, revealed, composite, slowest, apart)
   paths.require_segments(raster, composite, "the composite")
   local images = {}

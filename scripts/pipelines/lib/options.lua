@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Parameters that blur pipelines share, so that the name of a parameter has one meaning in all pipelines.
+-- Parameters that blur pipelines share. A shared parameter has the same meaning in all pipelines.
 local blur          = require "passes.lib.blur"
 local jitter        = require "passes.lib.jitter"
 local quantised     = require "passes.lib.quantised"
@@ -8,7 +8,8 @@ local neighbour_max = require "passes.tile.neighbour_max"
 
 local options = {}
 
--- Parameters of every pipeline that samples images, so that methods are compared under equal conditions.
+-- Parameters of pipelines that read taps from images: samples, the longest displacement, jitter and memory formats. Pipelines
+-- with equal values are compared under equal conditions.
 options.picture = {
   samples      = blur.samples,
   limit        = blur.limit,

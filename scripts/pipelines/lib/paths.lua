@@ -12,7 +12,8 @@ local paths = {}
 
 -- Parameter of pipelines whose filters can follow two segments.
 paths.range = pipeline.choice { "whole", "split", default = "whole",
-  doc = "displacements of a point: one per exposure, or one before and one after the raster time if anchor = centre",
+  doc = "displacements of a surface point: one for the exposure, or, with anchor = centre, one before and one after the " ..
+        "raster time",
   values = {
     whole = "One displacement: a point moves along a straight line at constant speed. Fails where motion turns: a point " ..
             "that turns back at the raster time is taken as static.",
@@ -35,10 +36,10 @@ local function copy_of(layer)
 end
 
 -- If the motion is split at the raster time (range = split), returns a copy of `layer` with these fields:
---   velocity        velocity before the raster time
---   velocity_post   velocity after the raster time
---   whole_velocity  the original velocity
--- Otherwise returns `layer`. `name` names the node.
+--   velocity        velocity before the raster time, scaled to the whole exposure, px
+--   velocity_post   velocity after the raster time, scaled to the whole exposure, px
+--   whole_velocity  the original velocity: one displacement over the exposure, px
+-- Otherwise returns `layer`. `name`: name of the node.
 function paths.split(p, layer, name)
   if not paths.are_split(p) then return layer end
   local segments = two_segments { depth = layer.depth, id = layer.id, velocity = layer.velocity, as = name }
@@ -47,7 +48,8 @@ function paths.split(p, layer, name)
   return split
 end
 
--- Returns a copy of the split layer `layer` whose velocity is the velocity after the raster time. The copy is made only once.
+-- Returns a copy of the split layer `layer`, with the velocity after the raster time as its velocity. Filters of one velocity
+-- can read this copy. The copy is made only once.
 function paths.post(layer)
   if layer.post then return layer.post end
   local post = copy_of(layer)
@@ -56,7 +58,8 @@ function paths.post(layer)
   return post
 end
 
--- Returns mask(p, layer); for a split layer, the union of the masks of both segments.
+-- Returns the mask of a layer, mask(p, layer). If the layer is split, returns the union of two masks: one for the motion before
+-- the raster time, one for the motion after the raster time.
 function paths.mask(p, layer, mask)
   if not layer.velocity_post then return mask(p, layer) end
   return union {
@@ -66,7 +69,8 @@ function paths.mask(p, layer, mask)
   }.mask
 end
 
--- Raises an error if the layer is split and `filter` follows one segment only. `setting` names the filter in the message.
+-- Raises an error if the layer has two segments and the pass `filter` follows only one. `setting`: name of the filter in the
+-- message.
 function paths.require_segments(layer, filter, setting)
   if not layer.velocity_post or pass.reads(filter, "velocity_post") then return end
   error(("range = split: %s follows one segment only; it needs range = whole"):format(setting), 0)
@@ -79,7 +83,7 @@ function paths.are_curved(p) return p.trajectory() ~= "line" end
 -- True if curves are extrapolated from the poses of previous frames. Extrapolated curves also replace the velocity.
 function paths.are_extrapolated(p) return paths.are_curved(p) and p.displacement() == "extrapolated" end
 
--- Raises an error if paths are curved and `filter` cannot follow curves. `setting` names the filter in the message.
+-- Raises an error if paths are curved and the pass `filter` cannot follow curves. `setting`: name of the filter in the message.
 function paths.require_curves(p, filter, setting)
   if not paths.are_curved(p) then return end
   if pass.reads(filter, "velocity_post") and paths.are_split(p) then
@@ -90,8 +94,8 @@ function paths.require_curves(p, filter, setting)
   end
 end
 
--- Number of further poses that a curve passes through. An extrapolated curve also passes through the pose of the raster time,
--- any other curve through the poses at shutter open and shutter close.
+-- Number of poses in the loop that fits curves to paths. An extrapolated curve is fitted to the raster time and to the poses of
+-- this number of earlier frames. Any other curve is fitted to shutter open, shutter close and this number of times between.
 local function poses_of(p)
   if not paths.are_extrapolated(p) then return p.trajectory() == "arc" and 5 or 3 end
   if p.trajectory() == "arc" then
@@ -110,8 +114,8 @@ local function curve_of(p, name, layer)
   return path_curve(images)
 end
 
--- Adds `curve`, `path_deviation` and `nonlinear` to each of `layers`, a list of { name, layer }. An extrapolated curve also
--- replaces `velocity`. Changes nothing if paths are straight lines.
+-- Adds the fields `curve`, `path_deviation` and `nonlinear` to each layer of `layers`, a list of { name, layer }. An
+-- extrapolated curve also replaces the field `velocity`. Changes nothing if paths are straight lines.
 function paths.add_curves(p, layers)
   if not paths.are_curved(p) then return end
   local extrapolated = paths.are_extrapolated(p)

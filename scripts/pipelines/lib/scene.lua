@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The start of every pipeline: the visible surfaces at the raster time, and their colour.
+-- First part of every pipeline's graph: the visible surfaces at the raster time, and their colours.
 local visibility = require "passes.gbuffer.visibility"
 local pipeline   = require "strobe.pipeline"
 local gbuffer    = require "passes.gbuffer.gbuffer"
@@ -8,15 +8,16 @@ local tile_light_visibility = require "passes.tile.tile_light_visibility"
 
 local scene = {}
 
--- A layer: images of one surface per pixel. A layer may lack the fields in this list; lib/paths adds some of these fields.
+-- Makes a layer: a table of images with one surface per pixel. A layer may lack the fields in this list; lib/paths adds some of
+-- these fields.
 scene.layer = pipeline.record("a layer", {
   "valid", "normal", "hit", "light_visibility", "velocities", "bounds", "curve", "path_deviation", "nonlinear",
   "velocity_post", "whole_velocity", "post",
 })
 
--- Returns the colour of the surfaces `hit`, shaded at the raster time, and `light_visibility`: per tile, the lights of known
--- visibility, which need no shadow rays. At the raster time, both values of `shading` give the same colour. `prefix`: start of
--- the names of the nodes; nil: none.
+-- Returns the colour of the surfaces `hit`, shaded at the raster time, and `light_visibility`: for each tile, the lights that
+-- are visible from all or from no points of the tile, and therefore need no shadow rays. `shading` is fixed, because its values
+-- differ only at other times than the raster time. `prefix`: start of the names of the nodes; nil: none.
 function scene.shaded(hit, prefix)
   prefix = prefix or ""
   local light_visibility = tile_light_visibility { hit = hit, as = prefix .. "tile_light_visibility" }.light_visibility
@@ -24,9 +25,9 @@ function scene.shaded(hit, prefix)
   return color, light_visibility
 end
 
--- The raster layer: hit, depth, normal, id, velocity, color and light_visibility of the visible surfaces. `visible`: a pass
--- that finds the visible surfaces; nil: the raster pass. In a pipeline without the parameters options.picture, displacement is
--- "window" and images are not quantised.
+-- Returns the raster layer: hit, depth, normal, id, velocity, color and light_visibility of the visible surfaces. `visible`: a
+-- pass that finds the visible surfaces; nil: the raster pass. In a pipeline without the parameters options.picture, velocities
+-- come from the true poses (displacement = window), and images are not quantised.
 function scene.raster(visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }
@@ -37,8 +38,8 @@ function scene.raster(visible)
   }
 end
 
--- Returns the outputs that every pipeline has, and the outputs `more`. The depth and velocity returned are the quantised images
--- that filters read.
+-- Returns the outputs that every pipeline has, and the outputs in the table `more`. Depth and velocity are the quantised images
+-- that filters read, not the exact values.
 function scene.outputs(raster, more)
   local outputs = { depth = raster.depth, normal = raster.normal, velocity = raster.velocity, id = raster.id }
   for name, value in pairs(more) do outputs[name] = value end

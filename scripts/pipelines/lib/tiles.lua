@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Displacements per tile: dominant, shortest and candidate displacements, and the variance of their directions.
+-- Displacements per tile (a tile is a square of pixels): dominant, shortest and candidate displacements, and the variance of
+-- their directions.
 local pipeline      = require "strobe.pipeline"
 local neighbour_max   = require "passes.tile.neighbour_max"
 local neighbour_min   = require "passes.tile.neighbour_min"
@@ -36,12 +37,18 @@ local function in_one_part(p, layer, given)
   }
 end
 
--- Dominant displacements of each tile of `layer` (velocity, optionally valid). Options in `given`:
---   extra   a second layer to include
---   second  true: find a second displacement of each tile too
+-- Finds the dominant displacement of each tile of `layer`: the longest displacement that can reach the tile within the
+-- exposure. `layer` has velocity and optionally valid. Options in `given`:
+--   extra   a second layer; its displacements are included
+--   second  true: also find the displacement around each tile that differs most from the dominant one
 --   prefix  start of the names of the nodes
--- Returns dominant, second, longest and max_displacement. Curved paths add dominant_curve and dominant_place. A layer with two
--- segments (paths.split) adds dominant_post, second_post and max_displacement_post.
+-- Returns these images:
+--   dominant, second       dominant and second displacement of each tile, px over the exposure
+--   longest                longest displacement within each tile, px over the exposure
+--   max_displacement       length of the longest displacement of the image
+--   dominant_curve, dominant_place  only with curved paths: curve and position of the texel with the dominant displacement
+--   dominant_post, second_post, max_displacement_post  only if the layer has two segments (paths.split): the values after the
+--                                                      raster time
 function tiles.dominant(p, layer, given)
   given = given or {}
   local result = in_one_part(p, layer, given)
@@ -62,13 +69,14 @@ function tiles.slowest(layer, around)
   return neighbour_min { shortest = shortest, max_displacement = around.max_displacement }.slowest
 end
 
--- Variance of the motion directions around each tile. `around`: result of tiles.dominant.
+-- Variance of the motion directions around each tile, 0 (all parallel) to 1. `around`: result of tiles.dominant.
 function tiles.variance(around)
   return variance { longest = around.longest, dominant = around.dominant }.variance
 end
 
--- Two candidate displacements of each tile of a layer, and the depth of the farthest moving surface in the tile. They are
--- computed once per layer.
+-- Returns the outputs of the pass tile_velocities: the longest displacement of each tile, the displacement that differs most
+-- from the longest, and the depth of the farthest moving surface in the tile. The pass runs once per layer; later calls return
+-- the stored outputs.
 function tiles.velocities(raster)
   raster.velocities = raster.velocities or tile_velocities { velocity = raster.velocity, depth = raster.depth }
   return raster.velocities

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Time samples that the layers do not resolve, and rays that resolve them.
+-- Finds the time samples of a pixel that the raster layer and the revealed layer do not resolve, and traces a ray for each.
 local pipeline = require "strobe.pipeline"
 local moving_silhouettes   = require "passes.time.moving_silhouettes"
 local trace_time_samples   = require "passes.time.trace_time_samples"
@@ -12,7 +12,7 @@ local classify_time_samples = require "passes.time.classify_time_samples"
 
 local time_samples = {}
 
--- Velocity of a layer over the whole exposure, also if the motion of the layer is split into two segments.
+-- Displacement of a layer's surfaces over the whole exposure, px, also if the layer's motion is split into two segments.
 local function whole_velocity(layer) return layer.whole_velocity or layer.velocity end
 
 local function deviation_of(layer, name)
@@ -22,7 +22,8 @@ local function deviation_of(layer, name)
   }
 end
 
--- Surfaces that are visible at `time` (shutter open or shutter close) but belong to neither layer.
+-- Returns the surfaces `hit`, visible at `time` (shutter open or shutter close), that belong to neither layer. `disoccluded`:
+-- the pass for this time.
 local function disoccluded_at(time, disoccluded, hit, raster, revealed)
   return disoccluded {
     time = time, hit = hit, depth = raster.depth, id = raster.id,
@@ -30,8 +31,9 @@ local function disoccluded_at(time, disoccluded, hit, raster, revealed)
   }
 end
 
--- Path deviations of both layers, and the surfaces that are visible only at shutter open or shutter close. They are computed in
--- a loop of one iteration, which poses the scene in the middle of the exposure.
+-- Returns the path deviations of both layers (distance of a path from a straight line in the middle of the exposure), and the
+-- surfaces that are visible only at shutter open or only at shutter close. A loop of one iteration computes these images,
+-- because only a loop can pose the scene in the middle of the exposure.
 local function at_the_middle(raster, revealed)
   local open = visibility_moving { time = "shutter_open", as = "shutter_open_visibility" }.hit
   local close = visibility_moving { time = "shutter_close", as = "shutter_close_visibility" }.hit
@@ -49,8 +51,8 @@ local function at_the_middle(raster, revealed)
   end }
 end
 
--- Cells and time strata where the layers are unreliable, because paths deviate from straight lines or a surface is visible
--- only at shutter open or shutter close.
+-- Marks the cells (squares of pixels) and time strata where the layers are unreliable. A layer is unreliable if paths deviate
+-- from straight lines, or if a surface is visible only at shutter open or only at shutter close.
 function time_samples.unreliable(p, raster, revealed)
   local found = at_the_middle(raster, revealed)
   local function bounds_of_layer(name, layer)
@@ -76,16 +78,16 @@ function time_samples.unreliable(p, raster, revealed)
   }.unreliable
 end
 
--- Pixels beside a moving silhouette, where displacements differ by more than `slowest` px over the exposure. A time sample
--- there may fall to either side of the silhouette.
+-- Mask of the pixels beside a moving silhouette. A silhouette moves if the displacements at its two sides differ by more than
+-- `slowest` px over the exposure. A sample between the two pixels may show the surface of either side.
 function time_samples.silhouettes(raster, slowest)
   return moving_silhouettes {
     velocity = raster.velocity, velocity_post = raster.velocity_post, slowest = slowest,
   }.near
 end
 
--- Returns the picture, after rays have resolved the time samples that the composite `made` left unresolved. `validation_share`:
--- share of the pixel blocks that trace validation rays; nil: 0.01.
+-- Traces a ray for each time sample that the composite left unresolved, and returns the complete picture. `made`: outputs of
+-- the composite pass. `validation_share`: share of the pixel blocks that also trace rays to check resolved samples; nil: 0.01.
 function time_samples.traced(p, raster, revealed, made, validation_share)
   return pipeline.loop {
     name = "traced_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),

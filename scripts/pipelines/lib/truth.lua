@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Ground truth by rays at many times. The argument `p` has these fields, each a parameter of a pipeline or a plain value: mode,
--- samples, times, slices, pixel, shading, mark_regions, tolerance, first_samples, even_within, validation_share.
+-- Ground truth by rays at many times. The functions take a table `p` of settings: mode, samples, times, slices, pixel, shading,
+-- mark_regions, tolerance, first_samples, even_within, validation_share. Each setting is a parameter of a pipeline or a plain
+-- value. The pipeline ground_truth documents them.
 local pipeline          = require "strobe.pipeline"
 local agreement         = require "passes.truth.sample_consensus"
 local join_half_buffers = require "passes.truth.join_half_buffers"
@@ -11,15 +12,21 @@ local compact             = require "scripts.pipelines.lib.compact"
 
 local truth = {}
 
--- The value of a setting, which is a parameter of the pipeline or a plain value.
+-- Returns the value of a setting, for a parameter of the pipeline and for a plain value.
 local function valued(setting)
   local kind = type(setting)
   if kind == "number" or kind == "string" or kind == "boolean" then return setting end
   return setting()
 end
 
--- One time sample by rays. `t.before`: results of the first samples, or nil. `t.consensus`: results that all first samples
--- share; rays with such a result are skipped. `t.every_ray`: true if no ray is skipped.
+-- Adds one time sample by rays to the means. Fields of `t`:
+--   before      results of the first samples; nil: these samples are the first
+--   consensus   results that all first samples agree on; a ray with a known result is skipped
+--   every_ray   true: no ray is skipped
+--   stats       true: store per-pixel statistics of the samples, to compute the consensus
+--   probes      true: also trace a ray at the raster time with its shadow rays, if the camera moves
+--   pixel_list  list of the pixels to sample; nil: all pixels
+--   as          name of the node
 function truth.traced_sample(p, raster, t)
   local before, consensus = t.before or {}, t.consensus or {}
   local frozen = valued(p.shading) == "frozen"
@@ -35,11 +42,14 @@ function truth.traced_sample(p, raster, t)
   }
 end
 
+-- Returns an image of one texel: 1 if the standard error of the mean is within the tolerance, so that the loop over time
+-- samples ends; otherwise 0.
 function truth.stop_test(p, means)
   local blocks = half_difference { mean_a = means.mean_a, mean_b = means.mean_b }.half_difference
   return stop { half_difference = blocks, tolerance = p.tolerance, as = "stop" }.stop
 end
 
+-- Joins two sets of samples: means weighted by their numbers of samples, and the union of the regions.
 function truth.joined(first, more, name)
   return join_half_buffers {
     first_a = first.mean_a, first_b = first.mean_b, first_regions = first.regions,
@@ -47,8 +57,8 @@ function truth.joined(first, more, name)
   }
 end
 
--- Loop over `t.count` of the `t.parts` time samples of the exposure. The stop test includes `t.before`, the results of earlier
--- samples, if there are any.
+-- Loops over some of the time samples of the exposure: over `t.count` of `t.parts` samples, from number `t.first` on. `t` also
+-- has the fields of truth.traced_sample. The stop test includes the results of earlier samples, `t.before`.
 function truth.shutter(p, raster, t)
   local stops = valued(p.tolerance) > 0 and not t.stats
   return pipeline.loop {
@@ -66,6 +76,8 @@ function truth.shutter(p, raster, t)
   }
 end
 
+-- Returns the surface, shadows and colour that all first samples of a pixel and its neighbours agree on. `t`: results of the
+-- first samples.
 function truth.consensus_of(p, t)
   return agreement {
     static_background = t.static_background, static_mean = t.static_mean, contrast = t.contrast, shadows = t.shadows,
@@ -74,8 +86,8 @@ function truth.consensus_of(p, t)
   }
 end
 
--- Means over all time samples, in two loops. The first loop traces a few samples spread over the exposure. The second loop
--- traces the other samples, but only where the first samples do not agree.
+-- Means over all time samples, in two loops, so that fewer rays are traced. The first loop traces a few samples spread over the
+-- exposure. The second loop takes the other samples; it skips a ray if all first samples agree on the result of that ray.
 function truth.everywhere(p, raster)
   local every_ray, count = valued(p.mode) == "brute", valued(p.samples)
   local stops = valued(p.tolerance) > 0
@@ -90,7 +102,7 @@ function truth.everywhere(p, raster)
     probes = not every_ray and valued(p.shading) == "frozen" and count >= 4 * few, as = "truth_first",
   })
   local consensus = not every_ray and truth.consensus_of(p, before) or nil
-  local has_list = consensus and valued(p.pixel) == "box"  -- with `centre`, pixels without motion are left out already
+  local has_list = consensus and valued(p.pixel) == "box"  -- with `centre`, the pass skips pixels without motion
   local more = truth.shutter(p, raster, {
     name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
     consensus = consensus, pixel_list = has_list and compact.pixels(consensus.more, "truth") or nil,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Pieces of furniture. Each function takes a table of place, sizes and materials, and returns a list of nodes.
+-- Pieces of furniture for scenes. Each function takes a table of position, sizes and materials, and returns a list of nodes.
 local scene  = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
@@ -62,7 +62,7 @@ function furniture.coffee_table(given)
   }
 end
 
--- A frame of bars that fills an opening in a wall along z; `size` is { along z, height }.
+-- A window frame of bars, which fills an opening in a wall that extends along z. `size`: { width along z, height }, metres.
 function furniture.window(given)
   local width, height = given.size[1], given.size[2]
   local parts = {}
@@ -79,7 +79,7 @@ function furniture.window(given)
   return node { name = given.name, position = given.position, parts = parts }
 end
 
--- A lamp: an open shade, a bulb with a light in it, a stem and a foot.
+-- A lamp: an open shade, a bulb with a light inside, a stem and a foot.
 local function lamp(prefix, at, shade_height, radius, given, intensity)
   local profile = { { radius, -0.13 }, { radius * 0.72, 0.13 }, { radius * 0.72 - 0.004, 0.13 },
     { radius - 0.004, -0.13 },
@@ -108,7 +108,7 @@ function furniture.floor_lamp(given)
   return nodes
 end
 
--- A round table with a lamp on it.
+-- A round table with a lamp.
 function furniture.side_lamp(given)
   local top = 0.52
   local nodes = lamp("side_lamp", plus(given.position, { 0, top, 0 }), 0.44, 0.17, given, 0.8)
@@ -202,7 +202,7 @@ function furniture.bookshelf(given)
   return nodes
 end
 
--- A pot with curved leaves; `size` is the height of the tallest leaf.
+-- A pot with curved leaves. `size`: height of the tallest leaf, metres.
 function furniture.plant(given)
   local size, random = given.size, studio.generator(given.seed)
   local pot = size * 0.16
@@ -255,7 +255,8 @@ function furniture.picture(given)
   }
 end
 
--- A few thin branches with berries, which grow from `given.position`, as a list of parts.
+-- A few thin branches with berries, which grow from the point `given.position`. Returns a list of parts of one object, not
+-- nodes.
 function furniture.twigs(given)
   local random = studio.generator(given.seed)
   local bark = scene.material { name = "bark", color = srgb "#5b3d28", roughness = 0.9 }

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Shared parts of the oracle scenes: an orthographic camera with one unit per pixel of a `width` x `height`
--- picture, and rectangles placed in pixels (x right, y down, from the top left corner). All materials are unlit.
+-- Shared parts of the scenes with known exact pictures (scenes/oracles): an orthographic camera with one unit per pixel of a
+-- `width` x `height` picture, and rectangles placed in pixels (x right, y down, from the top left corner). Materials are unlit.
 local scene = require "strobe.scene"
 
 local pixels = {}
 
--- Parameters of every oracle scene: size of the picture, frame rate and exposure. Displacements are over this exposure.
+-- Returns the parameters that these scenes share: size of the picture, frame rate and exposure. Displacements are over this
+-- exposure. `width`, `height`: default size, px.
 function pixels.picture(width, height)
   return {
     width = scene.param("width", width), height = scene.param("height", height),
@@ -13,14 +14,14 @@ function pixels.picture(width, height)
   }
 end
 
--- The motion with a displacement of `dx`, `dy` pixels over the exposure. At frame 0 the node is at the position that it is
--- given.
+-- Returns a motion by (dx, dy) px over the exposure. At frame 0, the node is at the position in its table.
 function pixels.motion(picture, dx, dy)
   local per_second = picture.fps / picture.exposure
   return { velocity = { dx * per_second, -(dy or 0) * per_second, 0 } }
 end
 
--- A rectangle that covers the pixels [left, right) x [top, bottom), at the position `z` (a larger z is nearer).
+-- Returns a rectangle that covers the pixels [left, right) x [top, bottom). `edges`: { left, top, right, bottom }, px. `z`:
+-- position in depth; a larger z is nearer.
 function pixels.rectangle(picture, name, edges, z, material, motion)
   local left, top, right, bottom = edges[1], edges[2], edges[3], edges[4]
   return scene.node {
@@ -34,13 +35,13 @@ function pixels.flat(name, color)
   return scene.material { name = name, color = { color, color, color }, unlit = true }
 end
 
--- A material with a texture of `width` x `height` texels, which is sampled without a filter.
+-- Returns an unlit material with a texture of `width` x `height` texels, which is sampled without a filter.
 function pixels.textured(name, width, height, texels)
   local texture = scene.texture.texels { width = width, height = height, texels = texels, wrap = "clamp" }
   return scene.material { name = name, color_texture = texture, unlit = true }
 end
 
--- A list of `count` grey texels, which alternate between the values `a` and `b` every `period` texels.
+-- Returns `count` grey texels in stripes: the values `a` and `b` alternate every `period` texels.
 function pixels.stripes(count, period, a, b)
   local texels = {}
   for i = 0, count - 1 do

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Shared parts of the scenes of extremes: a camera at `offset` that looks along -z, and unlit panels of coloured cells. The
--- corners of the cells lie on the rays of given pixels. So a panel looks the same at any depth, tilt or scale, and the correct
--- picture follows from the given pixels alone.
+-- Shared parts of the scenes that test extreme values: a camera that looks along -z, and unlit panels of coloured cells. A
+-- panel is given by pixel positions and depths: the corners of its cells lie on the camera rays through given pixels. So a
+-- panel looks the same at any depth, tilt or scale, and the correct picture is known.
 local scene = require "strobe.scene"
 
 local stage = {}
 
--- Parameters of every scene of extremes: size of the picture, frame rate and exposure (displacements are over this exposure);
--- `scale`, a factor on all lengths; `offset`, a translation of the whole scene along each axis of the world, metres.
+-- Reads the parameters that these scenes share: size of the picture; frame rate and exposure (displacements are over this
+-- exposure); `scale`, a factor on all lengths; `offset`, a translation of the whole scene along each axis of the world, metres.
 function stage.open()
   local self = {
     width = scene.param("width", 320), height = scene.param("height", 180),
@@ -18,7 +18,7 @@ function stage.open()
   return setmetatable(self, { __index = stage })
 end
 
--- The point at `depth` (metres before scaling) on the ray through the pixel position (x, y), in camera space.
+-- Returns the point at `depth` (metres, before scaling) on the camera ray through the pixel position (x, y), in camera space.
 function stage:point(x, y, depth)
   local along = depth * self.scale
   return { (x - self.width / 2) / self.focal_px * along, (self.height / 2 - y) / self.focal_px * along, -along }
@@ -29,13 +29,14 @@ function stage:placed(point)
   return { point[1] + self.offset, point[2] + self.offset, point[3] + self.offset }
 end
 
--- The velocity of an object at `depth` with a displacement of (dx, dy) pixels over the exposure.
+-- Returns the velocity of an object at `depth` that moves by (dx, dy) px over the exposure, metres per second.
 function stage:velocity(dx, dy, depth)
   local metres = depth * self.scale / self.focal_px * self.fps / self.exposure
   return { dx * metres, -dy * metres, 0 }
 end
 
--- A pseudorandom whole number from 1 to `most` for each cell. It makes a pattern that does not repeat.
+-- Returns a pseudorandom whole number from 1 to `most` for a cell. It selects the cell's colour, in a pattern that does not
+-- repeat.
 local function drawn(column, row, seed, most)
   local state = (column * 374761393 + row * 668265263 + seed * 362437) % 4294967296
   state = (state ~ (state >> 13)) * 1274126177 % 4294967296
@@ -48,10 +49,13 @@ local function added(mesh, corners)
   for _, index in ipairs { 1, 2, 3, 1, 3, 4 } do mesh.indices[#mesh.indices + 1] = first + index end
 end
 
--- panel { name, edges = { left, top, right, bottom } in pixels, cell = pixels, colors = { ... }, seed,
---         slant = pixels to the right per pixel down, depth = number or function(x) -> number,
---         at = node's place in the camera's space, motion }
--- Builds a panel. A slanted edge passes pixel centres at all fractions of a pixel.
+-- Returns a panel of coloured cells. Fields of `given`:
+--   name, colors, seed, motion  name of the node; list of colours; seed of the pattern; motion of the node
+--   edges   { left, top, right, bottom }, px
+--   cell    side of a cell, px
+--   slant   shift to the right per pixel down; slanted edges pass pixel centres at all fractions of a pixel
+--   depth   depth of all corners, or a function that returns the depth at a position x (px), metres
+--   at      position of the node in camera space; nil: the camera's position
 function stage:panel(given)
   local left, top, right, bottom = table.unpack(given.edges)
   local at, meshes = given.at or { 0, 0, 0 }, {}
@@ -84,7 +88,7 @@ end
 stage.warm = { { 0.9, 0.35, 0.1 }, { 0.95, 0.75, 0.2 }, { 0.6, 0.08, 0.12 } }
 stage.cold = { { 0.05, 0.12, 0.35 }, { 0.25, 0.55, 0.7 }, { 0.02, 0.05, 0.08 }, { 0.45, 0.7, 0.55 } }
 
--- The scene of the given nodes. `near`: depth of the near plane before scaling, metres.
+-- Returns the scene of the given nodes and the camera. `near`: depth of the near plane before scaling, metres.
 function stage:scene(name, nodes, near)
   nodes[#nodes + 1] = scene.node {
     name = "camera", position = self:placed { 0, 0, 0 },

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Shared parts of the scenes of objects: a perspective camera that converts pixels to metres at a point, a wall with protruding
--- blocks of many colours, a checkered floor, and a sun with a sky.
+-- Shared parts of the scenes in scenes/objects: a perspective camera that converts pixels to metres at a point, a wall with
+-- protruding blocks of many colours, a checkered floor, and a sun with a sky.
 local scene = require "strobe.scene"
 
 local node, material, srgb = scene.node, scene.material, scene.srgb
 local studio = {}
 
--- A camera at `eye` that looks at `aim`, with the vertical angle `fov` in degrees. Each scene has these parameters: size of the
--- picture, frame rate and exposure. Displacements are over this exposure.
+-- Returns a camera at `eye` that looks at `aim`, with the vertical field of view `fov`, degrees. Reads the parameters that
+-- these scenes share: size of the picture, frame rate and exposure. Displacements are over this exposure.
 function studio.open(eye, aim, fov)
   local self = {
     width = scene.param("width", 480), height = scene.param("height", 270),
@@ -31,10 +31,10 @@ end
 -- Width of one pixel at `point`, across the view direction, metres.
 function studio:metres_per_pixel(point) return self:depth(point) / self.focal_px end
 
--- Rate per second of a quantity that changes by `amount` over the exposure.
+-- Returns the change per second of a quantity that changes by `amount` over the exposure.
 function studio:rate(amount) return amount * self.fps / self.exposure end
 
--- Velocity of a motion by `offset` (metres) over the exposure, metres per second.
+-- Returns the velocity of an object that moves by `offset` (metres) over the exposure, metres per second.
 function studio:velocity(offset)
   return { self:rate(offset[1]), self:rate(offset[2] or 0), self:rate(offset[3] or 0) }
 end
@@ -55,9 +55,13 @@ function studio.plain(name, color, roughness)
   return material { name = name, color = srgb(color), roughness = roughness or 0.7 }
 end
 
--- A quilted wall that faces +z, with protruding blocks: wall { name, position, size = { width, height }, cell, depth, seed,
--- every }. position: centre of the face of the wall. cell: side of a cell, metres. depth: largest height of a block over the
--- wall, metres. every: one in `every` cells has a block.
+-- Returns a wall with a quilt pattern that faces +z, with protruding blocks. Fields of `given`:
+--   name, seed  name of the nodes; seed of the random blocks
+--   position    centre of the face of the wall
+--   size        { width, height }, metres
+--   cell        side of a cell, metres
+--   depth       largest height of a block over the wall, metres
+--   every       on average, one in `every` cells has a block; nil: 2
 function studio.wall(given)
   local random, cell = studio.generator(given.seed or 1), given.cell
   local columns, rows = given.size[1] // cell, given.size[2] // cell
@@ -84,7 +88,7 @@ function studio.wall(given)
   }
 end
 
--- floor { name, y, size = { x, z }, cell, colors, z }: a checkered ground.
+-- Returns a checkered floor. Fields of `given`: name; y, z (position); size = { x, z }; cell (side of a cell, metres); colors.
 function studio.floor(given)
   local colors = given.colors or { "#8d8672", "#4c4a45" }
   return node {
@@ -97,8 +101,8 @@ function studio.floor(given)
   }
 end
 
--- The scene of the given nodes and lists of nodes, with the camera "main" (moved by `camera_motion`), a sun, and optional
--- animations.
+-- Returns the scene of the nodes and lists of nodes in `given`, with the camera "main" and a sun. `camera_motion`: motion of
+-- the camera; nil: static. `animations`: list of animations, or nil.
 function studio:scene(name, given, camera_motion, animations)
   local nodes = {}
   for _, entry in ipairs(given) do

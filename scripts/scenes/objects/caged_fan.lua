@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Blades and hub of a fan are one object, which turns by `degrees` over the exposure inside a thin static cage, in front of a
--- wall. The wires of
--- the cage are in front of and behind the blades. `pixels`: arc length of the path of a blade's tip, px.
+-- A fan in a thin static cage, in front of a wall. Blades and hub are one object, which turns by `degrees` over the exposure.
+-- The wires of the cage are in front of the blades and behind them. `pixels`: arc length of the path of a blade's tip over the
+-- exposure, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A car with rolling wheels drives to the right on a road with posts. For a static camera, it moves by `pixels` px over the
--- exposure. The camera moves by the share `follow` of the path of the car: at 0 the road is static in the picture, at 1 the car
--- is static.
+-- A car with rolling wheels drives to the right on a road with posts. Seen by a static camera, the car would move by `pixels`
+-- px over the exposure. The camera moves along with the car, by the share `follow` of the car's path. At 0 the road is static
+-- in the picture, at 1 the car is static.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A racing car from behind. The camera and the car move ahead by `metres` over the exposure. The car is static in the
--- picture; the road with its marks moves towards the camera.
+-- A racing car from behind. The camera and the car move ahead by `metres` over the exposure. So the car is static in the
+-- picture, while the road with its marks moves towards the camera.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A door opens into a room by `degrees` over the exposure, and is `open` degrees open at the raster time. The door turns about
--- its hinge, so its free edge moves by `pixels` px along an arc, and the width of its faces in the picture changes.
+-- A door opens into a room. It turns about its hinge by `degrees` over the exposure, and is `open` degrees open at the raster
+-- time. The free edge of the door moves by `pixels` px along an arc, and the width of the door in the picture changes.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
@@ -27,7 +27,7 @@ end
 slab({ wide, 0.95, 0.12 }, { 0, tall + 0.05 + 0.475, -0.06 })
 slab({ wide + 0.1, 0.05, 0.16 }, { 0, tall + 0.025, -0.06 }, frame)
 
--- The leaf extends to the right from the hinge, which is the node's origin.
+-- The leaf of the door extends to the right from the hinge. The origin of the door's node is at the hinge.
 local leaf = { { shape = scene.box { size = { wide, tall, 0.04 } }, material = paint, position = { wide / 2, tall / 2, 0 } } }
 for i = 0, 2 do
   for k = 0, 1 do

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A crate leaves the picture at the right within the exposure, which ends at the raster time, so the crate is outside of the
--- picture at the raster time. A ball enters from the left and is outside at shutter open. `pixels`: displacement of the crate
--- over the exposure, px. The ball moves farther by a tenth.
+-- A crate leaves the picture at the right within the exposure. The exposure ends at the raster time, so the raster image does
+-- not show the crate. A ball enters from the left; it is outside of the picture at shutter open. `pixels`: displacement of the
+-- crate over the exposure, px. The displacement of the ball is larger by a tenth.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
@@ -13,7 +13,7 @@ local side, radius = 0.5, 0.36
 local crate_z, ball_z = 0.2, -0.25
 local function edge(z, pixel) return (pixel - view.width / 2) * view:metres_per_pixel { 0, 0.6, z } end
 
--- At the raster time the whole crate, with its far face, is at least 12 px past the border.
+-- Centre of the crate at the raster time. All of the crate, with its far face, is then at least 12 px outside of the picture.
 local crate_x = edge(crate_z - side / 2, view.width + 12) + side / 2
 local crate_path = pixels * view:metres_per_pixel { 0, 0.6, crate_z }
 local ball_path = 1.1 * pixels * view:metres_per_pixel { 0, 0.6, ball_z }

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A glazed vase with two handles turns about its axis by `degrees` over the exposure, under a lamp. Its body looks the same at
--- all times, and the reflection of the lamp on it is static. `pixels`: arc length of the path of a handle, px.
+-- A glazed vase with two handles turns about its axis by `degrees` over the exposure, under a lamp. The body of the vase is a
+-- body of revolution in one colour, so it looks the same at all times, and the reflection of the lamp on the body is static.
+-- Only the handles move in the picture. `pixels`: arc length of the path of a handle over the exposure, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

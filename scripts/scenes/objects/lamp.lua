@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A lamp moves past static objects, `metres` to the right over the exposure. Shadows and highlights move, but all visible
+-- A lamp moves past static objects, by `metres` to the right over the exposure. Shadows and highlights move, but all visible
 -- surfaces are static.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Three layers of leaves. Each leaf is an object that drifts and turns in its own way: front leaves to the right, middle leaves
--- to the left, rear leaves downwards. `pixels`: mean displacement of a leaf over the exposure, px; single leaves deviate from
--- it by up to a third.
+-- to the left, rear leaves downwards. `pixels`: mean displacement of the leaves over the exposure, px. The displacement of a
+-- single leaf differs from this mean by up to a third.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

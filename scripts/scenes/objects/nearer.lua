@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A box approaches the camera, in front of a wall and over a floor. Over the exposure its distance halves, so the box moves
--- faster and faster in the picture and becomes twice as large. At most times its depth differs from its depth at the raster
--- time.
+-- A box approaches the camera, in front of a wall and over a floor. If the exposure ends at the raster time, the distance of
+-- the box halves over the exposure. The box then becomes twice as large in the picture, and its points move faster and faster.
+-- At most times, the depth of the box differs from its depth at the raster time.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The camera pans to the right by `pixels` px over the exposure, past posts and balls on a plain under a cloudy sky. The clouds
--- are on a dome 400 m away.
+-- The camera pans to the right, by `pixels` px over the exposure, past posts and balls on a plain under a cloudy sky. The
+-- clouds are a texture on a sphere with a radius of 400 m.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

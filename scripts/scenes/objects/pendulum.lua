@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A pendulum (rod and bob are one object) swings by `degrees` over the exposure in the open case of a clock, behind the bars of
--- the case. `pixels`: arc length of the path of the bob, px.
+-- A pendulum swings by `degrees` over the exposure in the open case of a clock, behind the bars of the case. Rod and bob of the
+-- pendulum are one object. `pixels`: arc length of the path of the bob over the exposure, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

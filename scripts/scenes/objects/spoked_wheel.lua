@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A wheel (tyre, rim, hub and spokes are one object) rolls to the right on the ground in front of a wall, without slipping.
--- Over the exposure it turns by `degrees`. Its axle then moves by `pixels` px, and its top by nearly twice as much.
+-- A wheel rolls to the right on the ground in front of a wall, without slipping. Tyre, rim, hub and spokes are one object. Over
+-- the exposure, the wheel turns by `degrees`, its axle moves by `pixels` px, and its top moves by nearly twice as much.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,14 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- A telescope of three parts (dew cap, barrel, eyepiece: nodes of one parent) on a tripod. It turns by `degrees` over the
--- exposure; at the raster time it points at the camera to within `off` degrees. At the raster time the dew cap hides the
--- barrel, at earlier times it does not. `pixels`: displacement of the front of the cap over the exposure, px.
+-- A telescope on a tripod turns by `degrees` over the exposure. Its three parts (dew cap, barrel, eyepiece) are objects with
+-- one parent node. At the raster time, the telescope points at the camera, but is turned aside by `off` degrees, and the dew
+-- cap hides the barrel. At earlier times the barrel is visible. `pixels`: displacement of the front of the cap over the
+-- exposure, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
 local degrees, off = scene.param("degrees", 12), scene.param("off", 1.5)
 local pixels = scene.param("pixels", 100)
 
-local pivot, front = { 0, 1.2, 0 }, 0.9  -- front: metres from pivot to the cap's rim
+local pivot, front = { 0, 1.2, 0 }, 0.9  -- front: from the pivot to the rim of the cap, metres
 -- The front moves sideways by front * 2 sin(degrees / 2). The camera is at the distance where this length spans `pixels` px.
 local focal_px = scene.param("height", 270) / 2 / math.tan(math.rad(15))
 local distance = front + front * 2 * math.sin(math.rad(degrees / 2)) * focal_px / pixels
@@ -17,7 +18,8 @@ local view = studio.open({ 0, pivot[2] + 0.12, distance }, pivot, 30)
 local brass, dark = studio.plain("brass", "#c9a24c", 0.45), studio.plain("dark", "#2b2a28", 0.6)
 local white, red = studio.plain("white", "#e9e4d6", 0.5), studio.plain("red", "#a8321f", 0.6)
 
--- Closed cylinders along z, each from `from` to `to`, as parts of one object.
+-- Returns one object of closed cylinders along z. Each entry of `list` is a cylinder between the positions `from` and `to`,
+-- metres.
 local function tubes(name, list)
   local parts = {}
   for i, tube in ipairs(list) do

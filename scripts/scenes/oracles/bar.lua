@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A bar of constant colour, which covers the columns [left, right) at frame 0 and moves by `d_f` px over the exposure, over a
--- constant background. Its upper and lower ends lie outside of the picture. docs/derivations.md has the exact picture.
+-- A bar of constant colour moves by `d_f` px over the exposure, over a background of constant colour. At frame 0, the bar
+-- covers the pixel columns [left, right). The upper and lower ends of the bar lie outside of the picture. docs/derivations.md
+-- has a formula of the exact blurred picture.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- A grey surface covers the columns [left, right) at frame 0 and moves by `d_f` px over the exposure. The static background is
--- white up to the column `border` and black beyond it, so it is white behind the surface (docs/derivations.md, "A background
--- that is invented").
+-- A grey surface moves by `d_f` px over the exposure. At frame 0, it covers the pixel columns [left, right). The static
+-- background is white up to the column `border` and black beyond this column. So the background is white behind the whole
+-- surface at frame 0, although black is visible close to its right edge. docs/derivations.md has the exact picture, in the
+-- section "A background that is invented".
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -11,7 +12,7 @@ local d_f = scene.param("d_f", 40)
 local foreground = scene.param("foreground", 0.5)
 local border = scene.param("border", 296)
 
--- The background is one instance, so that the border between white and black is not a silhouette.
+-- White and black are texels of one object, so that the border between white and black is not a silhouette.
 local margin = 2 * math.abs(d_f)
 local columns = picture.width + 2 * margin
 local texels = {}

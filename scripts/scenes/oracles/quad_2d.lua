@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A rectangle that moves by `d_x`, `d_y` px over the exposure, over a checker with cells of `cell` px. The cell at the top left
--- corner has the value `b_light`. A pixel centre is covered while four inequalities, linear in time, hold
--- (docs/derivations.md).
+-- A rectangle moves by (`d_x`, `d_y`) px over the exposure, over a checker with cells of `cell` px. The cell in the top left
+-- corner of the picture has the value `b_light`. The exact picture is known: the rectangle covers the centre of a pixel while
+-- four inequalities, linear in time, hold (docs/derivations.md).
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

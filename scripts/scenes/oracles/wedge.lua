@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- A wedge turns about its tip at the centre of the picture, anticlockwise by `degrees` over the exposure, over a constant
--- background (docs/derivations.md). At frame 0 the wedge covers the directions from `from` to `to` degrees (anticlockwise from
--- +x, y up) and extends beyond the picture.
--- blades      number of such wedges, evenly around the tip
+-- A wedge turns about its tip, at the centre of the picture, by `degrees` anticlockwise over the exposure. The background has a
+-- constant colour. docs/derivations.md has the exact picture. At frame 0, the wedge covers the directions from `from` to `to`
+-- degrees (anticlockwise from +x, y up), and it extends beyond the picture. Further parameters:
+-- blades      number of wedges, spaced evenly around the tip
 -- slide       motion of the wedges to the left, px over the exposure; points then follow cycloids, as on a rolling wheel
 -- slides_off  motion of two cards to the right, px over the exposure; the cards have the colour of the background and cover the
---             right half at frame 0; 0: no cards
+--             right half of the picture at frame 0; 0: no cards
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -17,7 +17,7 @@ local slides_off = scene.param("slides_off", 0)
 local foreground = scene.param("foreground", 1)
 local background = scene.param("background", 0)
 
--- The far side of the wedge, outside of the picture, is a polygon with a corner every 15 degrees or less.
+-- The round side of the wedge lies outside of the picture. It is a polygon with a corner every 15 degrees or less.
 local radius = picture.width + picture.height
 local steps = math.max(1, math.ceil((to - from) / 15))
 local function rim(blade, step)

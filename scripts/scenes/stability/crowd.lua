@@ -1,36 +1,39 @@
 -- SPDX-License-Identifier: MIT
--- Random cards and solids in front of a wall. `strobe stability` uses them to test properties that hold for any picture. The
--- parameter `seed` chooses the objects. Every other parameter changes one thing with a known effect on the picture.
--- Positions are in pixels from the middle of the picture (x right, y down), displacements in pixels over an exposure of
+-- Random cards and solids in front of a wall. `strobe stability` uses this scene to test invariants: properties that every blur
+-- has, for any picture. The parameter `seed` chooses the objects. Every other parameter changes one thing with a known effect
+-- on the picture.
+-- Units: positions are in pixels from the middle of the picture (x right, y down), displacements in pixels over an exposure of
 -- half a frame at 24 frames per second. One pixel spans 1/8 m for the orthographic camera and depth / 64 for the perspective
 -- camera.
--- The distance of a silhouette from a pixel edge is an odd multiple of 1/8 px, so that no silhouette passes through the centre
--- of a pixel, even if the scene is mirrored.
--- A displacement is p / 16 px with a prime p of at least 37. So with up to 33 taps, no tap falls exactly between two pixels,
--- and no two cards are equally fast. `ties` = 1: displacements are whole pixels, so many taps fall exactly between two pixels.
+-- Positions: the distance of a silhouette from a pixel edge is an odd multiple of 1/8 px. So no silhouette passes through the
+-- centre of a pixel, even if the scene is mirrored.
+-- Displacements: their components are p / 16 px, with primes p of at least 37. So with up to 33 taps, no tap falls exactly
+-- between two pixels, where rounding would decide. No two moving objects have equally long displacements. With `ties` = 1,
+-- components are whole pixels, so that many taps fall exactly between two pixels.
 local scene = require "strobe.scene"
 
 local param = scene.param
 local width, height = param("width", 64), param("height", 40)
 local seed, cards, boxes, balls = param("seed", 1), param("cards", 5), param("boxes", 0), param("balls", 0)
 local reach, ties, spin = param("reach", 10), param("ties", 0), param("spin", 0)
-local inside = param("inside", -1)             -- smallest distance of cards from the border, px; -1: none
+local inside = param("inside", -1)             -- smallest distance of cards from the border, px; -1: cards may cross it
 local textured, lit, wall = param("textured", 1), param("lit", 1), param("wall", 1)
 local perspective = param("perspective", 1)
 local speed, scale, brightness = param("speed", 1), param("scale", 1), param("brightness", 1)
-local mirror, flip, turn = param("mirror", 1), param("flip", 1), param("turn", 0)  -- -1: mirrored; turn: a quarter left
-local shift_x, shift_y = param("shift_x", 0), param("shift_y", 0)                  -- px, shift of all objects
-local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                          -- px over the exposure, of all objects
-local order, peel = param("order", 0), param("peel", 0)  -- seed of the order; number of nearest objects to omit
+local mirror, flip, turn = param("mirror", 1), param("flip", 1), param("turn", 0)  -- -1 mirrors x, y; turn: 1 turns left
+local shift_x, shift_y = param("shift_x", 0), param("shift_y", 0)                  -- shift of all objects, px
+local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                          -- motion of all objects, px/exposure
+local order, peel = param("order", 0), param("peel", 0)  -- order of objects (0: fixed); number of nearest objects left out
 local value = param("value", 0)                          -- colour of all objects; 0: random colours
-local first, second = param("first", 1), param("second", 1)  -- weights of the two terms of each colour
--- Radiance of the nearest card, and a factor on it. With a negative factor, an infinite product is multiplied by 0.
+local first, second = param("first", 1), param("second", 1)  -- weights of the two terms that add up to each colour
+-- Radiance of the nearest card (0: as the other cards), and a factor on this radiance. A negative factor selects a lit metal:
+-- shading multiplies its colour by 0, and 0 times an infinite colour is not a number.
 local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 
 local exposures_per_second = 24 / 0.5
 local wall_depth = 32
 
--- A random number in [0, 1) that depends only on the seed, the number `i` and the name.
+-- Returns a random number in [0, 1) that depends only on the seed, the object's number `i` and the name of the quantity.
 local function random(i, name)
   local state = math.tointeger(seed) * 0x9E3779B97F4A7C15 + i * 0xD1B54A32D192ED03
   for k = 1, #name do state = (state ~ name:byte(k)) * 0x100000001B3 end
@@ -39,10 +42,10 @@ local function random(i, name)
   return ((state ~ (state >> 32)) >> 11 & 0xFFFFFFFFFFFFF) / 2 ^ 52
 end
 
--- A random whole number from `low` to `high`.
+-- Returns a random whole number from `low` to `high`.
 local function whole(i, name, low, high) return low + math.floor(random(i, name) * (high - low + 1)) end
 
--- A permutation of 1..count; the identity if `order` is 0.
+-- Returns a random permutation of 1..count that depends on `order`; the identity if `order` is 0.
 local function permutation(count, name)
   local list = {}
   for i = 1, count do list[i] = i end
@@ -65,14 +68,14 @@ local function depth_of(i) return wall_depth * 0.8125 ^ i end
 
 local function pixel_at(depth) return (perspective ~= 0 and depth / 64 or 1 / 8) * scale end
 
--- Returns the direction (x, y) after mirroring and turning the picture.
+-- Returns the direction (x, y) as it is after the picture is mirrored and turned.
 local function placed(x, y)
   x, y = mirror * x, flip * y
   if turn ~= 0 then x, y = y, -x end
   return x, y
 end
 
--- World position, metres, of the point `x`, `y` px from the middle.
+-- World position of the point (x, y) px from the middle of the picture, at `depth`, metres.
 local function position(x, y, depth)
   local pixel = pixel_at(depth)
   x, y = placed(x + shift_x, y + shift_y)
@@ -87,7 +90,8 @@ end
 
 -- ---- looks
 
--- Returns a colour as the weighted sum of two terms. Both terms are multiples of 1/64, so that the sum is exact.
+-- Returns the colour of an object: the sum of two random terms with the weights `first` and `second`. Tests of linearity render
+-- each term alone and both together. The terms are multiples of 1/64, so that their sum is exact.
 local function color_of(i, name)
   local color = {}
   for c = 1, 3 do
@@ -106,8 +110,8 @@ local function material(i, name)
   return scene.material { name = name, color = color_of(i, name), roughness = 0.5 }
 end
 
--- A material with a radiance beyond the range of colours: the product of a texel and a colour. If `hot_scale` is negative, the
--- material is lit metal, which multiplies its colour by 0.
+-- Returns a material with a radiance beyond the range of colours. The radiance is the product of a texel, `hot`, and a colour,
+-- |hot_scale|. If `hot_scale` is negative, the material is lit metal, so that shading multiplies its colour by 0.
 local function hot_material()
   local texel = scene.texture.texels { width = 1, height = 1, texels = { { hot, hot, hot } } }
   local factor = math.abs(hot_scale)
@@ -118,7 +122,8 @@ end
 
 -- ---- shapes
 
--- A rectangle of `w` x `h` px; `order` permutes its triangles.
+-- A rectangle of `w` x `h` px of four triangles. The parameter `order` permutes the triangles, which must not change the
+-- picture.
 local function rectangle(w, h, depth, name)
   local pixel = pixel_at(depth)
   local x, y = w * pixel / 2, h * pixel / 2
@@ -131,7 +136,7 @@ local function rectangle(w, h, depth, name)
   return scene.triangles { positions = positions, indices = indices }
 end
 
--- Stripes of a card, side by side, as parts of one object. The last stripe fills the rest of the card.
+-- Returns the stripes of a card, side by side, as parts of one object. The last stripe fills the rest of the card.
 local function stripes(i, w, h, depth, name)
   local across = random(i, "across") < 0.5
   local long, parts, from = across and w or h, {}, 0
@@ -154,8 +159,8 @@ end
 local primes = { 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97, 101, 103, 107, 109, 113, 127, 131, 137, 139,
   149, 151, 157, 163, 167, 173, 179, 181, 191, 193, 197, 199, 211, 223, 227, 229, 233, 239, 241, 251, 257 }
 
--- Displacement number i, px over the exposure, at most `reach` px long. Every fifth displacement is 0, and every third
--- displacement is along an axis.
+-- Returns the displacement of object number i, px over the exposure, at most `reach` px long. Every fifth displacement is 0,
+-- and every third displacement is along an axis.
 local used = {}
 local function displacement(i)
   if i % 5 == 4 then return 0, 0 end
@@ -178,8 +183,8 @@ local function displacement(i)
   return 0, 0
 end
 
--- A coordinate of an object, px, whose distance from pixel edges is an odd multiple of 1/8 px. If `inside` is set, an object of
--- half-size `half` stays in a picture of the size `side`.
+-- Returns a random coordinate of an object's centre, px. Its distance from pixel edges is an odd multiple of 1/8 px. If
+-- `inside` is at least 0, an object of half-size `half` stays within a picture of the size `side`.
 local function coordinate(i, name, side, half)
   local range = inside >= 0 and math.max(side / 2 - inside - half, 0) or side / 2
   return math.floor((2 * random(i, name) - 1) * range) + (2 * whole(i, name .. "8", 0, 3) + 1) / 8
@@ -209,7 +214,7 @@ local function card(i)
   return scene.node(fields)
 end
 
--- A box turned about the vertical, or a ball, behind the cards.
+-- Returns a box that is turned about the vertical, or a ball, behind the cards.
 local function solid(i, is_ball)
   local depth, name = wall_depth * (is_ball and 0.9 or 0.95) - i, (is_ball and "ball" or "box") .. i
   local pixel = pixel_at(depth)
@@ -217,7 +222,7 @@ local function solid(i, is_ball)
   local dx, dy = displacement(i + 64)
   local size = whole(i, name .. "size", 5, 9) * pixel
   local angle = 20 + 50 * random(i, name .. "angle")
-  local turned = turn ~= 0 and { -angle * mirror, 0, 0 } or { 0, angle * mirror, 0 }  -- the picture turns: up becomes left
+  local turned = turn ~= 0 and { -angle * mirror, 0, 0 } or { 0, angle * mirror, 0 }  -- with `turn`, the axis is horizontal
   return scene.node {
     name = name, position = position(x, y, depth), motion = { velocity = motion(dx, dy, depth) }, rotation = turned,
     shape = is_ball and scene.sphere { radius = size / 2 } or scene.box { size = { size, size, size } },

@@ -1,16 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- A lit, textured room for a pinhole camera. The room can be moved, scaled and sped up with known effects on the picture. The
--- focal length is 64 px, so one pixel spans z / 64 at the depth z. A card moves to the right and down, a ball turns in front of
--- a wall, and a floor
--- recedes.
+-- Test scene for numerical extremes: a lit, textured room, which can be moved, scaled and sped up with known effects on the
+-- picture. A card moves to the right and down, a ball turns in front of a wall, and a floor recedes. The camera is a pinhole
+-- with a focal length of 64 px, so one pixel spans z / 64 at the depth z. Parameters:
 -- scale     factor on all lengths, and on lights, so that the picture stays the same
 -- offset    translation of the whole scene, with the camera, along (1, 0.3, -0.7), metres
 -- nesting   0: each node has the offset; 1: one parent node has the offset; 2: a parent node has the offset and each node
 --           reverses it, so that the scene is at the origin; 3: as 0, but the vertices of the card's mesh have the offset
 -- speed     factor on the speed of card and ball
--- camera_speed   motion of the camera to the left, px over the exposure at a depth of 16
--- turn           rotation of the camera to the left, degrees over the exposure
--- rest_s    time at which the objects have the poses given here, seconds
+-- camera_speed  motion of the camera to the left, px over the exposure at a depth of 16
+-- turn      rotation of the camera to the left, degrees over the exposure
+-- rest_s    scene time when the objects have the poses given in this file, seconds
 local scene = require "strobe.scene"
 
 local param = scene.param
@@ -23,7 +22,7 @@ local exposures_per_second = 24 / 0.5
 local function world(p) return { p[1] + offset, p[2] + 0.3 * offset, p[3] - 0.7 * offset } end
 local function scaled(p) return { p[1] * scale, p[2] * scale, p[3] * scale } end
 
--- A node of the room at `p` (before scaling), according to `nesting`.
+-- Returns a node at the position `p` (before scaling), with the offset of the scene, applied by the rule `nesting`.
 local function placed(p, fields)
   p = scaled(p)
   if nesting == 0 or nesting == 3 then

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- A panel in the left half of the picture, in front of a wall. `tilt`: angle in degrees between the panel's normal and the view
--- direction, about the middle of the picture. The left edge of the panel is nearer to the camera than its right edge, up to 430
--- times at 89.9 degrees. The panel turns about the eye by `speed` px over the exposure, measured in the middle of the picture.
--- A rotation about the eye moves points of all depths alike, so the picture does not depend on `tilt`.
+-- Test scene for surfaces at grazing angles: a tilted panel in the left half of the picture, in front of a wall. `tilt`: angle
+-- between the panel's normal and the view direction, degrees. The left edge of a tilted panel is nearer to the camera than its
+-- right edge; at 89.9 degrees, the right edge is up to 430 times as far away. The panel turns about the eye by `speed` px over
+-- the exposure, measured in the middle of the picture. A rotation about the eye moves points of all depths alike in the
+-- picture, so the correct picture does not depend on `tilt`.
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- A panel of warm cells moves in front of a wall of cold cells, parallel to the picture: by `speed` pixels over the exposure in
--- the direction `angle` (degrees from the right, upwards). Its sides are slanted. The depth of the wall is (1 + `gap`) times
--- the depth of the panel. The wall looks the same at any depth.
+-- A panel of cells in warm colours moves in front of a wall of cells in cold colours, parallel to the image plane. It moves by
+-- `speed` px over the exposure in the direction `angle` (degrees anticlockwise from +x). The sides of the panel are slanted.
+-- The depth of the wall is 1 + `gap` times the depth of the panel. The wall looks the same at any depth, so the correct picture
+-- does not depend on `gap`.
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 

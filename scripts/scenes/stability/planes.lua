@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Simple shapes with paths and coverage in closed form, for a pinhole camera at the origin that looks along -z with a focal
--- length of `focal` px. All lengths are in metres. Motions are in metres over an exposure of half a frame at 24 frames/s. The
--- parameter `kind` selects the shapes:
+-- Simple shapes with screen paths and coverage in closed form, so that the exact picture is known. A pinhole camera at
+-- the origin looks along -z with a focal length of `focal` px. Lengths are in metres, motions in metres over an exposure of
+-- half a frame at 24 frames per second. The parameter `kind` selects the shapes:
 --      0  the sky only
 --      1  a floor `depth` below the camera, `extent` wide
 --      2  a card, 4 x 4, at `depth` in front of the camera, and a wall at 4 times this depth
@@ -10,14 +10,16 @@
 --         first
 --      4  a ball of radius `depth` around the camera, in a room 8 times as large
 --      5  one triangle that covers the picture and extends behind the camera
---      6  the card of kind 2 with 150 more triangles without area, a mesh of such
---         triangles only, and a node without triangles
+--      6  the card of kind 2 with 150 more triangles without area, a mesh that has only triangles without area, and a node
+--         without triangles
 --      7  the card of kind 2 in front of a wall of the same colour
 --      8  `count` x `count` leaves, each a separate instance
 --      9  a ball of `count` x `count` triangles
--- aside  shift of the card of kind 2 to the right
--- velocity_x, _y, _z: motion of the object. camera_x, _y, _z: motion of the camera. turn: rotation of the camera to its left,
--- degrees over the exposure
+-- Further parameters:
+-- aside               shift of the card of kind 2 to the right, metres
+-- velocity_x, _y, _z  motion of the shapes, metres over the exposure; walls and the room are static
+-- camera_x, _y, _z    motion of the camera, metres over the exposure
+-- turn                rotation of the camera to its left, degrees over the exposure
 local scene = require "strobe.scene"
 
 local param = scene.param

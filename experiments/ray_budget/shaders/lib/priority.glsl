@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Priority of a pixel: the expected gain of a ray, quantised to integers for a histogram. Gains with the same integer have
-// the same priority.
+// Ray priority of a pixel: the expected gain of a ray (linear radiance), as an integer, so that a histogram can count the
+// pixels of each priority.
 #ifndef STROBE_RANK_GLSL
 #define STROBE_RANK_GLSL
 
-// Priority 0: no ray. Priorities 1 to 4094: gains from 2^-12 to 2^4, with 256 steps per doubling. Priority 4095: before all
-// others.
+// Priority 0: the pixel gets no ray. Priorities 1 to 4094: gains from 2^-12 to 2^4, with 256 steps per doubling. Priority 4095,
+// kFirstRank: the pixel comes before all others.
 const uint kPriorities = 4096u, kFirstRank = 4095u;
 const float kStepsPerOctave = 256.0, kLeastOctave = -12.0;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Edges where the depth of a neighbour exceeds the depth of the pixel by the threshold.
+// Edge mask: pixels beside a pixel that is farther by more than the depth threshold.
 // In:  `depth`: linear view depth, metres; +inf for the sky.
 //      `where`: above 1/2 where edges are detected; absent: everywhere.
 // Out: `edge`: 1 on an edge, one pixel wide, on the nearer side.
-// Method: compare the depth with the depths of the four neighbours.
-// Fails: marks planes at grazing angles.
+// Method: a pixel is an edge if the depth of one of its four neighbours exceeds depth * (1 + depth_threshold).
+// Fails: marks planes at grazing angles, where the next row of pixels is farther by more than the threshold.
 #include "mixin/edge.glsl"
 #include "mixin/edge_depth.glsl"
 

@@ -4,7 +4,7 @@
 //      `velocity`: displacement, px over the exposure, x right, y down.
 // Out: `tinted`:   linear radiance, alpha 1.
 // Method: blend the colour with a hue, half of each. The channels of the hue are cosines of the angle, 120 degrees apart.
-// Fails: slow and fast motion look alike.
+// Fails: slow and fast motion in one direction have the same tint.
 void run(ivec2 pixel) {
   vec3 color = color_at(pixel).rgb;
   vec2 displacement = velocity_at(pixel).xy;
