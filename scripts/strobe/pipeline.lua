@@ -170,9 +170,9 @@ local function check_until(problems, t, loop, results, place)
   return ""
 end
 
--- Checks `first` and `parts` of a loop, by which several loops share an exposure. The exposure is divided into `parts` parts,
--- and the loop samples `count` of these, from number `first` on (0-based). The parts are numbered in an order that spreads
--- consecutive numbers over the whole exposure.
+-- Checks `first` and `parts` of a loop. With these fields, several loops can share the samples of an exposure. The exposure is
+-- divided into `parts` parts, and the loop samples `count` of these, from number `first` on (0-based). The parts are numbered
+-- in an order that spreads consecutive numbers over the whole exposure.
 local function check_parts(problems, t, place)
   for _, key in ipairs { "first", "parts" } do
     local at_least = key == "first" and 0 or 1
