@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Captures: pictures that can be rendered again bit for bit, and figures and films of these pictures. All mistakes of `capture
--- { ... }` are reported at once. docs/captures.md describes each field.
+-- The function `capture { ... }`. It declares a capture: pictures that `strobe capture` renders and that can be rendered again
+-- bit for bit, and figures and films of these pictures. This file checks the fields, reports all mistakes of a capture at once,
+-- and returns the capture as plain data. docs/captures.md describes each field.
 local check      = require "strobe.check"
 local experiment = require "strobe.experiment"
 local fields     = require "strobe.fields"
@@ -13,13 +14,14 @@ local capture = {}
 local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local copied = fields.copied
 
--- Fields of each table, with their types. Optional fields may be left out. A shot may also have options of the command line.
+-- Fields of a capture, of a shot and of an arm, with the types of their values. Optional fields may be left out. A shot may
+-- also have any option of the command line, under the option's name (`exposure`, `camera`).
 capture.fields = {
   -- Fields of a capture:
-  -- layers     images in the file of a picture besides its colour: "all" (every output of every pass), or a list of outputs and
-  --            "node.port"
-  -- most_flip  largest mean FLIP of two pictures that count as equal, if they are from different devices
-  -- truth      name of the arm that is the reference of errors
+  -- layers     images to store in the EXR file of a picture besides its colour: "all" (every output of every pass), or a list
+  --            with names of outputs of the pipeline and with images between passes, written "node.port"
+  -- most_flip  largest mean FLIP of a picture from another device that still counts as the same picture
+  -- truth      name of the arm that is the reference of all errors
   -- figures    list of figures, checked by strobe.figure
   -- films      list of films, checked by strobe.figure
   capture = {
@@ -29,29 +31,39 @@ capture.fields = {
     figures = { list, optional = true }, films = { list, optional = true },
   },
   -- Fields of a shot:
-  -- frames        frame numbers { from, to, step } of a sequence
-  -- vary          a sequence over values, { NAME = { values } }; NAME is an option of the shot, a parameter of its scene
-  --               ("scene.NAME") or a parameter of the pipelines of the arms
-  -- stops, curve  exposure and tone curve of the displayed pictures
-  -- truth, crops, note, attribution: as in an experiment.
+  -- title        text that is displayed instead of the name
+  -- frames       { from, to, step }: the shot is a sequence of pictures, one per frame number
+  -- vary         { NAME = { values } }: the shot is a sequence of pictures, one per value; NAME is an option of the shot, a
+  --              parameter of its scene ("scene.NAME") or a parameter of the pipelines of the arms
+  -- stops        brightness of the displayed pictures: factor 2^stops
+  -- curve        tone curve of the displayed pictures
+  -- truth        settings of the truth arm for this shot
+  -- crops        areas that the report magnifies: { x, y, width, height } in pixels, or "inner" for the place with the most
+  --              inner blur
+  -- note         text for the report
+  -- attribution  author of the scene
   shot = {
     name = { text }, title = { text, optional = true }, frames = { list, optional = true },
     vary = { map, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
     truth = { map, optional = true }, crops = { list, optional = true }, note = { text, optional = true },
     attribution = { text, optional = true },
   },
-  -- Fields of an arm, a pipeline with settings:
-  -- shots  names of the shots that the arm renders; default: all
-  -- files  a folder beside the script with other versions of scripts and shaders: in strobe/ for shipped files, in project/ for
-  --        files of the project
-  -- role, shown: as in an experiment.
+  -- Fields of an arm, which is a pipeline with settings:
+  -- set     values of parameters of the pipeline
+  -- shots   names of the shots that the arm renders; default: all
+  -- layers  replaces the field `layers` of the capture
+  -- files   a folder beside the script, with versions of scripts and shaders that replace the current ones for this arm: in its
+  --         subfolder strobe/ for shipped files, in project/ for files of the project
+  -- role    role of the arm if the capture is measured: "method", or "floor" (ground truth with as many samples as a method)
+  -- shown   false: the arm is in the tables of the report, but its pictures are not shown
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, shots = { list, optional = true },
     layers = { fields.any, optional = true }, files = { text, optional = true }, role = { text, optional = true },
     shown = { bool, optional = true },
   },
 }
--- Fields that a capture shares with experiments. A capture with `measures` is also an experiment.
+-- Fields of an experiment that a capture may have too. A capture with `measures` is also an experiment: its arms are measured
+-- against its truth.
 local measuring = { "question", "regions", "measures", "rounds", "most_rounds", "within", "base", "background", "expect",
                     "layout" }
 for _, name in ipairs(measuring) do capture.fields.capture[name] = experiment.fields.experiment[name] end
@@ -66,13 +78,14 @@ local function three(value, default)
   return value
 end
 
--- Returns a camera path on a horizontal circle of `radius` metres, `height` metres above `target`. Between frames `first` and
--- `last`, the angle goes from `from` to `to` degrees (0: on the +z axis, 90: on the +x axis).
+-- Returns a camera path on a horizontal circle of `radius` metres, `height` metres above the point `target`, which the camera
+-- looks at. Between the frames `first` and `last`, the angle goes from `from` to `to` degrees. At 0 degrees the camera is on
+-- the +z side of `target`, at 90 degrees on the +x side.
 function capture.orbit(t)
   local target, keys = three(t.target), {}
   local from, to = math.rad(t.from or 0), math.rad(t.to or 360)
-  -- The keys are at most 10 degrees apart, with one extra key beyond each end. A cubic curve through such keys deviates from
-  -- the circle by at most 3e-5 of the radius.
+  -- The camera follows a cubic curve through the keys of its path. Keys at most 10 degrees apart, with one extra key beyond
+  -- each end, keep this curve within 3e-5 of the radius of the circle.
   local count = math.max(1, math.ceil(math.abs(to - from) / math.rad(10)))
   for i = -1, count + 1 do
     local angle = from + (to - from) * i / count
@@ -83,8 +96,8 @@ function capture.orbit(t)
   return keys
 end
 
--- Returns a straight camera path between frames `first` and `last`. The eye moves from `from` to `to`. The point that it looks
--- at moves from `target` to `to_target`.
+-- Returns a straight camera path between the frames `first` and `last`. The camera moves from the point `from` to the point
+-- `to`. It looks at a point that moves from `target` to `to_target` (default: `target`).
 function capture.dolly(t)
   local function key(frame, eye, target)
     return { frame, eye[1], eye[2], eye[3], target[1], target[2], target[3] }
@@ -98,7 +111,7 @@ end
 local Checker = fields.checker(capture.fields)
 shots.extend(Checker, capture.fields.shot)
 
--- Checks `layers`, which is "all" or a list of names of images, and returns it.
+-- Checks the field `layers` of a capture or an arm, and returns its value. It is "all" or a list of names of images.
 function Checker:layers(value, path, what)
   if value == nil or value == "all" then return value end
   if type(value) ~= "table" then
@@ -111,7 +124,8 @@ function Checker:layers(value, path, what)
   return value
 end
 
--- Returns the settings of each step of the sequence `vary`; nil if the shot has no such sequence.
+-- Checks the field `vary` of a shot, { NAME = { values } }, and returns a list with the settings of each picture of the
+-- sequence. Returns nil if the shot has no such field, and after a mistake.
 function Checker:steps(t, path)
   local names = type(t) == "table" and check.names(t) or {}
   if t == nil then return nil end
@@ -150,7 +164,8 @@ function Checker:captured_arm(entry, path, shot_names)
   return result
 end
 
--- Checks the fields of a capture that it shares with an experiment.
+-- Checks the rules for captures with `measures`: such a capture needs a truth arm, and cannot have shots with `vary` or arms
+-- with `files`. Without `measures`, a capture cannot have the other fields of an experiment.
 function Checker:measured(t, shot_names)
   for _, name in ipairs(measuring) do
     if t.measures == nil and t[name] ~= nil then
@@ -197,7 +212,8 @@ function Checker:whole(t)
   return result
 end
 
--- Returns the capture `t` as the table of an experiment, for strobe.experiment.
+-- Converts the capture `t`, which has `measures`, to the table of an experiment. The truth arm becomes the field `truth`. The
+-- field `shots` of an arm becomes the function `skip`, which leaves out the pictures that the arm does not render.
 local function as_experiment(t)
   local result = { title = t.title, note = t.note, size = t.size, seed = t.seed, shots = t.shots, arms = {} }
   for _, name in ipairs(measuring) do result[name] = t[name] end
@@ -217,8 +233,9 @@ end
 
 local Made = { kind = "capture" }
 
--- Returns the capture that a file returned, as plain data. `given.options`: the known options of shots. If `given` has
--- `measures`, a capture with `measures` is returned as an experiment.
+-- Checks `result`, which the file of a capture returned, and returns it as plain data. `given.options`: the options that a shot
+-- may have. `given.measures`: the measures of experiments, or nil if the command measures nothing. With them, a capture that
+-- has `measures` is returned as an experiment.
 function Made.finished(result, given)
   local self = Checker.at(result.place)
   self.options = shots.by_name(given.options)

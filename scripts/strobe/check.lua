@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Collects the mistakes of a table and raises one error for all mistakes. Each mistake has the file and line of the user's
--- script.
+-- Tools for checks of declarations. They collect the mistakes of a table and raise one error for all of these mistakes. Each
+-- mistake has a `place`, { file, line }, in the user's script. The module strobe.native, which this library uses, has functions
+-- of the C++ runtime; a place comes from its functions `at_caller`, `key_place` and `return_place`.
 local native = require "strobe.native"
 
 local check = {}
@@ -14,7 +15,7 @@ function check.problems()
   return setmetatable({ list = {} }, Problems)
 end
 
--- Adds a mistake at `place`. The text and the values after it are formatted by string.format.
+-- Adds a mistake at `place`. The message is `text`, formatted with the values after it by string.format.
 function Problems:add(place, text, ...)
   self.list[#self.list + 1] = { place = { file = place.file, line = place.line }, message = text:format(...) }
 end
@@ -34,7 +35,7 @@ function check.is_name(value)
   return type(value) == "string" and #value <= 64 and value:find("^[a-z][a-z0-9_]*$") ~= nil
 end
 
--- True if `value` consists of names that are separated by slashes.
+-- True if `value` is a text of names that are separated by slashes, such as "gather/uniform".
 function check.is_path(value)
   if type(value) ~= "string" or value:find("^/") or value:find("/$") then return false end
   for part in value:gmatch("[^/]+") do
@@ -43,8 +44,8 @@ function check.is_path(value)
   return not value:find("//", 1, true)
 end
 
--- Merges `t` and the tables in its list part into one table, as in `{ options.blur, { a = 1 } }` or `{ options.blur, a = 1 }`.
--- A later table overrides an earlier one, and the named fields of `t` override all tables.
+-- Merges `t` and the tables in its list part into one table. A later table in the list overrides an earlier one, and the named
+-- fields of `t` override all tables. `t` may be `{ options.blur, { a = 1 } }` or `{ options.blur, a = 1 }`, for example.
 function check.merged(t)
   if t[1] == nil then return t end
   local result = {}
@@ -52,7 +53,7 @@ function check.merged(t)
     if check.is_plain(part) then
       for key, value in pairs(check.merged(part)) do result[key] = value end
     else
-      result[i] = part  -- not a table of declarations; it is reported later, with its key
+      result[i] = part  -- not a plain table: kept, so that a later check reports the mistake with this key
     end
   end
   for key, value in pairs(t) do
@@ -61,7 +62,8 @@ function check.merged(t)
   return result
 end
 
--- Returns `t`. If its field `key` has a list of tables, returns a copy of `t` with these tables merged into one.
+-- Merges the tables in the list part of `t[key]` into one. Returns a copy of `t` with the merged table. If `t[key]` has no list
+-- part, returns `t` itself.
 function check.with_merged(t, key)
   if type(t[key]) ~= "table" or t[key][1] == nil then return t end
   local copy = {}
@@ -70,24 +72,25 @@ function check.with_merged(t, key)
   return copy
 end
 
--- True if the format holds unsigned integers.
+-- True if the texels or entries of the format `format` are unsigned integers.
 function check.is_uint(format)
   return format:find("ui$") ~= nil
 end
 
--- True if the format is a buffer of unsigned integers instead of an image.
+-- True if the format `format` declares a buffer of unsigned integers instead of an image.
 function check.is_buffer(format)
   return format == "buffer32ui"
 end
 
 function check.contains(list, value)
-  for i = 1, #list do  -- no call per entry: there are thousands of lookups
+  for i = 1, #list do  -- faster than ipairs, which calls a function per entry; there are thousands of lookups
     if list[i] == value then return true end
   end
   return false
 end
 
--- The string keys of a table, sorted.
+-- Returns the string keys of a table. They are sorted, because `pairs` of Strobe's interpreter visits the keys of a table in
+-- sorted order.
 function check.names(t)
   local names = {}
   for key in pairs(t) do
@@ -100,7 +103,9 @@ function check.quoted(value)
   return type(value) == "string" and ("'%s'"):format(value) or tostring(value)
 end
 
--- Reports every key of `t` that is not in `known`. `path`: keys that lead from the call at `place` to `t`.
+-- Reports every key of `t` that is not in the list `known`. `place`: place of the call in the user's script that has the table
+-- as its argument. `path`: keys that lead from this argument to `t`; default: the argument is `t`. `what`: name of `t` in
+-- messages.
 function check.keys(problems, t, known, place, what, path)
   if type(t) == "table" and not native.has_other_keys(t, known) then return end
   path = path or {}
@@ -119,7 +124,8 @@ function check.joined(path, key)
   return longer
 end
 
--- True if `t[key]` is of the type `kind`; reports a mistake otherwise.
+-- True if the type of `t[key]` is `kind`, a type name of Lua. Otherwise reports a mistake. The other arguments are as for
+-- `check.keys`: `place` and `path` locate `t`, and `what` names `t` in messages.
 function check.field(problems, t, key, kind, place, what, path)
   if type(t[key]) == kind then return true end
   local where = native.key_place(place, table.unpack(check.joined(path or {}, key)))
@@ -132,7 +138,7 @@ function check.field(problems, t, key, kind, place, what, path)
   return false
 end
 
--- Returns the text `doc` of a table. Reports a mistake if the text is missing or empty.
+-- Returns the text `t.doc`. If the text is missing or empty, reports a mistake and returns "".
 function check.doc(problems, t, place, what, path)
   if type(t.doc) == "string" and t.doc:find("%S") then return t.doc end
   local where = native.key_place(place, table.unpack(path or {}))
@@ -140,8 +146,9 @@ function check.doc(problems, t, place, what, path)
   return ""
 end
 
--- Checks `given`, a table `breaks = { invariant = "reason" }` of the invariants that do not hold. Returns the valid entries;
--- nil without any. `path`: keys that lead from the call at `place` to the table.
+-- Checks `given`, a field `breaks = { INVARIANT = "reason" }`, and returns its valid entries, or nil if all are invalid. The
+-- field lists the invariants (docs/invariants.md) that a pass, a pipeline or a value of a parameter does not keep. `path`: keys
+-- that lead from the argument of the call at `place` to `given`.
 function check.breaks(problems, given, place, what, path)
   if given == nil then return nil end
   local at = native.key_place(place, table.unpack(path))
@@ -174,8 +181,9 @@ local no_field = native.at_caller(function(place, what, key, known)
   check.fail(place, "%s has no %s%s", what, check.quoted(key), near)
 end)
 
--- Makes `meta` the metatable of records: reading a named field that a record lacks is an error at the line that reads it,
--- except for the names in the list `optional`. `what` names the record in messages.
+-- Completes the metatable `meta` for records and returns it. A record is a table that is protected against misspelt names:
+-- reading a named field that it lacks is an error at the line that reads the field. The names in the list `optional` are
+-- excepted and read as nil. `what` names the record in messages.
 function check.index_of_records(meta, what, optional)
   local may_lack = {}
   for _, name in ipairs(optional or {}) do may_lack[name] = true end
@@ -191,19 +199,21 @@ function check.index_of_records(meta, what, optional)
   return meta
 end
 
--- True if `value` is a table without a metatable, or a record.
+-- True if `value` is a plain table: a table without a metatable, or a record made by `check.record`.
 function check.is_plain(value)
   local meta = getmetatable(value)
   return type(value) == "table" and (meta == nil or meta.is_record == true)
 end
 
--- Returns a function that makes a table a record: `local layer = record("a layer", { "curve" })`, then `layer { depth = ... }`.
+-- Returns a function that makes its argument, a table, a record. `what` names the records in messages, and `optional` lists the
+-- fields that they may lack. Example: `local layer = check.record("a layer", { "curve" })`, then `layer { depth = ... }`.
 function check.record(what, optional)
   local meta = check.index_of_records({ is_record = true }, what, optional)
   return function(t) return setmetatable(t, meta) end
 end
 
--- Makes reading an unknown field of a module an error at the line that reads it.
+-- Protects the table of a module against misspelt names: reading a field that it lacks becomes an error at the line that reads
+-- the field. Returns the module. `name` names the module in messages.
 function check.closed(module, name)
   return setmetatable(module, check.index_of_records(getmetatable(module) or {}, "the module " .. name))
 end

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- Experiments: arms (pipelines with settings) render shots (scenes with options) with the values of axes. The pictures are
--- measured against truth, and expectations test the results. All mistakes of `experiment { ... }` are reported at once.
--- docs/writing-experiments.md lists its fields.
+-- The function `experiment { ... }`. It declares an experiment: arms (pipelines with settings) render shots (scenes with
+-- options), once for each combination of the values of its axes (the varied quantities). `strobe sweep` measures the pictures
+-- against truth, and expectations test the results. This file checks the fields, reports all mistakes of an experiment at once,
+-- and returns the experiment as plain data. docs/writing-experiments.md lists the fields.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local judge  = require "strobe.judge"
@@ -14,7 +15,8 @@ local experiment = {}
 local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local func, shown, copied = fields.func, fields.shown, fields.copied
 
--- Fields of each table, with their types. Optional fields may be left out. A shot may also have options of the command line.
+-- Fields of an experiment and of the tables inside it, by kind of table, with the types of their values. Optional fields may be
+-- left out. A shot may also have any option of the command line, under the option's name (`exposure`, `camera`).
 experiment.fields = {
   experiment = {
     title = { text }, question = { text, optional = true }, note = { text, optional = true },
@@ -27,49 +29,56 @@ experiment.fields = {
     layout = { map, optional = true },
   },
   -- Fields of a shot:
-  -- title       text that is displayed instead of the name
-  -- truth       settings of truth for this shot
-  -- crops       list of areas { x, y, width, height } in pixels of the experiment's size, or "inner": where inner blur is
-  --             most frequent
-  -- picture_aa  number of sub-pixel samples of the displayed pictures
-  -- stops       exposure of the displayed pictures
-  -- curve       tone curve of the displayed pictures
-  -- frames      frame numbers { from, to, step } of a sequence
+  -- title        text that is displayed instead of the name
+  -- note         text for the report
+  -- attribution  author of the scene; default: read from the file of the scene
+  -- truth        settings of truth for this shot
+  -- crops        areas that the report magnifies: { x, y, width, height } in pixels of the experiment's size, or "inner", the
+  --              place with the most inner blur
+  -- picture_aa   number of sub-pixel samples of the displayed pictures; the measured pictures have one sample per pixel
+  -- stops        brightness of the displayed pictures: factor 2^stops
+  -- curve        tone curve of the displayed pictures
+  -- frames       { from, to, step }: the shot is a sequence of frames, and a measure is the mean over the frames
   shot = {
     name = { text }, title = { text, optional = true }, note = { text, optional = true },
     attribution = { text, optional = true }, truth = { map, optional = true }, crops = { list, optional = true },
     picture_aa = { number, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
     frames = { list, optional = true },
   },
-  -- Fields of an arm, a pipeline with settings:
+  -- Fields of an arm, which is a pipeline with settings:
   -- role       "method", or "floor" (truth with as many samples as a method)
-  -- lacks      axes, or single parameters of axes, that do not apply to this arm
-  -- box        extra settings of displayed pictures that have several samples per pixel
-  -- shown      true: the sheet and the page show the pictures of this arm
+  -- lacks      names of axes, or of single parameters that an axis sets, that do not apply to this arm
+  -- box        more settings of the arm, for displayed pictures in shots with `picture_aa`. With them the arm takes several
+  --            samples per pixel itself, so the shot's sub-pixel samples are not drawn
+  -- shown      false: the arm is in the tables of the report, but its pictures are not shown
   -- timed      true: frame times are measured; default: true for methods, false for truth
-  -- published  frames per second from a publication, for one shot
+  -- published  published frame rate of this arm: fps in the shot `shot`, measured by the authors `by`
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, role = { text, optional = true },
     lacks = { list, optional = true }, box = { map, optional = true },
     shown = { bool, optional = true }, timed = { bool, optional = true }, published = { map, optional = true },
   },
   published = { fps = { number }, shot = { text }, by = { text } },
-  -- full: settings of a second truth, which is the reference of the measure rmse_full.
+  -- The truth of the experiment: the pipeline that draws the reference of all errors, with its settings `set`. `full`: settings
+  -- of a second truth, which is the reference of the measure rmse_full.
   truth = {
     name = { text, optional = true }, pipeline = { text }, set = { map, optional = true },
     full = { map, optional = true },
   },
-  -- Fields of an axis:
-  -- at            function from a value to its settings; default: the value sets the parameter or option with the name of the
-  --               axis
+  -- Fields of an axis, which is one varied quantity with its values:
+  -- at            function that returns the settings for a value; default: the value sets the parameter or option that has the
+  --               name of the axis
   -- shots         names of the shots that vary along the axis; default: all
-  -- benign        the harmless value; the other values are compared with it
-  -- region        error region of the plotted errors
-  -- same_picture  true: the picture does not depend on the value
-  -- fixed, note   texts
-  -- reading       text in which {ARM @ VALUE} is replaced by the error of ARM at VALUE
-  -- against       measure that replaces the values in `strobe bench slopes`
-  -- costs         expected growth of times in `strobe bench slopes`
+  -- title, unit   texts for charts
+  -- scale         scale of charts, one of experiment.scales
+  -- benign        the harmless value; pictures of the other values are compared with its picture
+  -- region        error region of the errors that the charts show
+  -- same_picture  true: the exact picture does not depend on the value. The report then states the change of truth
+  -- fixed         text for the report: the quantities that do not vary
+  -- note          text for the report
+  -- reading       text for the report; {ARM @ VALUE} in the text is replaced by the error of the arm ARM at the value VALUE
+  -- against       measure that replaces the values of the axis as the x axis of `strobe bench slopes`, which plots times
+  -- costs         list of expectations of `strobe bench slopes`: how the times of parts of a frame grow along the axis
   axis = {
     name = { text }, values = { list }, at = { func, optional = true }, shots = { list, optional = true },
     title = { text, optional = true }, unit = { text, optional = true }, scale = { text, optional = true },
@@ -78,32 +87,34 @@ experiment.fields = {
     fixed = { text, optional = true }, note = { text, optional = true }, reading = { text, optional = true },
     against = { text, optional = true }, costs = { list, optional = true },
   },
-  -- An expected growth of times. part: "frame", "passes" (each pass that no other entry names) or a node. arm: the entry
-  -- applies to this arm only; default: to all arms.
+  -- Expected growth of the time of one part of the frame along an axis. part: "frame", the name of a node, or "passes" (each
+  -- pass that no other entry names). grows: one of experiment.growths. why: the reason. arm: the arm that the entry applies to;
+  -- default: every arm.
   cost = { part = { text }, grows = { text }, arm = { text, optional = true }, why = { text, optional = true } },
-  -- arm: the arm with the background; `color` and `valid` are the names of its outputs. front: the arm that shows the
-  -- foreground.
+  -- The arms that the measures background_* compare. arm: the arm that computes the background; `color` and `valid` are the
+  -- names of its outputs with the colour and with the mask of the known pixels. front: the arm that shows the foreground.
   background = { arm = { text }, color = { text }, valid = { text }, front = { text } },
   layout = {
     pictures = { map, optional = true }, curves = { map, optional = true }, front = { map, optional = true },
     table = { map, optional = true },
   },
-  -- crop_size: { width, height } in pixels of the experiment's size. difference_gain: factor on differences from truth.
+  -- The pictures of each shot. crop_size: { width, height } of crops without a size of their own, in pixels of the experiment's
+  -- size. difference_gain: factor that brightens the pictures of differences from truth.
   pictures = { crop_size = { list, optional = true }, difference_gain = { number, optional = true } },
-  -- factor: the error of an arm counts as sampling noise if it is at most `factor` times the error of the arm with role
-  -- "floor".
+  -- The errors along each axis, as curves. The report also states a range of values: there, the error of an arm is at most
+  -- `factor` times the floor, the error of the arm with the role "floor".
   curves = { factor = { number, optional = true } },
-  -- The Pareto front of each shot. x, y: names of the measures on the axes of the chart. region: error region for the measure
-  -- y, and also for x if x is measured by region.
+  -- The Pareto front of each shot, as a chart. x, y: names of the measures on the axes of the chart. region: error region of
+  -- the measure y, and of x if x is measured by region.
   front = {
     x = { text, optional = true }, y = { text, optional = true }, region = { text, optional = true },
     title = { text, optional = true }, note = { text, optional = true },
   },
-  -- Fields of the layout `table`:
-  -- axes   names of axes; each gets a table
-  -- cells  measures that are shown for every shot
-  -- once   measures that are shown for the first shot only
-  -- share  true: errors are given relative to the contrast of truth
+  -- Fields of the layout `table`, tables with one row per arm and value of an axis:
+  -- axes   names of axes; each gets a table. Without this field there is one table, with one row per point
+  -- cells  measures to show for every shot
+  -- once   measures to show for the first shot only
+  -- share  true: errors are divided by the contrast of truth (the standard deviation of its colours)
   -- title  title of the section
   table = {
     axes = { list, optional = true }, cells = { list, optional = true }, once = { list, optional = true },
@@ -111,15 +122,18 @@ experiment.fields = {
   },
 }
 
--- Scales of an axis: "log" is logarithmic, with a separate place for 0; "even" puts the values at even distances.
+-- Scales of an axis in charts. "log": logarithmic, with a separate place for 0. "even": the values at equal distances, in their
+-- order.
 experiment.scales = { "log", "linear", "even" }
 experiment.roles = { "method", "floor" }
--- Measures against which times may be drawn, instead of the values of an axis. These measures depend on the picture only.
+-- Measures that `against` of an axis may name. `strobe bench slopes` can plot times against them, because they depend on the
+-- picture alone and not on the speed of the machine.
 experiment.counted = { "masked", "displacement" }
--- Expected growth of times along an axis.
+-- Kinds of growth of a time along an axis, for the field `grows` of `costs`.
 experiment.growths = { "constant", "linear", "logarithmic" }
 
--- Constructors of axes: list, grid, zip, each, ablation, random, sobol. Constructors of values: linear, log.
+-- Constructors of axes (list, grid, zip, each, ablation, random, sobol) and of lists of values (linear, log), all from
+-- strobe.vary.
 for _, kind in ipairs { "list", "grid", "zip", "each", "ablation", "random", "sobol", "linear", "log" } do
   experiment[kind] = vary[kind]
 end
@@ -151,8 +165,8 @@ function Checker:truth(t)
   return result
 end
 
--- Returns the settings for one value of an axis. `axis`: the checker; `t`: the fields of the axis; `value`: its value number
--- `at`.
+-- Returns the settings for one value of an axis. `axis`: the checker of the axis. `t`: the fields of the axis. `value`: the
+-- value. `at`: the index of the value in `t.values`, for the places of mistakes.
 local function value_of(axis, t, value, at)
   local result = { value = value, label = shown(value), truth = {} }
   local sets = { [t.name or ""] = value }
@@ -180,7 +194,8 @@ end
 
 local function is_finite(value) return type(value) == "number" and value == value and math.abs(value) ~= math.huge end
 
--- Checks the expected growth of times along the axis `t`. Without `against`, the values of the axis must be numbers.
+-- Checks `costs` and `against`, the expected growth of times along the axis with the fields `t`. Without `against`, times grow
+-- with the values of the axis, so the values must be numbers.
 function Checker:costs(t)
   if t.costs == nil and t.against == nil then return end
   self:one_of(t.against, experiment.counted, { "against" }, "'against' of an axis")
@@ -197,7 +212,8 @@ function Checker:costs(t)
   end
 end
 
--- Checks an axis and returns it as plain data. The place of a mistake is the line that made the axis.
+-- Checks an axis and returns it as plain data. `made`: an axis as strobe.vary makes it. Mistakes get the place `made.place`,
+-- the line of the experiment that declares the axis.
 function Checker:axis(made)
   local axis = setmetatable(copied(self), Checker)
   axis.place = made.place
@@ -237,7 +253,8 @@ function Checker:axis(made)
   return result
 end
 
--- Returns all axes, and the combinations of their values as lists of { axis number, value number }.
+-- Returns all axes, and all combinations of their values. `given`: the field `vary`. A combination is a list with an entry {
+-- axis = index of the axis, value = index of the value } for each axis.
 function Checker:varied(given)
   local axes, names, values, lists = {}, {}, {}, {}
   for i, part in ipairs(given) do
@@ -269,8 +286,8 @@ local function allowed(axes, combination, shot)
   return true
 end
 
--- Returns a function that makes the argument of `skip`: a point with the names of its shot and its arm, and with the value of
--- each axis of its combination.
+-- Returns a function that makes the argument `point` of the experiment's function `skip`. The point has the name of its shot,
+-- the name of its arm, and the value of each axis under the axis's name.
 local function points_of(axes)
   local names = {}
   for i, axis in ipairs(axes) do names[i] = axis.name end
@@ -282,8 +299,9 @@ local function points_of(axes)
   end
 end
 
--- Groups of points that share one picture of truth. A group has a shot, a combination of axis values, and the arms that render
--- them. Groups are ordered by shot and combination, and the arms in a group by their number.
+-- Returns the groups of points. The points of a group have one shot and one combination of axis values, and share one picture
+-- of truth. A group has the indices of the arms that render it, without the points that the function `skip` leaves out. Groups
+-- are sorted by shot, then by combination, and the arms of a group by index.
 function Checker:groups(result, skip, combinations)
   local groups, point_of = {}, points_of(result.axes)
   for s, shot in ipairs(result.shots) do
@@ -308,7 +326,7 @@ end
 
 -- ---- other fields
 
--- Names that the field `lacks` of an arm may contain: the axes, and the parameters that axes set.
+-- Returns the names that the field `lacks` of an arm may contain: names of axes, and names of parameters that an axis sets.
 local function lackable(axes)
   local names = {}
   for _, axis in ipairs(axes) do
@@ -336,10 +354,11 @@ function Checker:lacks(arms, axes)
   end
 end
 
--- Placeholder results for expectations: each measure is 1 at each point.
+-- Returns placeholder results of the experiment, with the value 1 for each measure at each point. Expectations are tried on
+-- them to find mistakes before anything is rendered.
 local function placeholders(result, given)
   local values = {}
-  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- all known measures: layouts add some
+  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- all measures, as layouts add some
   local arms = copied(result.arms)
   arms[#arms + 1] = { name = result.truth.name, role = "truth" }
   local groups = {}
@@ -380,7 +399,8 @@ function Checker:expectations(t, shot_names, axes)
   return functions
 end
 
--- Checks that a layout with `curves` has an axis with `region`, `scale` and `benign`.
+-- Checks the layout `t` with `curves`: at least one axis must have the fields `region`, `scale` and `benign`, which a curve
+-- needs.
 function Checker:curves(t, axes)
   if t.curves == nil then return end
   local lacking = {}
@@ -469,8 +489,9 @@ end
 
 -- ---- entry points
 
--- Checks the experiment `t`, made at `place`, and returns it as plain data. `given` has the known options, regions and
--- measures. If `given` has `results`, returns the outcomes of the expectations on these results instead.
+-- Checks the experiment with the fields `t`, declared at `place`. Returns it as plain data, or, if `given` has results, the
+-- outcomes of the expectations on these results. `given.options`, `given.regions`, `given.measures`: the options, error regions
+-- and measures that exist. `given.results`: results of the experiment.
 function experiment.finished(t, place, given)
   local self = Checker.at(place)
   self.known, self.options = given, shots.by_name(given.options)
@@ -484,7 +505,8 @@ end
 
 local Made = { kind = "experiment" }
 
--- Returns the experiment that a file returned, as plain data. If `given` has no measures, returns only the kind of the file.
+-- Checks `result`, which the file of an experiment returned, and returns it as plain data. If `given` has no measures, the
+-- command does not measure; only the kind of the file is returned, so that the command can refuse the file.
 function Made.finished(result, given)
   if not given.measures then return { kind = "experiment" } end
   return experiment.finished(result.fields, result.place, given)

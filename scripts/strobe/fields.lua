@@ -1,14 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- Checks of tables with typed fields, such as the tables of experiments and captures. All mistakes of a table are collected.
+-- Checks of tables with typed fields, such as the tables of experiments and captures. All mistakes of a table are collected, so
+-- that they can be reported together.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
--- Types of fields: the type that Lua must report for the value, or list, map or any.
+-- Types that a field may declare: a type name of Lua, which the value must have, or "list" or "map" (both a Lua table), or
+-- "any".
 local fields = { text = "string", number = "number", bool = "boolean", list = "list", map = "map", func = "function",
                  any = "any" }
 
--- Returns a class of checkers. `declared` has the fields of each kind of table: kind = { field = { type, optional = true or nil
--- } }. A checker belongs to the table at `place` and records each mistake with the keys that lead to it.
+-- Returns a class of checkers, objects that check one table of the user and collect its mistakes. `declared` has the fields of
+-- each kind of table: KIND = { FIELD = { type, optional = true or nil } }. `Checker.at(place)` makes a checker for the table at
+-- `place` in the user's script. A mistake is added with a `path`, the keys that lead from this table to the wrong value.
 function fields.checker(declared)
   local Checker = {}
   Checker.__index = Checker
@@ -17,7 +20,8 @@ function fields.checker(declared)
 
   function Checker:add(path, ...) self.problems:add(native.key_place(self.place, table.unpack(path)), ...) end
 
-  -- Checks the fields of `t` and returns it; returns an empty table if `t` is not a table. `what` names the table in messages.
+  -- Checks the fields of the table `t`, of the kind `kind`, and returns `t`. Returns an empty table if `t` is not a table.
+  -- `what` names the table in messages.
   function Checker:fields(t, kind, path, what)
     what = what or "the " .. kind
     if type(t) ~= "table" then
@@ -40,7 +44,8 @@ function fields.checker(declared)
     self:add(path, "%s is %s, none of %s%s", what, check.quoted(value), table.concat(allowed, ", "), near)
   end
 
-  -- Calls one(entry, i, path) to check each entry of the list t[name], and returns the list of the results.
+  -- Calls the function `one(entry, i, path)` for each entry of the list t[name], and returns the list of its results. `i` is
+  -- the index of the entry, and `path` is { name, i }.
   function Checker:each(t, name, one)
     local result = {}
     if type(t[name]) ~= "table" then return result end
@@ -52,7 +57,7 @@ function fields.checker(declared)
   return Checker
 end
 
--- The value as a text that the command line accepts.
+-- Returns a value as text for messages and labels, in a form that the command line accepts.
 function fields.shown(value) return math.type(value) == "float" and ("%.14g"):format(value) or tostring(value) end
 
 function fields.copied(t)

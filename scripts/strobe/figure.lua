@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- Checks the figures and films of a capture, and returns them as plain data. docs/figures.md describes each field.
--- A field of a cell may also be set in its figure, row or column. The cell has priority, then its column, its row and the
--- figure. Marks and insets of all four are drawn.
+-- Checks the figures and films of a capture, and returns them as plain data. A figure is a grid of cells, each with a picture.
+-- A film is a sequence of figures. A field of a cell may also be set in its figure, row or column, for all cells there. The
+-- cell then has priority, followed by its column, its row and the figure. Marks and insets of all four are drawn.
+-- docs/figures.md describes each field.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local native = require "strobe.native"
@@ -12,17 +13,19 @@ local figure = {}
 local text, number, bool, list, any = fields.text, fields.number, fields.bool, fields.list, fields.any
 local copied, joined = fields.copied, check.joined
 
--- Returns the fields of `more` together with the fields `types` = { field = type }, which become optional.
+-- Returns a declaration of fields for strobe.fields: the fields in `more`, and the fields in `types`, { FIELD = type }, as
+-- optional fields.
 local function optional(types, more)
   local result = copied(more or {})
   for name, kind in pairs(types) do result[name] = { kind, optional = true } end
   return result
 end
 
--- Marks drawn over a picture. Positions and lengths are in pixels of the captured picture, x right, y down.
+-- Fields with the marks that are drawn over a picture. Positions and lengths are in pixels of the captured picture, x right, y
+-- down.
 local marks = optional { arrows = list, circles = list, boxes = list, ranges = list, texts = list }
 
--- Fields of a cell: its picture, display options, and texts.
+-- Fields of a cell: the choice of its picture, its display options, its texts, its insets and its marks.
 local looks = optional({
   shot = text, arm = text, step = number, view = text, kind = text, low = number, high = number, stops = number,
   against = text, difference = text, gain = number, crop = list, zoom = number, shrink = number, key = bool,
@@ -58,8 +61,8 @@ figure.colors = {
   white = "#ffffff", black = "#000000", yellow = "#ffd21e", green = "#35d04f", red = "#ff4b3e", blue = "#3f7bff",
   cyan = "#26c6f2", magenta = "#f24fc0", orange = "#ff8c1a", grey = "#9a9aa2",
 }
--- Measures that a caption may contain. `standard_error` and `displacement` are properties of truth; the others are errors
--- against the truth of the capture.
+-- Measures that a caption may contain as {MEASURE}. `standard_error` and `displacement` are properties of the truth picture.
+-- The other measures are errors of the cell's picture against the truth of the capture.
 figure.measures = { "rmse", "mse", "relmse", "smape", "psnr", "ssim", "flip", "standard_error", "displacement" }
 figure.kinds = { "auto", "colour", "depth", "normal", "velocity", "arrows", "id", "mask", "scalar" }
 figure.differences = { "mean", "channels", "flip" }
@@ -78,7 +81,8 @@ shots.extend(Checker, {})
 
 function Checker:place_of(path) return native.key_place(self.place, table.unpack(path)) end
 
--- Checks that `value` is a number from `least` to `most`. It must be a whole number unless `fraction` is true.
+-- Checks that `value`, if it is a number, is from `least` to `most`. It must be a whole number unless `fraction` is true.
+-- `what` names the value in messages.
 function Checker:amount(value, least, most, path, what, fraction)
   if type(value) ~= "number" then return end
   local good = value >= least and value <= most and (fraction or math.tointeger(value))
@@ -101,8 +105,8 @@ function Checker:color(value, path)
   return { tonumber(r, 16) / 255, tonumber(g, 16) / 255, tonumber(b, 16) / 255 }
 end
 
--- Checks an area: { x, y, width, height } or { REGION, width, height }, in whole pixels. The second form is placed where the
--- error region REGION of truth has the most pixels.
+-- Checks an area of a picture: { x, y, width, height } or { REGION, width, height }, in whole pixels. The second form means the
+-- rectangle of this size with the most pixels of REGION, an error region that truth computes.
 function Checker:area(value, path, what)
   local before = #self.problems.list
   if type(value) == "table" and type(value[1]) == "string" then
@@ -123,7 +127,8 @@ function Checker:area(value, path, what)
   end
 end
 
--- Calls one(entry, path) to check each entry of the list t[name]. Returns the list of the results, each with its place.
+-- Calls the function `one(entry, path)` to check each entry of the list t[name]. Returns the list of its results. Each result
+-- gets the field `place`, the place of the entry in the script.
 function Checker:entries(t, name, path, one)
   local result, given = {}, t[name]
   if type(given) ~= "table" then return result end
@@ -137,7 +142,8 @@ function Checker:entries(t, name, path, one)
   return result
 end
 
--- Checks a position: either a pixel { x, y } in t[key], or the name of a node in t.on.
+-- Checks the position of a mark: either a pixel { x, y } in t[key], or the name of a node of the scene in t.on. In the second
+-- case the mark is at the screen position of the node.
 function Checker:spot(t, key, path, what)
   self:numbers(t[key], 2, joined(path, key), ("'%s' of %s"):format(key, what))
   if (t[key] == nil) == (t.on == nil) then
@@ -178,7 +184,8 @@ function Checker:mark(entry, kind, path)
   return result
 end
 
--- Checks the lists of marks in the table `t` and stores them in `result`.
+-- Checks the marks in the table `t` (the lists `arrows`, `circles`, `boxes`, `ranges` and `texts`), and stores the checked
+-- lists in `result`.
 function Checker:marks(t, result, path)
   for _, name in ipairs(mark_names) do
     result[name] = self:entries(t, name, path, function(entry, at) return self:mark(entry, mark_kinds[name], at) end)
@@ -195,7 +202,8 @@ function Checker:inset(entry, path)
   return result
 end
 
--- Parses the text between braces in a caption, such as "rmse inner %.3f", "exposure" or "set.samples".
+-- Parses a placeholder of a caption, the text between braces such as "rmse inner %.3f", "exposure" or "set.samples". Returns a
+-- table with the measure, the setting, the option or the word to insert.
 function Checker:inserted(inside, path)
   local rest, digits, style = inside:match("^(.-)%s+%%%.(%d)([fg])%s*$")
   local name, region = (rest or inside):match("^%s*([%w_.]+)%s*([%w_]*)%s*$")
@@ -227,7 +235,7 @@ function Checker:inserted(inside, path)
   return part
 end
 
--- Returns a caption as a list of texts and insertions; an insertion is the parsed text between braces.
+-- Returns a caption as a list of its parts, in order. A part is { text = ... } or a parsed placeholder.
 function Checker:caption(value, path)
   if type(value) ~= "string" then return nil end
   local parts, at = {}, 1
@@ -243,7 +251,7 @@ function Checker:caption(value, path)
   return parts
 end
 
--- Checks the fields of a cell that `t` (a figure, a row, a column or a cell) has, and returns them.
+-- Checks the fields of a cell that the table `t` sets, and returns them. `t` is a figure, a row, a column or a cell.
 function Checker:look(t, path)
   local result = {}
   for name in pairs(looks) do result[name] = t[name] end
@@ -264,8 +272,9 @@ function Checker:look(t, path)
   return result
 end
 
--- Checks the rows or the columns of the figure `t`. Returns two lists: their labels, and the fields that they set in their
--- cells. If `t` has no such list, the figure has a single row or column without a label.
+-- Checks the field `name` of the figure `t`, "rows" or "columns". Returns two lists with one entry per row or column: its label
+-- and texts, and the fields that it sets in its cells. If `t` lacks the field, the figure has a single row or column without a
+-- label.
 function Checker:lines(t, name, path)
   local looked = {}
   local labels = self:entries(t, name, path, function(entry, at)
@@ -279,7 +288,8 @@ function Checker:lines(t, name, path)
   return labels, looked
 end
 
--- Returns the number of the row or column that `value` names by its number or its label.
+-- Returns the number of a row or column, which a cell gives as `value`: a number from 1, or a label. `labels`: the rows or
+-- columns of the figure. If there is only one, `value` may be nil.
 function Checker:line_number(value, labels, path, what)
   local names = {}
   for i, line in ipairs(labels) do
@@ -291,8 +301,8 @@ function Checker:line_number(value, labels, path, what)
   self:add(path, "%s of a cell is %s: a number from 1 to %d, or a label%s", what, check.quoted(value), #labels, near)
 end
 
--- Merges the fields of a cell from `parts`, a list from general to particular. A later part overrides an earlier part; marks
--- and insets of all parts are kept.
+-- Merges the fields of one cell. `parts`: the fields set in the figure, the row, the column and the cell, in this order. A
+-- later part overrides an earlier part, but the marks and insets of all parts are kept.
 local function united(parts)
   local result = {}
   for _, part in ipairs(parts) do
@@ -308,7 +318,8 @@ local function united(parts)
   return result
 end
 
--- Checks the fields of a cell after they have been merged.
+-- Completes and checks a cell after its fields have been merged. If the capture has only one shot or arm, the cell need not
+-- name it.
 function Checker:finish_cell(cell, path)
   local where = ("the cell in row %d, column %d"):format(cell.row, cell.column)
   cell.shot = cell.shot or (#self.shot_names == 1 and self.shot_names[1]) or nil
@@ -333,7 +344,8 @@ function Checker:finish_cell(cell, path)
   end
 end
 
--- Returns all cells, row by row. The fields of a cell are merged from the figure, its row, its column and its entry in `cells`.
+-- Returns all cells of the figure `t` that are not empty, row by row. The fields of a cell are merged from the figure, its row,
+-- its column and its entry in the field `cells`.
 function Checker:cells(t, result, path, rows, columns)
   local of_figure, given = self:look(t, path), {}
   self:entries(t, "cells", path, function(entry, at)
@@ -402,8 +414,9 @@ local function checked(self, entry, kind, path, names)
   return own_checker:whole(entry, kind, path)
 end
 
--- Checks the figure or film at `path` of the capture that `self` checks, and returns it as plain data. `names` has the names of
--- the known `shots` and `arms`; its field `truth` is false if the capture has no truth arm.
+-- Checks the figure or film `entry`, and returns it as plain data. `self`: the checker of the capture. `path`: keys that lead
+-- from the capture to `entry`. `names.shots`, `names.arms`: names of the capture's shots and arms. `names.truth`: name of its
+-- truth arm, or false.
 function figure.checked(self, entry, path, names) return checked(self, entry, "figure", path, names) end
 function figure.checked_film(self, entry, path, names) return checked(self, entry, "film", path, names) end
 

@@ -1,13 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- Checks whether the expectations of an experiment hold on its results.
+-- Tests of the expectations of an experiment. An expectation is a text with a function `function(r) ... end`, which returns
+-- true if the expectation holds. The argument `r` gives access to the results of the experiment.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local shown  = require "strobe.fields".shown
 
 local judge = {}
 
--- The results of an experiment. The method `at` returns the mean of each measure over the points that match the table `wanted`,
--- { arm =, shot =, region =, AXIS = value }.
+-- The results of an experiment. The method `at(place, wanted)` returns the mean of each measure over the points that match
+-- `wanted`, a table with any of the fields `arm`, `shot`, `region` and the names of axes. An expectation calls this method as
+-- `r.at { arm = "hybrid", samples = 16 }`; `place` is the line of the call.
 local Results = {}
 Results.__index = Results
 
@@ -58,7 +60,7 @@ local function group_matches(group, wanted)
   return true
 end
 
--- True if the point belongs to the arm. If `arm` is nil, true if the point belongs to an arm with the role "method".
+-- True if the point belongs to the arm with the name `arm`. Without `arm`, true if the arm of the point has the role "method".
 local function point_matches(point, arm)
   if arm == nil then return point.role == "method" end
   return point.arm == arm
@@ -116,22 +118,25 @@ end
 
 local record = check.record "r"
 
--- Returns the argument `r` of the function of an expectation.
+-- Returns the argument `r` for the functions of expectations. `data`: the results of the experiment. `known.measures`: the
+-- names of all measures.
 local function results_of(data, known)
   local results = setmetatable({ data = data, known_measures = known.measures }, Results)
   return record { at = native.at_caller(function(place, wanted) return results:at(place, wanted) end) }
 end
 
--- Returns the outcomes of expectations { text, function, shot =, axis =, known = }. `data`: the results of the experiment as
--- plain data. `known`: the known names of measures.
+-- Tests the expectations on the results `data` of their experiment, and returns the list of the outcomes: "holds", "fails" or
+-- "does not apply", each with the text of the expectation. An expectation is { text, function, shot =, axis =, known = }.
+-- `known.measures`: the names of all measures.
 function judge.outcomes(expectations, data, known)
   local r, outcomes = results_of(data, known), {}
   for i, entry in ipairs(expectations) do outcomes[i] = judged(entry, r, data) end
   return outcomes
 end
 
--- Adds a mistake for each expectation that contains an unknown arm, shot, region, axis, value or measure. To find such
--- mistakes, each expectation is tested on the placeholder results `data`: each measure is 1 there. Outcomes are ignored.
+-- Adds a mistake for each expectation that contains an unknown arm, shot, region, axis, value or measure. To find such mistakes
+-- before anything is rendered, this function calls the function of each expectation with placeholder results: each measure is 1
+-- in `data`. The results of these calls are ignored.
 function judge.rehearse(problems, expectations, data, known)
   local r = results_of(data, known)
   for _, entry in ipairs(expectations) do

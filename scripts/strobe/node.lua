@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Nodes: a call of a pass inside a pipeline's `build` makes a node. The outputs of a node are values that wire the node to
--- other nodes.
+-- Nodes of a pipeline's graph. A call of a pass inside the function `build` of a pipeline makes a node. The call returns the
+-- outputs of the node as values. A value that is passed to another call wires the two nodes.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local param  = require "strobe.param"
@@ -9,14 +9,14 @@ local node = {}
 
 node.times = { "raster", "shutter_open", "shutter_close", "sample" }
 
--- The graph of the pipeline that is being built, nil outside of a `build`: { nodes, passes, loop = name of the current loop or
--- nil, params = parameters of the pipeline, p = argument of `build` }.
+-- The graph that the running `build` makes; nil outside of a `build`. Main fields: `nodes`, `passes`, `loops`, `loop` (name of
+-- the loop with the body that is running, or nil), `params` (parameters of the pipeline), `p` (the argument of `build`).
 node.graph = nil
 
 -- ---- values
 
-local Value = {}  -- a port of a node: { node = , port = , format = , formats = { CHOICE = format } or nil }
-local Ports = {}  -- the result of a call; its fields are values
+local Value = {}  -- an output of a node: { node = , port = , format = , formats = { CHOICE = format } or nil }
+local Ports = {}  -- the result of the call of a pass; its fields are Values
 
 Value.__index = native.at_caller(function(place, value, key)
   check.fail(place, "'%s.%s' is an image; it has no field %s", rawget(value, "node"), rawget(value, "port"),
@@ -31,7 +31,8 @@ function node.source(value)
   return rawget(value, "node") .. "." .. rawget(value, "port")
 end
 
--- The format of an image if it matches the pattern `wanted` for every choice; otherwise nil and a format that does not match.
+-- Returns the format of an image if it matches the Lua pattern `wanted`. An image has several possible formats if a parameter
+-- chooses its format; then each of these must match. Otherwise returns nil and a format that does not match.
 function node.has_format(value, wanted)
   for _, format in pairs(rawget(value, "formats") or { rawget(value, "format") }) do
     if not format:find(wanted) then return nil, format end
@@ -39,7 +40,7 @@ function node.has_format(value, wanted)
   return rawget(value, "format")
 end
 
--- Predicate of a message: the reason why `value` is not an image.
+-- Returns the reason why `value` is not an image, as the end of a message: "is a number instead of an image".
 local function not_a_value(value)
   if getmetatable(value) == Ports then
     local ports = check.names(rawget(value, "values"))
@@ -65,12 +66,14 @@ Ports.__newindex = native.at_caller(function(place, ports, key)
   check.fail(place, "%s cannot be given a field %s", rawget(ports, "node"), check.quoted(key))
 end)
 
--- The result of a call, with the fields `values`. Reading a field sets `record.used`.
+-- Returns the result of a call. Its fields are the outputs `values`; reading one of these sets `record.used`, so that unused
+-- nodes can be reported. `name` names the call in messages.
 function node.ports(name, values, record)
   return setmetatable({ node = name, values = values, record = record }, Ports)
 end
 
--- The field `name` of a result, a record or any other table; nil if it is absent.
+-- Returns the field `name` of a table, or nil if the table has no such field. The table may be the result of a call or a
+-- record; without this function, reading an absent field of these is an error.
 function node.optional(t, name)
   local is_ports = getmetatable(t) == Ports
   local value = rawget(is_ports and rawget(t, "values") or t, name)
@@ -80,10 +83,11 @@ end
 
 -- ---- parameters
 
--- A reference to a parameter of the pipeline, as in p.x: { name = , declaration = }. Only a call, p.x(), returns its value. The
--- name is then added to `noted`, because the value may decide the graph.
+-- A reference to a parameter of the pipeline: the value of `p.NAME` in a `build`. A reference that is passed to a pass lets the
+-- parameter change later without a new graph. A call of the reference, `p.NAME()`, returns the parameter's value. The graph may
+-- depend on this value, so the name of the parameter is then added to the set `noted`.
 local Reference = {}
-local taken = setmetatable({}, { __mode = "k" })  -- key: a reference; value: the function that its call runs
+local taken = setmetatable({}, { __mode = "k" })  -- reference -> function that a call of the reference runs
 Reference.__call = function(reference) return taken[reference]() end
 Reference.__index = native.at_caller(function(place, reference, key)
   check.fail(place, "parameter '%s' has no field %s; its value is p.%s()", rawget(reference, "name"), check.quoted(key),
@@ -104,7 +108,8 @@ function node.is_reference(value)
   return getmetatable(value) == Reference
 end
 
--- The reason why the parameter `wanted` of a pass cannot follow the parameter `source` of the pipeline; nil if it can.
+-- Returns the reason why the parameter `wanted` of a pass cannot take its value from the parameter `source` of the pipeline.
+-- Returns nil if it can.
 local function cannot_follow(wanted, source)
   local same = wanted.type == source.type or (wanted.type == "float" and source.type == "int")
   if not same then return ("is %s, but '%s' of the pipeline is %s"):format(wanted.type, source.name, source.type) end
@@ -123,15 +128,17 @@ local function cannot_follow(wanted, source)
                                                                               source.min, source.max)
 end
 
--- The parameter `p.NAME` of the pipeline that the parameter `wanted` of a pass follows if the call of the pass does not set it.
--- The two must have one name and come from one declaration; otherwise nil.
+-- Returns `p.NAME` if the pipeline has the same shared parameter as `wanted`, a parameter of a pass: both have the name NAME
+-- and come from one declaration. Then `wanted` follows the pipeline's parameter, unless the call of the pass sets it. Returns
+-- nil otherwise.
 local function shared(wanted)
   local declared = param.find(node.graph.params, wanted.name)
   return declared and param.same(declared, wanted) and node.graph.p[wanted.name] or nil
 end
 
--- Binds the parameter `wanted` of a pass to `given`: a literal, a reference p.x, or nil for the default. Returns the binding;
--- nil after a mistake.
+-- Returns the binding of the parameter `wanted` of a pass: { value = } for a constant, { follows = } for the name of a
+-- parameter of the pipeline. `given`: the argument of the call, a constant or a reference `p.NAME`; nil stands for the default
+-- of `wanted`. Returns nil after a mistake.
 function node.bind(problems, wanted, given, place, owner)
   if given == nil then return { value = wanted.default, place = wanted.place } end
   if node.is_reference(given) then
@@ -151,7 +158,7 @@ end
 
 -- ---- calls
 
-local argument_names = setmetatable({}, { __mode = "k" })  -- key: a pass
+local argument_names = setmetatable({}, { __mode = "k" })  -- cache: pass -> names of the arguments of its calls
 
 local function argument_names_of(pass)
   local known = argument_names[pass]
@@ -253,7 +260,7 @@ local function choose_time(problems, pass, arguments, place)
   return time
 end
 
--- Adds a pass to the graph. Reports a mistake if the graph has another pass of the same name.
+-- Adds a pass to the graph. Reports a mistake if the graph already has a different pass of the same name.
 local function note_pass(problems, pass, place)
   local known = node.graph.passes[pass.name]
   node.graph.passes[pass.name] = known or pass
@@ -263,7 +270,8 @@ local function note_pass(problems, pass, place)
   end
 end
 
--- Makes the node of a call at `place` and returns the outputs of the node. Raises one error with all mistakes of the call.
+-- Makes the node of a call of `pass` at `place`, with the table `arguments`. Returns the outputs of the node. Raises one error
+-- with all mistakes of the call.
 function node.create(place, pass, arguments)
   if not node.graph then check.fail(place, "pass '%s' is called outside of a pipeline's build", pass.name) end
   if not check.is_plain(arguments) then

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Declarations of parameters, for passes and for pipelines: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
--- A constructor stores the table and its place. `declare` checks the table once the name of the parameter is known.
+-- Parameters of passes and of pipelines. A script declares a parameter by a constructor, such as `int { 20, min = 1, max = 256,
+-- doc = "..." }`. The constructor only stores the table and its place, because it runs before the name of the parameter is
+-- known. `param.declare` checks the table later.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -10,10 +11,10 @@ param.keys = {
   bool   = { 1, "default", "doc", "unit", "role", "wired", "breaks" },
   int    = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "breaks" },
   float  = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "auto", "breaks" },
-  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and 1, 2, 3, ...: the choices
+  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and the choices, at 1, 2, 3, ...
 }
 
--- Reserved words of GLSL, which cannot name a parameter.
+-- Reserved words of GLSL. A parameter with such a name would break the generated declarations of the shader.
 local reserved = {}
 for _, word in ipairs {
   "active", "asm", "bool", "break", "buffer", "case", "cast", "class", "common", "const", "continue", "default",
@@ -41,7 +42,7 @@ function param.new(kind, place, given, origin)
 end
 
 -- Keys that a pass or a pipeline may change when it uses a shared parameter, as in `blur.tile { 16 }`. The changed declaration
--- still counts as the same parameter.
+-- still counts as a use of the same parameter.
 param.changed_keys = {
   bool = { 1, "default", "doc", "wired", "breaks" },
   int = { 1, "default", "min", "max", "doc", "wired" },
@@ -84,7 +85,8 @@ local function check_choices(problems, given, place, what)
   return choices
 end
 
--- Checks `values = { name = "text" }`: the effect of each choice, and its failures.
+-- Checks `values = { CHOICE = "text" }`, the texts that describe the effect and the failures of each choice. Returns the valid
+-- entries.
 local function check_values(problems, given, choices, place, what)
   local values = {}
   if given.values == nil or not check.field(problems, given, "values", "table", place, what) then return values end
@@ -102,11 +104,12 @@ local function check_values(problems, given, choices, place, what)
   return values
 end
 
--- Largest number of each type in a shader: of 32-bit integers, and of single-precision floats.
+-- Largest value of a number in a shader, by the type of the parameter: a 32-bit integer or a single-precision float.
 local LARGEST = { int = 2147483647, float = 3.4028234e38 }
 
--- Checks `breaks = { value = { invariant = "reason" } }`: invariants that a value of the parameter breaks. The value of a bool
--- is "true" or "false". The value of a number is "other", which means any value except the default.
+-- Checks `breaks = { VALUE = { INVARIANT = "reason" } }`, the invariants (docs/invariants.md) that do not hold for a value of
+-- the parameter. `choices`: the keys that are allowed for VALUE. These are the choices of a choice, "true" and "false" for a
+-- bool, and "other" for a number: any value except the default.
 local function check_breaks(problems, given, choices, place, what)
   if given.breaks == nil or not check.field(problems, given, "breaks", "table", place, what) then return nil end
   local breaks = {}
@@ -147,8 +150,8 @@ end
 
 local roles = native.roles()
 
--- Checks the role of a parameter, one of native.roles(), and returns it; nil without a role. Commands find a parameter by its
--- role, so its name is free.
+-- Checks the role of a parameter, one of native.roles(), and returns it; nil without a role. A role marks the purpose of a
+-- parameter. Commands find parameters by their roles, so the names of parameters are free.
 local function check_role(problems, given, place, what)
   if given.role == nil then return nil end
   if check.contains(roles, given.role) then return given.role end
@@ -158,16 +161,18 @@ local function check_role(problems, given, place, what)
   return nil
 end
 
--- The origin of a declaration is the first declaration of the parameter; its uses may have changed some keys. `origins`: key: a
--- checked declaration; value: its origin. `of_passes`: the set of the origins of all parameters of passes.
+-- A shared parameter may be declared once and used, with changes, by many passes and pipelines. Its first declaration is the
+-- origin of all these uses. `origins`: checked declaration -> its origin. `of_passes`: the set of the origins of all parameters
+-- of passes.
 local origins, of_passes = setmetatable({}, { __mode = "k" }), {}
 
--- True if two checked declarations have the same origin: they are uses of one parameter.
+-- True if two checked declarations are uses of one parameter: they have the same origin.
 function param.same(a, b)
   return origins[a] ~= nil and origins[a] == origins[b]
 end
 
--- Records the parameters of a pass. A parameter of a pipeline with the same origin then counts as used.
+-- Records that a pass has the parameters in `list`. A parameter of a pipeline with the origin of such a parameter counts as
+-- used.
 function param.note_pass(list)
   for _, one in ipairs(list) do of_passes[origins[one]] = true end
 end
@@ -176,7 +181,8 @@ function param.is_of_a_pass(declared)
   return of_passes[origins[declared]] == true
 end
 
--- Cache of checked declarations without mistakes, because many passes share a parameter.
+-- Cache: declaration -> its checked copy, for declarations without mistakes. Many passes share a parameter, which is then
+-- checked once.
 local checked = setmetatable({}, { __mode = "k" })
 
 local function copy_of(declaration)
@@ -186,7 +192,8 @@ local function copy_of(declaration)
   return copy
 end
 
--- Checks the declaration of the parameter `name` and returns it; nil after a mistake. `at`: place of the name.
+-- Checks `declared`, the declaration of the parameter `name` of `owner`, and returns it as plain data; nil after a mistake.
+-- `at`: place where the script names the parameter.
 function param.declare(problems, name, declared, at, owner)
   local same = checked[declared]
   if same and same.name == name then return copy_of(same) end
@@ -249,7 +256,8 @@ function param.declare(problems, name, declared, at, owner)
   return result
 end
 
--- Returns `value` in canonical form, or nil and a message. Unlike on the command line, a text is not converted to a number.
+-- Returns `value` in the canonical form of the parameter's type, or nil and a message. A text is refused unless the parameter
+-- is a choice (or accepts "auto"). The command line, where all values are texts, converts it instead.
 function param.check(declared, value)
   if type(value) == "string" and declared.type ~= "choice" and not (declared.auto and value == "auto") then
     return nil, ("'%s' = '%s' is a text instead of a value of type %s"):format(declared.name, value, declared.type)
@@ -257,7 +265,7 @@ function param.check(declared, value)
   return native.check_value(declared, value)
 end
 
--- Checked declarations of all parameters of a table, in the order of their names.
+-- Checks the declarations of all parameters in the table `declared`, and returns them as a list, sorted by name.
 function param.declare_all(problems, declared, place, owner)
   local list = {}
   for name, one in pairs(declared) do
@@ -268,7 +276,7 @@ function param.declare_all(problems, declared, place, owner)
   return list
 end
 
--- Reports two parameters with the same role: a role must identify one parameter.
+-- Reports parameters with equal roles. Commands find a parameter by its role, so a role must identify one parameter.
 function param.refuse_twins(problems, list, owner)
   local by_role = {}
   for _, one in ipairs(list) do
@@ -281,7 +289,8 @@ function param.refuse_twins(problems, list, owner)
   end
 end
 
--- The first declaration named `name` in a list, or nil. The index of a list is kept, because there are thousands of lookups.
+-- Returns the first declaration with the name `name` in a list, or nil. The names of a list are indexed at the first call,
+-- because a list is searched thousands of times.
 local indices = setmetatable({}, { __mode = "k" })
 function param.find(list, name)
   local index = indices[list]

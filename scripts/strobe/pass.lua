@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Constructors of passes: `pass.compute { ... }`, `pass.raster { ... }`, `pass.trace { ... }`. Each constructor checks a
--- description and returns a pass. A pipeline makes a node by calling the pass with images and values.
+-- Constructors of passes: `pass.compute { ... }`, `pass.raster { ... }`, `pass.trace { ... }`. A constructor checks its table,
+-- which describes the pass, and returns the pass as an object. A pipeline calls this object with images and values; each call
+-- makes a node.
 local check   = require "strobe.check"
 local native  = require "strobe.native"
 local param   = require "strobe.param"
@@ -15,11 +16,11 @@ pass.keys = {
 pass.read_keys  = { "doc", "uint", "optional", "absent", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
 pass.update_keys = { "doc", "format", "history", "each" }
-pass.format_keys = { "by" }  -- and each choice of the parameter that `by` names
+pass.format_keys = { "by" }  -- and the choices of the parameter that `by` names
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.runs       = { "everywhere", "moving_rect", "moving_instances" }  -- pixels or instances that a pass is restricted to
-pass.call_keys  = { "as", "time", "runs" }  -- reserved in calls: not names of ports and parameters
+pass.call_keys  = { "as", "time", "runs" }  -- arguments of every call: not allowed as names of ports and parameters
 
 local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
@@ -45,8 +46,8 @@ local function is_port_table(problems, name, port, place, what)
   return true
 end
 
--- Checks `needs` of an optional read and returns it as a list of reads. If none of these reads is wired, the optional read
--- counts as unwired.
+-- Checks `needs` of an optional read: the name of a read, or a list of names. The optional read counts as unwired if each of
+-- the named reads is unwired or contains only zeros. Returns the list.
 local function check_needs(problems, reads, port, at, what)
   local needs = type(port.needs) == "string" and { port.needs } or port.needs or {}
   if type(needs) ~= "table" then
@@ -74,7 +75,8 @@ local function is_texel(value, uint)
   return true
 end
 
--- True if the chain of stand-ins that begins at the read `name` comes back to it.
+-- True if the replacements of the read `name` form a circle. The field `absent` of a read may name another read that replaces
+-- it when it is not wired; the chain of such names, followed from `name`, then comes back to `name`.
 local function leads_back(reads, name)
   local at = reads[name].absent
   for _ in pairs(reads) do
@@ -84,8 +86,9 @@ local function leads_back(reads, name)
   return false
 end
 
--- Checks `absent`, the value of each texel of a read that is left unwired. Returns four numbers, or the name of the read that
--- replaces it; nil after a mistake. A single number is the value of all four components.
+-- Checks `absent` of the read `name`, which is used if the read is not wired. It is the value of each texel (four numbers, or
+-- one number for all four components) or the name of another read that replaces this read. Returns four numbers or the name.
+-- Returns nil without `absent` and after a mistake.
 local function check_absent(problems, reads, name, at, what)
   local port = reads[name]
   local given = port.absent
@@ -149,7 +152,7 @@ local function is_format(problems, format, at, what)
   return false
 end
 
--- The choice parameter that `format.by` names; nil after a mistake.
+-- Returns the declaration of the choice parameter that decides the format, named by `format.by`; nil after a mistake.
 local function deciding_parameter(problems, format, params, declared, at, what)
   local by = type(format.by) == "string" and param.find(params, format.by)
   if by and by.type == "choice" then return by end
@@ -162,8 +165,9 @@ local function deciding_parameter(problems, format, params, declared, at, what)
   return nil
 end
 
--- Checks `format = { by = "PARAMETER", CHOICE = "FORMAT", ... }`, which has a format for each choice of a parameter. Returns
--- the format of the default choice, the name of the parameter, and the formats by choice; nil after a mistake.
+-- Checks `format = { by = "PARAMETER", CHOICE = "FORMAT", ... }`, which gives an image one format for each choice of a
+-- parameter. Returns the format for the default choice, the name of the parameter, and the table of formats by choice. Returns
+-- nil after a mistake.
 local function chosen_format(problems, format, params, declared, path, place, what)
   local function at(key) return native.key_place(place, table.unpack(check.joined(path, key))) end
   local by = deciding_parameter(problems, format, params, declared, at("by"), what)
@@ -209,7 +213,8 @@ local function format_of(problems, port, params, declared, path, place, what)
   return port.format
 end
 
--- Checks the rules for buffers: a buffer is not kept from frame to frame, and raster passes cannot write one.
+-- Checks the rules for the port `port` if its format is a buffer: a buffer is not kept from frame to frame, and raster passes
+-- cannot write one. An image cannot have `each`, the number of buffer entries per pixel.
 local function check_buffer(problems, port, kind, at, what)
   local each = port.each or 1
   if math.type(each) ~= "integer" or each < 1 or each > MAX_EACH then
@@ -248,8 +253,9 @@ local function has_text(value)
   return type(value) == "string" and value:find("%S") ~= nil
 end
 
--- Checks the counters of a pass and returns them as a list. A counter is { doc = text, limit = text }, or the text `doc` alone.
--- `doc` names the counted event. `limit` is a warning: how the picture was changed at these events, and the remedy.
+-- Checks the counters of a pass and returns them as a list. The declaration of a counter is the text `doc` or a table { doc =,
+-- limit = }. `doc` names the counted event. `limit` is the text of a warning, shown if the count is not 0: how the events
+-- change the picture, and the remedy.
 local function declare_counters(problems, t, place, owner)
   local list = {}
   for name, given in pairs(t.counters or {}) do
@@ -267,8 +273,8 @@ local function declare_counters(problems, t, place, owner)
   return list
 end
 
--- Checks `dispatch_over`, the name of a buffer read, and returns it; "" without it. The pass runs once for each entry of this
--- buffer. Each entry is a pixel.
+-- Checks `dispatch_over` and returns it; "" without it. It names a read that is a buffer with a list of pixels. The pass then
+-- runs once for each pixel of the list, instead of once for each pixel of the picture.
 local function declare_over(problems, t, kind, result, place, owner)
   if t.dispatch_over == nil then return "" end
   local at = native.key_place(place, "dispatch_over")
@@ -291,7 +297,8 @@ local function declare_over(problems, t, kind, result, place, owner)
   return t.dispatch_over
 end
 
--- Checks `group` and returns it. If it is true, the pass runs one work group per output pixel, instead of one invocation.
+-- Checks `group` and returns its value. If it is true, the pass runs one work group of invocations for each output pixel,
+-- instead of a single invocation.
 local function declare_group(problems, t, kind, result, place, owner)
   if t.group == nil or not check.field(problems, t, "group", "boolean", place, owner) or not t.group then return false end
   local at = native.key_place(place, "group")
@@ -307,7 +314,8 @@ local function declare_group(problems, t, kind, result, place, owner)
   return true
 end
 
--- True if `runs` is one of pass.runs and is allowed for the kind of the pass `result`. Otherwise reports a mistake.
+-- True if `runs` is one of pass.runs and is allowed for the kind of the pass `result`. Otherwise reports a mistake at the place
+-- `at`.
 function pass.check_runs(problems, runs, result, at, owner)
   if not check.contains(pass.runs, runs) then
     local near = type(runs) == "string" and native.nearest(runs, pass.runs) or ""
@@ -320,13 +328,14 @@ function pass.check_runs(problems, runs, result, at, owner)
   return false
 end
 
-local restrictions = setmetatable({}, { __mode = "k" })  -- key: description of a pass
+local restrictions = setmetatable({}, { __mode = "k" })  -- description of a pass -> its restriction `runs`
 
--- Returns the restriction `runs` of the pass with this description.
+-- Returns the restriction `runs` that the pass with this description declares.
 function pass.restriction_of(description) return restrictions[description] end
 
--- Checks `runs` and returns it. It restricts the pass to some pixels or instances; a call may give another restriction.
--- Default: the moving rectangle, which has an effect only if `if_no` has stand-ins for the other pixels.
+-- Checks `runs` and returns it. It restricts a pass to some pixels or instances; a call of the pass in a pipeline may give
+-- another restriction. The default "moving_rect" has no effect unless `if_no.moving_rect` has stand-ins, which fill the pixels
+-- outside of the moving rectangle.
 local function declare_runs(problems, t, result, place, owner)
   if t.runs == nil then return "moving_rect" end
   return pass.check_runs(problems, t.runs, result, native.key_place(place, "runs"), owner) and t.runs or "moving_rect"
@@ -382,8 +391,8 @@ local function declare_size(problems, t, place, result, owner)
   return { kind = "fixed", width = width, height = height, place = at }
 end
 
--- Reports equal names. Reads and parameters are arguments of the same call, so their names must differ. Writes and updates are
--- fields of the result of the call, so their names must differ too.
+-- Reports equal names. Reads and parameters are arguments of one call, so their names must differ. Writes and updates are
+-- fields of the result of one call, so their names must differ too.
 local function check_twins(problems, result, owner)
   local seen = {}
   for _, list in ipairs { result.reads, result.params } do
@@ -404,14 +413,15 @@ local function check_twins(problems, result, owner)
   end
 end
 
--- Path of the file at `place` below passes/, without .lua; nil for a file outside of passes/ and for a file of passes/lib.
+-- Returns the path below passes/ of the file at `place`, without .lua. Returns nil for a file outside of passes/ and for a file
+-- of passes/lib: a pass that is declared there must state its name.
 local function path_of(place)
   local path = ("/" .. place.file):match(".*[/:]passes/(.+)%.lua$")  -- a colon ends the name of a root folder
   return path and not path:find("^lib/") and path or nil
 end
 
--- Name and shader of a pass. The default of both is the path of the file that declares the pass. Outside of passes/, the
--- default of the shader is the name of the pass.
+-- Returns the name and the shader of a pass. The default of both is the path of the file that declares the pass. For a file
+-- outside of passes/, the name is required, and the default of the shader is the name.
 local function named_by_file(problems, t, place)
   local name = t.name or path_of(place)
   if name == nil then
@@ -436,11 +446,12 @@ local function check_shader(problems, shader, place, owner)
   if shader:find("%.glsl$") then problems:add(at, "shader '%s' of %s is written without its ending .glsl", shader, owner) end
 end
 
--- Descriptions of the passes that files declare. Passes that a `build` declares are left out, because they may differ each time
--- that `build` runs.
+-- List of the descriptions of all passes that files declare when they are loaded. A pass that is declared inside a `build` is
+-- left out, because it may differ each time that `build` runs.
 pass.declared = {}
 
--- Returns declarations of a pass (its parameters or its counters) by name. Reading an unknown name is an error.
+-- Returns a copy of `declared`, a table of parameters or counters by name, as a record: reading an unknown name is an error.
+-- Pipelines read it as `.params` and `.counters` of a pass. `what` and `owner` name the table in messages.
 local function named(what, owner, declared)
   local copy = {}
   for name, one in pairs(declared) do copy[name] = one end
@@ -502,18 +513,20 @@ function pass.is_pass(value)
   return getmetatable(value) == Pass
 end
 
--- Sorted names of the files in passes/`folder`. Their passes are alternatives for one job, and a new file adds an alternative.
+-- Returns the sorted names of the files in passes/`folder`. Their passes are a family, alternatives for one task. A new file in
+-- the folder adds an alternative.
 function pass.family(folder)
   return native.files("passes/" .. folder)
 end
 
--- The pass in the file `name` of the folder passes/`folder`.
+-- Returns the pass that the file `name` in passes/`folder` declares.
 function pass.member(folder, name)
   return require(("passes.%s.%s"):format(folder, name))
 end
 
--- Returns the arguments of a call: `arguments`, and all images of `images` that the pass reads, by name. An example is
--- `sobel(pass.wired(sobel, raster, { as = "edge" }))`.
+-- Returns the table of arguments for a call of the pass `called`: the table `arguments`, completed by those images of the table
+-- `images` that have the name of a read. Example: `sobel(pass.wired(sobel, raster, { as = "edge" }))` wires `raster.depth` to
+-- the read `depth`.
 function pass.wired(called, images, arguments)
   local result = {}
   for key, value in pairs(arguments or {}) do result[key] = value end
@@ -523,7 +536,7 @@ function pass.wired(called, images, arguments)
   return result
 end
 
--- True if the pass has a read `name`.
+-- True if the pass `called` has a read with the name `name`.
 function pass.reads(called, name)
   for _, read in ipairs(called.description.reads) do
     if read.name == name then return true end

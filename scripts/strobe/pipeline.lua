@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Pipelines: `pipeline { doc, params, presets, default_preset, build = function(p) ... end }`. The function `build` calls
--- passes and returns named images. `pipeline.describe` runs `build` once and returns the graph as plain data.
+-- passes and returns named images. These calls make the graph of the pipeline. `pipeline.describe` runs `build` once and
+-- returns the graph as plain data.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local node   = require "strobe.node"
@@ -10,7 +11,7 @@ local preset = require "strobe.preset"
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
 -- Returns a function that makes a table a record: reading an unknown field of a record is an error. `t:get(name)` reads a field
--- that may be absent.
+-- that may be absent from the record `t`.
 pipeline.record = check.record
 
 pipeline.keys = {
@@ -34,7 +35,8 @@ local function check_kind(problems, t, place)
   return t.kind
 end
 
--- Checks `regions`, the outputs that are masks of error regions: `{ OUTPUT = "description of the region" }`.
+-- Checks `regions`, { OUTPUT = "description of the region" }, and returns it as a list. Each named output is the mask of an
+-- error region: the pixels that an error is averaged over.
 local function declare_regions(problems, t, place)
   local list = {}
   for name, text in pairs(t.regions or {}) do
@@ -64,8 +66,9 @@ local function check_condition(problems, params, when, i, place)
   end
 end
 
--- Checks `equals`, equalities with other pipelines: `{ when = { mask = "none" }, pipeline = "x", set = {} }`. If the parameters
--- have the values `when`, the pipeline `x` with the values `set` gives the same picture.
+-- Checks `equals`, a list of equalities with other pipelines, and returns it. Example: `{ when = { mask = "none" }, pipeline =
+-- "x", set = {} }`. If the parameters have the values `when`, the picture equals the picture of the pipeline `x` with the
+-- parameter values `set`.
 local function check_equals(problems, t, params, place)
   local result = {}
   for i, equal in ipairs(t.equals or {}) do
@@ -152,7 +155,8 @@ local function check_results(problems, results, place)
   end
 end
 
--- Checks `until_`, a 1x1 image that ends the loop when its texel is not zero. Returns it as "NODE.PORT"; "" after a mistake.
+-- Checks `until_` of a loop, and returns it as "NODE.PORT"; "" after a mistake. It is an image of one texel that a pass in the
+-- loop writes, or a function of the loop's result that returns this image. The loop ends when the texel is not zero.
 local function check_until(problems, t, loop, results, place)
   local value = t.until_
   if type(value) == "function" then value = value(results) end
@@ -166,8 +170,9 @@ local function check_until(problems, t, loop, results, place)
   return ""
 end
 
--- Checks `first` and `parts` of a loop. The exposure is divided into `parts` parts. The loop takes `count` parts, beginning
--- with part number `first` (0-based).
+-- Checks `first` and `parts` of a loop. With these fields, several loops can share the samples of an exposure. The exposure is
+-- divided into `parts` parts, and the loop samples `count` of these, from number `first` on (0-based). The parts are numbered
+-- in an order that spreads consecutive numbers over the whole exposure.
 local function check_parts(problems, t, place)
   for _, key in ipairs { "first", "parts" } do
     local at_least = key == "first" and 0 or 1
@@ -223,8 +228,8 @@ pipeline.loop = native.at_caller(function(place, t)
   return ports
 end)
 
--- Runs `body` and returns its result. The names of the nodes that `body` makes start with `prefix`, so that a part of a graph
--- can be made twice.
+-- Runs the function `body` and returns its result. The names of all nodes that `body` makes get the prefix `prefix`. So a part
+-- of a graph can be made twice, with different names.
 pipeline.prefixed = native.at_caller(function(place, prefix, body)
   if not node.graph then check.fail(place, "pipeline.prefixed is called outside of a pipeline's build") end
   if not check.is_name(prefix) then check.fail(place, "%s cannot start the name of a node", check.quoted(prefix)) end
@@ -238,14 +243,16 @@ end)
 
 -- ---- evaluation
 
--- Handles a setting that does not fit the pipeline. It is added to the list `dropped`; if that is nil, it is a mistake.
+-- Handles a setting that does not fit the pipeline. With a list `dropped`, the setting is added to the list. Otherwise it is
+-- reported as a mistake.
 local function refuse(problems, dropped, set, text, ...)
   if not dropped then return problems:add(set.place, text, ...) end
   dropped[#dropped + 1] = { name = set.name, value = tostring(set.value), reason = text:format(...) }
 end
 
--- Returns the values of all parameters, the settings without a parameter, the presets, and the name of the chosen preset.
--- A preset overrides defaults; a setting overrides the preset.
+-- Applies the settings `sets` to the parameters of the pipeline. A preset overrides the defaults, and a setting overrides the
+-- preset. Returns the values of all parameters, the settings that name no parameter of the pipeline, the list of presets, and
+-- the name of the chosen preset.
 local function resolve(problems, self, sets, dropped)
   local values, unknown, explicit = {}, {}, {}
   local presets, chosen = self.presets, preset.default_of(self.presets)
@@ -271,7 +278,9 @@ local function resolve(problems, self, sets, dropped)
   return values, unknown, presets, chosen
 end
 
--- The argument `p` of a `build`: `p.NAME` is a reference to the parameter NAME.
+-- Returns the argument `p` of a `build`, a table: `p.NAME` is a reference to the parameter NAME. Two sets get names of
+-- parameters while `build` runs: `used`, if `build` refers to a parameter (p.NAME), and `noted`, if `build` reads its value
+-- (p.NAME()).
 local function parameters(self, values, used, noted)
   local names = {}
   for i, one in ipairs(self.params) do names[i] = one.name end
@@ -321,7 +330,8 @@ local function check_outputs(problems, outputs, build)
   return sources
 end
 
--- The declared regions that are outputs of this graph. With other values of parameters, the graph may have other outputs.
+-- Returns the declared error regions with a mask among the outputs of this graph. The graph may lack some of the masks, because
+-- it depends on the values of parameters.
 local function regions_of(self, sources)
   local list = {}
   for _, region in ipairs(self.regions) do
@@ -330,8 +340,9 @@ local function regions_of(self, sources)
   return list
 end
 
--- Reports unused parameters and results. With other values, the graph may use parameters that this graph does not use. So a
--- parameter also counts as used if a loaded file contains `p.name`, in any branch, or if a loaded pass has the parameter.
+-- Reports unused parameters and unused results of nodes. A graph for other parameter values may use a parameter that this graph
+-- does not use. So a parameter also counts as used if a loaded file contains `p.NAME` in any branch, or if a loaded pass has
+-- the parameter.
 local function check_unused(problems, self, graph, used)
   for _, one in ipairs(self.params) do
     for _, place in ipairs(native.conditions_on(one.name)) do
@@ -357,8 +368,8 @@ local function settable_names(self, graph)
   return names
 end
 
--- Hint for a message about `--set NAME=...`: the nodes that have a parameter NAME, which the pipeline lacks. Nil if no node has
--- this parameter.
+-- Returns a hint for the message about a setting `--set NAME=...` without a parameter NAME in the pipeline: the nodes that have
+-- a parameter of this name. Returns nil if no node has it.
 local function nodes_with(graph, name)
   local found = {}
   for _, made in ipairs(graph.nodes) do
@@ -368,8 +379,9 @@ local function nodes_with(graph, name)
   return #found > 0 and "; nodes have it: " .. table.concat(found, ", ") or nil
 end
 
--- Applies the settings `--set NODE.PARAM=VALUE`, which replace the values given in `build`. Reports settings that match no
--- parameter.
+-- Applies the settings of parameters of nodes, `--set NODE.PARAM=VALUE`. They replace the values that the calls in `build`
+-- give. Reports settings that match no parameter. `unknown`: the settings without a dot that match no parameter of the
+-- pipeline.
 local function apply_node_sets(problems, self, graph, sets, unknown, dropped)
   for _, set in ipairs(unknown) do
     local hint = nodes_with(graph, set.name) or native.nearest(set.name, settable_names(self, graph))
@@ -402,8 +414,8 @@ local function in_order(by_name)
   return list
 end
 
--- Returns the graph of a pipeline for the settings { { name = , value = }, ... }, as plain data. If `lenient` is true, settings
--- that do not fit are left out and listed in the field `dropped`; otherwise they are mistakes.
+-- Runs `build` and returns the graph of the pipeline as plain data. `sets`: the settings, { { name = , value = }, ... }. If
+-- `lenient` is true, settings that do not fit are left out and listed in the field `dropped`. Otherwise they are mistakes.
 function pipeline.describe(self, name, file, sets, lenient)
   for _, set in ipairs(sets) do set.place = { file = ("--set %s=%s"):format(set.name, set.value), line = 0 } end
   local problems = check.problems()

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Presets: named sets of values of a pipeline's parameters. A pipeline declares its own presets. `--set preset=FILE.lua` takes
--- a preset from a file, which contains `return preset { doc = "...", set = { tile = 16 } }`. The preset is checked against the
--- parameters of the pipeline.
+-- Presets: named sets of values for the parameters of a pipeline. A pipeline declares presets of its own. A preset may also be
+-- in a file, which contains `return preset { doc = "...", set = { tile = 16 } }` and is chosen by `--set preset=FILE.lua`. Its
+-- values are checked against the parameters of the pipeline that it is used with.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local param  = require "strobe.param"
@@ -18,7 +18,7 @@ setmetatable(preset, { __call = native.at_caller(function(place, _, t)
 end) })
 check.closed(preset, "preset")
 
--- Checks the table `set` of a preset and returns the values of its parameters by name. `path`: keys that lead from the call at
+-- Checks `set`, the parameter values of a preset, and returns the valid values by name. `path`: keys that lead from the call at
 -- `place` to `set`.
 local function values_of(problems, what, set, params, place, path)
   local names, values = {}, {}
@@ -37,7 +37,8 @@ local function values_of(problems, what, set, params, place, path)
   return values
 end
 
--- Checks the table `given` and returns the preset that it declares. `path`: keys that lead from the call at `place` to `given`.
+-- Checks the table `given` of a preset, { doc =, set = }, and returns the preset. `path`: keys that lead from the call at
+-- `place` to `given`.
 local function declared_by(problems, name, given, params, place, path)
   local what = ("preset '%s'"):format(name)
   check.keys(problems, given, preset.keys, place, what, path)
@@ -59,13 +60,13 @@ local function declare(problems, name, given, params, place)
   return declared_by(problems, tostring(name), given, params, place, { "presets", name })
 end
 
--- The preset "none": every parameter has its default.
+-- Returns the preset "none", which sets no parameter: every parameter has its default.
 local function none()
   return { name = "none", doc = "every parameter has its default", default = true, values = {} }
 end
 
--- Checks the presets of a pipeline and returns them as a list. The default preset is the one named by `default_preset`. Without
--- this name, a preset "none" that sets nothing is added and is the default.
+-- Checks the presets of a pipeline and returns them as a list. The field `default_preset` names the preset that is used if no
+-- preset is chosen. Without this field, a preset "none" that sets no parameter is added and is the default.
 function preset.declare_all(problems, t, params, place)
   local list, names = {}, {}
   if t.presets == nil then return list end
@@ -90,7 +91,7 @@ local function is_file(value) return type(value) == "string" and value:find("%.l
 
 function preset.is_set_by(set, presets) return set.name == "preset" and (#presets > 0 or is_file(set.value)) end
 
--- The name of the default preset, or nil.
+-- Returns the name of the preset that is used if no preset is chosen; nil if the list is empty.
 function preset.default_of(presets)
   for _, one in ipairs(presets) do
     if one.default then return one.name end
@@ -98,8 +99,8 @@ function preset.default_of(presets)
   return nil
 end
 
--- Appends the preset of the requested file to a copy of `presets`. Returns the copy and the name of the added preset; nil, nil
--- and a message if the file does not exist.
+-- Runs the preset file that `--set preset=FILE.lua` names, and appends its preset to a copy of `presets`. Returns the copy and
+-- the name of the added preset. If the file does not exist, returns nil, nil and a message.
 local function with_file(problems, presets, params, name)
   local there, given, shown = native.preset()
   if not there then return nil, nil, ("there is no preset file '%s'"):format(name) end
@@ -114,8 +115,8 @@ local function with_file(problems, presets, params, name)
   return list, name
 end
 
--- Resolves `--set preset=VALUE`: returns the available presets and the name of the chosen one. After a mistake the name is nil.
--- A third result is the message, unless `problems` has the message already.
+-- Resolves the setting `--set preset=VALUE`. Returns the list of presets and the name of the chosen preset. After a mistake the
+-- name is nil, and the third result is the message, unless `problems` already has it.
 function preset.taken(problems, presets, params, value)
   if is_file(value) then return with_file(problems, presets, params, value) end
   local choice = { name = "preset", type = "choice", choices = {}, unit = "" }

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Requests to the child process that evaluates scripts. Each function takes a request as a table and returns plain data.
+-- Entry points of the child process that evaluates scripts. The program (runtime/script) starts the child and calls one of
+-- these functions. Each function takes a request as a table and returns plain data.
 local check    = require "strobe.check"
 local native   = require "strobe.native"
 local pass     = require "strobe.pass"
@@ -7,9 +8,9 @@ local pipeline = require "strobe.pipeline"
 
 local run = {}
 
--- Loads the file of a pipeline before its settings are known. Returns the data that the results of all later requests share:
--- the passes that files declare, and the parameters of the pipeline. A later result has the numbers of these passes instead of
--- the passes, and no parameters.
+-- Loads the file of a pipeline ahead of the requests to evaluate it with settings. Returns the data that is common to all these
+-- requests: the passes that files declare, and the parameters of the pipeline. To save time, the result of a later request does
+-- not repeat this data. It has the numbers of passes in the returned list, and no parameters.
 local loaded
 local numbers = {}
 function run.load()
@@ -30,7 +31,7 @@ function run.pipeline(request)
   return described
 end
 
--- The kind of each pipeline, by the name of its file. Files with errors are left out.
+-- Returns the kind of each pipeline in the list `request.names`, by name. Files with errors are left out.
 function run.kinds(request)
   local kinds = {}
   for _, name in ipairs(request.names) do
@@ -40,7 +41,7 @@ function run.kinds(request)
   return kinds
 end
 
--- The value that a text stands for: true, false, a number, or the text itself.
+-- Returns the value that the text of a setting stands for: true, false, a number, or the text itself.
 local function typed(text)
   if type(text) ~= "string" then return text end
   if text == "true" then return true end
@@ -48,8 +49,9 @@ local function typed(text)
   return tonumber(text) or text
 end
 
--- The global `scene_params` of a scene. `scene_params.x` is the value that the command line sets, or nil. An example:
--- `local count = scene_params.count or 5`. `asked` becomes the set of the names that the scene reads.
+-- Returns the global variable `scene_params` for the script of a scene. `scene_params.NAME` is the value that the setting
+-- `--set scene.NAME=VALUE` gives, or nil: `local count = scene_params.count or 5`. `sets`: the settings. `asked`: a table that
+-- gets the names that the scene reads, so that settings without effect can be reported.
 local function scene_params(sets, asked)
   local values = {}
   for _, set in ipairs(sets) do values[set.name] = typed(set.value) end
@@ -80,16 +82,17 @@ end
 function run.data(request)
   local result = native.main(request.arguments)
   if result == nil then check.fail({ file = request.file, line = 0 }, "returns nothing; it should end in 'return'") end
-  local finished = (getmetatable(result) or {}).finished  -- experiments and captures have this function
+  local finished = (getmetatable(result) or {}).finished  -- checks an experiment or a capture; nil for other results
   return finished and finished(result, request.arguments) or result
 end
 
--- "experiment" or "capture" if the file returns one; otherwise "".
+-- Returns the kind of the file: "experiment" or "capture" if it returns one, otherwise "".
 function run.kind()
   return { kind = (getmetatable(native.main()) or {}).kind or "" }
 end
 
--- Returns the descriptions of the passes in all files. Raises one error with the mistakes of all files.
+-- Loads all files of passes, `request.modules`, and returns the descriptions of their passes. Raises one error with the
+-- mistakes of all files.
 function run.passes(request)
   local problems, passes, by_name = check.problems(), {}, {}
   for _, module in ipairs(request.modules) do
@@ -108,7 +111,7 @@ function run.passes(request)
       local other = by_name[description.name]
       if other then
         local second, first = description.place, other.place
-        if second.file:find("^strobe:") then second, first = first, second end  -- report the pass of the project
+        if second.file:find("^strobe:") then second, first = first, second end  -- the mistake is in the file of the project
         problems:add(second, "another pass is called '%s': %s:%d", description.name, first.file, first.line)
       end
       by_name[description.name] = description

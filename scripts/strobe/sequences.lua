@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Sobol points and random numbers in [0, 1). They are equal on every machine.
+-- Sobol points and random numbers in [0, 1), with equal values on every machine. Experiments use them to vary many parameters
+-- together (`sobol` and `random` of strobe.vary).
 local sequences = {}
 
--- One row for each dimension from the second on. The first number of a row is the primitive polynomial, whose coefficients are
--- the bits of the number. The initial direction numbers follow. S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better
--- two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), the set new-joe-kuo-6.21201.
+-- Constants of the Sobol sequence, one row for each dimension from the second on. The first number of a row is a primitive
+-- polynomial, with its coefficients as bits. The initial direction numbers follow. Source: S. Joe and F. Y. Kuo, "Constructing
+-- Sobol sequences with better two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), the set new-joe-kuo-6.21201.
 local dimensions = {
   { 3, 1 },
   { 7, 1, 3 },
@@ -35,7 +36,8 @@ sequences.most_dimensions = #dimensions + 1
 
 local bits = 30
 
--- Direction numbers of a dimension, as fixed-point fractions with `bits` bits.
+-- Returns the direction numbers of a dimension, as fixed-point fractions with `bits` bits. A coordinate of a Sobol point is the
+-- exclusive or of some of these numbers.
 local function directions(dimension)
   local v = {}
   if dimension == 1 then
@@ -54,8 +56,9 @@ local function directions(dimension)
   return v
 end
 
--- The first `count` points of the Sobol sequence in `width` dimensions, in the order of the Gray code (Antonov and Saleev
--- 1979). The first point is 0. Each point is a list of numbers in [0, 1).
+-- Returns the first `count` points of the Sobol sequence in `width` dimensions. Each point is a list of numbers in [0, 1); the
+-- first point is 0. The order of the points is the order of the Gray code (Antonov and Saleev 1979). Each point then follows
+-- from the previous point by one exclusive or per dimension.
 function sequences.sobol(count, width)
   local points, state, v = {}, {}, {}
   for d = 1, width do v[d], state[d] = directions(d), 0 end
@@ -63,14 +66,15 @@ function sequences.sobol(count, width)
     local point = {}
     for d = 1, width do point[d] = state[d] / (1 << bits) end
     points[n] = point
-    local zero, rest = 1, n - 1  -- the lowest bit of n - 1 that is 0
+    local zero, rest = 1, n - 1  -- zero: position of the lowest bit of n - 1 that is 0, from 1
     while rest & 1 == 1 do zero, rest = zero + 1, rest >> 1 end
     for d = 1, width do state[d] = state[d] ~ v[d][zero] end
   end
   return points
 end
 
--- Returns a function that returns another random number in [0, 1) at each call (SplitMix64: Steele, Lea and Flood 2014).
+-- Returns a function that returns another random number in [0, 1) at each call. The generator is SplitMix64 (Steele, Lea and
+-- Flood 2014), started with `seed`.
 function sequences.random(seed)
   local state = seed
   return function()

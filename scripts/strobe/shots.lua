@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Shots and settings of experiments and captures: their checks, and their form as plain data.
+-- Checks of shots and settings in experiments and captures. The checked values are returned as plain data.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local native = require "strobe.native"
@@ -8,14 +8,14 @@ local shots = {}
 
 local shown, copied = fields.shown, fields.copied
 
--- Tone curves of displayed pictures.
+-- Tone curves for displayed pictures, which have low dynamic range.
 shots.tones = { "clamp", "filmic" }
 
 local Methods = {}
 
 function Methods:place_of(path) return native.key_place(self.place, table.unpack(path)) end
 
--- Returns the table of settings `t` as a list of { name, value, place }, in the order of their names.
+-- Returns the table of settings `t`, { NAME = value }, as a list of { name, value, place }, sorted by name.
 function Methods:settings(t, path)
   local result, names = {}, type(t) == "table" and check.names(t) or {}
   table.sort(names)
@@ -36,8 +36,8 @@ function Methods:numbers(value, count, path, what)
   if not good then self:add(path, "%s takes %d numbers", what, count) end
 end
 
--- Returns the motions `t`, such as { NODE = { x, y, z } }, as arguments of the command line, in the order of the names of the
--- nodes. Each motion has `count` numbers.
+-- Returns the motions of nodes in the table `t`, such as { NODE = { x, y, z } }, as a list of arguments of the command line,
+-- "NODE=x,y,z". The list is sorted by node. `count`: the number of numbers of each motion.
 function Methods:motions(t, count, path, what)
   local result, names = {}, type(t) == "table" and check.names(t) or {}
   table.sort(names)
@@ -56,13 +56,14 @@ local motions = { move = 3, spin = 4 }
 local lua_types = { number = "number", integer = "number", choice = "string", text = "string", size = "table",
                     view = "table", texts = "table", bool = "boolean" }
 
--- Returns a number as text: with 15 digits if they read back as the same number, otherwise with 17 digits.
+-- Returns a number as text that reads back as the same number: with 15 digits if they suffice, otherwise with 17.
 local function digits(value)
   local short = ("%.15g"):format(value)
   return tonumber(short) == value and short or ("%.17g"):format(value)
 end
 
--- Returns a camera path, { { frame, eye x, y, z, target x, y, z }, ... }, as arguments of the command line.
+-- Returns a camera path, a list of keys { frame, eye x, y, z, target x, y, z }, as arguments of the command line. The target is
+-- the point that the camera looks at.
 function Methods:camera_path(keys, path)
   local result = {}
   for i, key in ipairs(type(keys) == "table" and keys or {}) do
@@ -78,7 +79,8 @@ function Methods:camera_path(keys, path)
   return result
 end
 
--- Checks the value of an option of a shot and returns it in plain form. `declared` is the option's declaration.
+-- Checks the value of an option of a shot and returns it as plain data. `declared`: the declaration of the option, with its
+-- name, type and range.
 function Methods:option(declared, value, path, what)
   local name = declared.name
   local at = check.joined(path, name)
@@ -97,7 +99,8 @@ function Methods:option(declared, value, path, what)
   return value
 end
 
--- Sorts the entries of `t` into options of a shot, parameters of its scene, and others.
+-- Sorts the settings in `t` by their target, and returns three lists: `options` of the shot, parameters of its `scene` (written
+-- "scene.NAME"), and `others`, such as parameters of a pipeline.
 function Methods:sorted(t, path, what)
   local result = { options = {}, scene = {}, others = {} }
   local names = check.names(t)
@@ -124,7 +127,7 @@ function Methods:distinct(entries, key, group)
   return seen
 end
 
--- Checks the frame numbers { from, to, step } of a sequence, which has 2 to 1000 frames.
+-- Checks the field `frames` of a shot, { from, to, step }: the frame numbers of a sequence of 2 to 1000 frames.
 function Methods:sequence(frames, shot, path)
   if frames == nil then return end
   local good = type(frames) == "table" and #frames == 3
@@ -163,14 +166,14 @@ function Methods:shot(t, path)
   return result
 end
 
--- Adds the methods of this file to a class of checkers (strobe.fields). `shot_fields`: fields of a shot besides the options of
--- the command line. The field `options` of a checker must hold these options by name.
+-- Adds the methods of this file to `Checker`, a class of checkers made by strobe.fields. `shot_fields`: the declared fields of
+-- a shot, besides the options of the command line. The field `options` of a checker must have these options by name.
 function shots.extend(Checker, shot_fields)
   for name, method in pairs(Methods) do Checker[name] = method end
   Checker.shot_fields = shot_fields
 end
 
--- The options of the command line by name.
+-- Returns the list of the options of the command line as a table by name.
 function shots.by_name(options)
   local result = {}
   for _, option in ipairs(options) do result[option.name] = option end

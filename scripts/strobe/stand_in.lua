@@ -1,7 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- The field `if_no` of a pass. It has stand-ins, which replace the writes of the pass if a fact of the frame is false, or if a
--- read is all zeros: `if_no = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`. The key `moving_rect` has
--- the stand-ins for pixels that no moving surface covers at any time.
+-- Checks the field `if_no` of a pass, such as `if_no = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`. It
+-- declares stand-ins: images or zeros that replace the writes of the pass if the pass need not run.
+-- A key of `if_no` is one of these: a fact of the frame (the pass does not run if the fact is false); a read of the pass (the
+-- pass does not run if the read has only zeros); or `moving_rect` (the pass runs in the moving rectangle only, and the
+-- stand-ins fill all other pixels).
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -36,7 +38,7 @@ local function check_name(problems, name, reads, at, owner)
   end
 end
 
--- Checks the stand-in of a write: 0, or a read of the same kind that is always wired.
+-- Checks `given`, the stand-in of one write: 0, or the name of a read that is always wired and has texels of the same kind.
 local function check_stand_in(problems, write, given, reads, at, what)
   if given == 0 then return end
   local read = type(given) == "string" and port_named(reads, given)
@@ -70,8 +72,8 @@ local function declare_one(problems, name, given, result, place, owner)
   return { name = name, place = at, writes = given }
 end
 
--- Checks `given`, the field `if_no` of the pass `result`, and returns it as a list; nil if `given` is nil. The ports of
--- `result` must have been declared.
+-- Checks `given`, the field `if_no` of the pass `result`, and returns it as a list; nil without this field. The reads, writes
+-- and updates of `result` must have been checked before.
 function stand_in.declare(problems, given, result, place, owner)
   if given == nil then return nil end
   if next(result.updates) ~= nil then

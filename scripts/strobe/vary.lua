@@ -1,20 +1,23 @@
 -- SPDX-License-Identifier: MIT
--- Axes of an experiment, and the combinations of their values that the experiment measures. An axis has a name and values.
--- docs/writing-experiments.md describes each kind of axis.
+-- Axes of an experiment. An axis is a varied quantity, with a name and a list of values. This file makes axes and the
+-- combinations of their values. The experiment is measured at each combination. docs/writing-experiments.md describes each kind
+-- of axis.
 local check     = require "strobe.check"
 local native    = require "strobe.native"
 local sequences = require "strobe.sequences"
 
 local vary = {}
 
--- A way to vary axes: { axes = , combine = }. A combination is a list of { axis, value }, one per axis. entries[axis][i] is the
--- list that holds only value i of that axis. combine(entries) returns the combinations.
+-- An entry of the field `vary` of an experiment: some axes, and the way to combine their values. `entries[axis][i]` is the
+-- value with the index `i` of an axis, as a list with one entry { axis, value }. The function `combine(entries)` returns the
+-- combinations. Each combination is a list with one such entry per axis.
 local Varied = {}
 local function varied(axes, combine) return setmetatable({ axes = axes, combine = combine }, Varied) end
 
 function vary.is_varied(value) return getmetatable(value) == Varied end
 
--- Cartesian product of lists of combinations. The last list varies fastest.
+-- Returns the Cartesian product of lists of combinations: each combination of the first list joined with each of the second
+-- list, and so on. The last list varies fastest.
 function vary.multiplied(lists)
   local product = { {} }
   for _, entries in ipairs(lists) do
@@ -29,8 +32,8 @@ function vary.multiplied(lists)
   return product
 end
 
--- Returns one axis for each name in the table `t`, sorted by name. `values_of` is a function that returns the values of an
--- axis. `usage`: form of the call, for messages.
+-- Returns one axis for each name in the table `t`, { NAME = list }, sorted by name. `values_of(list, place, name)` returns the
+-- values of the axis. `usage`: correct form of the call, for messages.
 local function axes_of(t, place, usage, values_of)
   local axes = {}
   local names = type(t) == "table" and check.names(t) or {}
@@ -49,7 +52,8 @@ end
 
 local function as_they_are(values) return values end
 
--- Returns a function that makes one combination per row. Axis k then has its value number row[k]. Equal rows count once.
+-- Returns a function `combine` that makes one combination for each row in `rows`. In the combination of a row, axis `k` has the
+-- value with the index row[k]. Equal rows give one combination.
 local function combined(axes, rows)
   return function(entries)
     local all, known = {}, {}
@@ -62,7 +66,8 @@ local function combined(axes, rows)
   end
 end
 
--- Returns the index of `value` in `values`. A value that is absent is appended.
+-- Returns the index of `value` in the list `values`, after appending it if it is not there. A float and an integer are
+-- different values.
 local function number_in(values, value)
   for i, known in ipairs(values) do
     if known == value and math.type(known) == math.type(value) then return i end
@@ -79,7 +84,7 @@ local function check_count(place, what, count, least)
   end
 end
 
--- `linear(0, 1, 5)`: 5 values from 0 to 1, with equal steps.
+-- `linear(0, 1, 5)` returns 5 values from 0 to 1 with equal steps.
 vary.linear = native.at_caller(function(place, from, to, count)
   check_count(place, "linear", count, 2)
   local values = {}
@@ -87,7 +92,7 @@ vary.linear = native.at_caller(function(place, from, to, count)
   return values
 end)
 
--- `log(0.01, 1, 5)`: 5 values from 0.01 to 1, with equal ratios.
+-- `log(0.01, 1, 5)` returns 5 values from 0.01 to 1 with equal ratios.
 vary.log = native.at_caller(function(place, from, to, count)
   check_count(place, "log", count, 2)
   if not (from > 0 and to > 0) then check.fail(place, "log takes values above 0") end
@@ -99,14 +104,15 @@ end)
 
 -- ---- combinations
 
--- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis; the table has the fields of the axis.
+-- `list { name = "speed", values = { 1, 2, 4 }, ... }` makes one axis. The table has the fields of the axis (experiment.lua).
 vary.list = native.at_caller(function(place, t)
   if type(t) ~= "table" then check.fail(place, "list takes a table: list { name = ..., values = { ... } }") end
   local axis = { fields = t, place = place }
   return varied({ axis }, function(entries) return entries[axis] end)
 end)
 
--- `grid { samples = { 4, 8 }, exposure = { 0.25, 0.5 } }`: all combinations. Axes are sorted by name; the last varies fastest.
+-- `grid { samples = { 4, 8 }, exposure = { 0.25, 0.5 } }` makes one axis for each name, with all combinations of their values.
+-- The axes are sorted by name, and the last one varies fastest.
 vary.grid = native.at_caller(function(place, t)
   local axes = axes_of(t, place, "grid { NAME = { values }, ... }", as_they_are)
   return varied(axes, function(entries)
@@ -116,7 +122,8 @@ vary.grid = native.at_caller(function(place, t)
   end)
 end)
 
--- `zip { samples = { 4, 8 }, tile = { 20, 40 } }`: the first value of each axis, then the second of each, and so on.
+-- `zip { samples = { 4, 8 }, tile = { 20, 40 } }` makes one axis for each name. The first combination has the first value of
+-- each axis, the second combination the second value of each, and so on.
 vary.zip = native.at_caller(function(place, t)
   local axes, rows = axes_of(t, place, "zip { NAME = { values }, ... }", as_they_are), {}
   local count = #axes[1].fields.values
@@ -133,8 +140,8 @@ vary.zip = native.at_caller(function(place, t)
   return varied(axes, combined(axes, rows))
 end)
 
--- `each { list { ... }, grid { ... } }`: the combinations of the first entry, then of the second entry, and so on. Entries are
--- not multiplied: a point has only the axes of its entry.
+-- `each { list { ... }, grid { ... } }` lists the combinations of its first entry, then of its second entry, and so on. Entries
+-- are not combined with each other: a point has only the axes of one entry.
 vary.each = native.at_caller(function(place, t)
   local axes = {}
   for i, part in ipairs(type(t) == "table" and t or {}) do
@@ -152,8 +159,8 @@ vary.each = native.at_caller(function(place, t)
   end)
 end)
 
--- `ablation({ samples = 16, tile = 40 }, { samples = { 4, 8 }, tile = { 20 } })`: the base, then the base with one change at a
--- time.
+-- `ablation({ samples = 16, tile = 40 }, { samples = { 4, 8 }, tile = { 20 } })` makes the combination of the first table, the
+-- base, and then combinations that differ from the base in one value: here `samples` 4, `samples` 8 and `tile` 20.
 vary.ablation = native.at_caller(function(place, base, changes)
   local usage = "ablation({ NAME = value, ... }, { NAME = { values }, ... })"
   if type(base) ~= "table" then check.fail(place, "ablation takes a base and its changes: %s", usage) end
@@ -181,11 +188,11 @@ end)
 
 -- ---- samples of a space
 
--- The value of a range at `u` in [0, 1). The range is one of these lists:
---   two whole numbers                a whole number between them, both included, is returned
---   two other numbers                a number between them is returned
---   texts, or more than two numbers  one of the entries is returned
--- With log = true, values between two numbers are spread by their logarithm.
+-- Returns the value of the list `range` at the position `u` in [0, 1):
+--   two whole numbers                a whole number between them, both included
+--   two other numbers                a number between them
+--   texts, or more than two numbers  one of the entries
+-- With range.log = true, values between two numbers are distributed evenly by their logarithm.
 local function value_at(range, u)
   local from, to = range[1], range[2]
   if type(from) ~= "number" or #range ~= 2 then return range[1 + math.floor(u * #range)] end
@@ -206,8 +213,9 @@ local function check_range(range, place, name)
   return {}
 end
 
--- Returns axes with the names of `ranges`. They have one combination for each point in the unit cube that points_of(dimensions)
--- returns.
+-- Returns axes with the names of the table `ranges`, for `random` and `sobol`. There is one combination for each point that
+-- `points_of(dimensions)` returns. A point is in the unit cube, with one dimension per axis; its coordinate is the position in
+-- the range of the axis.
 local function spread(place, ranges, usage, points_of)
   local axes, rows = axes_of(ranges, place, usage, check_range), {}
   for i, point in ipairs(points_of(#axes)) do
@@ -219,7 +227,8 @@ local function spread(place, ranges, usage, points_of)
   return varied(axes, combined(axes, rows))
 end
 
--- `random(20, 1, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })`: 20 random points, uniformly distributed, from the seed 1.
+-- `random(20, 1, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })` makes 20 random points from the seed 1, uniformly
+-- distributed in the ranges.
 vary.random = native.at_caller(function(place, count, seed, ranges)
   check_count(place, "random", count, 1)
   if math.type(seed) ~= "integer" then check.fail(place, "the seed of random is a whole number") end
@@ -233,7 +242,7 @@ vary.random = native.at_caller(function(place, count, seed, ranges)
   end)
 end)
 
--- `sobol(20, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })`: 20 points that fill the space evenly.
+-- `sobol(20, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })` makes 20 points that fill the ranges evenly.
 vary.sobol = native.at_caller(function(place, count, ranges)
   check_count(place, "sobol", count, 1)
   return spread(place, ranges, "sobol(COUNT, { NAME = { from, to }, ... })", function(width)
