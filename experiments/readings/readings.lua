@@ -44,7 +44,8 @@ local is_step = { mask = true, composite = true, tiles = true }
 local as_written = { mask = "paper", composite = "alpha_over", tiles = "separate", own_edge = false,
                      termination = "luminance", advance = "restart", on_cap = "last_hit", weights = "mcguire2012" }
 
--- Returns an arm that follows the paper as written, except for the parameters in `set`. It uses hybrid if hybrid has them all.
+-- Returns an arm that follows the paper as written, except for the parameters in `set`. Its pipeline is hybrid if hybrid has
+-- every parameter in `set`, otherwise hybrid_steps.lua.
 local function reading_of(name, set)
   for key in pairs(set) do
     if is_step[key] then

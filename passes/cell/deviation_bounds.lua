@@ -14,7 +14,7 @@ return pass.compute {
     velocity       = { doc = "screen displacement of the surface, px over the exposure" },
     path_deviation = { doc = "offset of the surface, at mid-exposure, from the straight line between the ends of its screen " ..
                              "path, px" },
-    valid          = { doc = "mask, above 1/2 at the unreliable texels, which the bounds include" },
+    valid          = { doc = "mask, above 1/2 at the unreliable texels; the bounds include only these" },
   },
   writes = {
     bounds = { format = "rgba32f",

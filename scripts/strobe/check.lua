@@ -205,8 +205,8 @@ function check.is_plain(value)
   return type(value) == "table" and (meta == nil or meta.is_record == true)
 end
 
--- Returns a function that makes its argument, a table, a record. `what` names the records in messages, and `optional` lists the
--- fields that they may lack. Example: `local layer = check.record("a layer", { "curve" })`, then `layer { depth = ... }`.
+-- Returns a function that turns a table into a record: a table in which reading an unknown field is an error. `what` names the
+-- record in messages, and `optional` lists the fields that may be absent. Example: `local layer = check.record("a layer", { "curve" })`, then `layer { depth = ... }`.
 function check.record(what, optional)
   local meta = check.index_of_records({ is_record = true }, what, optional)
   return function(t) return setmetatable(t, meta) end

@@ -25,8 +25,8 @@
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 
-// 1 if the termination rule `luminance` compares radiances. The compared radiance of the last hit is then also the result's
-// colour, and need not be shaded again.
+// 1 if the termination rule is `luminance` and compares radiances. The radiance of the last hit, computed for that comparison,
+// is then the colour of the result and need not be shaded again.
 #if PARAM_termination == termination_luminance && PARAM_luminance_of == luminance_of_radiance
 #define COLOR_IS_FOUND 1
 #else

@@ -90,7 +90,7 @@ vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
   return worldFromObject(transformOf(slice, instance), position_os);
 }
 
-// Attributes of a surface point at one slice.
+// Attributes of a surface point, with the scene posed at the time of one slice (SLICE_RASTER and others).
 struct Surface {
   vec3 position_ws;
   vec3 face_normal_ws;  // unit normal of the triangle, on the side that the ray hit

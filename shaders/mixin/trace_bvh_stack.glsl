@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays.
 // Stack of the nodes that a ray still has to visit in the runtime's own tree. Each entry is a node with the children that are
-// left to visit. The newest six entries are in variables, which are fast. Older entries, which only deep trees have, are in an
-// array, which a processor keeps in memory.
+// left to visit. The newest six entries are in variables, which can stay in registers. Older entries, which only deep trees
+// have, are in an array, which is in slower memory.
 
 // References besides nodes and leaves: continue with the next child on the stack; the traversal is finished.
 const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;
