@@ -79,8 +79,8 @@ return function(has_estimate)
         doc = "blurred picture, linear radiance; alpha 1. With marks_unresolved: sum of the resolved samples, divided by " ..
           "the number of all samples; the alpha is then the fraction of resolved samples" },
       unresolved = { format = "rg32ui", cleared = true,
-        doc = "bit i is set if the time samples of stratum i of at most 64 are unresolved; written only with " ..
-              "marks_unresolved" },
+        doc = "bit i is set if any time sample of stratum i is unresolved; the strata are min(`samples`, 64) equal parts " ..
+              "of the samples. Written only with marks_unresolved" },
       fallback_estimate = has_estimate and { format = "rgba32f", cleared = true,
         doc = "fallback estimate of the unresolved samples: sum of their estimated colours, divided by the number of all " ..
               "samples, linear radiance; alpha: expected error, linear radiance" } or nil,

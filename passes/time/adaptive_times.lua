@@ -28,7 +28,7 @@ return pass.trace {
       doc = "largest distance that the surfaces at a pixel move between two successive first rays of the pixel; further " ..
             "rays are traced where these differ" },
     allowance = pass.float { 0.01, min = 0, max = 1000,
-      doc = "largest estimated error of a time interval between two rays that no further ray subdivides, linear radiance " ..
+      doc = "error tolerance: an interval between two rays is subdivided if its estimated error is larger; linear radiance " ..
             "times the interval's fraction of the exposure" },
     hit_color = pass.choice { "shaded", "kept", default = "shaded", doc = "source of the colour of a hit",
       values = {

@@ -18,8 +18,8 @@ local function background(absent)
 end
 
 return pass.compute {
-  doc    = "Time strata of each cell that are unreliable: the cell may then contain a surface at a position that the layers " ..
-           "do not describe, so that rays are traced",
+  doc    = "Time strata of each cell in which the layers are unreliable: a surface may then be in the cell at a position " ..
+           "that the layers do not describe. Rays are traced for the samples of these strata",
   fails  = "The marks are conservative: extra cells around a cell with several motions may be marked. A surface whose path " ..
            "is not a parabola may leave the marked cells.",
   size   = { of = "bounds" },

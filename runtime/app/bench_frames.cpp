@@ -44,7 +44,7 @@ void requireDifferent(const std::string& what, const std::vector<std::string>& t
     if (!seen.insert(text).second) throw Error(fmt::format("{} '{}' is given twice", what, text), {}, 2);
 }
 
-// What the capture sees without blur first, as the base of the others.
+// The raster image without blur first, as the base of the others.
 std::vector<std::string> shippedMethods(const Home& home) {
   std::vector<std::string> names;
   for (plan::PipelineDesc::Kind kind : {plan::PipelineDesc::Kind::Sharp, plan::PipelineDesc::Kind::Method})

@@ -52,7 +52,7 @@ Json passesOf(const plan::Plan& plan, const lab::Picture& picture) {
   return passes;
 }
 
-// Who set what: of values that no pass uses nothing is left in a plan, so these are the pipeline's and the nodes'.
+// Parameters of the pipeline and its nodes, with their origin. A plan keeps only the parameters that a pass uses.
 Json parametersOf(const lab::Shot& shot, const lab::Drawing& drawing) {
   std::map<std::string, std::string> origins;
   for (const auto& [name, value] : shot.sets) origins[name] = "capture";
@@ -74,7 +74,7 @@ Json recordOf(const lab::Picture& picture, const CapturedShot& shot) {
   return record;
 }
 
-// The middle of what is drawn of each node, at the capture; metres.
+// Centre of the geometry of each node at the raster time, metres.
 Json nodesOf(const lab::Shot& shot, const scene::Scene& scene) {
   scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
   std::vector<scene::Instance> instances = scene::instancesOf(scene);

@@ -47,7 +47,7 @@ class Drawer {
     words(box, below);
   }
 
-  // X - d t over the times of the window: where what is at X then is at the capture (shaders/lib/blur.glsl).
+  // X - d t over the times of the window: raster-time position of the point that is at X then (shaders/lib/blur.glsl).
   void draw(const Range& range) {
     dvec2 at = lens_.centre(range.at);
     if (!lens_.shows(at)) return problem(range, "a range is placed");

@@ -18,7 +18,7 @@ struct Taken {
   std::shared_ptr<const lab::Picture> picture;  // outputs, and every pass's output among the taps ("node.port")
   image::ToneMap tone;                          // how it is shown
   std::map<std::string, int> divides;           // frame pixels per texel and axis of each image (lab::divideOf)
-  std::map<std::string, dvec3> nodes_ws;        // where each node of the scene stands at the capture, metres
+  std::map<std::string, dvec3> nodes_ws;        // where each node of the scene is at the raster time, metres
 };
 
 // So many pictures found last are in memory.

@@ -54,7 +54,7 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   return frame;
 }
 
-// One origin for every pose of the frame: the camera at the capture.
+// One origin for every pose of the frame: the camera at the raster time.
 static dvec3 frameOrigin(const FrameSetup& setup) { return dvec3(setup.pose_at(setup.capture_s).world_from_camera[3]); }
 
 static void setPose(world::GpuScene& scene, gpu::Staging& staging, uint32_t slice, const Plan& plan,

@@ -113,8 +113,8 @@ class PipelineCache {
   PipelineCache(const Home& home, const gpu::Device& device) : home_(home), device_(device) {}
   // An answer for each request, in their order. What is not held is compiled on all cores, by the driver as well.
   std::vector<PipelineFound> get(const std::vector<PipelineRequest>& requests, const world::GpuScene& scene);
-  // Clears an image of this format, the one storage image of its only set, to zero: a work group for 8x8 pixels. It is
-  // no file, so that nobody's edit or bundle lacks it.
+  // Clears an image of this format, the one storage image of its only set, to zero: a work group for 8x8 pixels. The
+  // shader is generated source: a bundle need not contain it.
   const DriverPipeline& clearOf(const std::string& format);
   // Pipelines of passes made since the cache exists.
   int compilations() const { return compilations_; }

@@ -63,7 +63,7 @@ class Batch {
   // A pipeline with those of `sets` that are not the scene's. Settings that decide nothing but numbers are put into the
   // description without running scripts.
   Evaluated evaluate(const std::string& pipeline, const script::Settings& sets);
-  // The pipeline of the registry that declares this kind: what the capture sees without blur, what is true.
+  // The pipeline of the registry that declares this kind: the raster image without blur, or truth.
   const std::string& nameOf(plan::PipelineDesc::Kind kind);
   // The shot with what its scene suggests.
   Shot filled(const Shot& shot);

@@ -14,7 +14,7 @@ class Planned {
   std::string hash;  // identity of the pictures: of the plan with all facts and outputs, without taps
   graph::Backend backend = graph::Backend::None;
 
-  // plan::shapeOf, found when it is first asked for. By one thread at a time.
+  // plan::shapeOf, computed at the first call. Not thread-safe.
   const std::string& shape() const;
 
  private:

@@ -22,8 +22,8 @@ Evaluation evaluated(const Home& home, const std::string& pipeline, const script
                      const script::Limits& limits);
 
 // Evaluations of the same pipelines with many settings, each as `evaluated` gives it: all but the first of a pipeline
-// fork from a process that has loaded its scripts, as long as none of these changes and no file comes beside them. To
-// be asked by one thread at a time.
+// fork from a process that has loaded its scripts, as long as none of these changes and no file comes beside them.
+// Not thread-safe.
 class Evaluator {
  public:
   // Both must outlive it.

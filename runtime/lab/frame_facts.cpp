@@ -47,13 +47,13 @@ std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene
   std::vector<std::string> absent;
   if (!facts.motion) absent.push_back("motion");
   if (!any([](const scene::ScreenPath& path) { return path.curved || path.turns; })) absent.push_back("curves");
-  if (!any([](const scene::ScreenPath& path) { return path.covered; })) absent.push_back("may_be_occluded");
-  if (!any([](const scene::ScreenPath& path) { return path.arrives; })) absent.push_back("may_appear");
+  if (!any([](const scene::ScreenPath& path) { return path.may_be_occluded; })) absent.push_back("may_be_occluded");
+  if (!any([](const scene::ScreenPath& path) { return path.may_appear; })) absent.push_back("may_appear");
   if (!facts.alpha) absent.push_back("alpha");
   if (!facts.blend) absent.push_back("blend");
   if (!facts.one_sided) absent.push_back("one_sided");
   if (!facts.shadows) absent.push_back("shadows");
-  if (!facts.bends) absent.push_back("deforms");
+  if (!facts.deforms) absent.push_back("deforms");
   if (!(shot.window()[0] < shot.captureTime())) absent.push_back("before");
   if (!(shot.window()[1] > shot.captureTime())) absent.push_back("after");
   if (ShutterCurve::from(shot.shutter_curve).isBox()) absent.push_back("weighted");

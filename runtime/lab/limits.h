@@ -23,7 +23,7 @@ inline constexpr Limit kNotFiniteLimit{"not_finite", Limit::Kind::Warned, "pixel
                                        "with `--pixel` and look for a division "
                                        "by zero"};
 inline constexpr Limit kOutsideLimit{
-    "outside", Limit::Kind::Known, "what the exposure shows was outside of the picture at the capture",
+    "outside", Limit::Kind::Known, "surfaces that the exposure shows were outside the picture at the raster time",
     "filters of one picture know nothing of it, and what is at the border stands in; truth shows it. Render a larger "
     "picture and crop it"};
 inline constexpr Limit kHalfClampedLimit{

@@ -65,7 +65,7 @@ static bool hasPort(const plan::PipelineDesc& pipeline, const std::string& sourc
   return std::find(ports.begin(), ports.end(), source.substr(dot + 1)) != ports.end();
 }
 
-// Looking never stops a change: what a graph of another shape does not have is not looked at any more.
+// Drops the taps that the new graph lacks, so that a tap never prevents a change.
 static void dropLostTaps(Shot& shot, const plan::PipelineDesc& pipeline) {
   std::erase_if(shot.taps, [&](const std::string& tap) { return !hasPort(pipeline, tap); });
 }

@@ -106,7 +106,7 @@ static std::vector<ShotOption> allOptions() {
        O::kSuggested | O::kControl},
       one(real("fps", &S::fps, 24, 1e-3, 1e6, "frames/s"), "frames per second of the clip", Concern::Motion,
           O::kSuggested | O::kControl),
-      one(whole("frame", &S::frame, 1, 0, kLastFrame), "the capture is at frame / fps seconds", Concern::Motion,
+      one(whole("frame", &S::frame, 1, 0, kLastFrame), "the raster time is frame / fps seconds", Concern::Motion,
           O::kSuggested | O::kControl),
       one(real("exposure", &S::exposure, 0.5, 0, kMostFrames, "frames"),
           "time the shutter is open, as a share of the frame interval", Concern::Frame, O::kSuggested | O::kControl),
@@ -126,8 +126,9 @@ static std::vector<ShotOption> allOptions() {
       one(text("follow", &S::follow, ""), "a node that blurs as the camera does, with all below it", Concern::Frame,
           O::kControl),
       one(checked(text("motion_depths", &S::motion_depths, ""), checkDepths),
-          "NEAR,FAR[,SOFT]: view depths, metres, of what blurs; what is elsewhere at the capture stands still on the "
-          "screen, and over SOFT beyond them keeps a share of its motion",
+          "NEAR,FAR[,SOFT]: range of view depths that blur, metres. Surfaces outside the range at the raster time "
+          "stand "
+          "still on the screen; over SOFT beyond the range they keep a share of their motion",
           Concern::Frame, O::kControl),
       one(checked(text("cuts", &S::cuts, ""), checkCuts),
           "T,T,...: seconds of scene time, increasing, at which everything jumps, beside those of the scene: no frame "

@@ -21,7 +21,7 @@ struct TrailRow {
   std::vector<uint32_t> integers;  // the same of integer images
 };
 
-// One surface along the camera's ray through the pixel's centre at the capture, nearest first.
+// One surface along the camera's ray through the pixel's centre at the raster time, nearest first.
 struct TrailHit {
   int layer = 0;         // 0 is what the camera sees
   std::string instance;  // its node's name in the scene

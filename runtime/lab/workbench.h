@@ -45,7 +45,7 @@ struct HeldScene {
   double device_s = 0;                           // what it took to bring it to the device, the first time
   std::map<std::pair<uint32_t, shader::StructureKind>, std::shared_ptr<world::GpuScene>> on_device;
 
-  // The copy for so many poses, made unless it is there. Copies that are not in use go, but for one.
+  // Copy of the scene for `slices` poses, made if it is missing. Evicts unused copies, keeping one.
   std::shared_ptr<world::GpuScene> onDevice(const gpu::Device& device, uint32_t slices,
                                             shader::StructureKind structures);
 };
@@ -56,7 +56,7 @@ struct Picture {
   Json record;
   Json timings;
   std::vector<std::string> warnings;                     // of the scene, and the limits that were met
-  mat4 camera_from_world = mat4(1);                      // at the capture; the camera looks along -z, y up
+  mat4 camera_from_world = mat4(1);                      // at the raster time; the camera looks along -z, y up
   mat4 ndc_from_world = mat4(1);                         // x and y in [-1, 1], y up
   std::vector<IdName> id_names;                          // what its ids stand for; empty if it was read from a file
   std::shared_ptr<const image::IdCoverage> id_coverage;  // of the output "id", where it was requested

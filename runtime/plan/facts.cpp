@@ -16,8 +16,8 @@ const std::vector<Fact>& facts() {
       {"one_sided", "no material is seen from one side alone", true},
       {"shadows", "no light casts shadows", true},
       {"deforms", "nothing is deformed by joints, morph targets or a flat transform", true},
-      {"before", "the exposure has no part before the capture"},
-      {"after", "the exposure has no part after the capture"},
+      {"before", "the exposure has no part before the raster time"},
+      {"after", "the exposure has no part after the raster time"},
       {"weighted", "all times of the exposure count alike", false, true},
   };
   return facts;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Motion that blurs between two view depths alone, with soft ends: depth-bounded velocity, as games keep the weapon
-// before the camera sharp. Instances keep a share of their motion on the screen, by their depth at the capture; whoever
-// draws the frame has the poses that follow, truth and filters alike.
+// before the camera sharp. Instances keep a share of their motion on the screen, by their depth at the raster time;
+// whoever draws the frame has the poses that follow, truth and filters alike.
 #pragma once
 
 #include <functional>
@@ -23,8 +23,8 @@ struct DepthBounds {
   double shareAt(double depth_m) const;
 };
 
-// By instance, the share of its motion that is kept: by the view depth, at the capture, of the middle of the box around
-// it.
+// By instance, the share of its motion that is kept: by the view depth, at the raster time, of the middle of the box
+// around it.
 std::vector<double> motionShares(const Scene& scene, const Pose& capture, const DepthBounds& bounds);
 
 // The pose at a time in which each instance is, as seen from the camera, where it truly is at capture + share * (time -

@@ -164,7 +164,7 @@ Facts factsOf(const Scene& scene, const FrameView& view) {
                        driven.isProperty(true, scene.nodes[size_t(view.camera_node)].camera, span) ||
                        differs([](const Pose& pose) { return pose.camera; });
   facts.motion = facts.camera_moves;
-  facts.alpha = facts.blend = facts.one_sided = facts.shadows = facts.bends = false;
+  facts.alpha = facts.blend = facts.one_sided = facts.shadows = facts.deforms = false;
   const std::vector<Instance> instances = instancesOf(scene);
   for (size_t i = 0; i < instances.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances[i].mesh)];
@@ -174,7 +174,7 @@ Facts factsOf(const Scene& scene, const FrameView& view) {
                                      differs([&](const Pose& pose) { return pose.world_from_instance[i]; }) ||
                                      differs([&](const Pose& pose) { return pose.bends[i]; })));
     if (empty) continue;
-    facts.bends = facts.bends || bends(scene, instances[i]);
+    facts.deforms = facts.deforms || bends(scene, instances[i]);
     addMaterials(scene, mesh, facts);
     facts.motion = facts.motion || facts.moves[i];
   }

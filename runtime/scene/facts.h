@@ -20,7 +20,7 @@ struct FrameView {
   std::optional<bool> camera_moves;  // with time, where something else than the scene moves the camera
 };
 
-// What a frame has. Each holds unless it surely does not.
+// Facts of a frame. Conservative: false only if proven false.
 struct Facts {
   bool camera_moves = true;  // within the times of the frame: from the first to the last of them
   bool motion = true;        // the camera, a light or anything with triangles moves within them
@@ -29,7 +29,7 @@ struct Facts {
   bool blend = true;         // something with triangles is blended by its alpha
   bool one_sided = true;     // something with triangles is not seen from behind
   bool shadows = true;       // a light casts shadows
-  bool bends = true;         // joints, morph targets or a flat transform may deform something with triangles
+  bool deforms = true;       // joints, morph targets or a flat transform may deform something with triangles
 };
 
 // By the keys and rates that drive nodes, not by poses, which are equal at both ends of a motion that returns; and by

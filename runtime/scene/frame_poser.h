@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The poses of one frame: the scene at its times, without what must not blur. What jumps (STEP channels, cuts) stands
-// as it does at the capture; of the motion of the camera and of objects a share is kept. Whoever draws the frame has
-// these poses, truth and filters alike.
+// as it does at the raster time; of the motion of the camera and of objects a share is kept. Whoever draws the frame
+// has these poses, truth and filters alike.
 #pragma once
 
 #include "scene/scene.h"

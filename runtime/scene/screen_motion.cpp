@@ -437,8 +437,8 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
   for (size_t i = 0; i < instances.size(); ++i) {
     if (!moves[i]) continue;
     ScreenPath& path = motion.paths[i];
-    path.covered = path.turns || mayBeCovered(extents, i);
-    path.arrives = path.covered || mayCross(*extents[i], frame);
+    path.may_be_occluded = path.turns || mayBeCovered(extents, i);
+    path.may_appear = path.may_be_occluded || mayCross(*extents[i], frame);
   }
   // Paths through places in earlier frames may go on anywhere.
   if (!frame.earlier_s.empty()) motion.reach = unknown.reach;

@@ -25,16 +25,16 @@ struct ExposedFrame {
   std::vector<double> earlier_s = {};  // captures of frames before the previous one, where a frame looks back so far
 };
 
-// How an instance goes over the picture. Each holds unless it surely does not, to within 1/20 px, at any time of the
-// exposure, at the capture and back to one frame before it, or to the earlier ones.
+// Motion of an instance on the screen, within the exposure and back to one frame before the raster time, or to earlier
+// frames. Conservative flags: false only if proven false, tolerance 0.05 px.
 struct ScreenPath {
-  bool curved = true;   // a point of it leaves the straight line between the ends of its path, or is not even in time
-  bool turns = true;    // points of it move differently
-  bool covered = true;  // something else may be in front of it, or a part of it that moves differently
-  bool arrives = true;  // a side of it, or a part, is seen at another time that the capture does not show
+  bool curved = true;           // a point leaves the straight line between the ends of its path, or changes its speed
+  bool turns = true;            // points of the instance move differently
+  bool may_be_occluded = true;  // another object may be in front, or a part of the instance with other motion
+  bool may_appear = true;       // a part that is hidden at the raster time may become visible at another time
 };
 
-// Where and when something is in the picture that is outside of it at the capture and at both ends of the exposure.
+// Place and time of objects in the picture that are outside of it at the raster time and at both ends of the exposure.
 struct Crossing {
   PixelArea area;  // empty: nothing is
   double from_s = 0, to_s = 0;

@@ -231,7 +231,7 @@ class Shared {
     return {};
   }
 
-  // The texts are held, so that none of them is another one at the same place.
+  // Keys own the texts, so that no address is reused for another text.
   std::map<std::shared_ptr<const std::string>, plan::Known> known_;
 };
 

@@ -92,8 +92,7 @@ class PipelineEvaluator {
   explicit PipelineEvaluator(const Home& home, const Limits& limits = {});
   ~PipelineEvaluator();
 
-  // In the order of `requests`. A file counts as it was when it was read first for one of them. To be asked by one
-  // thread at a time.
+  // Outcomes in the order of `requests`. Each file is read once, for the first request that needs it. Not thread-safe.
   std::vector<Outcome<plan::PipelineDesc>> evaluate(const std::vector<PipelineRequest>& requests);
   // One, with what `dependencies` is for `evaluatePipeline`.
   plan::PipelineDesc evaluate(const PipelineRequest& request, std::vector<Dependency>* dependencies);

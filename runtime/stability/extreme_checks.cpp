@@ -41,7 +41,7 @@ void asCaptured(Probe& probe, const ExtremeCheck& check) {
   const Image& captured = colorIn(probe.sharp(check.other ? *check.other : check.shot));
   int different = image::countDifferent(colorIn(probe.picture(check.shot)), captured, 0);
   probe.expect(different <= check.pixels,
-               fmt::format("{} pixels are not as the capture sees them, at most {} may", different, check.pixels));
+               fmt::format("{} pixels differ from the raster image, at most {} may", different, check.pixels));
 }
 
 // Weights are not negative and add up to 1: nothing leaves the range of what there is to see.

@@ -409,7 +409,7 @@ const std::vector<Invariant>& invariants() {
        "0.00001 of the brightest colour: light and projection are rounded otherwise", mirrored},
       {"shifted", "a scene moved by whole tiles (by any pixels where there are none) gives the moved picture",
        "none: every length in the scene is a sum of few powers of two", shifted},
-      {"reversed", "time run backwards, with the capture at the other end of the exposure, gives the same picture",
+      {"reversed", "time run backwards, with the raster time at the other end of the exposure, gives the same picture",
        "0.00001 of the brightest colour: sums are added up in the other order", reversed},
       {"convex", "no colour leaves the range of the colours of all layers in reach",
        "0.00001 of the brightest colour: weights add up to 1 but for rounding", convex},

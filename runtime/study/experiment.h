@@ -100,7 +100,7 @@ struct Group {
   std::vector<size_t> arms;
 };
 
-// What an arm knows of what is behind: its outputs, and the arm that shows what is in front.
+// Arm and outputs that provide the background, and the arm that shows the foreground.
 struct Background {
   std::string arm, color, valid, front;
 };

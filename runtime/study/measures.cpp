@@ -162,9 +162,9 @@ double changeRms(const Sight& sight, const std::string&, const Image& mask) {
   return sight.benign ? image::rootMeanSquaredError(sight.color, *sight.benign, mask) : kNothing;
 }
 
-// ---- what is behind
+// ---- background
 
-// How much of what is behind can tell good from bad: over the inner blur, where an arm knows it.
+// Contrast of the background over the inner blur, where an arm computes the background.
 struct Behind {
   double deviation = kNothing, difference = kNothing, pixels = 0;
 };
@@ -285,12 +285,13 @@ const std::vector<Measure>& measures() {
       {"change_rms", "change", "", kLower, true, "RMS of the difference from the picture at the benign value",
        changeRms, false, true},
       {"background_deviation", "deviation of the background", "", kNeither, false,
-       "standard deviation of what is behind the inner blur, as the background's arm knows it",
+       "standard deviation of the background in the inner blur, from the arm that computes the background",
        [](const Sight& s, const std::string&, const Image&) { return behind(s).deviation; }},
       {"background_difference", "difference of the background", "", kNeither, false,
-       "mean difference of what is behind the inner blur from what is in front of it",
+       "mean difference of the background from the foreground in the inner blur",
        [](const Sight& s, const std::string&, const Image&) { return behind(s).difference; }},
-      {"background_pixels", "known background", "px", kNeither, false, "pixels of the two above",
+      {"background_pixels", "known background", "px", kNeither, false,
+       "pixels of the inner blur with a known background",
        [](const Sight& s, const std::string&, const Image&) { return behind(s).pixels; }},
   };
   return all;

@@ -14,7 +14,7 @@
 
 namespace strobe::study {
 
-// "whole", the masks that truth marks, and those that follow from what it sees at the capture.
+// "whole", the masks that truth marks, and those that follow from the raster image.
 std::vector<std::string> regionNames();
 
 // What the measures of one truth's points share.

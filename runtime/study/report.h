@@ -35,12 +35,12 @@ void append(Parts& parts, Parts more);
 struct PictureSize {
   int divisor = 1, quality = 0;
 };
-// A shot after the other: tables, pictures, crops, differences. Without a size: no pictures.
+// One section per shot: tables, pictures, crops, differences. Without a size: no pictures.
 Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries,
                    const std::optional<PictureSize>& size);
-// An axis after the other.
+// One section per axis.
 Parts curveParts(const Results& results);
-// A shot after the other: what is best at which price.
+// One section per shot: the best methods for each cost.
 Parts frontParts(const Results& results);
 // Tables by axis, or one of all points.
 Parts tableParts(const Results& results);

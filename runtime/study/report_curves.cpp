@@ -82,10 +82,11 @@ page::Table summaryTable(const Curve& curve, double factor) {
 
 std::string regionText(const std::string& region) {
   if (region == "whole") return "the whole picture";
-  if (region == "inner") return "inner: pixels of the object that see something farther within the exposure";
-  if (region == "hidden") return "hidden: pixels that see within the exposure what the capture could not see";
-  if (region == "self") return "self: pixels that see within the exposure what was hidden of the object that they show";
-  return "outer: pixels before which something nearer passes";
+  if (region == "inner")
+    return "inner: pixels of the object that show something farther at another time of the exposure";
+  if (region == "hidden") return "hidden: pixels that show a surface that was hidden at the raster time";
+  if (region == "self") return "self: pixels that show a part of their own object that was hidden at the raster time";
+  return "outer: pixels that something nearer covers at another time of the exposure";
 }
 
 page::Scale::Kind scaleOf(const std::string& name) {

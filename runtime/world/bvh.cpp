@@ -337,7 +337,7 @@ class Builder {
   }
 
   std::pair<Part, Part> opened(const Part& part) {
-    // Where halves alone keep the tree as low as it has to be, or nothing tells boxes apart, halves it is.
+    // Median split if the depth limit requires it or all centroids coincide.
     bool deep = part.depth + int(std::bit_width(part.count() - 1)) >= options_.depth;
     uint32_t middle = deep || part.split.axis < 0 ? halve(part) : partition(part);
     return {examined(part.begin, middle, part.depth + 1), examined(middle, part.end, part.depth + 1)};

@@ -206,7 +206,8 @@ function check.is_plain(value)
 end
 
 -- Returns a function that turns a table into a record: a table in which reading an unknown field is an error. `what` names the
--- record in messages, and `optional` lists the fields that may be absent. Example: `local layer = check.record("a layer", { "curve" })`, then `layer { depth = ... }`.
+-- record in messages, and `optional` lists the fields that may be absent. Example: `local layer = check.record("a layer",
+-- { "curve" })`, then `layer { depth = ... }`.
 function check.record(what, optional)
   local meta = check.index_of_records({ is_record = true }, what, optional)
   return function(t) return setmetatable(t, meta) end

@@ -8,7 +8,7 @@
 //      `variance`: variance of motion directions around each tile, 0 to 1 (absent: half of the taps take the second direction).
 //      `slowest`: length of the shortest displacement around each tile, px over the exposure (absent: 0).
 //      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
-//      `background_depth`, `background_valid`: view depth and mask (above 1/2) of the revealed surface (absent: none).
+//      `background_depth`, `background_valid`: depth and mask (above 1/2) of the surface that a ray revealed (absent: none).
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
 // Method: N taps lie along d, the dominant displacement at pixel X, at t_i = lerp(-1, 1, (i + eta * jitter + 1)/(N + 1)). If
 //   the exposure surrounds the raster time, taps are |d|/2 * t_i from X, without the tap on X itself (odd N); otherwise

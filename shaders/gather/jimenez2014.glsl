@@ -7,7 +7,7 @@
 //      `dominant`: longest displacement that reaches each tile, px over the exposure.
 //      `slowest`: length of the shortest displacement around each tile, px over the exposure (absent: 0).
 //      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
-//      `background_depth`, `background_valid`: view depth and mask (above 1/2) of the revealed surface (absent: none).
+//      `background_depth`, `background_valid`: depth and mask (above 1/2) of the surface that a ray revealed (absent: none).
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
 // Method: d is the dominant displacement. Copy pixel X if the blur radius of d is at most `copy_below`. Take the plain mean of
 //   the taps if `slowest` > `cheap_ratio` * |d| and no surface is revealed at X. Otherwise weight the taps.

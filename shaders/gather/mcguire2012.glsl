@@ -7,7 +7,7 @@
 //      `dominant`: longest displacement that reaches each tile, px over the exposure.
 //      `second`: displacement around each tile that differs most from `dominant`, px over the exposure (absent: `dominant`).
 //      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
-//      `background_depth`, `background_valid`: view depth and mask (above 1/2) of the revealed surface (absent: none).
+//      `background_depth`, `background_valid`: depth and mask (above 1/2) of the surface that a ray revealed (absent: none).
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
 // Method: pixel X is blurred along d, the dominant displacement of its tile, with S taps, at t_i = lerp(-1, 1,
 //   (i + jitter + 1)/(S + 1)). If the exposure surrounds the raster time, as in the paper, tap i is at X + t_i * d/2. The tap

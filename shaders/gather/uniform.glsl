@@ -7,7 +7,7 @@
 //      `dominant`: longest displacement that reaches each tile, px over the exposure.
 //      `velocity_post`, `dominant_post`: `velocity` and `dominant` after the raster time (absent: `velocity`, `dominant`).
 //      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
-//      `background_depth`, `background_valid`: view depth and mask (above 1/2) of the revealed surface (absent: none).
+//      `background_depth`, `background_valid`: depth and mask (above 1/2) of the surface that a ray revealed (absent: none).
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
 // Method: tap i reads the texel Y = X - d * t_i around the pixel X. d is the dominant displacement, and t_i the time, in
 //   exposures from the raster time, at the share (i + 1/2 + jitter)/N of the exposure.

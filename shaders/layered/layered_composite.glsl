@@ -11,7 +11,7 @@
 //      `unreliable`: per cell, bit i is set if the layers may be wrong in stratum i of at most 32
 //      `silhouettes`: > 1/2 next to a texel with a different displacement
 // Out: `blurred`: linear radiance, alpha 1; with `marks_unresolved`: sum of the resolved samples, over N; alpha: their share
-//      `unresolved`: bit i is set if stratum i of at most 64 is unresolved
+//      `unresolved`: bit i is set if any sample of stratum i of min(N, 64) is unresolved
 //      `fallback_estimate`: sum of estimates of unresolved samples, over N; alpha: expected error (see Estimate); optional
 // Method: at each time t_i = (i + 1/2 + jitter)/N of the exposure, i < N = `samples`, each candidate displacement g leads from
 //   pixel X to texel Y = X - t_i*g of both layers. Y is at X if |Y + t_i*d(Y) - X| <= max(3/4, .99 min(|g|, |d(Y)|)/(2N)) px

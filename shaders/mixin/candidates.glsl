@@ -42,11 +42,10 @@ const float kUnused = 1e9;
 // surface is an example, at the samples before and after the raster time.
 float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
 
-// True if the surface that a layer has at the texel `now` at the raster time is at the pixel at time t, within a tolerance.
-// `path`: path of this surface. `tolerance_px`: tolerance of the candidate that led to the texel. The tolerance of the test is
-// kNearest. If larger, it is instead the smaller of `tolerance_px` and the tolerance of the surface's own displacement. The
-// larger tolerance is needed if displacements vary over a surface: the nearest match may then be almost half-way to the next
-// sample.
+// True if the surface of the texel `now` (a texel of the raster time) is at the pixel at time t, within
+// max(kNearest, min(tolerance_px, toleranceOf(path.d))) px. `path`: path of this surface. `tolerance_px`: tolerance of the
+// candidate that led to the texel. Tolerances above kNearest are for surfaces with varying displacements: the nearest match may
+// then be almost half-way to the next sample.
 bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
   if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
   return isAt(pixel, now, path, t, kNearest) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Marks, per cell, the time strata when the layers are unreliable: a surface may be in the cell at a place that the layers do
-// not describe.
+// Marks, per cell, the time strata in which the layers are unreliable: a surface may be in the cell at a place that the layers
+// do not describe.
 // In:  `bounds`, `deviation_bounds`: per cell, bounds of the displacements (px over the exposure) and of the path deviations in
 //        the middle of the exposure (px) of the raster layer's unreliable texels (marked by `nonlinear` of path_deviation or
 //        path_curve)

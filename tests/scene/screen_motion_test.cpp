@@ -77,8 +77,8 @@ class Boxes {
 };
 
 std::string textOf(const ScreenPath& path) {
-  return std::string(path.curved ? "curved " : "") + (path.turns ? "turns " : "") + (path.covered ? "covered " : "") +
-         (path.arrives ? "arrives " : "");
+  return std::string(path.curved ? "curved " : "") + (path.turns ? "turns " : "") +
+         (path.may_be_occluded ? "covered " : "") + (path.may_appear ? "arrives " : "");
 }
 
 std::string textOf(const PixelArea& area) {
