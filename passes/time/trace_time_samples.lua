@@ -11,9 +11,8 @@ return pass.trace {
     partial  = { pointwise = true,
       doc = "sum of the resolved samples, divided by the number of all samples, linear radiance; alpha: fraction of " ..
             "resolved samples" },
-    unresolved = { uint = true, 
-      doc = "bit i is set if any time sample of stratum i is unresolved; the strata are min(`samples`, 64) equal parts of " ..
-            "the samples" },
+    unresolved = { uint = true, doc = "bit i is set if any time sample of stratum i is unresolved; the strata are " ..
+                                      "min(`samples`, 64) equal parts of the samples" },
     hit        = { uint = true, doc = "surface of the raster layer, by indices: instance + 1 (0 for the sky), geometry, " ..
                                       "triangle" },
     color      = { doc = "colour of the raster layer, linear radiance" },
