@@ -112,8 +112,8 @@ float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Pass
 }
 
 // Degree to which the pixel's own surface is static foreground, 0 to 1. It is 0 if the surface moves. The degree of a static
-// surface is 1 in front of the revealed surface, and falls to 0 as the two depths approach each other. A static surface covers the
-// pixel for the whole exposure, but only a tap on the pixel itself meets it. So `run` adds this surface's share separately.
+// surface is 1 in front of the revealed surface, and falls to 0 as the two depths approach each other. A static surface covers
+// the pixel for the whole exposure, but only a tap on the pixel itself meets it. So `run` adds this surface's share separately.
 float restsInFront(Tap here, float background) {
   if (!rests(here.d) || !rests(here.d_after)) return 0.0;
   return inFrontOf(here.depth, background, params.depth_extent);
