@@ -54,8 +54,8 @@ local function at(r, shot, arm, more)
   return r.at(wanted)
 end
 
--- Returns the expectation that the arm `mended` has at most `share` times the error of the arm `wrong`. The text of the
--- expectation's numbers also has the ratio of the times of both arms.
+-- Returns the expectation that the error of the arm `mended` is at most `share` times the error of the arm `wrong`, which has
+-- the artefact. The report shows both errors, their ratio, and the ratio of the frame times of both arms.
 local function mends(shot, wrong, mended, share, more)
   local where = more and more.region and ", " .. more.region or ""
   return { ("%s%s: %s has at most %g times the error of %s"):format(shot, where, mended, share, wrong), shot = shot,

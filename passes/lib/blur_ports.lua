@@ -31,7 +31,8 @@ local docs = {
   dominant_place = { absent = -1, needs = "curve",
     doc = "position of the texel that has the dominant displacement, px; -1 if unknown" },
 
-  -- Ports of a filter that blurs one layer, for the case that a revealed layer lies behind that layer.
+  -- Further ports of a filter that blurs one layer. The layer may lack a surface at some pixels (`valid`), and a revealed layer
+  -- may lie behind the blurred layer (`background_depth`, `background_valid`).
   valid            = { absent = 1, doc = "mask, above 1/2 where the layer has a surface" },
   background_depth = { absent = "depth", doc = "linear view depth of the surface that a ray revealed behind each pixel, " ..
       "metres" },

@@ -5,7 +5,8 @@ local blur   = require "passes.lib.blur"
 local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
--- All variants of the pass share these parameters, so that they take the values of the same parameters of a pipeline.
+-- Parameters of the two passes that are made from this description, with and without a fallback estimate. Both passes share
+-- these declarations, so that one parameter of a pipeline sets the value in both.
 local params = {
   samples      = blur.samples { doc = "number of time samples" },
   tile         = blur.tile,

@@ -19,8 +19,8 @@ return pass.compute {
     path_deviation = { format = quantised.velocity,
       doc = "offset of the surface, at mid-exposure, from the straight line between the ends of its screen path, px" },
     nonlinear = { format = "r8_unorm",
-      doc = "1 where the curve misses the true pose at shutter open or close by more than `max_deviation`, or the stretch " ..
-            "exceeds `max_stretch`; otherwise 0" },
+      doc = "1 where the curve misses the true position at shutter open or close by more than `max_deviation` px, or where " ..
+            "surface points one pixel apart at the raster time are then more than `max_stretch` px apart; otherwise 0" },
     curve = { format = "rgba32f",
       doc = "offset b of the parabola, at mid-exposure, from the straight line between its ends, px. At the fraction u of " ..
             "the exposure the offset is 4 u (1 - u) b" },

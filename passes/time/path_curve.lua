@@ -16,8 +16,8 @@ return pass.compute {
     path_deviation = { format = quantised.velocity,
       doc = "offset of the surface, at mid-exposure, from the straight line between the ends of its screen path, px" },
     nonlinear = { format = "r8_unorm",
-      doc = "1 where the true path leaves the curve by more than `max_deviation`, or the stretch exceeds `max_stretch`; " ..
-            "otherwise 0" },
+      doc = "1 where the true path leaves the curve by more than `max_deviation` px, or where surface points one pixel " ..
+            "apart at the raster time are more than `max_stretch` px apart at shutter open or close; otherwise 0" },
     curve = { format = "rgba32f",
       doc = "xy: offset b of the curve, at mid-exposure, from the straight line between its ends, px. At the fraction u of " ..
             "the exposure, the offset of a parabola is 4 u (1 - u) b. zw, for arcs only: logarithm of the growth factor, " ..

@@ -16,7 +16,8 @@ return pass.compute {
     path_deviation = { format = quantised.velocity, cleared = true,
       doc = "offset of the surface, at mid-exposure, from the straight line between the ends of its screen path, px" },
     nonlinear = { format = "r8_unorm", cleared = true,
-      doc = "1 where the path deviation exceeds `max_deviation`, or the stretch exceeds `max_stretch`; otherwise 0" },
+      doc = "1 where the path deviation exceeds `max_deviation` px, or where surface points one pixel apart at the raster " ..
+            "time are more than `max_stretch` px apart at shutter open or close; otherwise 0" },
   },
   if_no = { motion = none, curves = none, moving_rect = none },
   params = {

@@ -39,12 +39,14 @@ end
 local edge_choice = { default = "sobel", doc = "edge detector that decides which pixels trace a ray", values = edges.texts(),
                       table.unpack(edges.names) }
 
+-- Settings of the preset `text`, which follow the text of the paper to the letter.
 local text = {
   edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit",
   weights = "mcguire2012",
 }
--- The text of the paper, except for two settings where the text is silent or contradicts the paper's claims. Here a ray passes
--- the whole foreground object at once, and each tap has an equal share of the exposure.
+-- Settings of the preset `paper`: the settings `text`, except for two where the text of the paper is silent or contradicts the
+-- paper's claims. With these two, a ray passes the whole foreground object at once, and each tap has an equal share of the
+-- exposure.
 local paper = { text, advance = "instance_filter", weights = "uniform" }
 
 return pipeline {

@@ -401,7 +401,8 @@ local function turned_sky(x, y, angle)
   return { dx * math.cos(angle) + math.sin(angle), dy, math.cos(angle) - dx * math.sin(angle) }
 end
 
--- Tolerances for single precision at the ends of a path: a few units in the last place of depths near the near plane.
+-- Allowed error of a displacement: the share `path_share` of its length plus `path_px` px. This covers single-precision
+-- rounding at the ends of a path: a few units in the last place of depths near the near plane.
 local path_share, path_px = 1e-4, 2e-3
 
 local function over_a_floor(name, ahead, anchor)

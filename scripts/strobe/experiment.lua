@@ -194,8 +194,8 @@ end
 
 local function is_finite(value) return type(value) == "number" and value == value and math.abs(value) ~= math.huge end
 
--- Checks `costs` and `against`, the expected growth of times along the axis with the fields `t`. Without `against`, times grow
--- with the values of the axis, so the values must be numbers.
+-- Checks the fields `costs` and `against` of the axis `t`: the expected growth of times, and the measure that times are plotted
+-- against. Without `against`, times are plotted against the values of the axis, so the values must be numbers.
 function Checker:costs(t)
   if t.costs == nil and t.against == nil then return end
   self:one_of(t.against, experiment.counted, { "against" }, "'against' of an axis")

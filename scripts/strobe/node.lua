@@ -16,7 +16,7 @@ node.graph = nil
 -- ---- values
 
 local Value = {}  -- an output of a node: { node = , port = , format = , formats = { CHOICE = format } or nil }
-local Ports = {}  -- the result of the call of a pass; its fields are Values
+local Ports = {}  -- the result of a call of a pass or of pipeline.loop; its fields are Values
 
 Value.__index = native.at_caller(function(place, value, key)
   check.fail(place, "'%s.%s' is an image; it has no field %s", rawget(value, "node"), rawget(value, "port"),
@@ -66,8 +66,8 @@ Ports.__newindex = native.at_caller(function(place, ports, key)
   check.fail(place, "%s cannot be given a field %s", rawget(ports, "node"), check.quoted(key))
 end)
 
--- Returns the result of a call. Its fields are the outputs `values`; reading one of these sets `record.used`, so that unused
--- nodes can be reported. `name` names the call in messages.
+-- Makes the result of a call of a pass or of pipeline.loop: an object with the outputs `values` as its fields. Reading a field
+-- sets `record.used`, so that nodes without a used output can be reported. `name`: name of the pass or loop in messages.
 function node.ports(name, values, record)
   return setmetatable({ node = name, values = values, record = record }, Ports)
 end
@@ -128,9 +128,9 @@ local function cannot_follow(wanted, source)
                                                                               source.min, source.max)
 end
 
--- Returns `p.NAME` if the pipeline has the same shared parameter as `wanted`, a parameter of a pass: both have the name NAME
--- and come from one declaration. Then `wanted` follows the pipeline's parameter, unless the call of the pass sets it. Returns
--- nil otherwise.
+-- Returns the reference `p.NAME` to the parameter of the pipeline that sets `wanted`, a parameter of a pass, if the call of the
+-- pass does not set it. Such a parameter of the pipeline has the name of `wanted`, and both come from one shared declaration.
+-- Returns nil if the pipeline has no such parameter.
 local function shared(wanted)
   local declared = param.find(node.graph.params, wanted.name)
   return declared and param.same(declared, wanted) and node.graph.p[wanted.name] or nil

@@ -10,7 +10,7 @@ local preset = {}
 
 preset.keys = { "doc", "set" }
 
-local Preset = {}  -- a preset in a file: { given = , place = }
+local Preset = {}  -- a preset in a file: { given = the table of the call preset { ... }, place = line of the call }
 
 setmetatable(preset, { __call = native.at_caller(function(place, _, t)
   if type(t) ~= "table" then check.fail(place, "preset wants a table: preset { doc = \"...\", set = { ... } }") end

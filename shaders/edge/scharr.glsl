@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Edge detector: marks pixels where depth or normal changes abruptly, by gradients with Scharr's kernel (Scharr 2000). The
-// response of this kernel depends least on the direction; the rest of the method is described in edge/sobel.glsl.
+// Edge detector: marks pixels where depth or normal changes abruptly, by gradients with Scharr's kernel (Scharr 2000). For
+// smooth changes, the response depends less on the direction than with the kernels of edge/sobel.glsl and edge/prewitt.glsl.
+// The rest of the method is described in edge/sobel.glsl.
 // In:  `depth`: view depth, metres; +inf for the sky.
 //      `normal`: unit normal in world space; 0 for the sky.
 //      `where`: mask, above 1/2 at the pixels to test (absent: all pixels are tested).

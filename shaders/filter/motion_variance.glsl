@@ -21,7 +21,7 @@ bool seesMotion(ivec2 at, ivec2 size) {
   return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStaticRadius;
 }
 
-// True if a pixel up to kLooks px away, along the displacement d, hits a moving surface.
+// True if the ray of the pixel, or of a pixel up to kLooks px away along the displacement d, hit a moving surface.
 bool isInMovingRect(ivec2 pixel, vec2 d, ivec2 size) {
   for (int i = -kLooks; i <= kLooks; ++i)
     if (seesMotion(alongBy(pixel, d, float(i)), size)) return true;

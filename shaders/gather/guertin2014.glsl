@@ -77,7 +77,8 @@ int secondCount(ivec2 tile) {
 #endif
 }
 
-// True if the motion around the tile is uniform.
+// True if the motion around the tile is uniform: the shortest displacement there is nearly as long as the dominant displacement
+// d, and is not short itself (kUniformShare, kUniformRadius). All taps are then treated as moving by d.
 bool movesAsOne(ivec2 tile, vec2 d, float spread_factor) {
   float slowest = slowest_at(tile).x;
   return slowest >= kUniformShare * lengthOf(d) && spread_factor * slowest >= kUniformRadius;

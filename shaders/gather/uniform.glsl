@@ -111,9 +111,9 @@ float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Pass
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
-// 1 if the pixel's surface is static and in front of the revealed surface; falls to 0 as their depths approach each other; 0 if
-// the pixel's surface moves. A static surface is at the pixel for the whole exposure, but no tap except one on the pixel itself
-// meets it, so that its share is added separately.
+// Degree to which the pixel's own surface is static foreground, 0 to 1. It is 0 if the surface moves. The degree of a static
+// surface is 1 in front of the revealed surface, and falls to 0 as the two depths approach each other. A static surface covers
+// the pixel for the whole exposure, but only a tap on the pixel itself meets it. So `run` adds this surface's share separately.
 float restsInFront(Tap here, float background) {
   if (!rests(here.d) || !rests(here.d_after)) return 0.0;
   return inFrontOf(here.depth, background, params.depth_extent);

@@ -102,7 +102,7 @@ struct Found {
   Hit hit;
   vec3 color;   // colour that the termination rule `luminance` compared
   bool capped;  // true if the search gave up
-  bool passed;  // true if the termination rule `luminance` passed through another instance
+  bool passed;  // true if the search, by the termination rule `luminance`, skipped a hit on another instance of like luminance
 };
 
 // Linear colour of a hit, by the parameter `luminance_of`. The termination rule `luminance` compares this colour with the

@@ -30,8 +30,8 @@ vec4 curveKnotBefore(bool closing, int what, float value) {
   return curveKnot(closing, low);
 }
 
-// Distance from an end of the exposure, as a share of the exposure, such that `share` (at most 1/2) of the weight lies within
-// this distance. The weight is linear between knots, so the distance is the solution of a quadratic equation.
+// Distance from shutter close (if `closing`) or shutter open, as a share of the exposure, such that `share` (at most 1/2) of
+// the weight lies within this distance. The weight is linear between knots, so the distance solves a quadratic equation.
 float distanceToShare(bool closing, float share) {
   vec4 knot = curveKnotBefore(closing, 1, share);
   float more = share - knot.y;
@@ -62,8 +62,8 @@ float distanceFromEnd(bool closing, float t) {
   return clamp((closing ? window.y - t : t - window.x) / (window.y - window.x), 0.0, 1.0);
 }
 
-// Share of the weight within the distance `away` (a share of the exposure) from an end of the exposure. The share is at most
-// 1/2. Inverse of distanceToShare.
+// Share of the weight within the distance `away` (a share of the exposure) from shutter close (if `closing`) or shutter open.
+// The result is at most 1/2, because the knots of an end reach only to the middle of the weight. Inverse of distanceToShare.
 float shareToDistance(bool closing, float away) {
   vec4 knot = curveKnotBefore(closing, 0, away);
   float more = away - knot.x;

@@ -24,8 +24,8 @@ Walk walkOf(ivec2 tile, ivec2 tiles) {
   return Walk(tile, d, steps, -before, after);
 }
 
-// Tile at a step of the walk, from walk.first to walk.last. The tile may be outside of the image. The outermost steps are at
-// the ends of the exposure.
+// Tile at a step of the walk. `step`: number of the step, from walk.first (at shutter open) to walk.last (at shutter close).
+// The tile may be outside of the image.
 ivec2 placeOf(Walk walk, int step) {
   if (step == 0) return walk.from;
   float t = clamp(float(step) / walk.steps, frame.shutter.x, frame.shutter.y);

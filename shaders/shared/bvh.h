@@ -32,7 +32,7 @@ struct BvhNode {
   uint unused;
 };
 
-// Triangle of a mesh, in the order of the leaves.
+// Triangle of a mesh. The triangles of a mesh are stored in the order of the leaves of its tree.
 struct BvhTriangle {
   vec3 corner[3];  // object space
   uint geometry;   // number within the instance; plus BVH_OPAQUE if every hit counts, without a test of alpha or side

@@ -61,7 +61,7 @@ struct SceneInstance {
 // Geometry: triangles of a mesh that have one material.
 struct SceneGeometry {
   uint first_index;   // position of its first index; three indices per triangle
-  uint first_vertex;  // vertex that the index 0 stands for
+  uint first_vertex;  // number of the vertex that the index 0 stands for; added to every index
   uint triangle_count;
   uint material;
   uint first_tangent;  // position of the first tangent, one per vertex; or NO_TANGENTS

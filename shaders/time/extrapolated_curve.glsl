@@ -5,17 +5,17 @@
 //      `id`: instance + 1; 0 for the sky
 //      `velocity`: displacement computed from the previous frame alone, px over the exposure
 //      `hit`: instance + 1, geometry, primitive; absent: deformation by joints and morph targets is ignored
-//      `normal`: unit normal in world space; absent: the stretch is not tested
+//      `normal`: unit normal in world space; absent: `max_stretch` is not tested
 // Out: `velocity`: displacement between the ends of the curve, px; for a straight path the input `velocity`
 //      `curve`: coefficients of the curve, px (mixin/curve.glsl)
 //      `path_deviation`: path deviation in the middle of the exposure, px
-//      `nonlinear`: 1 if a true pose at shutter open or close is more than `max_deviation` px from the curve, or if two points
-//        one pixel apart move more than `max_stretch` px apart
+//      `nonlinear`: 1 if the true position at shutter open or close is more than `max_deviation` px from the curve, or if two
+//        points one pixel apart at the raster time are more than `max_stretch` px apart at shutter open or close
 // Method: Newton's backward differences of the position p0 at the raster time, p1 one frame before and p2 two frames before (a
 //   loop with two times). With D = p0 - p1 and D2 = p0 - 2 p1 + p2, the point is at p0 + f D + f (f + 1) / 2 D2, f frames after
 //   the raster time. Poses beyond a cut are ignored. If only one earlier pose remains, the path is straight.
-// Fails: objects that change direction after the raster time have wrong paths. If the pose of an object two frames before the
-//   raster time equals its pose at the raster time, the object is treated as if a cut lay between.
+// Fails: objects that change direction after the raster time have wrong paths. If an object has its pose of the raster time
+//   also two frames earlier, but not one frame earlier, a cut is assumed between these two frames and the path is straight.
 #include "mixin/quantised.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"

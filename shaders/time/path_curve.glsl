@@ -4,12 +4,12 @@
 //      `id`: instance + 1; 0 for the sky
 //      `velocity`: displacement, px over the exposure
 //      `hit`: instance + 1, geometry, primitive; absent: deformation by joints and morph targets is ignored
-//      `normal`: unit normal in world space; absent: the stretch is not tested
+//      `normal`: unit normal in world space; absent: `max_stretch` is not tested
 // Out: `curve`: xy: path deviation in the middle of the exposure, px; zw: for an arc, logarithm of the growth factor and turn
 //        in radians, over the exposure
 //      `path_deviation`: path deviation in the middle of the exposure, px
 //      `nonlinear`: 1 if the path is more than `max_deviation` px from the curve at a time of the loop, or if two points one
-//        pixel apart move more than `max_stretch` px apart
+//        pixel apart at the raster time are more than `max_stretch` px apart at shutter open or close
 // Method: pose the point at shutter open, at shutter close and at the times of the loop: three times for parabolas, at 1/6, 1/2
 //   and 5/6 of the exposure, and five for arcs, at 1/10, 3/10, 5/10, 7/10 and 9/10. Both kinds of curve meet the path at both
 //   ends and in the middle. On an arc, the second differences of the positions rotate and grow as the arc does, for any centre

@@ -58,7 +58,9 @@ uvec4 idsOf(Hit hit) {
 // shadows. Computed only for samples that trace all rays, for validation.
 bool misses = false;
 
-// True if the camera is static and `ids` (form of lib/consensus.glsl) is one surface of a moving instance.
+// True if the camera is static and `ids`, a summary of the hits of several samples (lib/consensus.glsl), has a single surface,
+// which belongs to a moving instance. Later hits on static surfaces replace such a summary. Always false with a moving camera:
+// the surfaces in a summary are then hits at the raster time, which are kept on moving instances too.
 bool isMoving(uvec4 ids) {
   return frame.camera_rests != 0u && isOneSurface(ids) && ids.x != kSkySurface && instanceAt(instanceOf(ids)).moves != 0u;
 }
