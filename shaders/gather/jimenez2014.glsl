@@ -113,7 +113,7 @@ struct Pair {
   ivec2 before, after;
 };
 
-// Offsets of a pair of taps. `steps`: distance of both taps from the pixel, in steps, of which `count` span the displacement d.
+// Offsets of a pair of taps. `steps`: distance of both taps from the pixel, in steps. `count` steps span the displacement d.
 Pair pairAt(vec2 d, int count, float steps) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -185,7 +185,7 @@ bool movesAsOne(ivec2 pixel, vec2 d) {
 }
 
 // Offset of a single tap from the pixel, px, if the exposure lies on one side of the raster time. `steps`: distance of the tap
-// from the pixel, in steps, of which `count` span the displacement d.
+// from the pixel, in steps. `count` steps span the displacement d.
 ivec2 singleAt(vec2 d, int count, float steps) {
   bool after = frame.shutter.y > 0.0;
   float end = after ? frame.shutter.y : frame.shutter.x, part = steps / float(count);

@@ -154,7 +154,7 @@ uvec4 staticBefore(ivec2 pixel) {
 }
 
 // Mean linear radiance (rgb) of the earlier samples of the pixel that hit a static surface, and their number (alpha). The
-// samples are those of this loop; if none of them hit a static surface, those of the loop of the first samples.
+// function counts samples of this loop. If no sample of this loop hit a static surface, it counts the first samples instead.
 vec4 staticMeanBefore(ivec2 pixel) {
   vec4 static_mean = imageLoad(static_mean_img, pixel);
   return static_mean.a == 0.0 ? first_static_mean_at(pixel) : static_mean;
