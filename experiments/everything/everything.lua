@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- Varies 11 parameters of the hybrid at once, in 64 points (settings of all parameters). Reports the Pareto front of error
--- against time, and the effect of each parameter. The points follow a Sobol sequence, so that each value of a parameter is
--- combined evenly with the values of the others.
+-- against time, and the effect of each parameter. The points follow a Sobol sequence, so that the values of most parameters
+-- are combined nearly evenly. The exception is `termination` with `weights`: each termination has points with two of the four
+-- weights only.
 local experiment = require "strobe.experiment"
 local sequences = require "strobe.sequences"
 
@@ -26,8 +27,9 @@ local knobs = {
 -- Values of each parameter (knob), one per point: lists of equal length for experiment.zip, which takes their values in step.
 local values, names = {}, {}
 for k, knob in ipairs(knobs) do values[knob[1]], names[k] = {}, knob[1] end
--- Take a Sobol sequence of twice as many points, with one more dimension, and keep the points with coordinate 8 below 1/2. The
--- kept points are as evenly spread in the other dimensions.
+-- The first `count` points of a plain Sobol sequence would never combine tiles of 20 px with `tiles` = separate. So take twice
+-- as many points, with one more dimension, keep the half with coordinate 8 below 1/2, and remove this coordinate. Each other
+-- coordinate of the kept points is as evenly spread as in the plain sequence.
 for _, point in ipairs(sequences.sobol(2 * count, #knobs + 1)) do
   if table.remove(point, 8) < 0.5 then
     for k, knob in ipairs(knobs) do table.insert(values[knob[1]], knob[2][1 + math.floor(point[k] * #knob[2])]) end

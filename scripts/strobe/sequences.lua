@@ -73,7 +73,7 @@ function sequences.sobol(count, width)
   return points
 end
 
--- Returns a function that returns another random number in [0, 1) at each call. The generator is SplitMix64 (Steele, Lea and
+-- Returns a function that returns the next random number in [0, 1) at each call. The generator is SplitMix64 (Steele, Lea and
 -- Flood 2014), started with `seed`.
 function sequences.random(seed)
   local state = seed

@@ -11,10 +11,10 @@
 // Fails: a texture that varies along the motion counts as noise.
 #include "mixin/along_motion.glsl"
 
-// Largest distance, px, of the pixels in the variance.
+// Largest distance of a pixel in the variance from the filtered pixel, px.
 const int kWide = 3;
-// Largest distance, px, of the pixels tested for motion. A surface that passes over the pixel is hit at some of these pixels at
-// their sample times.
+// Largest distance of a pixel that is tested for motion from the filtered pixel, px. A surface that passes over the filtered
+// pixel is hit in some of the tested pixels, at their sample times.
 const int kLooks = 8;
 
 bool seesMotion(ivec2 at, ivec2 size) {

@@ -11,13 +11,14 @@
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
 // Method: d is the dominant displacement. Copy pixel X if the blur radius of d is at most `copy_below`. Take the plain mean of
 //   the taps if `slowest` > `cheap_ratio` * |d| and no surface is revealed at X. Otherwise weight the taps.
-//   Taps are s = i + 1/2 + jitter steps of |d|/N from X: pairs at +s and -s if the exposure surrounds the raster time (N even,
-//   rounded up), otherwise single taps. With `count` = adaptive, N is even, at most |d| in px and `samples`, at least 2.
-//   A tap at Y has the weight b * clamp(rX - max(s - 1, 0), 0, 1) + f * clamp(rY - max(s - 1, 0), 0, 1), where rX and rY are
-//   the blur radii of the surfaces in steps. f + b = 1: f is 1 if Y is nearer than X, b is 1 if Y is farther (by the relative
-//   difference `depth_extent`), and both are 1/2 at equal depths. The parameter `direction` adds a factor to the second term.
-//   With `mirror`, if one tap of a pair is nearer and faster than the other, both get its weight. Otherwise each keeps its own,
-//   so that mirrored images have mirrored results.
+//   There are N = `samples` taps, at s = 1/2 + jitter, 3/2 + jitter, ... steps of |d|/N from X. If the exposure surrounds the
+//   raster time, they are pairs at +s and -s, with N rounded up to an even number. Otherwise they are single taps. With `count`
+//   = adaptive, N is the largest even number up to |d| in px, but at least 2 and at most the number above.
+//   A tap at Y has the weight b * clamp(rX - max(s - 1, 0), 0, 1) + f * clamp(rY - max(s - 1, 0), 0, 1). rX and rY are the blur
+//   radii of the surfaces at X and Y in steps, so each clamp is the share of the step at s that the surface covers. f + b = 1:
+//   f is 1 if Y is nearer than X, b is 1 if Y is farther (by the relative difference `depth_extent`), and both are 1/2 at equal
+//   depths. The parameter `direction` adds a factor to the second term. With `mirror`, if one tap of a pair is nearer and
+//   faster than the other, both get its weight. Otherwise each keeps its own, so that mirrored images have mirrored results.
 //   Result: sum of weight * colour, divided by N, plus the colour of X for the rest of the exposure. Alpha is 1. Over a
 //   revealed surface, the result is the foreground alone: a tap counts to the degree that it is in front of that surface and
 //   spreads over X, and the rest to the degree that X is in front.
@@ -107,12 +108,12 @@ float frontShare(Gather gather, Tap tap, float steps, bool after) {
   return inFrontOf(tap.depth, gather.background, params.depth_extent) * colorRangeOver(gather, tap.radius, steps, after);
 }
 
-// Offsets of the two taps of a pair from the pixel, one for a time before the raster time and one for a time after it.
+// Offsets of the two taps of a pair from the pixel, px: one for a time before the raster time, one for a time after it.
 struct Pair {
   ivec2 before, after;
 };
 
-// Offsets of a pair at the distance of `steps` steps, if `count` steps span the displacement d.
+// Offsets of a pair of taps. `steps`: distance of both taps from the pixel, in steps. `count` steps span the displacement d.
 Pair pairAt(vec2 d, int count, float steps) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -183,7 +184,8 @@ bool movesAsOne(ivec2 pixel, vec2 d) {
   return slowest_at(pixel / params.tile).x > params.cheap_ratio * lengthOf(d);
 }
 
-// Offset of a single tap from the pixel, px, if the exposure lies on one side of the raster time. `count` steps span d.
+// Offset of a single tap from the pixel, px, if the exposure lies on one side of the raster time. `steps`: distance of the tap
+// from the pixel, in steps. `count` steps span the displacement d.
 ivec2 singleAt(vec2 d, int count, float steps) {
   bool after = frame.shutter.y > 0.0;
   float end = after ? frame.shutter.y : frame.shutter.x, part = steps / float(count);

@@ -66,7 +66,8 @@ Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
 
 #if FACT_weighted
 // Weight, by the shutter curve, of the times when a surface with the displacement d passes over part i of the dominant
-// displacement `along`. The displacement is divided into as many equal parts as there are samples.
+// displacement `along`. The exposure is divided into parts of equal weight, one per sample. Part i of `along` is the distance
+// that the dominant motion covers in part i of the exposure.
 float weightOfPart(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5);
   float longer = dominant_px / clamp(lengthOf(d), 0.5, dominant_px) * (dot(d, along) < 0.0 ? -1.0 : 1.0);
@@ -87,9 +88,9 @@ float shareOfMean(int i, vec2 d, vec2 along) {
   return 1.0;
 }
 
-// Share of the exposure during which the surface of tap i, with the displacement d, is at the pixel. The tap stands for part i
-// of N of the dominant displacement `along`; a slower surface passes over this part for longer. With a shutter curve, the
-// result is the weight of these times.
+// Share of the exposure during which the surface of tap i, with the displacement d, is at the pixel. The dominant displacement
+// `along` is divided into as many parts as there are taps, and tap i stands for part i. The slower the surface, the longer it
+// takes to pass over this part. With a shutter curve, the result is the weight of these times.
 float timeShare(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5), speed = lengthOf(d);
 #if FACT_weighted
@@ -98,13 +99,15 @@ float timeShare(int i, vec2 d, vec2 along) {
   return dominant_px / (float(params.samples) * clamp(speed, 0.5, dominant_px));
 }
 
-// True if a surface with this displacement is static.
+// True if a surface with this displacement counts as static.
 bool rests(vec2 d) { return lengthOf(d) < 0.5; }
 
 // Weight of tap i as a sample of the pixel's background. The caller multiplies this weight by the share of the tap that is not
-// foreground. `here`: tap at the pixel itself; `here_d`: displacement of its surface. `along`: dominant displacement.
+// foreground. `here`: tap at the pixel itself; `here_d`: displacement of its surface. `offset`: position of tap i relative to
+// the pixel, px. `passing`: result of passingOf for tap i. `along`: dominant displacement.
 float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
-  float same = softDepth(here.depth, tap.depth, params.depth_extent);  // 1 also for a nearer tap
+  // 1 if the tap has the depth of the pixel's surface or is nearer; falls to 0 with the distance of the tap behind the surface.
+  float same = softDepth(here.depth, tap.depth, params.depth_extent);
   float moved_px = spreadFactor(frame.shutter) * lengthOf(here_d);
   bool is_uncovered = rests(here_d) ? offset == ivec2(0) : length(vec2(offset)) <= max(moved_px, 0.5) + 0.5;
   float spread = is_uncovered ? shareOfMean(i, here_d, along) : 0.0;

@@ -16,29 +16,32 @@ bool isOneTriangle(uvec4 ids) { return isOneSurface(ids) && ids.z != kSeveralSur
 
 uint instanceOf(uvec4 ids) { return ids.x - 2u; }
 
-// Shadows of the first 16 lights on an instance, packed into one word. Bit i is set if light i was visible in all samples that
-// traced its shadow ray. Bit 16 + i is set if the light was blocked in all these samples. Both bits are set if no sample traced
-// the ray, for example on a surface that faces away from the light. Neither is set if samples differ.
-// A texel has the shadows of two instances: (first instance + 2, its shadows, second instance + 2, its shadows). If samples hit
-// a third instance, the third component becomes kSeveralSurfaces.
-// The function returns the shadows of one sample. `free_and_blocked`: bits of the lights found visible (x) and of the lights
-// found blocked (y).
+// The *shadows* of an instance are one word: the results of the samples' shadow rays from this instance to the first 16 lights.
+// Bit i is set if light i was visible in all samples that traced its shadow ray. Bit 16 + i is set if the light was blocked in
+// all these samples. Both bits are set if no sample traced the ray, for example on a surface that faces away from the light.
+// Neither is set if samples differ.
+// A texel of the image of shadows holds two instances: (first instance + 2, its shadows, second instance + 2, its shadows). If
+// samples hit a third instance, the third component becomes kSeveralSurfaces, and the second instance is lost.
+
+// Shadows word of one sample. `free_and_blocked`: bits of the lights found visible (x) and of the lights found blocked (y).
 uint shadowsFrom(uvec2 free_and_blocked) {
   uvec2 never = ~free_and_blocked.yx;
   return (never.x & 0xffffu) | (never.y << 16u);
 }
-// Bits of the lights that are known to be visible (x), and of the lights that are known to be blocked (y).
+// Bits of the lights that are visible (x) or blocked (y) in all samples that traced their shadow rays. A light has neither bit
+// if samples differ, or if no sample traced its ray.
 uvec2 lightsOf(uint shadows) { return uvec2(shadows & ~(shadows >> 16u) & 0xffffu, (shadows & ~(shadows << 16u)) >> 16u); }
-// Number of lights that are known to be visible or blocked.
+// Number of lights that have a bit in the result of `lightsOf`.
 int countLights(uint shadows) { return bitCount((shadows ^ (shadows >> 16u)) & 0xffffu); }
 
-// Shadows on `instance` according to the texel `kept`; 0, which means unknown, if the texel does not hold this instance.
+// Shadows word of `instance` from the texel `kept`. If the texel does not hold this instance, the word is 0, so that no light
+// counts as known.
 uint shadowsOf(uvec4 kept, uint instance) {
   return kept.x == instance + 2u ? kept.y : kept.z == instance + 2u ? kept.w : 0u;
 }
 
-// Texel `kept` after one more sample, which hit `instance` and found `shadows` there. The shadows of samples are combined by
-// bitwise and.
+// Texel `kept` after one more sample, which hit `instance` and has the word `shadows` (`shadowsFrom`). The words of samples are
+// combined by bitwise and.
 uvec4 withShadows(uvec4 kept, uint instance, uint shadows) {
   uint whose = instance + 2u;
   if (kept.x == kNoSurface) return uvec4(whose, shadows, kNoSurface, 0u);

@@ -124,7 +124,8 @@ float timeOutwards(bool after, float share) {
   return end * share;
 }
 
-// Share of the weight of one side that lies within the time `span` (>= 0) of the raster time. Inverse of timeOutwards.
+// Share of the weight of one side of the exposure that lies at most the time `span` (>= 0) away from the raster time. `after`:
+// the side after the raster time, otherwise the side before it. Inverse of timeOutwards.
 float shareWithin(bool after, float span) {
 #if FACT_weighted
   if (isWeighted()) {

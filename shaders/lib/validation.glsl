@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Random choice of blocks of pixels for validation. Passes that skip rays with known results trace all rays in a chosen block,
-// and compare the results. The choice is a hash of the block's position alone, so all frames and runs validate equal blocks.
+// and compare the results. The choice is a hash of the block's position alone, so all frames and runs validate the same blocks.
 #ifndef STROBE_AUDIT_GLSL
 #define STROBE_AUDIT_GLSL
 #include "lib/random.glsl"

@@ -139,12 +139,15 @@ Dominant dominantAfter(ivec2 tile) {
 Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   int ways = PARAM_search_taps == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
+  // Way 0 reads the pixel itself, way 1 the taps along the longest displacement, way 2 the taps along the second one.
   for (int way = 0; way < ways; ++way) {
     bool along = way > 0;
     Path path = dominant.longest;
     if (way == 2) path = dominant.second;
     int taps = along ? params.samples : 1;
-    int sides = along && !isCentred(frame.shutter) ? 2 : 1;  // a centred exposure has taps on both sides anyway
+    // Read taps on both sides of the pixel, because a surface that moves against the dominant displacement comes from the other
+    // side. With a centred exposure, the taps themselves are on both sides.
+    int sides = along && !isCentred(frame.shutter) ? 2 : 1;
     for (int k = 0; k < taps && !isFull(candidates); ++k) {
       ivec2 offset = ivec2(0);
       if (along) {

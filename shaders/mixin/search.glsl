@@ -27,8 +27,9 @@ bool iteratesAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurveIt
 // to show different objects.
 const float kMostSlope = 2.0;
 
-// Two functions that the including shader defines: the path of a layer's texel (for times after the raster time if `after` is
-// true, otherwise before), and the test if the layer has a surface at the texel.
+// Two functions that the including shader defines. `pathOf`: path of the surface at a texel of a layer, for the times after the
+// raster time if `after` is true, otherwise for the times before it. `hasSurface`: true if the layer has a surface at the
+// texel.
 Path pathOf(int layer, ivec2 texel, bool after);
 bool hasSurface(int layer, ivec2 texel);
 
@@ -69,12 +70,13 @@ mat2 changeOf(int layer, ivec2 now, Path path, float t) {
 }
 #endif
 
-// Next texel to test, after the texel `now` of a layer, if that texel's surface is not at the pixel at time t. `path`: path of
-// the texel `now`.
-// Method: on a straight path, take a step of fixed-point iteration. On a curved path, take a Newton step, because a surface
-//   with curved paths rotates, so that its paths vary. For an arc that rotates, the derivative follows from the arc. Otherwise
-//   the derivative is the difference to adjacent texels. One Newton step suffices if the whole surface rotates or stretches
-//   uniformly.
+// Next texel to test, if the surface at the texel `now` of a layer is not at the pixel at time t. `path`: path of the texel
+// `now`.
+// Method: on a straight path, take a step of fixed-point iteration: follow `path` from the pixel back to the raster time. On a
+//   curved path, take a Newton step: a surface with curved paths usually rotates, so that paths differ from texel to texel. A
+//   Newton step needs the derivative of the position at time t by the texel. For an arc that rotates, the derivative follows
+//   from the arc. Otherwise it is estimated from the paths of adjacent texels (`changeOf`). One Newton step suffices if the
+//   whole surface rotates or stretches uniformly. If the derivative is nearly singular, take a fixed-point step instead.
 ivec2 nextTexelOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 #if HAS_curve
   if (!isCurved(path)) return nextTexel(pixel, path, t);

@@ -4,9 +4,11 @@
 // left to visit. The newest six entries are in variables, which can stay in registers. Older entries, which only deep trees
 // have, are in an array, which is in slower memory.
 
-// References besides nodes and leaves: continue with the next child on the stack; the traversal is finished.
+// References that are neither a node nor a leaf. kNextOnStack: continue with the next child on the stack. kNothingLeft: the
+// traversal is finished.
 const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;
-// Entry below which all entries belong to the tree over instances. Newer entries belong to the tree of one instance's mesh.
+// Entry that separates two trees on the stack. Newer entries belong to the tree of one instance's mesh, older entries to the
+// tree over instances. If the next entry to visit is this one, the mesh is finished.
 const uint kInstanceEnds = 0xffffffffu;
 const int kMovedAtOnce = 3;  // number of entries that move between variables and array at a time
 

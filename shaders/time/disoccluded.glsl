@@ -51,13 +51,15 @@ bool isHidden(ivec2 pixel, float depth) {
          isHiding(pixel, texelFetch(revealed_id_tex, pixel, 0).x, texelFetch(revealed_depth_tex, pixel, 0).x, depth);
 }
 
-// Result for the surface that a pixel shows at the tested end of the exposure.
+// Result for the surface that a pixel shows at the tested end of the exposure: shutter open or shutter close, the time of the
+// pass.
 struct Disoccluded {
   bool is_so;  // the surface is in neither layer
   vec2 velocity, path_deviation;
 };
 
-// Result for a pixel that shows the sky at the tested end. The sky moves with the rotation of the camera.
+// Result for a pixel that shows the sky at the tested end of the exposure. The sky moves with the rotation of the camera.
+// `ray`: ray through the pixel at that time.
 Disoccluded disoccludedSky(ivec2 pixel, Ray ray) {
   vec2 velocity = displacementOfSky(ray.direction);
   if (velocity == vec2(0)) return Disoccluded(false, vec2(0), vec2(0));
@@ -67,7 +69,8 @@ Disoccluded disoccludedSky(ivec2 pixel, Ray ray) {
   return Disoccluded(!has_surface, velocity, path_deviation);
 }
 
-// Result for a pixel that shows the surface `hit` at the tested end.
+// Result for a pixel that shows the surface `hit` at the tested end of the exposure. A surface that does not move on the screen
+// or that a static surface hides is not disoccluded.
 Disoccluded disoccludedSurface(ivec2 pixel, Hit hit) {
   if ((instanceAt(hit.instance).path & PATH_MAY_APPEAR) == 0u) return Disoccluded(false, vec2(0), vec2(0));
   vec3 raster_ws = positionOf(SLICE_RASTER, hit);

@@ -5,7 +5,7 @@
 //      `light_visibility`: per shadow tile, bits of the lights visible (x) and blocked (y) from all its surfaces; absent: none
 //      `known_hit`, `known_shadows`, `even_color`: consensus of the first samples (truth/sample_consensus.glsl); absent: none
 //      `first_static`, `first_static_mean`, `first_regions`: outputs `static_background`, `static_mean` and `regions` of the
-//        loop before; absent: none
+//        loop of the first samples, if this is the second loop; absent: none
 // Out: all outputs are updated. `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
 //      `regions`: regions for the report of errors: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
 //      `static_background`: common surface of the static hits, with its distance (lib/consensus.glsl). With `pixel` = box, the
@@ -148,20 +148,21 @@ void setSamples(ivec2 pixel, vec3 color) {
   imageStore(mean_b_img, pixel, vec4(color, float(frame.iteration_count / 2u)));
 }
 
-// Static surface that earlier samples of the pixel hit, in this loop or in the loop before (form of lib/consensus.glsl);
-// kNoSurface if no sample did.
+// Static surface that earlier samples of the pixel hit, in this loop or in the loop of the first samples (form of
+// lib/consensus.glsl); kNoSurface if no sample hit a static surface.
 uvec4 staticBefore(ivec2 pixel) {
   uvec4 static_background = imageLoad(static_background_img, pixel);
   return static_background.x == kNoSurface ? first_static_at(pixel) : static_background;
 }
 
-// Mean radiance of these static hits (rgb) and their number (alpha), from this loop or the loop before.
+// Mean linear radiance (rgb) of the earlier samples of the pixel that hit a static surface, and their number (alpha). The
+// function counts samples of this loop. If no sample of this loop hit a static surface, it counts the first samples instead.
 vec4 staticMeanBefore(ivec2 pixel) {
   vec4 static_mean = imageLoad(static_mean_img, pixel);
   return static_mean.a == 0.0 ? first_static_mean_at(pixel) : static_mean;
 }
 
-// Bits of the report regions that earlier samples of the pixel have set, in this loop or the loop before.
+// Bits of the report regions that earlier samples of the pixel have set, in this loop or in the loop of the first samples.
 uint regionsBefore(ivec2 pixel) { return imageLoad(regions_img, pixel).r | first_regions_at(pixel).r; }
 
 // Intersection of a ray with the surface that the first samples agree on (`consensus`, form of lib/consensus.glsl). The result
@@ -366,8 +367,10 @@ void run(ivec2 pixel) {
   bool at_rest = isAtRest(hit);
   misses = !spares_rays && contradicts(known, hit);
 
-  // Test the occlusion of the hit at the raster time in two cases: the regions need the result, or, with a moving camera, the
-  // shadows of the first samples save more rays than the test costs (more than one).
+  // Test if the hit point is occluded at the raster time. The test costs one ray, so it runs in two cases only. First, the
+  // report regions need the result. Second, the camera moves, and the first samples give the shadows of more than one light:
+  // these shadows save more rays than the test costs, but they are valid only for a point that is visible at the raster time.
+  // No test is needed if the raster image is assumed to show the point (`is_shown`).
   uint regions = 0u, wanted = 0u;
   bool is_static = false, is_shown;
 #if PARAM_mark_regions

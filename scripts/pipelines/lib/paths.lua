@@ -48,8 +48,8 @@ function paths.split(p, layer, name)
   return split
 end
 
--- Returns a copy of the split layer `layer`, with the velocity after the raster time as its velocity. Filters of one velocity
--- can read this copy. The copy is made only once.
+-- Returns a copy of the split layer `layer`, with the velocity after the raster time as its velocity. Filters that read only
+-- one velocity can read this copy. Later calls return the first copy.
 function paths.post(layer)
   if layer.post then return layer.post end
   local post = copy_of(layer)
