@@ -12,7 +12,7 @@
 // Method: d is the dominant displacement. Copy pixel X if the blur radius of d is at most `copy_below`. Take the plain mean of
 //   the taps if `slowest` > `cheap_ratio` * |d| and no surface is revealed at X. Otherwise weight the taps.
 //   A step is |d|/N, and tap i is s = i + 1/2 + jitter steps from X: a pair at +s and -s if the exposure surrounds the raster
-//   time (N rounded to even), otherwise a single tap. With `count` = adaptive, N is even, at least 2, at most |d| and `samples`.
+//   time (N rounded to even), otherwise a single tap. With `count` = adaptive, N is even, from 2 to |d|, at most `samples`.
 //   A tap at Y has the weight b * clamp(rX - max(s - 1, 0), 0, 1) + f * clamp(rY - max(s - 1, 0), 0, 1), where rX and rY are
 //   the blur radii of the surfaces in steps. f + b = 1: f is 1 if Y is nearer than X, b is 1 if Y is farther (by the relative
 //   difference `depth_extent`), and both are 1/2 at equal depths. The parameter `direction` adds a factor to the second term.
