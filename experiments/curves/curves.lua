@@ -3,7 +3,8 @@
 --   strobe sweep experiments/curves/curves.lua -o out/curves
 local experiment = require "strobe.experiment"
 
-local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" } -- objects turn by less than a fifth of a turn
+-- Shots with objects that turn by less than a fifth of a turn within the exposure: all shots except "fan_200".
+local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" }
 local curves = { "line", "quadratic", "arc" }
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end

@@ -18,10 +18,11 @@ return pass.compute {
   },
   writes = {
     bounds = { format = "rgba32f",
-      doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; 0 if no " ..
-            "texel is unreliable" },
+      doc = "bounds of the displacements of the unreliable texels in each cell: least x and y, greatest x and y, px over " ..
+            "the exposure; 0 if a cell has no unreliable texel" },
     deviation_bounds  = { format = "rgba32f",
-      doc = "bounds of the path deviations: least x and y, greatest x and y, px; 0 if no texel is unreliable" },
+      doc = "bounds of the path deviations of the unreliable texels in each cell: least x and y, greatest x and y, px; 0 " ..
+            "if a cell has no unreliable texel" },
   },
   if_no = { valid = { bounds = 0, deviation_bounds = 0 }, moving_rect = { bounds = 0, deviation_bounds = 0 } },
   params = {

@@ -23,7 +23,8 @@ for number = 2, 4 do
 end
 
 return pass.compute {
-  doc    = "Mean over the time samples of the nearest texel, of all layers, that a tried displacement brings to the pixel",
+  doc    = "Search in up to four depth layers: at each time sample, the colour of the nearest texel that a tried " ..
+           "displacement brings to the pixel at that time. The picture is the mean over the samples",
   fails  = "Surfaces in no layer are missing: surfaces that enter or have left the image, that face away from the camera, " ..
            "or that lie behind the last layer. The background shows through where a missing surface is the nearest. Only " ..
            "the pixel's own displacements and the longest displacements of its tile are tried: surfaces with other " ..

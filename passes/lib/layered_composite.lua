@@ -44,8 +44,8 @@ local params = {
 return function(has_estimate)
   local copied = { blurred = "color", unresolved = 0, fallback_estimate = has_estimate and 0 or nil }
   return {
-    doc    = "Mean over the time samples of the nearest surface, of either layer, that is at the pixel at the time of the " ..
-             "sample" ..
+    doc    = "Composite of the raster layer and the revealed layer: at each time sample, the colour of the nearest surface " ..
+             "that is at the pixel at that time. The picture is the mean over the samples" ..
              (has_estimate and "; also a fallback estimate of the unresolved samples" or ""),
     fails  = "A disoccluded surface is missing if no ray revealed it: behind the revealed layer, or outside the mask. Edges " ..
              "are misplaced if the path of a surface deviates from its straight line (or curve), or the surface stretches, " ..

@@ -7,8 +7,8 @@ return {
   shades_contrast = param.bool { false,
     doc = "shade a hit of a ray if the four texels around the point differ in colour, instead of blending these texels" },
   contrast        = param.float { 0.02, min = 0, max = 1,
-    doc = "largest relative difference between the colours of the four texels around a hit that are still blended; used " ..
-      "only with shades_contrast" },
+    doc = "largest relative difference between the colours of the four texels around a hit at which these texels are " ..
+      "still blended; above it, hits on slow surfaces are shaded. Used only with shades_contrast" },
   detail_below  = param.float { 0.75, min = 0, max = 1e6, unit = "px",
     doc = "displacement of a surface between successive samples above which its texels are blended even if they differ; " ..
           "used only with shades_contrast" },

@@ -10,8 +10,8 @@ local capture = require "strobe.capture"
 local truth = "ground truth"
 local title = "Hybrid motion blur: the background of a moving object"
 local note = "After figure 1 of Tan, Cui and Bhojan, \"Hybrid MBlur\" (SIGGRAPH '20 Posters): inside a moving object's " ..
-             "silhouette the blur uncovers a background that the raster image does not have. Letter: the paper's text, " ..
-             "step by step. Our reading: the settings under which the paper's claims hold."
+             "silhouette the blur uncovers a background that the raster image does not have. hybrid (text): the paper's " ..
+             "text, step by step. hybrid: the settings under which the paper's claims hold."
 local baselines = { "McGuire 2012", "UE4-style" }
 local crop_size, colors = { 120, 68 }, { "#ffc208", "#1abff2" }
 

@@ -27,8 +27,8 @@ return pipeline {
                    "surface moves by at most `detail_below` from sample to sample.",
       } },
     contrast = raster_color.contrast {
-      doc = "largest relative difference between the colours of the four raster texels around a surface point that are " ..
-            "still blended; used with reuse = detailed" },
+      doc = "largest relative difference between the colours of the four raster texels around a surface point at which " ..
+            "these texels are still blended; above it, samples of slow surfaces are shaded. Used with reuse = detailed" },
     detail_below = raster_color.detail_below {
       doc = "displacement of a surface from one time sample to the next, above which its four raster texels are blended " ..
             "even if they differ; used with reuse = detailed" },

@@ -55,7 +55,8 @@ for _, name in ipairs { "image", "stripes", "checker", "quilt", "rug", "wood", "
   scene.texture[name] = constructor("texture", name)
 end
 
--- use { texture, scale = {u, v}, offset = {u, v}, rotation }: places a texture on a material. `scale`: number of repeats.
+-- use { texture, scale = {u, v}, offset = {u, v}, rotation }: places a texture on a material. `scale`: number of repeats along
+-- u and v. `rotation`: degrees.
 scene.use = constructor "use"
 
 -- A metallic-roughness material as in glTF 2.0:

@@ -31,8 +31,9 @@ bool comesAsFar(vec2 d_tap, vec2 d, float distance_px, float spread_factor) {
   return abs(dot(d_tap / d_length, d)) * spread_factor >= distance_px * (1.0 - 1e-4);
 }
 
-// True if the tap at the texel `at` counts in the mean. `offset`: position of the tap relative to the pixel, px. `depth`, d:
-// view depth and displacement of the pixel.
+// True if the tap at the texel `at` counts in the mean. A tap counts if it is farther than the pixel or shows the sky. Another
+// tap counts if its own motion covers the distance to the pixel. `offset`: position of the tap relative to the pixel, px.
+// `depth`, d: view depth and displacement of the pixel. `spread_factor`: as in comesAsFar.
 bool counts(ivec2 at, vec2 offset, float depth, vec2 d, float spread_factor) {
   float tap_depth = depthAt(at);
   if (tap_depth > depth || isinf(tap_depth)) return true;

@@ -23,8 +23,9 @@ bool isBeyond(ivec2 pixel, ivec2 displaced) {
   return saneDepth(texelFetch(depth_tex, displaced, 0).x) - depth > params.depth_margin * depth;
 }
 
-// True if one of the `taps` tested positions, on the way from the pixel to its displaced position at time t, shows another,
-// farther instance or is outside the image. `d`: displacement of the pixel's surface, px over the exposure.
+// True if a tested position shows another, farther instance or is outside the image. The `taps` tested positions divide the way
+// from the pixel to its displaced position evenly. `d`: displacement of the pixel. t: shutter open or shutter close, which
+// decides the displaced position; t = 0, the raster time, gives false.
 bool isCandidate(ivec2 pixel, vec2 d, float t) {
   if (t == 0.0) return false;
   for (int i = 1; i <= params.taps; ++i) {

@@ -253,7 +253,8 @@ const int kStrata = 32;
 // Bit of the stratum of time sample i, for sets of at most 64 strata (lib/parts.glsl).
 uvec2 partOf(int i) { return partBit(params.samples > kMostParts ? i * kMostParts / params.samples : i); }
 
-// Set of the unresolved strata that the word `unreliable` of a cell marks. A word covers at most 32 strata, the set at most 64.
+// Set of the strata in which the layers are unreliable in a cell. All samples in these strata are unresolved. `unreliable`: the
+// cell's word of 32 bits. With more than 32 strata (up to 64), adjacent strata share a bit of the word.
 uvec2 openOf(uint unreliable) {
   if (params.samples <= kStrata) return uvec2(unreliable, 0u);
   int parts = min(params.samples, kMostParts);

@@ -43,11 +43,12 @@ vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gam
   return secondDirection(dominant, texelAt(pixel).d, vec2(second_at(tile)), radius_px, gamma_px);
 }
 
-// True if sample i is taken along the second direction. `count` of the N = params.samples samples are taken along this
-// direction, evenly spread. If all taps lie on one side of the pixel, the samples are counted from the tap nearest to the
-// pixel, so that a reversed exposure (anchor `start` instead of `end`) takes the same taps. count = N/2 takes every other
-// sample, from the second on. If N is odd, counting from either end then gives the same samples. Always false if the parameter
-// `directions` is not `two`.
+// True if sample i is taken along the second direction: `count` of the N = params.samples samples, evenly spread. With
+// count = N/2 these are the second, fourth, ... sample. Always false if the parameter `directions` is not `two`.
+// Sample 0 has the latest time. If the exposure starts at the raster time, all taps lie on one side of the pixel and the last
+// sample is the nearest tap; i is then reversed. So samples are counted from the nearest tap with the anchor `start` as with
+// `end`, and a reversed exposure takes the same taps. A centred exposure has taps on both sides: with odd N and count = N/2
+// (rounded down), counting from either end gives the same samples.
 bool isAlongSecond(int i, int count) {
 #if PARAM_directions == directions_two
   if (frame.shutter.x >= 0.0) i = params.samples - 1 - i;

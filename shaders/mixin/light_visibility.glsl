@@ -100,16 +100,17 @@ uint firstChild(uint node, RayVolume volume, out uint others) {
 // kStopsNone: the triangle blocks no ray.
 // kStopsSome: the triangle may block some rays.
 // kStopsAll: the triangle blocks all rays.
-// kStopsInside: the triangle blocks all rays that pass on the inner side of one of its edges. The value is kStopsInside plus
-// the number of the edge (0 to 2), plus 4 if the corners run in the opposite direction as seen from the light.
+// kStopsInside: rays may pass on both sides of one edge, and the triangle blocks all rays on the inner side of this edge. Two
+// such triangles with a common edge together may block all rays. The value is kStopsInside plus the number i of the edge (0 to
+// 2; edge i starts at corner i), plus 4 if the corners are in clockwise order as seen from the light.
 const uint kStopsNone = 0u, kStopsSome = 1u, kStopsAll = 2u, kStopsInside = 3u;
 
 // Effect of a triangle on the rays from `start` to `light`, one of kStops*. `light`: position (w = 1) or direction towards the
 // light (w = 0). `corner`: corners in world space. `rounding`: bound of the rounding errors of the coordinates of rays and
 // corners.
 uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
-  // Test if the triangle is below all planes above which rays start. Each ray stays above its plane, so such a triangle blocks
-  // no ray.
+  // Each ray starts above one of the planes `start_planes` and stays above this plane. So a triangle below all these planes
+  // blocks no ray.
   bool is_below = start.plane_count > 0u;
   for (uint i = 0u; i < start.plane_count && is_below; ++i) {
     vec3 n = start_planes[i].xyz;
@@ -136,8 +137,8 @@ uint stops(RayVolumeStart start, vec4 light, vec3 corner[3], float rounding) {
   if (facing * start_side - wide > room) return kStopsNone;
   bool between = facing * start_side + wide < -room;
 
-  // Test if all origins are on the inner sides of the three planes through the light and an edge: the triangle then covers them
-  // all.
+  // Each edge and the light define a plane. If all origins are on the inner sides of all three planes, the triangle hides the
+  // light from all origins.
   room = 8.0 * rounding * (edge * away + edge * far + away * far);
   uint open = 0u, open_edge = 0u;
   for (uint i = 0u; i < 3u; ++i) {

@@ -41,7 +41,7 @@ struct FrameData {
   // The shutter curve (runtime/math/shutter_curve.h), in two halves: from shutter open and from shutter close to the time that
   // divides the weight in two. Each half is a list of knots. x: distance of the knot from that end, as a share of the exposure.
   // y: share of the weight up to the knot. z: weight at the knot (mean 1). w: slope of the weight up to the next knot.
-  uvec2 curve_counts;  // number of knots of both halves; 0: all times have equal weight
+  uvec2 curve_counts;  // numbers of knots: x of the half from shutter open, y from shutter close; 0: all weights equal
   vec2 curve_sides;    // shares of the weight before (x) and after (y) the raster time
   vec4 curve_opening[CURVE_KNOTS];  // knots of the half from shutter open
   vec4 curve_closing[CURVE_KNOTS];  // knots of the half from shutter close

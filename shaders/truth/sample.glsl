@@ -283,7 +283,8 @@ void noteMoving(ivec2 pixel, Hit hit) {
 }
 
 // Records a surface and its shadows for the consensus and for later samples. The surface is a static hit, or the hit of a probe
-// at the raster time. Returns false for the first such sample of the pixel, otherwise true.
+// at the raster time. `background_t`: distance of the hit along its ray. Returns true if an earlier sample of the pixel has
+// recorded such a surface.
 bool noteSurface(ivec2 pixel, Hit hit, float background_t) {
   uvec4 before = imageLoad(static_background_img, pixel);
   bool is_first = before.x == kNoSurface || isMoving(before);

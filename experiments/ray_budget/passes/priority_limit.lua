@@ -3,16 +3,18 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  doc    = "Threshold of the priority that at most a given share of the pixels exceed",
-  fails  = "Selects all pixels of one priority or none, so the share is not used up if many pixels have the same priority.",
+  doc    = "Threshold on the ray priority: the smallest value such that at most a given share of the pixels have a higher " ..
+           "priority",
+  fails  = "Selects all pixels of one priority or none, so a part of the share stays unused if many pixels have the same " ..
+           "priority.",
   size   = { 1, 1 },
   reads  = {
-    priority = { uint = true, doc = "priority of each pixel; only the size of the image is read" },
+    priority = { uint = true, doc = "ray priority of each pixel; only the size of the image is read" },
     counts   = { buffer = true, doc = "entry i: number of pixels with priority i" },
   },
   writes = { limit = { format = "r32ui", doc = "threshold, 0 to 4095; pixels above it are selected" } },
   params = {
-    most_pixels = pass.float { 1, min = 0, max = 1, doc = "share of the picture's pixels that all selections may use" },
-    most_part   = pass.float { 1, min = 0, max = 1, doc = "part of `most_pixels` that this selection may use, 0 to 1" },
+    most_pixels = pass.float { 1, min = 0, max = 1, doc = "ray budget: share of the picture's pixels that may have rays" },
+    most_part   = pass.float { 1, min = 0, max = 1, doc = "part of the ray budget that this selection may use, 0 to 1" },
   },
 }
