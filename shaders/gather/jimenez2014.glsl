@@ -19,10 +19,9 @@
 //   f is 1 if Y is nearer than X, b is 1 if Y is farther (by the relative difference `depth_extent`), and both are 1/2 at equal
 //   depths. The parameter `direction` adds a factor to the second term. With `mirror`, if one tap of a pair is nearer and
 //   faster than the other, both get its weight. Otherwise each keeps its own, so that mirrored images have mirrored results.
-//   Result: sum of weight * colour, divided by N, plus the colour of X with the remaining weight, 1 - sum of weights / N. Alpha
-//   is 1. Over a revealed surface, the result is the foreground alone, and alpha is its weight: the weight of a tap is reduced
-//   by the degree (0 to 1) to which the tap is in front of that surface and spreads over X, and the remaining weight by the
-//   degree to which X is in front of that surface.
+//   Result: sum of weight * colour, divided by N, plus the colour of X with the remaining weight, 1 - sum of weights / N; alpha
+//     1. Over a revealed surface, the result is the foreground alone, and alpha is its weight: taps that spread over X, and X,
+//   count to the degree (0 to 1) to which they are in front of that surface.
 // Fails: inside a silhouette the background is copied from outside, so that edges appear twice there. Outside a silhouette, the
 //   background under the blurred object comes from the opposite side. There is one direction per tile.
 #include "mixin/jitter.glsl"
