@@ -153,7 +153,7 @@ local arms = { { name = "no blur", pipeline = "none" } }
 for _, list in ipairs { postprocesses, others } do
   for _, pipeline in ipairs(list) do arms[#arms + 1] = { name = baselines[pipeline], pipeline = pipeline } end
 end
-arms[#arms + 1] = { name = "selective", pipeline = "selective" }
+arms[#arms + 1] = { name = "adaptive", pipeline = "adaptive" }
 arms[#arms + 1] = { name = "hybrid_layered", pipeline = "hybrid_layered" }
 arms[#arms + 1] = { name = hybrid, pipeline = "hybrid_traced" }
 arms[#arms + 1] = { name = shaded, pipeline = "hybrid_traced", shown = false,

@@ -16,11 +16,15 @@ return pass.trace {
     hit      = { uint = true, doc = "surface of the raster layer, by indices: instance + 1 (0 for the sky), geometry, " ..
                                     "triangle" },
     velocity = { doc = "screen displacement of each pixel of the raster layer, px over the exposure" },
-    certain  = { doc = "per cell, 1 where a gather along the motion is reliable, 1/2 where nothing moves, otherwise 0" },
+    certain  = { doc = "per cell, 1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 in refuted " ..
+                       "cells, otherwise 0" },
     longest  = { doc = "longest displacement of the surfaces that reach each cell, px over the exposure" },
   },
-  writes = { picture = { format = "rgba32f", doc = "blurred picture, linear radiance; alpha 1" } },
-  if_no = { motion = { picture = "color" } },
+  writes = {
+    picture = { format = "rgba32f", doc = "blurred picture, linear radiance; alpha 1" },
+    error   = { format = "r32f", doc = "estimated standard deviation of the picture from truth, linear radiance" },
+  },
+  if_no = { motion = { picture = "color", error = 0 } },
   params = {
     cell_side = blur.cell_side,
     samples   = blur.samples { doc = "number of taps along the motion where a gather is reliable" },
@@ -30,11 +34,11 @@ return pass.trace {
     allowance = pass.float { 0.01, min = 0, max = 1000,
       doc = "error tolerance: an interval between two rays is subdivided if its estimated error is larger; linear radiance " ..
             "times the interval's fraction of the exposure" },
-    hit_color = pass.choice { "shaded", "kept", default = "shaded", doc = "source of the colour of a hit",
+    hit_color = pass.choice { "shaded", "blended", default = "shaded", doc = "source of the colour of a hit",
       values = {
         shaded = "Shading of the hit, as at the raster time.",
-        kept = "Colour of the raster texel that shows the surface; hits without such a texel are shaded. Fails by errors " ..
-               "of half a pixel, which show as stairs in textures.",
+        blended = "Blend of the four raster texels around the point, if they show its surface and their range is within the " ..
+                  "error tolerance; other hits are shaded. Fails by smoothing textures of low contrast.",
       } },
     same_depth = pass.float { 0.01, min = 0, max = 1,
       doc = "largest relative difference between the depth of a hit point and the depth of a texel that shows this point" },
@@ -42,6 +46,7 @@ return pass.trace {
   counters = {
     gathered   = "pixels computed from raster colours, without a ray",
     samples    = "time samples with a ray",
+    shaded     = "hits that are shaded because the raster layer does not show their surface",
     not_finite = shade.counters.not_finite,
   },
   fails  = "Surfaces that appear and disappear between two rays with equal results are missed, unless the raster layer " ..

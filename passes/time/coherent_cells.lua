@@ -17,7 +17,8 @@ return pass.trace {
   },
   writes = {
     certain = { format = "r8_unorm",
-      doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, otherwise 0" },
+      doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 where a ray refuted one of these, " ..
+            "otherwise 0" },
     longest = { format = "rg32f", doc = "longest displacement of the surfaces that reach the cell, px over the exposure" },
   },
   if_no = { motion = { certain = 0, longest = 0 } },

@@ -6,11 +6,13 @@
 //      `id`: instance + 1, geometry + 1; 0 for the sky
 //      `hit`: instance + 1 (0 = sky), geometry, primitive
 //      `velocity`: displacement, px over the exposure
-//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, otherwise 0
+//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, 1/4 if a ray refuted
+//                 this, otherwise 0
 //      `longest`: per cell: longest displacement of the surfaces that reach the cell, px over the exposure
 // Out: `picture`: linear radiance, alpha 1
-// Method: cells with `certain` = 1 take the mean of `samples` texels along the motion; static cells, and pixels that no motion
-//   reaches, copy `color`. Other pixels trace rays at some of the n times of the loop:
+//      `error`: estimated standard deviation of `picture`, linear radiance
+// Method: cells with `certain` = 1 that are not beside a refuted cell take the mean of `samples` texels along the motion;
+//   static cells, and pixels that no motion reaches, copy `color`. Other pixels trace rays at some of the n times of the loop:
 //   1. Trace first rays at every k-th time. k is the largest power of two such that `longest` moves by at most `pace` image
 //      widths between two rays.
 //   2. Between two successive rays, at the times number a < b, estimate the colours and their error. If both rays hit one
@@ -25,7 +27,7 @@
 #include "lib/times.glsl"
 #include "mixin/static_background.glsl"
 
-const int kLevels = 12;  // largest depth of the subdivision; enough for 2^12 times (the pipeline `selective` has at most 256)
+const int kLevels = 12;  // largest depth of the subdivision; enough for 2^12 times (the pipeline `adaptive` has at most 256)
 
 // Result of one ray. Colours are multiplied by kSumScale (toSum of lib/sanitise.glsl), so that their sums stay finite.
 struct Sample {
@@ -35,16 +37,21 @@ struct Sample {
   float apart;  // largest difference of a channel from the raster texel at `place`; kFar if the texel does not show the point
 };
 
-// True if the raster image shows the surface `id` at `place` (texel, view depth). `color`: colour of the raster texel there,
-// multiplied by kSumScale.
-bool isKept(vec3 place, uvec2 id, out vec3 color) {
+// True if the raster texel `at` shows the surface `id` at the view depth `depth`. `color`: colour of the texel, multiplied by
+// kSumScale.
+bool isShownAt(ivec2 at, uvec2 id, float depth, out vec3 color) {
   color = vec3(0);
-  ivec2 at = ivec2(round(clamp(vec2(place), vec2(-2), vec2(frame.size) + 1.0)));
   if (!isInside(at, ivec2(frame.size)) || texelFetch(id_tex, at, 0).xy != id) return false;
-  if (relativeGap(texelFetch(depth_tex, at, 0).x, place.z) > params.same_depth) return false;
+  if (relativeGap(texelFetch(depth_tex, at, 0).x, depth) > params.same_depth) return false;
   color = toSum(finiteColor(texelFetch(color_tex, at, 0)));
   return true;
 }
+
+// Position in the raster image, texels, at most two texels outside.
+vec2 clamped(vec3 place) { return clamp(vec2(place), vec2(-2), vec2(frame.size) + 1.0); }
+
+// True if the raster texel nearest to `place` (texel, view depth) shows the surface `id`. `color`: as for isShownAt.
+bool isKept(vec3 place, uvec2 id, out vec3 color) { return isShownAt(ivec2(round(clamped(place))), id, place.z, color); }
 
 // Largest difference of two colours in a channel.
 float apart(vec3 a, vec3 b) {
@@ -53,10 +60,37 @@ float apart(vec3 a, vec3 b) {
 }
 
 uint traced = 0u;
+float variance = 0.0;  // estimated variance of the pixel's mean, in the scale of sums, squared
 
-// Traces a ray through the pixel at time `part` of the loop. The ray updates `static_background`, which later rays of the pixel
-// reuse.
-Sample sampleAt(ivec2 pixel, int part, inout StaticBackground static_background) {
+#if PARAM_hit_color == hit_color_blended
+// Blends the four raster texels around `place` that show the surface `id`. Returns false if no texel does, or if the expected
+// error is above a quarter of `allowance`: the texels' range over sqrt(12), the standard deviation of a uniform distribution,
+// times `share`, the share of the exposure that the sample stands for. With a quarter, blends add less to the error of the
+// adaptive pipeline than its intervals do (tried: 1, 1/4, 1/16).
+bool isBlended(vec3 place, uvec2 id, float share, out vec3 color) {
+  vec2 low = floor(clamped(place)), part = clamped(place) - low;
+  vec3 least = vec3(3e38), most = vec3(-3e38);
+  float weights = 0.0;
+  color = vec3(0);
+  for (int k = 0; k < 4; ++k) {
+    ivec2 corner = ivec2(k & 1, k >> 1);
+    vec2 along = mix(1.0 - part, part, equal(corner, ivec2(1)));
+    vec3 texel;
+    if (!isShownAt(ivec2(low) + corner, id, place.z, texel)) continue;
+    least = min(least, texel);
+    most = max(most, texel);
+    color += along.x * along.y * texel;
+    weights += along.x * along.y;
+  }
+  if (weights < 1e-3 || apart(least, most) * share > sqrt(12.0) * params.allowance * kSumScale / 4.0) return false;
+  color /= weights;
+  return true;
+}
+#endif
+
+// Traces a ray through the pixel at time `part` of the loop. The sample stands for the share `share` of the exposure. The ray
+// updates `static_background`, which later rays of the pixel reuse.
+Sample sampleAt(ivec2 pixel, int part, float share, inout StaticBackground static_background) {
   ++traced;
   uint slice = SLICE_SAMPLE + uint(part);
   Ray ray = cameraRay(slice, samplePosition(pixel));
@@ -68,16 +102,18 @@ Sample sampleAt(ivec2 pixel, int part, inout StaticBackground static_background)
     return result;
   }
   vec3 kept = vec3(0);
-  bool is_kept =
-      !is_static_background && isHit(hit) && placeInRaster(hit, result.place) && isKept(result.place, result.id, kept);
-  result.color = kept;
-#if PARAM_hit_color == hit_color_kept
-  if (is_kept) result.apart = 0.0;
-  if (is_kept) return result;
+  bool is_placed = !is_static_background && isHit(hit) && placeInRaster(hit, result.place);
+  bool is_kept = is_placed && isKept(result.place, result.id, kept);
+  bool is_blended = false;
+#if PARAM_hit_color == hit_color_blended
+  is_blended = is_placed && isBlended(result.place, result.id, share, result.color);
 #endif
-  vec3 color = isHit(hit) ? shade(SLICE_RASTER, hit) : environment(ray.direction);
-  if (is_static_background) static_background = staticBackgroundOf(hit, color);
-  result.color = toSum(color);
+  if (!is_blended) {
+    vec3 color = isHit(hit) ? shade(SLICE_RASTER, hit) : environment(ray.direction);
+    if (is_static_background) static_background = staticBackgroundOf(hit, color);
+    result.color = toSum(color);
+    if (isHit(hit)) count_shaded(1u);
+  }
   if (is_kept) result.apart = apart(kept, result.color);
   return result;
 }
@@ -101,11 +137,13 @@ bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
 // True if the times between the samples a and b need no ray. `at` and `end` are the numbers of these samples among `count`
 // times, d is the longest displacement in the cell. `sum` is then the sum of the colours at the times between. The colours are
 // raster texels along the path if both samples hit one surface that the raster image shows, otherwise the mean of a and b.
-bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum) {
+// `change`: difference of colours that remains unknown.
+bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum, out float change) {
   bool told = isTold(a, b);
   sum = 0.5 * float(end - at - 1) * (a.color + b.color);
   float unknown = told ? max(a.apart, b.apart) : apart(a.color, b.color);
   if (unknown * float(end - at) > params.allowance * kSumScale * float(count)) return false;
+  change = unknown;
   if (told) sum = vec3(0);
   for (int part = at + 1; part < end; ++part) {
     if (d != vec2(0) && comesAnother(pixel, d, part, count, a.id, b.id)) return false;
@@ -115,6 +153,10 @@ bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count
   }
   return true;
 }
+
+// Adds the variance of an interval that lasts the share `share` of the exposure. If the colour changes by `change` at a
+// uniformly distributed time in the interval, the pixel's mean has the variance (change * share)^2 / 12.
+void addChange(float change, float share) { variance += change * change * share * share / 12.0; }
 
 // Distance in time between two successive first rays of a pixel, in samples: the largest power of two such that the
 // displacement d moves by at most `pace` image widths between the rays.
@@ -128,8 +170,7 @@ int firstStep(vec2 d, int count) {
 // Mean radiance of the pixel over the exposure, by rays. The loop goes through the times in order. `from`: last sample that the
 // sum includes; `at`: number of its time. `waiting`: stack of later samples that are already traced, with the earliest on top;
 // `ends`: numbers of their times.
-vec3 meanOver(ivec2 pixel) {
-  vec2 d = vec2(texelFetch(longest_tex, pixel / params.cell_side, 0));
+vec3 meanOver(ivec2 pixel, vec2 d) {
   int count = int(frame.slice_count), step = firstStep(d, count);
   StaticBackground static_background = staticBackgroundAt(pixel);
   Sample from, waiting[kLevels];
@@ -137,12 +178,14 @@ vec3 meanOver(ivec2 pixel) {
   ends[0] = 0;
   vec3 sum = vec3(0);
   while (at < count - 1) {
-    waiting[depth] = sampleAt(pixel, ends[depth], static_background);
+    waiting[depth] = sampleAt(pixel, ends[depth], float(ends[depth] - at) / float(count), static_background);
     while (depth >= 0) {
       Sample to = waiting[depth];
       int end = ends[depth];
       vec3 between = vec3(0);
-      if (end - at > 1 && !isKnown(pixel, d, from, to, at, end, count, between)) break;
+      float change = at < 0 ? 0.0 : apart(from.color, to.color);
+      if (end - at > 1 && !isKnown(pixel, d, from, to, at, end, count, between, change)) break;
+      addChange(change, float(end - at) / float(count));
       sum += to.color + between;
       from = to;
       at = end;
@@ -159,25 +202,47 @@ vec3 meanOver(ivec2 pixel) {
 vec3 gathered(ivec2 pixel) {
   vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
   ivec2 size = ivec2(frame.size);
-  vec3 sum = vec3(0);
+  vec3 sum = vec3(0), last = vec3(0);
   for (int i = 0; i < params.samples; ++i) {
     ivec2 at = pixel + roundSymmetric(tapOffset(d, sampleTime(i, params.samples, 0.0)));
-    sum += toSum(finiteColor(texelFetch(color_tex, clampToImage(at, size), 0)));
+    vec3 color = toSum(finiteColor(texelFetch(color_tex, clampToImage(at, size), 0)));
+    if (i > 0) addChange(apart(last, color), 1.0 / float(params.samples));
+    last = color;
+    sum += color;
   }
   return fromSum(sum / float(params.samples));
 }
 
+// Entry of `certain` for the pixel's cell; 0 beside a refuted cell, because the surface that refuted it may reach its
+// neighbours.
+// `longest`: displacement that the times of the first rays depend on, px over the exposure.
+float certainAt(ivec2 cell, out vec2 longest) {
+  float certain = texelFetch(certain_tex, cell, 0).x;
+  longest = vec2(texelFetch(longest_tex, cell, 0));
+  for (int k = 0; k < 9 && certain > 0.4; ++k) {
+    ivec2 at = clampToImage(cell + ivec2(k % 3, k / 3) - 1, textureSize(certain_tex, 0));
+    float other = texelFetch(certain_tex, at, 0).x;
+    if (other < 0.2 || other > 0.3) continue;
+    certain = 0.0;
+    longest = vec2(texelFetch(longest_tex, at, 0));
+  }
+  return certain;
+}
+
 void run(ivec2 pixel) {
   vec3 color = vec3(texelFetch(color_tex, pixel, 0));
-  float certain = texelFetch(certain_tex, pixel / params.cell_side, 0).x;
-  bool is_reached = frame.exposure > 0.0 && isInMovingRect(pixel);
-  if (is_reached && certain < 0.25) {
-    color = meanOver(pixel);
-    count_samples(traced);
-  } else if (is_reached) {
-    count_gathered(1u);
-    if (certain > 0.75) color = gathered(pixel);
+  if (frame.exposure > 0.0 && isInMovingRect(pixel)) {
+    vec2 longest;
+    float certain = certainAt(pixel / params.cell_side, longest);
+    if (certain < 0.4) {
+      color = meanOver(pixel, longest);
+      count_samples(traced);
+    } else {
+      count_gathered(1u);
+      if (certain > 0.75) color = gathered(pixel);
+    }
   }
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   imageStore(picture_img, pixel, vec4(color, 1));
+  imageStore(error_img, pixel, vec4(sqrt(variance) / kSumScale));
 }

@@ -4,13 +4,14 @@
 //      `velocity`: displacement, px over the exposure
 //      `id`: instance + 1 at the raster time; 0 for the sky
 //      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
-// Out: `certain`: 1 if the gather is reliable, 1/2 if the cell is static, otherwise 0
+// Out: `certain`: 1 if the gather is reliable, 1/2 if the cell is static, 1/4 if a ray refuted this, otherwise 0
 //      `longest`: longest displacement of the surfaces that reach the cell, px over the exposure
 // Method: join the bounds of all cells that contain surfaces which reach this cell, or texels that a gather in this cell reads.
 //   If the diagonal of the joined box is at most `apart_px`, validate the cell with `validation_rays` rays. Each ray has a
 //   random pixel of the cell and its own part of the exposure. The ray must hit the point that the pixel's displacement brings
 //   there. Otherwise a surface is present that the displacements of the raster time do not describe: with a curved path,
-//   disoccluded, or from outside the image. The cell is then not certain, and `longest` is at least kUnknown image widths.
+//   disoccluded, or from outside the image. The cell is then not certain, and `longest` is the displacement of the point hit,
+//   or kUnknown image widths if the point does not move faster than the cell: then another surface has gone.
 // Fails: misses a surface much smaller than a cell that the raster image does not show and no ray hits.
 #include "lib/bounds.glsl"
 #include "lib/random.glsl"
@@ -22,6 +23,9 @@
 // Displacement assumed for a surface of unknown motion that only a validation ray has found, image widths. With half the image
 // width, the pass adaptive_times traces dense first rays. The value is not derived.
 const float kUnknown = 0.5;
+
+// Shortest time from which a displacement is computed, exposures. Rounding of places by 2^-8 px is then at most 1/16 px.
+const float kShortest = 1.0 / 16.0;
 
 // True if a surface may reach this cell within the exposure. `way`: offset of the surface's cell from this cell, in cells.
 // `bounds`: bounds of the surface's displacement.
@@ -63,8 +67,9 @@ bool shows(ivec2 at, uint id) {
 }
 
 // True if validation ray `number` of the cell hits the point that the motion brings to the ray's pixel at the ray's time, and
-// the raster image shows that point. Tolerance: half a pixel, for the rounding of a tap, and `apart_px`.
-bool agrees(ivec2 cell, uint number) {
+// the raster image shows that point. Tolerance: half a pixel, for the rounding of a tap, and `apart_px`. `found`: displacement
+// of the hit point, px over the exposure, from its places at the raster time and at the ray's time.
+bool agrees(ivec2 cell, uint number, out vec2 found) {
   uint index = uint(cell.y * pass_size().x + cell.x);
   uint drawn = randomUint(index, number, 3u);
   uvec2 within = uvec2(drawn & 0xffffu, drawn >> 16u) % uint(params.cell_side);
@@ -74,12 +79,17 @@ bool agrees(ivec2 cell, uint number) {
   Ray ray = cameraRay(slice, samplePosition(pixel));
   Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, 3.0e38);
   vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
-  vec2 expected = vec2(pixel) + tapOffset(d, sampleTime(int(part), int(frame.slice_count), 0.0));
+  float t = sampleTime(int(part), int(frame.slice_count), 0.0);
+  vec2 expected = vec2(pixel) + tapOffset(d, t);
   ivec2 texel = ivec2(roundSymmetric(expected));
-  if (!isInside(texel, ivec2(frame.size))) return false;
-  vec3 place;
-  if (isHit(hit) && !(placeInRaster(hit, place) && lengthOf(vec2(place) - expected) <= 0.5 + params.apart_px)) return false;
-  return shows(texel, isHit(hit) ? hit.instance + 1u : 0u);
+  found = d;
+  if (isHit(hit)) {
+    vec3 place;
+    bool is_placed = placeInRaster(hit, place);
+    found = is_placed ? (vec2(pixel) - vec2(place)) / (abs(t) > kShortest ? t : kShortest) : vec2(0);
+    if (!is_placed || lengthOf(vec2(place) - expected) > 0.5 + params.apart_px) return false;
+  }
+  return isInside(texel, ivec2(frame.size)) && shows(texel, isHit(hit) ? hit.instance + 1u : 0u);
 }
 
 // Displacement in the box `bounds` that is longest: the corner farthest from zero.
@@ -90,18 +100,20 @@ vec2 longestOf(vec4 bounds) {
 
 void run(ivec2 cell) {
   vec4 bounds = boundsOfComing(cell);
-  float longest_px = longestIn(bounds);
   bool is_even = lengthOf(highOf(bounds) - lowOf(bounds)) <= params.apart_px;
-  bool moves = spreadFactor(frame.shutter) * longest_px > kStaticRadius;
-  float certain = moves ? 1.0 : 0.5;
-  bool is_refuted = false;
+  bool moves = spreadFactor(frame.shutter) * longestIn(bounds) > kStaticRadius;
+  float certain = is_even ? moves ? 1.0 : 0.5 : 0.0;
+  vec2 longest = longestOf(bounds), found;
   if (is_even) {
     count_checked(1u);
-    for (int number = 0; number < params.validation_rays && !is_refuted; ++number) is_refuted = !agrees(cell, uint(number));
-    if (is_refuted) count_mismatched(1u);
+    for (int number = 0; number < params.validation_rays && certain > 0.25; ++number) {
+      if (agrees(cell, uint(number), found)) continue;
+      certain = 0.25;
+      count_mismatched(1u);
+      vec2 unknown = vec2(kUnknown * float(frame.size.x), 0);
+      longest = lengthOf(found) > lengthOf(longest) + params.apart_px ? clampLength(found, unknown.x) : unknown;
+    }
   }
-  imageStore(certain_img, cell, vec4(is_even && !is_refuted ? certain : 0.0));
-  vec2 longest = longestOf(bounds);
-  if (is_refuted && lengthOf(longest) < kUnknown * float(frame.size.x)) longest = vec2(kUnknown * float(frame.size.x), 0);
+  imageStore(certain_img, cell, vec4(certain));
   imageStore(longest_img, cell, vec4(longest, 0, 0));
 }

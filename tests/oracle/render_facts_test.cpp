@@ -84,7 +84,7 @@ std::vector<Case> cases() {
 // Of those that have them: other graphs than presets make.
 const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
     {"mcguire2012", {{"weights=uniform", "range=split"}, {"color_format=fp16"}, {"displacement=extrapolated"}}},
-    {"selective", {{"effort=0"}, {"effort=0.6"}, {"effort=0.8", "samples=4"}}},
+    {"adaptive", {{"quality=0"}, {"quality=0.6"}, {"quality=0.8", "samples=4"}}},
     {"guertin2014", {{"second_share=variance", "color_format=fp16"}, {"uniform_path=false"}}},
     {"jimenez2014", {{"color_format=fp16", "copy_below=0"}}},
     {"hybrid",

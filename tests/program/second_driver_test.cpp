@@ -30,7 +30,7 @@ return capture {
     { name = "hdrp", pipeline = "hdrp" },
     { name = "lee2024", pipeline = "lee2024" },
     { name = "oberberger2022", pipeline = "oberberger2022" },
-    { name = "selective", pipeline = "selective" },
+    { name = "adaptive", pipeline = "adaptive" },
     { name = "accumulation", pipeline = "accumulation" },
     { name = "traced", pipeline = "hybrid_traced" },
     { name = "paper", pipeline = "hybrid" },

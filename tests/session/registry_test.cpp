@@ -67,18 +67,18 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       kBent,
       {{"tile=8"}, {"tile_rule"}},
       {{"scene=solids", "slide=5", "limit=10", "layer_count=2"}, {"sides"}}}},
-    {"selective",
-     {{{"effort=0"}, {}},
-      {{"effort=0", "jitter=hash", "frame=1"}, {"jitter_frame"}},
-      {{"effort=0", "scene=bent", "anchor=centre"}, {"displacement"}},
-      {{"effort=0", "anchor=centre"}, {"gather/jimenez2014.mirror"}},
-      {{"effort=0", "tile=8"}, {"tile_rule"}},
+    {"adaptive",
+     {{{"quality=0"}, {}},
+      {{"quality=0", "jitter=hash", "frame=1"}, {"jitter_frame"}},
+      {{"quality=0", "scene=bent", "anchor=centre"}, {"displacement"}},
+      {{"quality=0", "anchor=centre"}, {"gather/jimenez2014.mirror"}},
+      {{"quality=0", "tile=8"}, {"tile_rule"}},
       {{}, {"preset"}},
-      {{"effort=0.1", "scene=solids"},
+      {{"quality=0.1", "scene=solids"},
        {"time/adaptive_times.pace", "time/adaptive_times.allowance", "time/adaptive_times.hit_color",
         "time/adaptive_times.same_depth", "time/adaptive_times.cell_side", "time/coherent_cells.apart_px",
         "time/coherent_cells.validation_rays"}},
-      {{"effort=0.8", "samples=4"}, {}}}},
+      {{"quality=0.8", "samples=4"}, {}}}},
     {"accumulation", {{{"scene=solids"}, {}}, {{"scene=solids", "samples=64"}, {"contrast", "detail_below"}}}},
     {"oberberger2022", {{{}, {}}, {{"frame=1"}, {"jitter_frame"}}, kBent, {{"tile=8"}, {"tile_rule"}}}},
     {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
@@ -149,7 +149,7 @@ const char* const kResolved = "this pipeline leaves no sample open";
 // Parameters that change how a picture comes about and never the picture, with the reason.
 const std::map<std::string, std::string> kNoPicture = {
     {"gbuffer/shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
-    {"selective: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
+    {"adaptive: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"ue4: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid_layered: layered/layered_composite.marks_contrast", kResolved},
@@ -164,8 +164,8 @@ const std::map<std::string, std::string> kNoPicture = {
     {"time/trace_time_samples.mismatch_tolerance", "what a check counts"},
     {"time/coherent_cells.validation_rays",
      "which cells are checked; where no ray finds anything they stay what they are"},
-    {"selective: truth/sample_consensus.even_within", "centres are sampled alone, whose rays are one"},
-    {"selective: truth/sample.validation_share", "which pixels are checked"},
+    {"adaptive: truth/sample_consensus.even_within", "centres are sampled alone, whose rays are one"},
+    {"adaptive: truth/sample.validation_share", "which pixels are checked"},
     {"truth/stop.min_samples", "keeps truth from stopping on few samples; the tolerance decides after that"},
 };
 
@@ -380,7 +380,7 @@ TEST_F(Registry, Bevy) { walk("bevy", 7); }
 TEST_F(Registry, Hdrp) { walk("hdrp", 9); }
 TEST_F(Registry, Temporal1) { walk("oberberger2022", 10); }
 TEST_F(Registry, Layers2024) { walk("lee2024", 8); }
-TEST_F(Registry, Selective) { walk("selective", 11); }
+TEST_F(Registry, Adaptive) { walk("adaptive", 11); }
 TEST_F(Registry, Accumulation) { walk("accumulation", 12); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }
 TEST_F(Registry, HybridLayered) { walk("hybrid_layered", 13); }

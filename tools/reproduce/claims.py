@@ -42,7 +42,7 @@ EXPERIMENTS = [
     experiment("ray_budget", "shot=enters", 40, 240),
     experiment("exhibits", "shot=jump", 40, 400),
     experiment("shading_under_motion", "shot=lamp", 50, 240),
-    experiment("selective", "shot=enters", 60, 360),
+    experiment("adaptive", "shot=enters", 60, 360),
     experiment("samples", "samples=4", 50, 400),
     experiment("composites", "shot=still,samples=16", 50, 1200),
     experiment("edge_detectors", "shot=near,depth=0.05", 50, 1200),

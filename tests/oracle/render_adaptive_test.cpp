@@ -10,20 +10,20 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace render_selective_test {
+namespace render_adaptive_test {
 
 constexpr int kWidth = 96, kHeight = 54;
 
-class RenderSelective : public RenderTest {
+class RenderAdaptive : public RenderTest {
  protected:
   static lab::Shot shot(const std::string& scene) {
     return scene == "crowd" ? shotOf("crowd", kWidth, kHeight)
                             : shotOf("../objects/" + scene, kWidth, kHeight, {{"pixels", 14}});
   }
-  static lab::Picture at(const lab::Shot& shot, double effort, std::vector<std::string> more = {},
+  static lab::Picture at(const lab::Shot& shot, double quality, std::vector<std::string> more = {},
                          const std::string& anchor = "") {
-    more.push_back(fmt::format("effort={}", effort));
-    return render(with(shot, "selective", more, anchor));
+    more.push_back(fmt::format("quality={}", quality));
+    return render(with(shot, "adaptive", more, anchor));
   }
   // Rays of all passes.
   static uint64_t raysOf(const lab::Picture& picture) {
@@ -34,7 +34,7 @@ class RenderSelective : public RenderTest {
   }
 };
 
-TEST_F(RenderSelective, IsAPostProcessAtOneEnd) {
+TEST_F(RenderAdaptive, IsAPostProcessAtOneEnd) {
   for (const Anchor& anchor : anchors())
     for (const char* scene : {"crowd", "stacked"}) {
       SCOPED_TRACE(fmt::format("{} {}", scene, anchor.name));
@@ -45,7 +45,7 @@ TEST_F(RenderSelective, IsAPostProcessAtOneEnd) {
     }
 }
 
-TEST_F(RenderSelective, IsTruthAtTheOther) {
+TEST_F(RenderAdaptive, IsTruthAtTheOther) {
   for (const char* scene : {"stacked", "tracking_parallax"}) {
     SCOPED_TRACE(scene);
     const lab::Picture own = at(shot(scene), 1, {"samples=8"});
@@ -57,14 +57,14 @@ TEST_F(RenderSelective, IsTruthAtTheOther) {
   }
 }
 
-TEST_F(RenderSelective, MoreEffortTracesMoreAndErrsLess) {
+TEST_F(RenderAdaptive, MoreQualityTracesMoreAndErrsLess) {
   for (const char* scene : {"stacked", "tracking_parallax", "caged_fan"}) {
     const lab::Picture truth = render(with(shot(scene), "ground_truth", {"samples=512", "mark_regions=false"}));
     double last = INFINITY;
     uint64_t rays = 0;
-    for (double effort : {0., .1, .3, .5, .7, .9}) {
-      SCOPED_TRACE(fmt::format("{} {}", scene, effort));
-      const lab::Picture own = at(shot(scene), effort);
+    for (double quality : {0., .1, .3, .5, .7, .9}) {
+      SCOPED_TRACE(fmt::format("{} {}", scene, quality));
+      const lab::Picture own = at(shot(scene), quality);
       const double error = rmsDifference(colorOf(own), colorOf(truth));
       EXPECT_LT(error, last);
       EXPECT_GT(raysOf(own), rays);
@@ -75,7 +75,7 @@ TEST_F(RenderSelective, MoreEffortTracesMoreAndErrsLess) {
 
 // A bar and what is behind it that move alike: of the pixels that no border of the picture comes to none is traced, and
 // each is the mean of the texels that come to it.
-TEST_F(RenderSelective, GathersWhereAllMovesAlike) {
+TEST_F(RenderAdaptive, GathersWhereAllMovesAlike) {
   constexpr int kSamples = 8, kBorder = 30;
   const lab::Shot alike = shotOf("textured_bar", 128, 40, {{"d_f", 16}, {"d_b", 16}});
   const lab::Picture own = at(alike, .4, {"samples=8"}, "end");
@@ -94,7 +94,7 @@ TEST_F(RenderSelective, GathersWhereAllMovesAlike) {
 
 // What the capture does not show is found by rays: a bar that was in the picture only before the capture, one that is
 // half in and half out, one that comes in from outside. To within what is let be between two rays.
-TEST_F(RenderSelective, FindsWhatTheCaptureDoesNotSee) {
+TEST_F(RenderAdaptive, FindsWhatTheCaptureDoesNotSee) {
   struct Bar {
     double left, right, d;
   };
@@ -110,7 +110,7 @@ TEST_F(RenderSelective, FindsWhatTheCaptureDoesNotSee) {
 
 // Something that no displacement of the capture tells of comes before what rests or moves alike: rays of the cells see
 // it.
-TEST_F(RenderSelective, RaysRefuteCellsThatSeemCertain) {
+TEST_F(RenderAdaptive, RaysRefuteCellsThatSeemCertain) {
   const lab::Picture own = at(shotOf("bar", 64, 40, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), .4, {}, "end");
   EXPECT_GT(counterOf(own, "coherent_cells.checked"), counterOf(own, "coherent_cells.mismatched"));
   EXPECT_GT(counterOf(own, "coherent_cells.mismatched"), 0u);
@@ -119,7 +119,7 @@ TEST_F(RenderSelective, RaysRefuteCellsThatSeemCertain) {
 // Raster puts the left edge of a card at rest, a thousandth of a pixel to the right of a pixel's centre, on that centre
 // and sees the card there; rays pass beside it. At no time does the pixel see anything but what moves behind, and comes
 // there.
-TEST_F(RenderSelective, CardsAtRestBeginWhereRaysMeetThem) {
+TEST_F(RenderAdaptive, CardsAtRestBeginWhereRaysMeetThem) {
   constexpr float kCard = .5, kBehind = .75;
   for (const Anchor& anchor : anchors()) {
     const lab::Shot shot = shotOf("cards", 96, 8,
@@ -142,7 +142,7 @@ TEST_F(RenderSelective, CardsAtRestBeginWhereRaysMeetThem) {
 
 // A gather inside a surface of one colour would move the static texture beside the surface along with it. The raster
 // image and the truth have equal resolution, so the error is that of the intervals between rays alone.
-TEST_F(RenderSelective, AGatherDoesNotMoveAStaticBackground) {
+TEST_F(RenderAdaptive, AGatherDoesNotMoveAStaticBackground) {
   for (const lab::Shot& shot :
        {shotOf("../behind", kWidth, kHeight),
         shotOf("quad_2d", kWidth, kHeight, {{"left", 30}, {"right", 60}, {"top", 12}, {"bottom", 42}})}) {
@@ -155,7 +155,7 @@ TEST_F(RenderSelective, AGatherDoesNotMoveAStaticBackground) {
 
 // A card slides in and back, so its displacement over the exposure is 0. Rays hit the card, but not at the point that
 // the displacement brings.
-TEST_F(RenderSelective, RaysRefuteAStaticCellThatTheDisplacementDoesNotDescribe) {
+TEST_F(RenderAdaptive, RaysRefuteAStaticCellThatTheDisplacementDoesNotDescribe) {
   lab::Shot shot = shotOf("../turns_back", kWidth, kHeight);
   shot.frame = 1;
   const lab::Picture own = at(shot, .5, {}, "centre");
@@ -168,7 +168,7 @@ TEST_F(RenderSelective, RaysRefuteAStaticCellThatTheDisplacementDoesNotDescribe)
 
 // The last cells are cut off by the picture's border, at which what moves ends too: rays look at no pixel beyond it.
 // Surfaces from outside the picture come to the cells of one border alone.
-TEST_F(RenderSelective, RaysLookAtThePictureAlone) {
+TEST_F(RenderAdaptive, RaysLookAtThePictureAlone) {
   constexpr int kHigh = 34;
   const lab::Shot moves = shotOf(
       "crossing", 64, kHigh, {{"a_left", -200}, {"a_width", 400}, {"a_top", -8}, {"a_height", 8 + kHigh}, {"a_x", 12}});
@@ -180,5 +180,5 @@ TEST_F(RenderSelective, RaysLookAtThePictureAlone) {
   }
 }
 
-}  // namespace render_selective_test
+}  // namespace render_adaptive_test
 }  // namespace strobe::oracle
