@@ -39,9 +39,9 @@ class Reproduce : public ReproduceTest {
   }
   Outcome marks() { return reproduce({"--marks", "--root", copy_.string()}); }
   // One that reads committed results and starts no device.
-  Outcome claim() {
+  Outcome claim(const std::string& more = "--quick") {
     return reproduce(
-        {"--quick", "--only", "readme_real_scenes", "--root", copy_.string(), "-o", (copy_ / "out").string()});
+        {"--quick", "--only", "readme_real_scenes", "--root", copy_.string(), "-o", (copy_ / "out").string(), more});
   }
 
   fs::path copy_;
@@ -105,6 +105,15 @@ TEST_F(Reproduce, ANumberChangedByHandIsCaught) {
   EXPECT_EQ(after.code, 1) << after.text;
   EXPECT_TRUE(contains(after.text, "readme_real_scenes misses: line ")) << after.text;
   EXPECT_TRUE(contains(after.text, ": .0072 is 0.0082")) << after.text;
+}
+
+TEST_F(Reproduce, NumbersMadeAgainReplaceTheStated) {
+  copyPages();
+  const std::string page = readText(copy_ / "README.md");
+  replace("README.md", "**.0082**", "**.9999**");
+  EXPECT_EQ(claim("--replace").code, 1) << "the verdict is that of the stated numbers";
+  EXPECT_EQ(readText(copy_ / "README.md"), page);
+  EXPECT_EQ(claim().code, 0);
 }
 
 TEST_F(Reproduce, UnknownClaimsAreRefused) {

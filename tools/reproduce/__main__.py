@@ -144,7 +144,7 @@ def parsed(arguments):
     parser.add_argument("--list", action="store_true", help="print the claims and run nothing")
     parser.add_argument("--marks", action="store_true", help="check the marks of the pages and run nothing")
     parser.add_argument("--stale", action="store_true", help="print results and pictures whose inputs changed, run nothing")
-    parser.add_argument("--replace", action="store_true", help="put pictures in place of the committed ones, with their inputs")
+    parser.add_argument("--replace", action="store_true", help="put pictures and numbers in place of the committed ones")
     parser.add_argument("--json", action="store_true", help="print the table as JSON")
     parser.add_argument("--root", type=Path, default=HOME, help="the folder whose pages are read (default: this one)")
     parser.add_argument("--program", type=Path, default=HOME / "build" / "strobe", help="the program (build/strobe)")
@@ -189,7 +189,7 @@ def main(arguments):
             refuse("\n".join(lost) or f"no page marks a number with '{claim.id}'")
         results.append((claim, checked(claim, bench, by_id[claim.id].numbers if claim.marked else [])))
         if options.replace and getattr(claim, "made", None):
-            claim.replace(bench)
+            claim.replace(bench, by_id.get(claim.id))
     if options.json:
         print(json.dumps([as_data(*result) for result in results], indent=1, ensure_ascii=False))
     else:

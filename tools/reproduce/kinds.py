@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import inputs
+import marks
 from bench import TIMES, Failed, Missing
 from pixels import differing_share, pixels_of
 
@@ -52,10 +53,17 @@ class Numbers(Claim):
     places: float = 0.5        # of the stated last place
     asserted: bool = True      # times are not, since they are those of a machine
     sources: tuple = ()        # experiments whose results it reads
+    made: list = None          # the values made anew
     marked = True
 
+    def replace(self, bench, mark):
+        """Puts the new values in place of the stated ones, if there are as many."""
+        if len(self.made) == len(mark.numbers):
+            page = bench.root / mark.page
+            page.write_text(marks.replaced(mark.page, page.read_text(), self.id, self.made))
+
     def check(self, bench, numbers):
-        now = list(self.read(bench))
+        now = self.made = list(self.read(bench))
         if len(now) != len(numbers):
             return Outcome(f"{len(numbers)} numbers", f"{len(now)} numbers", "", MISSES,
                            "the page states another number of values than the claim reads")
@@ -177,7 +185,7 @@ class Figure(Claim):
     inputs: object = None  # of a committed picture: inputs(bench) gives the inputs of the new one
     made: Path = None      # the new file
 
-    def replace(self, bench):
+    def replace(self, bench, _):
         """Puts the new picture, and its inputs, in place of the committed ones."""
         found = self.inputs(bench) if self.inputs else None
         if found is None:

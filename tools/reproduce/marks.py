@@ -48,6 +48,21 @@ class Number:
         return 0.5 * 10.0 ** (int(power or 0) - places)
 
 
+    def rewritten(self, value):
+        """The text of another value, with the same places and style."""
+        mantissa, exponent, _ = self.text.partition("e")
+        places = len(mantissa.partition(".")[2])
+        if exponent:
+            digits, _, power = f"{abs(value):.{places}e}".partition("e")
+            text = f"{digits}e{int(power)}"
+        else:
+            text = f"{abs(value):,.{places}f}" if "," in mantissa else f"{abs(value):.{places}f}"
+        if mantissa.lstrip("-−").startswith("."):
+            text = text.removeprefix("0")
+        minus = "−" if "−" in self.text else "-"
+        return (minus if value < 0 and float(text.replace(",", "")) != 0 else "") + text
+
+
 @dataclass
 class Mark:
     page: str
@@ -158,3 +173,11 @@ def unmarked(page, text, marks, fragments):
             findings.append(f"{page}:{line_of(text, number.at)}: {number.text} has no mark (in \"{around}\"): mark it "
                             "with a claim of tools/reproduce/claims.py, or list the text in definitions.py")
     return findings + lacking
+
+
+def replaced(page, text, id, values):
+    """The text of the page with other values between the marks of `id`, in reading order."""
+    mark = next(mark for mark in marks_of(page, text)[0] if mark.id == id)
+    for number, value in reversed(list(zip(mark.numbers, values))):
+        text = text[:number.at] + number.rewritten(value) + text[number.at + len(number.text):]
+    return text
