@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Blur with one parameter, `quality`, that leads from a post-process gather (0) to ground truth (1). Between these ends, a pixel
--- is gathered if the gather is reliable there. The other pixels trace rays at several times.
+-- Blur with one parameter, `quality`, that leads from a post-process gather (0) to ground truth (1). Between these ends, a
+-- pixel is gathered if the gather is reliable there. The other pixels trace rays at several times.
 local pipeline = require "strobe.pipeline"
 local velocity_bounds  = require "passes.cell.velocity_bounds"
 local tile_max         = require "passes.tile.tile_max"

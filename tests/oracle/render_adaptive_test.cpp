@@ -146,7 +146,7 @@ TEST_F(RenderAdaptive, AGatherDoesNotMoveAStaticBackground) {
   for (const lab::Shot& shot :
        {shotOf("../behind", kWidth, kHeight),
         shotOf("quad_2d", kWidth, kHeight, {{"left", 30}, {"right", 60}, {"top", 12}, {"bottom", 42}})}) {
-    SCOPED_TRACE(shot.scene.string());
+    SCOPED_TRACE(shot.scene);
     const image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=256", "mark_regions=false"})));
     const double gather = rmsDifference(colorOf(render(with(shot, "ue4"))), truth);
     EXPECT_LE(rmsDifference(colorOf(at(shot, .5)), truth), 0.05 * gather);

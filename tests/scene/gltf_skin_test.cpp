@@ -218,7 +218,7 @@ TEST_F(Gltf, WhatBendsMovesAsItsJointsAndWeightsDo) {
   skinned.drive({{"node", 2}, {"path", "translation"}}, {2, 0, 0, 2, 1, 0}, "VEC3", 3);
   Scene scene = load(skinned.asset.whole());
   EXPECT_TRUE(factsAt(scene, 0.5).moves.at(0));
-  EXPECT_TRUE(factsAt(scene, 0.5).bends);
+  EXPECT_TRUE(factsAt(scene, 0.5).deforms);
   EXPECT_FALSE(factsAt(scene, 0).moves.at(0)) << "before its keys";
   // What moves the node that shows it moves nothing.
   skinned.drive({{"node", 0}, {"path", "translation"}}, {0, 0, 0, 9, 9, 9}, "VEC3", 3);
@@ -227,9 +227,9 @@ TEST_F(Gltf, WhatBendsMovesAsItsJointsAndWeightsDo) {
     Morphed morphed;
     morphed.drive({{"node", 0}, {"path", "weights"}}, {0, 0, 0, 1}, "SCALAR", 1, how);
     EXPECT_EQ(factsAt(load(morphed.asset.whole()), 0.5).moves.at(0), std::string(how) == "LINEAR");
-    EXPECT_TRUE(factsAt(load(morphed.asset.whole()), 0.5).bends);
+    EXPECT_TRUE(factsAt(load(morphed.asset.whole()), 0.5).deforms);
   }
-  EXPECT_FALSE(factsAt(load(triangle().whole()), 0).bends);
+  EXPECT_FALSE(factsAt(load(triangle().whole()), 0).deforms);
 }
 
 // ---- bounds

@@ -63,7 +63,7 @@ FRAGMENTS = [
     ("docs/precision.md", "at 20 pixels a tile they are", "a default"),
     ("docs/precision.md", "darkens pictures by 0.03 %", "half a spacing of half floats: 2^-12 to 2^-11"),
     ("docs/precision.md", "2^-11 = 0.05 %", "arithmetic"),
-    ("docs/precision.md", "each is 4 bytes per pixel", "a format"),
+    ("docs/precision.md", "therefore cost 4 bytes per pixel", "a format"),
     ("docs/precision.md", "n/z in fp32 | 0 |", "what the sky is stored as"),
     ("docs/precision.md", "1/z in fp32 | 0 |", "what the sky is stored as"),
     ("docs/precision.md", "1 - n/z in 24 bits | 1 |", "what the sky is stored as"),
