@@ -166,6 +166,29 @@ TEST_F(RenderAdaptive, RaysRefuteAStaticCellThatTheDisplacementDoesNotDescribe) 
             0.4 * rmsDifference(colorOf(render(with(shot, "ue4", {}, "centre"))), truth));
 }
 
+// The estimate is a standard deviation: over a picture, its mean is within a factor of 2 of the mean error (measured:
+// 0.6 to 1.6). Nothing that rests has an error.
+TEST_F(RenderAdaptive, EstimatesItsError) {
+  for (const char* scene : {"stacked", "tracking_parallax", "crowd"}) {
+    SCOPED_TRACE(scene);
+    const lab::Picture own = at(shot(scene), .4);
+    const image::Image truth =
+        colorOf(render(with(shot(scene), "ground_truth", {"samples=512", "mark_regions=false"})));
+    const image::Image error = imageOf(own, "error"), color = colorOf(own);
+    double estimated = 0, actual = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        double squares = 0;
+        for (int c = 0; c < 3; ++c) squares += std::pow(color.at(x, y, c) - truth.at(x, y, c), 2);
+        estimated += error.at(x, y, 0), actual += std::sqrt(squares / 3);
+      }
+    EXPECT_LT(estimated, 2 * actual);
+    EXPECT_GT(estimated, actual / 2);
+  }
+  const lab::Picture rests = render(with(shot("stacked"), "adaptive", {"quality=.4", "scene.pixels=0"}));
+  EXPECT_EQ(rms(imageOf(rests, "error")), 0);
+}
+
 // The last cells are cut off by the picture's border, at which what moves ends too: rays look at no pixel beyond it.
 // Surfaces from outside the picture come to the cells of one border alone.
 TEST_F(RenderAdaptive, RaysLookAtThePictureAlone) {
