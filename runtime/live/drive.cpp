@@ -8,10 +8,10 @@ namespace strobe::live {
 
 const std::vector<CommandForm>& commandForms() {
   static const std::vector<CommandForm> forms = {
-      {"set", "NAME VALUE", "change a value, as --set or an option of the shot would"},
-      {"unset", "NAME", "give it back to preset, scene or default"},
+      {"set", "NAME VALUE", "change the value of the control NAME, as --set or an option of the shot would"},
+      {"unset", "NAME", "reset the control NAME to the value of the preset or the scene, or to the default"},
       {"pipeline", "NAME", "run another pipeline"},
-      {"replace", "FILE BY", "overwrite the text of FILE by that of BY, as an editor saves"},
+      {"replace", "FILE BY", "overwrite the text of FILE with the text of BY, as an editor saves"},
       {"reloaded", "", "wait until edited files run or are refused, 20 s at most"},
       {"wait", "N", "let N frames of the window pass"},
       {"frame", "N", "go to frame N"},
@@ -19,11 +19,11 @@ const std::vector<CommandForm>& commandForms() {
       {"orbit", "DX DY", "drag the picture by pixels of the window: the camera turns about the point in its middle"},
       {"view", "PORT", "show an output or NODE.PORT"},
       {"kind", "NAME", "show the output as colour, depth, ...; auto chooses by its format and name"},
-      {"mode", "MODE", "single, wipe, flicker, difference or error"},
+      {"mode", "MODE", "display A and B in the mode MODE: single, wipe, flicker, difference or error"},
       {"wipe", "AT", "put the line of the wipe at AT of the width, 0 to 1"},
       {"zoom", "Z X Y", "magnify the fitted picture Z times with pixel (X, Y) in the middle"},
       {"point", "[X] [Y]", "put the pointer on a pixel, or away from the picture"},
-      {"inspect", "X Y", "pin the trail of a pixel"},
+      {"inspect", "X Y", "pin a pixel, so that the surfaces along its ray stay listed"},
       {"key", "KEY", "press a key as the help spells it"},
       {"sweep", "AXIS [AXIS]", "sweep a control, or two; an axis is NAME or NAME=VALUE,VALUE,..."},
       {"swept", "", "wait until the sweep has all pictures, errors and times, 60 s at most"},
