@@ -14,6 +14,7 @@
 #include "lab/tev.h"
 #include "lab/trail.h"
 #include "lab/views.h"
+#include "scene/mitsuba.h"
 #include "script/evaluate.h"
 #include "script/process.h"
 #include "shader/start.h"
@@ -24,11 +25,12 @@ namespace {
 
 struct RenderOptions {
   ShotOptions shot;
-  std::string out, pixel, tev, views;
+  std::string out, pixel, tev, views, mitsuba;
   lab::ExrOptions exr;
   bool json = false, verbose = false;
   double time_limit_s = gpu::kTimeLimit_s;
 
+  bool asksForPicture() const { return !out.empty() || !pixel.empty() || !tev.empty() || !views.empty(); }
   bool asksForExr() const { return exr.half || exr.multipart || exr.cryptomatte; }
 };
 
@@ -40,7 +42,7 @@ void printCounters(const Json& record) {
 
 // Where the picture goes if --out does not say; "" where something else was asked for.
 std::string usualOut(const RenderOptions& options, const lab::Shot& shot) {
-  if (!options.pixel.empty() || !options.tev.empty() || !options.views.empty()) return "";
+  if (options.asksForPicture()) return "";
   bool exr = !shot.taps.empty() || options.asksForExr();
   return (Path("out") / Path(shot.pipeline).stem()).string() + (exr ? ".exr" : ".png");
 }
@@ -96,6 +98,22 @@ std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::P
   return files;
 }
 
+// The shot for Mitsuba 3; needs no device.
+void exportShot(const Home& home, const RenderOptions& options, lab::Shot shot) {
+  requireWritable(options.mitsuba, "--export-mitsuba");
+  const lab::LoadedScene loaded = lab::loadScene(home, shot);
+  const auto [open_s, close_s] = shot.window();
+  scene::MitsubaExport written =
+      scene::exportMitsuba(loaded.scene, lab::frameSetup(shot, loaded.scene).pose_at,
+                           {shot.captureTime(), open_s, close_s, open_s, shot.width, shot.height}, options.mitsuba);
+  if (shot.shutter_curve != "box")
+    written.left_out.push_back(fmt::format("the shutter curve ({}): all times count alike", shot.shutter_curve));
+  for (const std::string& warning : loaded.scene.warnings) warn(warning);
+  for (const std::string& what : written.left_out) warn("--export-mitsuba leaves out: " + what);
+  for (const Path& file : written.files)
+    if (!options.json) std::printf("%s\n", file.c_str());
+}
+
 void print(const RenderOptions& options, const lab::Picture& picture, const lab::Trail& trail,
            const std::vector<Path>& files) {
   bool pixel = !options.pixel.empty();
@@ -110,6 +128,8 @@ void print(const RenderOptions& options, const lab::Picture& picture, const lab:
 
 void render(const Home& home, RenderOptions options) {
   lab::Shot shot = options.shot.resolve();
+  if (!options.mitsuba.empty()) exportShot(home, options, shot);
+  if (!options.mitsuba.empty() && !options.asksForPicture()) return;
   if (options.out.empty()) options.out = usualOut(options, shot);
   checkOptions(options, shot);
   std::unique_ptr<lab::Tev> viewer;
@@ -137,10 +157,13 @@ void render(const Home& home, RenderOptions options) {
 void registerRender(CLI::App& program, const Home& home) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
-  command->add_option("-o,--out", options->out,
-                      "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png, "
-                      "with --tap or an option of .exr files .exr; with --pixel, --tev or --views none)");
+  command->add_option(
+      "-o,--out", options->out,
+      "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png, "
+      "with --tap or an option of .exr files .exr; with --pixel, --tev, --views or --export-mitsuba none)");
   command->add_option("--views", options->views, "folder: every output and tap as the window shows it, as PNG files");
+  command->add_option("--export-mitsuba", options->mitsuba,
+                      "folder: the shot as a scene of Mitsuba 3, to check ground truth with another renderer");
   command->add_option("--pixel", options->pixel,
                       "X,Y from the top left: print what every pass left there and what its ray meets");
   addTev(*command, options->tev);

@@ -139,6 +139,8 @@ PAST = [
     history("mended_mesh", "a mistake that is mended", "2026-11-21", "5d06a84"),
     history("precision_times", "times of frames drawn in turns", "2026-11-21", "79be7cf"),
     history("read_by_address", "times in turns of a program that was not kept", "2026-11-27", "ea973e8"),
+    history("cycles_against_truth", "Blender is needed", "2026-11-28", "7572498"),
+    history("cycles_noise", "Blender is needed", "2026-11-28", "7572498"),
     history("wide_vectors", "times on one processor, in turns", "2026-11-27", "ac214d2"),
 ]
 

@@ -48,6 +48,8 @@ FRAGMENTS = [
     ("docs/gltf.md", "streams of version 2.2", "a version"),
     ("docs/gltf.md", "`yfov` of 3.14 or more", "a limit"),
     ("docs/gltf.md", "A file may need 1 GiB and 1000 times its own bytes", "a limit"),
+    ("docs/external-truth.md", "sampled at 257 times", "a definition"),
+    ("docs/external-truth.md", "Blender (3.4, the package", "a version"),
     ("docs/figures.md", "96 pixels are an inch", "a unit"),
     ("docs/glossary.md", "0.5 is a shutter of 180 degrees", "a unit"),
     ("docs/how-a-pass-travels.md", "5 s of processor time, 10 s of wall clock and 256 MB", "limits"),
