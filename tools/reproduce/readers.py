@@ -305,13 +305,12 @@ def shares(bench):
 
 def pass_shares(bench):
     share = shares(bench)
-    alone = ("shade", "composite", "visibility", "trace_time_samples", "tile_light_visibility", "gbuffer", "reveal", "shutter_open_visibility",
-             "raster_deviation", "mask", "moving_silhouettes", "tile_velocities", "tile_max", "disoccluded_at_open",
-             "revealed_1_bend")
-    alike = (("mask_bounds", "mask_ids", "raster_bounds"),
-             ("cull_candidates", "gather_candidates", "open_unseen_bounds", "raster_bent_bounds", "revealed_1_bent_bounds",
-              "revealed_bounds"),
-             ("unreliable", "max_displacement", "max_displacement_of_all", "mask_max_displacement", "classify_cells", "neighbour_max"))
+    alone = ("shade", "visibility", "composite", "trace_time_samples", "tile_light_visibility", "gbuffer", "ray_reveal",
+             "shutter_open_visibility", "raster_deviation", "mask", "mask_bounds", "tile_velocities", "disoccluded_at_open",
+             "moving_silhouettes", "tile_max")
+    alike = (("mask_ids", "revealed_bounds", "revealed_deviation"),
+             ("cull_candidates", "gather_candidates", "raster_deviation_bounds", "revealed_deviation_bounds",
+              "open_disoccluded_bounds", "classify_cells", "classify_time_samples", "neighbour_max"))
     return [share[node] for node in alone] + [max(share[node] for node in nodes) for nodes in alike]
 
 
