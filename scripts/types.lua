@@ -199,6 +199,18 @@ function pass.choice(t) end
 ---@field until_? strobe.Image|fun(results: strobe.Ports): strobe.Image 1x1 r32f image; the loop ends when it is not zero
 ---@field body fun(): table<string, strobe.Image> function that runs once and makes the nodes that the loop repeats
 
+---@class strobe.PartsTable
+---@field name string
+---@field count integer|strobe.Parameter number of parts of the exposure
+---@field body fun(): table<string, strobe.Image> function that runs once and makes the nodes that the loop repeats
+
+---@class strobe.parts
+local parts = {}
+---A loop whose iterations are exposures of their own: the parts of the frame's exposure.
+---@param t strobe.PartsTable
+---@return strobe.Ports
+function parts.loop(t) end
+
 ---@class strobe.pipeline
 ---@overload fun(t: strobe.PipelineTable): strobe.Pipeline
 local pipeline = {}

@@ -79,6 +79,25 @@ int partOf(const plan::PlanLoop& loop, int iteration) {
   return int(iteration * stride % loop.parts);
 }
 
+FrameSetup partSetup(const FrameSetup& setup, const Plan& plan, const plan::PlanLoop& loop, int iteration) {
+  const int part = partOf(loop, iteration);
+  auto endOf = [&](int parts) {
+    return glm::mix(setup.open_s, setup.close_s, setup.curve.timeOf(double(parts) / loop.parts));
+  };
+  FrameSetup frame = setup;
+  frame.open_s = endOf(part), frame.close_s = endOf(part + 1);
+  frame.capture_s = 0.5 * (frame.open_s + frame.close_s);
+  frame.curve = {};
+  frame.anchor = ANCHOR_CENTRE;
+  frame.reach = {0, 0, plan.width, plan.height};
+  frame.area_at = {};
+  frame.crossing = {frame.reach, frame.open_s, frame.close_s};
+  frame.moves.clear();
+  frame.paths.clear();
+  frame.camera_rests = false;
+  return frame;
+}
+
 // The time of slice `q` of a part, s.
 static double sampleTime(const FrameSetup& setup, const plan::PlanLoop& loop, int part, int q) {
   if (loop.times == "frames") return setup.capture_s - (double(part) * loop.slices + q + 1) * setup.frame_s;

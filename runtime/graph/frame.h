@@ -62,6 +62,11 @@ struct FrameResult {
 // The frame's block for a plan, as it is outside of loops.
 shared::FrameData frameData(const plan::Plan& plan, const world::GpuScene& scene, const FrameSetup& setup);
 
+// A part of the exposure as a frame of its own, for a loop that draws parts; the iteration counts from `loop.first`.
+// Parts have equal shares of the curve's weight, and even weight within. The capture is in the middle of a part.
+// Nothing is proven of what moves in it, or where.
+FrameSetup partSetup(const FrameSetup& setup, const plan::Plan& plan, const plan::PlanLoop& loop, int iteration);
+
 // Poses what every frame sees: the capture, the ends of the exposure, the frame before.
 void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const FrameSetup& setup);
 // Which of the parts of the exposure an iteration samples, which counts from `loop.first`. A loop that may stop early,

@@ -147,13 +147,18 @@ void Graph::begin(const FrameSetup& setup, const OnIteration& on_iteration) {
   under_way_.push_back(std::move(frame));
 }
 
+// Poses the scene for a frame, or for a part of its exposure, and returns the block of that.
+shared::FrameData Graph::posed(const FrameSetup& setup, const UnderWay& frame) {
+  poseFixedSlices(scene_, submission_.staging(frame.index), *plan_, setup);
+  return frameData(*plan_, scene_, setup);
+}
+
 void Graph::draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on_iteration) {
   gpu::Staging& staging = submission_.staging(frame.index);
   recording_.setFrame(*plan_, frame.index, setup);
   nodes_.begin(frame.index);
   submission_.begin(frame.index);
-  poseFixedSlices(scene_, staging, *plan_, setup);
-  shared::FrameData data = frameData(*plan_, scene_, setup);
+  shared::FrameData data = posed(setup, frame);
   scene_.setFrame(staging, data);
   frame.samples = samplesOf(*plan_);
 
@@ -170,6 +175,10 @@ void Graph::draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on
     if (waits_) submission_.wait(frame.index);
     part = {};
     runLoop(setup, step, data, frame, on_iteration);
+    if (plan_->loops[size_t(step.index)].drawsParts()) {
+      data = posed(setup, frame);
+      part.slice_count = traces_ ? 1 : 0;
+    }
     scene_.setFrame(staging, data);
   }
   submission_.submit(frame.index, part);
@@ -181,16 +190,18 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
   gpu::Staging& staging = submission_.staging(frame.index);
   Submission::Part part;
   for (const Step& inner : step.body) part.steps.push_back(&inner);
-  part.first_slice = SLICE_SAMPLE;
+  part.first_slice = loop.drawsParts() ? SLICE_RASTER : SLICE_SAMPLE;
   part.slice_count = traces(*plan_, step.body) ? uint32_t(loop.slices) : 0;
-  data.iteration_count = uint32_t(loop.parts);
-  data.slice_count = uint32_t(loop.slices);
   int iteration = 0;
   bool stop = false;
   while (iteration < loop.count && !stop) {
-    poseSamples(scene_, staging, *plan_, setup, loop, loop.first + iteration);
-    data.iteration = uint32_t(loop.first + iteration);
-    data.part = uint32_t(partOf(loop, loop.first + iteration));
+    const int number = loop.first + iteration;
+    if (loop.drawsParts()) data = posed(partSetup(setup, *plan_, loop, number), frame);
+    else poseSamples(scene_, staging, *plan_, setup, loop, number);
+    data.iteration_count = uint32_t(loop.parts);
+    data.slice_count = uint32_t(loop.slices);
+    data.iteration = uint32_t(number);
+    data.part = uint32_t(partOf(loop, number));
     scene_.setFrame(staging, data);
     part.iteration = iteration;
     submission_.submit(frame.index, part);

@@ -73,6 +73,7 @@ class Graph {
   };
   UnderWay takeFirst();
   void draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on_iteration);
+  shared::FrameData posed(const FrameSetup& setup, const UnderWay& frame);
   void runLoop(const FrameSetup& setup, const plan::Step& step, shared::FrameData data, UnderWay& frame,
                const OnIteration& on_iteration);
   void collect(UnderWay& frame) const;

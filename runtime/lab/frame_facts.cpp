@@ -5,6 +5,7 @@
 
 #include "lab/drawing.h"
 #include "math/shutter_curve.h"
+#include "plan/facts.h"
 #include "scene/motion.h"
 
 namespace strobe::lab {
@@ -38,6 +39,12 @@ scene::Facts factsOf(const Shot& shot, const scene::Scene& scene, int earlier_fr
   return scene::factsOf(scene, view);
 }
 
+// A part of the exposure has a raster time and a previous frame of its own: nothing about its motion is proven.
+static bool isOfMotion(const std::string& name) {
+  const plan::Fact* fact = plan::findFact(name);
+  return !fact->compiled_in && !fact->compiled_into_all;
+}
+
 std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene, const plan::PipelineDesc& pipeline) {
   if (shot.model_everything) return {};
   const int earlier_frames = plan::earlierFrames(pipeline);
@@ -57,6 +64,7 @@ std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene
   if (!(shot.window()[0] < shot.captureTime())) absent.push_back("before");
   if (!(shot.window()[1] > shot.captureTime())) absent.push_back("after");
   if (ShutterCurve::from(shot.shutter_curve).isBox()) absent.push_back("weighted");
+  if (plan::hasParts(pipeline) && shot.window()[0] < shot.window()[1]) std::erase_if(absent, isOfMotion);
   return absent;
 }
 

@@ -19,7 +19,7 @@ double previousTime(const Shot& shot, int earlier_frames);
 scene::Facts factsOf(const Shot& shot, const scene::Scene& scene, int earlier_frames);
 
 // Those that do not hold, in the order of plan::facts(); none with --model-everything. For a pipeline that looks back
-// at earlier frames paths are those since them.
+// at earlier frames paths are those since them; for one that draws parts of the exposure all facts of motion hold.
 std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene,
                                      const plan::PipelineDesc& pipeline = {});
 

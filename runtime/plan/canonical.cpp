@@ -241,15 +241,19 @@ std::string partsText(const PlanLoop& loop) {
   return fmt::format(", from number {} of {}", loop.first, loop.parts);
 }
 
+std::string timesText(const PlanLoop& loop) {
+  if (loop.drawsParts()) return "each over a part of the exposure";
+  return fmt::format("{} times of the scene, {} per iteration", loop.times, loop.slices);
+}
+
 std::string orderText(const Plan& plan) {
   std::string text;
   for (const Step& step : plan.steps) {
     if (step.kind == Step::Kind::Pass) text += nodeText(plan, step.index, "  ");
     if (step.kind != Step::Kind::Loop) continue;
     const PlanLoop& loop = plan.loops[step.index];
-    text += fmt::format("  loop {}: {} times, {} times of the scene, {} per iteration{}{}\n",
-                        loopName(plan, step.index), loop.count, loop.times, loop.slices, partsText(loop),
-                        loop.until < 0 ? "" : ", until " + plan.images[loop.until].name);
+    text += fmt::format("  loop {}: {} times, {}{}{}\n", loopName(plan, step.index), loop.count, timesText(loop),
+                        partsText(loop), loop.until < 0 ? "" : ", until " + plan.images[loop.until].name);
     for (const Step& inner : step.body) {
       if (inner.kind == Step::Kind::Pass) text += nodeText(plan, inner.index, "    ");
     }

@@ -68,16 +68,25 @@ static int64_t wholeOf(const PipelineDesc& pipeline, const Binding& binding, int
   return number ? *number : otherwise;
 }
 
+static bool hasTimes(const PipelineDesc& pipeline, const LoopDesc& loop, const char* wanted) {
+  const Value* times = loop.times.value ? &*loop.times.value : valueOf(pipeline, loop.times.follows);
+  return times && *times == Value(std::string(wanted));
+}
+
 int earlierFrames(const PipelineDesc& pipeline) {
   constexpr int64_t kMost = 64;
   int64_t most = 0;
   for (const LoopDesc& loop : pipeline.loops) {
-    const Value* times = loop.times.value ? &*loop.times.value : valueOf(pipeline, loop.times.follows);
-    if (!times || *times != Value(std::string("frames"))) continue;
+    if (!hasTimes(pipeline, loop, "frames")) continue;
     const int64_t parts = loop.parts > 0 ? loop.parts : wholeOf(pipeline, loop.count, 1);
     most = std::max(most, parts * wholeOf(pipeline, loop.slices, 1));
   }
   return int(std::min(most, kMost));
+}
+
+bool hasParts(const PipelineDesc& pipeline) {
+  return std::any_of(pipeline.loops.begin(), pipeline.loops.end(),
+                     [&](const LoopDesc& loop) { return hasTimes(pipeline, loop, kPartTimes); });
 }
 
 // ---- values

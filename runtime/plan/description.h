@@ -194,12 +194,15 @@ struct NodeDesc {
   Place place;
 };
 
+// Times of a loop whose iterations are exposures of their own: the parts of the frame's exposure, each drawn anew.
+inline constexpr const char* kPartTimes = "parts";
+
 // Nodes repeated for k = first .. first+count-1, each time with its own scene times.
 struct LoopDesc {
   std::string name;
   Binding count;
   // Choice "midpoint" | "stratified" (of equal weights) | "even" (of equal lengths) | "frames" (captures of earlier
-  // frames, the last one first).
+  // frames, the last one first) | kPartTimes.
   Binding times;
   Binding slices;     // scene times per iteration among which a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
@@ -266,6 +269,8 @@ const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role);
 const Value* valueOf(const PipelineDesc& pipeline, const std::string& name);
 // How many frames before the capture its loops of times "frames" look back at; 64 stands for more.
 int earlierFrames(const PipelineDesc& pipeline);
+// True if a loop of it draws the parts of the exposure (kPartTimes).
+bool hasParts(const PipelineDesc& pipeline);
 
 // They read what another process wrote and so trust nothing: names, references, types and ranges are checked, and
 // `Error` is thrown at the place of the first mistake.

@@ -14,7 +14,7 @@ inline const std::vector<std::string> kPassKinds = {"raster", "compute", "trace"
 inline const std::vector<std::string> kSizeKinds = {"frame", "port", "fixed"};
 inline const std::vector<std::string> kNodeTimes = {"raster", "shutter_open", "shutter_close", "sample"};
 inline const std::vector<std::string> kNodeRuns = {"everywhere", "moving_rect", "moving_instances"};
-inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even", "frames"};
+inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even", "frames", kPartTimes};
 
 // "" for Role::None.
 std::string roleName(Role role);

@@ -97,8 +97,9 @@ class Compiler {
     node.loop = loop;
     node.params = wired.params;
     bool raster = pass.kind == PassDesc::Kind::Raster;
-    node.static_once = loop >= 0 && !raster && isSet(Role::StillOnce, pass, node.params);
-    const Runs runs = plan_.pipeline.nodes[size_t(index)].runs;
+    const bool in_parts = loop >= 0 && plan_.loops[size_t(loop)].drawsParts();
+    node.static_once = loop >= 0 && !in_parts && !raster && isSet(Role::StillOnce, pass, node.params);
+    const Runs runs = in_parts ? Runs::Everywhere : plan_.pipeline.nodes[size_t(index)].runs;
     node.moving_only = runs == Runs::MovingInstances;
     node.counters = !pass.counters.empty();
     for (const Source& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));

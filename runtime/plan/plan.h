@@ -80,10 +80,14 @@ struct PlanNode {
 struct PlanLoop {
   int loop = 0;  // index into `pipeline.loops`
   int count = 0;
-  std::string times;  // "midpoint", "stratified", "even" or "frames"
+  std::string times;  // one of LoopDesc::times
   int slices = 1;
   int first = 0, parts = 0;  // it takes `count` of so many parts of the exposure, from this on
   int until = -1;            // image read back after each iteration, non-zero to stop; or -1
+
+  // True if each iteration is an exposure of its own. Its nodes then run on all pixels and instances: what is known of
+  // the frame's motion is not known of a part's.
+  bool drawsParts() const { return times == kPartTimes; }
 };
 
 // One command of the frame, in the order of execution.

@@ -355,6 +355,7 @@ class Wirer {
     if (!text || std::find(kSampleTimes.begin(), kSampleTimes.end(), *text) == kSampleTimes.end()) {
       problem(loop.times.place, "times of loop '{}' must be one of {}", loop.name, fmt::join(kSampleTimes, ", "));
     }
+    if (wired.times == kPartTimes) checkParts(loop, wired);
     wired.first = loop.first;
     wired.parts = loop.parts > 0 ? loop.parts : wired.count;
     if (wired.first < 0 || wired.count > wired.parts - wired.first)
@@ -362,6 +363,16 @@ class Wirer {
               wired.first);
     if (!loop.until.empty()) wired.until = untilOf(loop);
     wiring_.loops.push_back(wired);
+  }
+
+  // The poses of a part are those of a frame: there are no sample times.
+  void checkParts(const LoopDesc& loop, const WiredLoop& wired) {
+    if (wired.slices != 1) problem(loop.slices.place, "slices of loop '{}' must be 1: its times are parts", loop.name);
+    for (const NodeDesc& node : pipeline_.nodes)
+      if (node.loop == loop.name && node.time == "sample")
+        problem(node.place,
+                "node '{}' has time 'sample', but the times of loop '{}' are parts; their middle is 'raster'",
+                node.name, loop.name);
   }
 
   int positive(const Value& value, const char* what, const LoopDesc& loop, const Place& place) {

@@ -96,6 +96,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
      {{"trajectory=quadratic"}, {"trajectory=arc"}, {"range=split"}, {"termination=motion", "advance=origin_kept"}}},
     {"hybrid_traced", {{"range=split"}, {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
     {"accumulation", {{"samples=4", "reuse=none"}, {"samples=3", "reuse=blended"}}},
+    {"eevee", {{"steps=2", "weights=jimenez2014"}, {"steps=5", "displacement=extrapolated"}}},
     {"ground_truth", {{"samples=4"}, {"samples=2", "mode=raster"}}},
 };
 
@@ -287,11 +288,21 @@ TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
 }
 
-// What runs where nothing moves is what the capture alone needs.
+// Of parts of the exposure, which have raster times of their own, nothing is proven about motion.
+TEST_F(RenderFacts, OfPartsHold) {
+  Shot shot = with(cases()[0].shot, "eevee", {}, "end");
+  const plan::PipelineDesc& pipeline = bench().evaluate("eevee", {})->pipeline;
+  auto absent = [&] { return absentFacts(shot, bench().scene(shot)->loaded.scene, pipeline); };
+  EXPECT_EQ(absent(), (std::vector<std::string>{"alpha", "blend", "one_sided", "deforms", "weighted"}));
+  shot.exposure = 0;
+  EXPECT_EQ(absent().front(), "motion");
+}
+
+// What runs where nothing moves is what the capture alone needs; parts of an exposure are drawn all the same.
 TEST_F(RenderFacts, AStillFrameCostsWhatTheCaptureCosts) {
   std::vector<std::string> capture = nodesOf(render(with(cases()[0].shot, "none")));
   for (const std::string& name : script::pipelineNames(bench().home())) {
-    if (isMethod(name)) {
+    if (isMethod(name) && !plan::hasParts(bench().evaluate(name, {})->pipeline)) {
       EXPECT_EQ(nodesOf(render(with(cases()[0].shot, name))), capture) << name;
     }
   }

@@ -277,6 +277,49 @@ TEST(Params, LoopsOfFramesSayHowFarTheyLookBack) {
   EXPECT_EQ(earlierFrames(b.pipeline), 64);
 }
 
+// Every iteration draws all pixels anew, whatever its passes leave out where nothing moves.
+TEST(Loops, OfPartsLeaveNothingOut) {
+  Builder b;
+  b.beginLoop("steps", 4);
+  PassDesc& pass = b.compute("draw", {}, {"x"});
+  ParamDesc once;
+  once.name = "once", once.type = ParamDesc::Type::Bool, once.role = Role::StillOnce, once.default_value = true;
+  pass.params = {once};
+  pass.without = {{"moving_rect", {{"x", ""}}}};
+  b.node("draw").params = {{"once", bound(true)}};
+  b.endLoop();
+  b.output("color", "draw.x");
+  EXPECT_TRUE(compiled(b.pipeline).nodes.at(0).static_once);
+  b.node("draw").params = {{"once", bound(false)}};
+  EXPECT_TRUE(compiled(b.pipeline).nodes.at(0).in_moving_rect);
+  EXPECT_FALSE(hasParts(b.pipeline));
+
+  b.pipeline.loops[0].times = bound(std::string(kPartTimes));
+  EXPECT_TRUE(hasParts(b.pipeline));
+  for (bool once_set : {true, false}) {
+    b.node("draw").params = {{"once", bound(once_set)}};
+    Plan plan = compiled(b.pipeline);
+    EXPECT_TRUE(plan.loops.at(0).drawsParts());
+    EXPECT_FALSE(plan.nodes.at(0).static_once);
+    EXPECT_FALSE(plan.nodes.at(0).in_moving_rect);
+    EXPECT_NE(describe(plan).find("loop steps: 4 times, each over a part of the exposure"), std::string::npos);
+  }
+}
+
+TEST(Loops, OfPartsHaveNoSampleTimes) {
+  Builder b;
+  b.beginLoop("steps", 4);
+  b.compute("draw", {}, {"x"});
+  b.endLoop();
+  b.output("color", "draw.x");
+  b.pipeline.loops[0].times = bound(std::string(kPartTimes));
+  b.pipeline.loops[0].slices = bound(int64_t{2});
+  EXPECT_NE(refusal(b.pipeline).find("slices of loop 'steps' must be 1"), std::string::npos) << refusal(b.pipeline);
+  b.pipeline.loops[0].slices = bound(int64_t{1});
+  b.node("draw").time = "sample";
+  EXPECT_NE(refusal(b.pipeline).find("node 'draw' has time 'sample'"), std::string::npos) << refusal(b.pipeline);
+}
+
 TEST(Memory, AliasesAChain) {
   Builder b;
   b.compute("n0", {}, {"x"});

@@ -28,6 +28,7 @@ return capture {
     { name = "jimenez2014", pipeline = "jimenez2014" },
     { name = "bevy", pipeline = "bevy" },
     { name = "hdrp", pipeline = "hdrp" },
+    { name = "eevee", pipeline = "eevee" },
     { name = "lee2024", pipeline = "lee2024" },
     { name = "oberberger2022", pipeline = "oberberger2022" },
     { name = "adaptive", pipeline = "adaptive" },
@@ -53,7 +54,7 @@ TEST(SecondDriver, GivesEveryPipelineItsPicture) {
   Json json = Json::parse(verified.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << verified.out << verified.err;
   EXPECT_FALSE(json.at("same_device").get<bool>());
-  ASSERT_EQ(json.at("pictures").size(), 14u) << verified.out;
+  ASSERT_EQ(json.at("pictures").size(), 15u) << verified.out;
   for (const Json& picture : json.at("pictures"))
     for (const Json& layer : picture.at("layers")) {
       std::string name = picture.at("name").get<std::string>() + " " + layer.at("image").get<std::string>();

@@ -306,6 +306,37 @@ TEST_F(Evaluate, LoopHoldsTheNodesOfItsBody) {
   EXPECT_EQ(p.passes[0].updates[0].format, "rgba32f");
 }
 
+TEST_F(Evaluate, LoopsOverPartsHaveNoTimesToChoose) {
+  auto write = [&](const std::string& more) {
+    home_.write("scripts/pipelines/sample.lua", R"(local pipeline = require "strobe.pipeline"
+local parts = require "strobe.parts"
+local add   = require "passes.add"
+return pipeline {
+  doc = "parts",
+  params = { steps = pipeline.int { 4, min = 1, max = 64, doc = "parts" } },
+  build = function(p)
+    local loop = parts.loop {
+      name = "steps", count = p.steps,)" + more + R"(
+      body = function() return { sum = add {}.sum } end,
+    }
+    return { color = loop.sum }
+  end,
+}
+)");
+  };
+  write("");
+  plan::PipelineDesc p = evaluate();
+  ASSERT_EQ(p.loops.size(), 1u);
+  EXPECT_EQ(p.loops[0].count.follows, "steps");
+  EXPECT_EQ(std::get<std::string>(*p.loops[0].times.value), "parts");
+  EXPECT_EQ(p.loops[0].place.line, 8);
+  EXPECT_EQ(p.nodes[0].loop, "steps");
+  EXPECT_TRUE(plan::hasParts(p));
+  EXPECT_FALSE(plan::hasParts({}));
+  write(" times = \"even\",");
+  EXPECT_NE(failure({}).find("sample.lua:9: the loop of parts has no field 'times'"), std::string::npos) << failure({});
+}
+
 TEST_F(Evaluate, SetBeatsPresetBeatsDefault) {
   EXPECT_EQ(valuesOf(evaluate())["tile"], 4);
   EXPECT_EQ(valuesOf(evaluate())["samples"], 64);

@@ -39,7 +39,7 @@ local keys = { ParamTable = param.keys.float, ChoiceTable = param.keys.choice, R
                Write = pass.write_keys, Update = pass.update_keys, Size = pass.size_keys, Counter = pass.counter_keys,
                ChosenFormat = pass.format_keys, PassTable = pass.keys, CallTable = pass.call_keys,
                PipelineTable = pipeline.keys, LoopTable = pipeline.loop_keys, EqualTable = pipeline.equal_keys,
-               Preset = require("strobe.preset").keys }
+               PartsTable = require("strobe.parts").loop_keys, Preset = require("strobe.preset").keys }
 local result = {}
 for class, list in pairs(keys) do
   local names = {}

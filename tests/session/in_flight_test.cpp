@@ -65,7 +65,7 @@ class InFlightTest : public SessionTest {
 };
 
 TEST_F(InFlightTest, FramesAreWhatTheyAreAlone) {
-  for (const char* pipeline : {"none", "hybrid", "oberberger2022"}) expectSame(smallShot(pipeline), 7);
+  for (const char* pipeline : {"none", "hybrid", "oberberger2022", "eevee"}) expectSame(smallShot(pipeline), 7);
 }
 
 TEST_F(InFlightTest, WithRaysOfEachBackendOverAList) {

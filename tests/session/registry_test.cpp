@@ -54,6 +54,11 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"tile=8", "pan=10", "limit=1"}, {"cheap_ratio"}},
       {{"tile=8", "pan=10", "limit=1", "gather.cheap_ratio=0.5"}, {"cheap"}}}},
     {"bevy", {{{}, {}}, kJitter, kBent}},
+    {"eevee",
+     {{{}, {}},
+      {{"steps=2", "jitter=hash", "frame=1"}, {"jitter_frame", "gather/guertin2014.eta"}},
+      {{"steps=2", "scene=bent", "anchor=centre"}, {"displacement"}},
+      {{"steps=1", "tile=8"}, {"tile_rule", "gather/guertin2014.tile_jitter"}}}},
     {"hdrp",
      {{{}, {}},
       kJitter,
@@ -377,6 +382,7 @@ TEST_F(Registry, Guertin2014) { walk("guertin2014", 2); }
 TEST_F(Registry, Jimenez2014) { walk("jimenez2014", 3); }
 TEST_F(Registry, Ue4) { walk("ue4", 4); }
 TEST_F(Registry, Bevy) { walk("bevy", 7); }
+TEST_F(Registry, Eevee) { walk("eevee", 15); }
 TEST_F(Registry, Hdrp) { walk("hdrp", 9); }
 TEST_F(Registry, Temporal1) { walk("oberberger2022", 10); }
 TEST_F(Registry, Layers2024) { walk("lee2024", 8); }
