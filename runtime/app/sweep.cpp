@@ -160,6 +160,7 @@ void sweep(const Home& home, const SweepOptions& options) {
   bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs, started, now);
   std::unique_ptr<lab::Workbench> bench = make();
   study::Results results = ranTo(outline, [&] { return study::run(experiment, *bench, store, started); });
+  study::nameInputs(results.inputs, home);
   bench->device().refuseMessages();
   if (!good) throw Error("a process of the sweep failed; its message stands above");
   note(fmt::format("{} in {:.0f} s", countText(experiment.points(), "point"), clockSeconds() - started_s));

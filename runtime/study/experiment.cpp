@@ -416,6 +416,12 @@ void addInput(Inputs& inputs, const Home& home, const Path& file) {
   if (is_new) input->second = inputHash(file);
 }
 
+void nameInputs(Inputs& inputs, const Home& home) {
+  Inputs named;
+  for (const auto& [name, hash] : inputs) named[Path(name).is_absolute() ? home.recorded(name, name) : name] = hash;
+  inputs = std::move(named);
+}
+
 Experiment readExperiment(const Home& home, const std::string& file, bool evaluate) {
   std::vector<script::Dependency> dependencies;
   Json json = script::evaluateData(home, file, given(), &dependencies, kLimits);

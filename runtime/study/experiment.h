@@ -20,6 +20,9 @@ std::string nameOf(Role role);
 using Inputs = std::map<std::string, std::string>;
 // Adds a file that is not among them. Folders, of which a script read the names, are left out.
 void addInput(Inputs& inputs, const Home& home, const Path& file);
+// Renames inputs that are absolute paths to the names that `home` records. A sweep reads a copy of the home, which does
+// not have names for files of the original.
+void nameInputs(Inputs& inputs, const Home& home);
 
 // Lines of the experiment: of an entry, and of the settings in it by name.
 struct Written {

@@ -361,5 +361,15 @@ TEST(Vary, MistakesAreSaidAtTheirLine) {
   }
 }
 
+// A sweep reads a copy of the home; results name the files of the home itself.
+TEST(ExperimentInputs, PathsOfTheHomeGetItsNames) {
+  const std::string file = (sourceFolder() / "experiments/pipelines/hybrid_steps.lua").string();
+  Inputs inputs = {{file, "1"}, {"strobe:shaders/a.glsl", "2"}, {"/elsewhere/x.lua", "3"}};
+  nameInputs(inputs, home());
+  EXPECT_EQ(inputs, (Inputs{{"/elsewhere/x.lua", "3"},
+                            {"strobe:experiments/pipelines/hybrid_steps.lua", "1"},
+                            {"strobe:shaders/a.glsl", "2"}}));
+}
+
 }  // namespace experiment_test
 }  // namespace strobe::study
