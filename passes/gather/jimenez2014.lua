@@ -42,7 +42,7 @@ return pass.compute {
           .. "surfaces then blur to both sides. Fails as `none` does for motion across the dominant displacement.",
       } },
     copy_below   = pass.float { 0.5, min = 0, max = 16, unit = "px",
-      doc = "largest blur radius of the dominant displacement that is not blurred; pixels with such a radius are copied" },
+      doc = "blur radius of the dominant displacement up to which a pixel is copied instead of blurred" },
     cheap_ratio  = pass.float { 0.9, min = 0, max = 1,
       doc = "ratio of the shortest displacement around a pixel to the dominant displacement above which the motion counts " ..
             "as uniform; the taps are then averaged without weights" },

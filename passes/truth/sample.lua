@@ -22,7 +22,7 @@ return pass.trace {
     even_color    = { absent = 0,
       doc = "colour of the static surface, where the first samples agree on one colour, from `sample_consensus`" },
     first_static      = { absent = 0, uint = true,
-      doc = "surface that the samples before this loop hit, encoded like the output `static_background`" },
+      doc = "static surface that the samples before this loop found, encoded like the output `static_background`" },
     first_static_mean = { absent = 0,
       doc = "mean colour of the static surface in the samples before this loop, encoded like the output `static_mean`" },
     first_regions     = { absent = 0, uint = true, doc = "regions for error reports from the samples before this loop, " ..
@@ -62,8 +62,8 @@ return pass.trace {
     pixel   = pass.choice { "centre", "box", default = "centre",
       doc = "sample positions within the pixel: its centre, or its whole area" },
     in_turn = pass.bool { false, wired = true,
-      doc = "number the sample positions within a pixel by iteration, so that they are evenly spread whenever the loop " ..
-            "stops; off: number them by part of the exposure, so that positions and times are evenly spread together" },
+      doc = "order of the sample positions within a pixel. On: by iteration, so that the positions are evenly spread " ..
+            "whenever the loop stops. Off: by the time within the exposure, so that positions and times are evenly spread together" },
     shadow_tile = shade.params.shadow_tile,
     every_ray = pass.bool { false, doc = "trace every ray in full, even if other samples have found its result" },
     writes_stats = pass.bool { false, wired = true, doc = "store per-pixel statistics of the samples (surface, shadows, " ..

@@ -516,7 +516,7 @@ end
 
 for _, order in ipairs { 1, -1 } do
   local suffix = order > 0 and "" or "_other_way_round"
-  case("coplanar_cards" .. suffix, "equal depths", "at equal depths raster and rays show the first instance",
+  case("coplanar_cards" .. suffix, "equal depths", "at equal depths raster and rays show the scene's first instance",
        function()
     local cards = planes(3, { order = order })
     return {

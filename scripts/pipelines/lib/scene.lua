@@ -27,7 +27,7 @@ end
 
 -- Returns the raster layer: hit, depth, normal, id, velocity, color and light_visibility of the visible surfaces. `visible`: a
 -- pass that finds the visible surfaces; nil: the raster pass. In a pipeline without the parameters options.picture, velocities
--- come from the true poses (displacement = window), and images are not quantised.
+-- are computed from the poses at shutter open and shutter close (displacement = window), and images are not quantised.
 function scene.raster(visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }
