@@ -63,7 +63,8 @@ return pass.trace {
       doc = "sample positions within the pixel: its centre, or its whole area" },
     in_turn = pass.bool { false, wired = true,
       doc = "order of the sample positions within a pixel. On: by iteration, so that the positions are evenly spread " ..
-            "whenever the loop stops. Off: by the time within the exposure, so that positions and times are evenly spread together" },
+            "whenever the loop stops. Off: by the time in the exposure, so that positions and times are evenly spread " ..
+            "together" },
     shadow_tile = shade.params.shadow_tile,
     every_ray = pass.bool { false, doc = "trace every ray in full, even if other samples have found its result" },
     writes_stats = pass.bool { false, wired = true, doc = "store per-pixel statistics of the samples (surface, shadows, " ..
