@@ -66,7 +66,8 @@ float variance = 0.0;  // estimated variance of the pixel's mean, in the scale o
 // Blends the four raster texels around `place` that show the surface `id`. Returns false if no texel does, or if the expected
 // error is above a quarter of `allowance`: the texels' range over sqrt(12), the standard deviation of a uniform distribution,
 // times `share`, the share of the exposure that the sample stands for. With a quarter, blends add less to the error of the
-// adaptive pipeline than its intervals do (tried: 1, 1/4, 1/16).
+// adaptive pipeline than its intervals do (tried: 1, 1/4, 1/16). Texels with weights below 1e-3 do not count, so that rounding
+// of a place on a texel's centre changes nothing.
 bool isBlended(vec3 place, uvec2 id, float share, out vec3 color) {
   vec2 low = floor(clamped(place)), part = clamped(place) - low;
   vec3 least = vec3(3e38), most = vec3(-3e38);
@@ -76,7 +77,7 @@ bool isBlended(vec3 place, uvec2 id, float share, out vec3 color) {
     ivec2 corner = ivec2(k & 1, k >> 1);
     vec2 along = mix(1.0 - part, part, equal(corner, ivec2(1)));
     vec3 texel;
-    if (!isShownAt(ivec2(low) + corner, id, place.z, texel)) continue;
+    if (along.x * along.y < 1e-3 || !isShownAt(ivec2(low) + corner, id, place.z, texel)) continue;
     least = min(least, texel);
     most = max(most, texel);
     color += along.x * along.y * texel;
