@@ -32,7 +32,7 @@ return pass.compute {
   },
   counters = {
     near_plane = {
-      doc   = "pixels whose surface passes through the near plane at some time of the exposure",
+      doc   = "pixels whose surface is behind the near plane at some time of the exposure",
       limit = "each such displacement is the path up to the near plane, extrapolated to the whole exposure; no straight " ..
               "line describes the true path. Ground truth is not affected. Shorten the exposure, or move the near plane " ..
               "towards the camera",

@@ -18,10 +18,9 @@ local tiles      = require "scripts.pipelines.lib.tiles"
 
 local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
 
--- Picture of one step: the scene in the middle of the step, blurred over the step's part of the exposure.
-local function blurred(p)
+-- Picture of one step: `raster`, the scene in the middle of the step, blurred over the step's part of the exposure.
+local function blurred(p, raster)
   local weights = pass.member("gather", p.weights())
-  local raster = scene.raster()
   local around = tiles.dominant(p, raster, { second = p.directions() == "two" and pass.reads(weights, "second") })
   local images = gathers.images(raster, around)
   if pass.reads(weights, "slowest") then images.slowest = tiles.slowest(raster, around) end
@@ -46,9 +45,13 @@ return pipeline {
     directions = gather.params.directions,
   },
   build = function(p)
+    if p.limit() == 0 then  -- nothing blurs: one step, at the raster time
+      local sharp = scene.raster()
+      return scene.outputs(sharp, { color = blurred(p, sharp) })
+    end
     local raster = raster_layer()
     local halves = parts.loop { name = "steps", count = p.steps, body = function()
-      local sum = accumulate { color = blurred(p) }
+      local sum = accumulate { color = blurred(p, scene.raster()) }
       return { mean_a = sum.mean_a, mean_b = sum.mean_b }
     end }
     return scene.outputs(raster, { color = mean { mean_a = halves.mean_a, mean_b = halves.mean_b }.color })

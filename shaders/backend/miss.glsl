@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Miss stage of the ray tracing pipeline: stores that the ray hit nothing.
 // In:  none.
-// Out: `payload`: the instance NO_INSTANCE (mixin/trace_payload.glsl).
+// Out: `payload`: the instance number that means no hit (mixin/trace_payload.glsl).
 // Method: write the instance; other fields keep their values.
 // Fails: never.
 #include "mixin/trace_payload.glsl"

@@ -61,7 +61,7 @@ TEST_F(Limits, PathsExtrapolatedFromTheNearPlaneAreSaid) {
   std::vector<std::string> warnings = warningsOf(shot);  // such paths are long as well
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_TRUE(warnings[0].starts_with("gbuffer: ")) << warnings[0];
-  EXPECT_NE(warnings[0].find("through the near plane"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("behind the near plane"), std::string::npos) << warnings[0];
 }
 
 TEST_F(Limits, MotionExtrapolatedBeyondItsFrameIsSaid) {
