@@ -63,8 +63,8 @@ struct FrameResult {
 shared::FrameData frameData(const plan::Plan& plan, const world::GpuScene& scene, const FrameSetup& setup);
 
 // A part of the exposure as a frame of its own, for a loop that draws parts; the iteration counts from `loop.first`.
-// Parts have equal shares of the curve's weight, and even weight within. The capture is in the middle of a part.
-// Nothing is proven of what moves in it, or where.
+// Parts have equal shares of the curve's weight, and even weight within. The raster time is the middle of the
+// part. Every instance counts as moving, and every pixel as reached.
 FrameSetup partSetup(const FrameSetup& setup, const plan::Plan& plan, const plan::PlanLoop& loop, int iteration);
 
 // Poses what every frame sees: the capture, the ends of the exposure, the frame before.

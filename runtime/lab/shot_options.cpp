@@ -127,8 +127,7 @@ static std::vector<ShotOption> allOptions() {
           O::kControl),
       one(checked(text("motion_depths", &S::motion_depths, ""), checkDepths),
           "NEAR,FAR[,SOFT]: range of view depths that blur, metres. Surfaces outside the range at the raster time "
-          "stand "
-          "still on the screen; over SOFT beyond the range they keep a share of their motion",
+          "stand still on the screen; over SOFT beyond the range they keep a share of their motion",
           Concern::Frame, O::kControl),
       one(checked(text("cuts", &S::cuts, ""), checkCuts),
           "T,T,...: seconds of scene time, increasing, at which everything jumps, beside those of the scene: no frame "

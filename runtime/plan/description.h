@@ -269,7 +269,7 @@ const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role);
 const Value* valueOf(const PipelineDesc& pipeline, const std::string& name);
 // How many frames before the capture its loops of times "frames" look back at; 64 stands for more.
 int earlierFrames(const PipelineDesc& pipeline);
-// True if a loop of it draws the parts of the exposure (kPartTimes).
+// True if a loop of the pipeline draws the parts of the exposure (kPartTimes).
 bool hasParts(const PipelineDesc& pipeline);
 
 // They read what another process wrote and so trust nothing: names, references, types and ranges are checked, and

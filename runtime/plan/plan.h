@@ -85,8 +85,8 @@ struct PlanLoop {
   int first = 0, parts = 0;  // it takes `count` of so many parts of the exposure, from this on
   int until = -1;            // image read back after each iteration, non-zero to stop; or -1
 
-  // True if each iteration is an exposure of its own. Its nodes then run on all pixels and instances: what is known of
-  // the frame's motion is not known of a part's.
+  // True if each iteration is an exposure of its own. Its nodes then run on all pixels and instances, because
+  // the moving rectangle and the moving instances are those of the whole frame.
   bool drawsParts() const { return times == kPartTimes; }
 };
 

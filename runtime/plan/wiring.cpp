@@ -365,7 +365,7 @@ class Wirer {
     wiring_.loops.push_back(wired);
   }
 
-  // The poses of a part are those of a frame: there are no sample times.
+  // A part has the poses of a frame, so a loop of parts has no sample times.
   void checkParts(const LoopDesc& loop, const WiredLoop& wired) {
     if (wired.slices != 1) problem(loop.slices.place, "slices of loop '{}' must be 1: its times are parts", loop.name);
     for (const NodeDesc& node : pipeline_.nodes)

@@ -8,7 +8,7 @@ local pipeline = require "strobe.pipeline"
 
 local parts = { loop_keys = { "name", "count", "body" } }
 
--- Makes a loop of `count` iterations, one for each part. `name`, `count`, `body` and the result are those of pipeline.loop.
+-- Makes a loop of `count` iterations, one for each part. `name`, `count`, `body` and the result: as for pipeline.loop.
 parts.loop = native.at_caller(function(place, t)
   if type(t) ~= "table" then check.fail(place, "parts.loop wants a table") end
   local problems = check.problems()
