@@ -86,7 +86,7 @@
 ---@alias strobe.Runs "everywhere" | "moving_rect" | "moving_instances"
 
 ---@alias strobe.Fact
----| "motion" | "curves" | "may_be_occluded" | "may_appear" | "alpha" | "blend" | "one_sided" | "shadows" | "deforms" | "before"
+---| "motion" | "curves" | "alpha" | "blend" | "one_sided" | "shadows" | "deforms" | "before"
 ---| "after" | "weighted"
 
 ---@class strobe.PassTable

@@ -98,7 +98,7 @@ return pipeline {
     local apart = pass.reads(composite, "front")
     if not apart then layers.add_curves(p, moved, revealed) end
     local images = apart and blurred(p, moved, revealed) or
-      layers.images(p, moved, revealed, composite, nil, p.tiles() == "separate")
+      layers.images(p, moved, revealed, composite, p.tiles() == "separate")
     local made = composite(pass.wired(composite, images, { as = "composite" }))
     return scene.outputs(raster, {
       color = apart and made.color or made.blurred, mask = mask,

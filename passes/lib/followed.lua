@@ -3,9 +3,7 @@
 return {
   depth    = { doc = "linear view depth, metres; +inf for the sky, 0 where the layer has no surface" },
   id       = { uint = true, doc = "instance index + 1; 0 for the sky" },
-  velocity = { doc = "screen displacement of the surface, px over the exposure" },
   hit      = { optional = true, uint = true,
     doc = "surface, by indices: instance + 1 (0 for the sky), geometry, triangle; absent: joints and morph targets are " ..
           "ignored" },
-  normal   = { optional = true, doc = "unit normal, world space; 0 for the sky; absent: stretch is not tested" },
 }

@@ -42,13 +42,9 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   frame.sky = setup.environment.sky;
   frame.ground = setup.environment.ground;
   frame.moving_rect = vectorOf(setup.reach);
-  frame.crossing = vectorOf(setup.crossing.area);
-  const double exposure_s = setup.close_s - setup.open_s;
-  if (exposure_s > 0)
-    frame.crossing_times = vec2((dvec2(setup.crossing.from_s, setup.crossing.to_s) - setup.capture_s) / exposure_s);
   frame.camera_rests = setup.camera_rests ? 1 : 0;
   frame.moving_count = scene.movingCount();
-  frame.exposure = float(exposure_s / setup.frame_s);
+  frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
   setCurve(setup.curve, frame);
   if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
   return frame;
@@ -91,7 +87,6 @@ FrameSetup partSetup(const FrameSetup& setup, const Plan& plan, const plan::Plan
   frame.anchor = ANCHOR_CENTRE;
   frame.reach = {0, 0, plan.width, plan.height};
   frame.area_at = {};
-  frame.crossing = {frame.reach, frame.open_s, frame.close_s};
   frame.moves.clear();
   frame.paths.clear();
   frame.camera_rests = false;

@@ -30,7 +30,6 @@ struct FrameSetup {
   scene::Environment environment;
   scene::PixelArea reach;                                       // where anything that moves can be seen
   std::function<scene::PixelArea(const scene::Pose&)> area_at;  // the same at one pose; none: not known
-  scene::Crossing crossing;                       // where something crosses between the ends of the exposure
   std::vector<bool> moves;                        // by instance: may it move within the exposure? Empty: each may
   std::vector<scene::ScreenPath> paths;           // by instance; empty: not known
   bool camera_rests = false;                      // within the exposure

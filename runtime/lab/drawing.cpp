@@ -73,7 +73,6 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
   scene::ScreenMotion motion = scene::screenMotionOf(scene, setup.pose_at, exposed);
   setup.reach = inWholeGroups(motion.reach, shot.width, shot.height);
   setup.area_at = std::move(motion.area_at);
-  setup.crossing = motion.crossing;
   setup.paths = std::move(motion.paths);
   if (shot.model_everything) setup.reach = {0, 0, shot.width, shot.height};
   if (shot.model_everything) return setup;

@@ -50,12 +50,10 @@ std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene
   const int earlier_frames = plan::earlierFrames(pipeline);
   const scene::Facts facts = factsOf(shot, scene, earlier_frames);
   const std::vector<scene::ScreenPath> paths = frameSetup(shot, scene, earlier_frames).paths;
-  auto any = [&](auto holds) { return std::any_of(paths.begin(), paths.end(), holds); };
   std::vector<std::string> absent;
   if (!facts.motion) absent.push_back("motion");
-  if (!any([](const scene::ScreenPath& path) { return path.curved || path.turns; })) absent.push_back("curves");
-  if (!any([](const scene::ScreenPath& path) { return path.may_be_occluded; })) absent.push_back("may_be_occluded");
-  if (!any([](const scene::ScreenPath& path) { return path.may_appear; })) absent.push_back("may_appear");
+  if (std::none_of(paths.begin(), paths.end(), [](const scene::ScreenPath& path) { return path.curved; }))
+    absent.push_back("curves");
   if (!facts.alpha) absent.push_back("alpha");
   if (!facts.blend) absent.push_back("blend");
   if (!facts.one_sided) absent.push_back("one_sided");

@@ -8,9 +8,7 @@ namespace strobe::plan {
 const std::vector<Fact>& facts() {
   static const std::vector<Fact> facts = {
       {"motion", "nothing moves in this frame"},
-      {"curves", "what moves goes over the picture as a whole, in a straight line at an even speed"},
-      {"may_be_occluded", "what moves is in front of everything, and moves as a whole"},
-      {"may_appear", "what moves is in the picture throughout, in front of everything, and moves as a whole"},
+      {"curves", "every point that moves goes over the picture in a straight line at an even speed"},
       {"alpha", "no material is cut out or blended by its alpha", true},
       {"blend", "no material is blended by its alpha", true},
       {"one_sided", "no material is seen from one side alone", true},

@@ -31,19 +31,13 @@ struct View {
   View(const Pose& pose, double height)
       : camera_from_world(glm::inverse(pose.world_from_camera)), camera(pose.camera), height_px(height) {}
 
-  dvec3 inCamera(const dvec3& position_ws) const { return dvec3(camera_from_world * dvec4(position_ws, 1)); }
-
   // Nothing when it is not clearly in front of the camera.
   std::optional<Homogeneous> of(const dvec3& position_ws) const {
-    dvec3 p = inCamera(position_ws);
+    const dvec3 p(camera_from_world * dvec4(position_ws, 1));
     if (!camera.orthographic && -p.z < 2 * camera.near) return std::nullopt;
-    return project(p);
-  }
-
-  Homogeneous project(const dvec3& p) const {
     double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
     double pixels = height_px / (2 * half_height);
-    return dvec4(p.x * pixels, -p.y * pixels, camera.orthographic ? 1 : -p.z, -p.z);
+    return Homogeneous(p.x * pixels, -p.y * pixels, camera.orthographic ? 1 : -p.z, -p.z);
   }
 };
 
@@ -224,12 +218,6 @@ static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>
 
 // ---- paths
 
-// May what moves come into the picture, or leave it?
-static bool mayCross(const Extent& extent, const ExposedFrame& frame) {
-  const dvec2 half = dvec2(frame.width, frame.height) * 0.5;
-  return glm::any(glm::lessThan(extent.low, -half)) || glm::any(glm::greaterThan(extent.high, half));
-}
-
 // May something else be in front of it?
 static bool mayBeCovered(const std::vector<std::optional<Extent>>& extents, size_t index) {
   const Extent& own = *extents[index];
@@ -302,92 +290,6 @@ static bool follow(const Hull& hull, const std::vector<Pose>& poses, const std::
   return true;
 }
 
-// ---- what crosses
-
-namespace {
-
-// What is in front of the camera of a box at one time, px from the middle of the picture.
-struct Outline {
-  dvec2 low{INFINITY}, high{-INFINITY};
-  bool empty() const { return low.x > high.x; }
-
-  void add(const dvec2& pixel) {
-    low = glm::min(low, pixel);
-    high = glm::max(high, pixel);
-  }
-};
-
-}  // namespace
-
-static Outline outlineOf(const std::array<dvec3, 8>& corners, const View& view) {
-  std::array<dvec3, 8> places;
-  std::transform(corners.begin(), corners.end(), places.begin(), [&](const dvec3& c) { return view.inCamera(c); });
-  const double near = view.camera.near;
-  auto in_front = [&](const dvec3& p) { return view.camera.orthographic || -p.z >= near; };
-  Outline outline;
-  for (size_t i = 0; i < places.size(); ++i) {
-    if (!in_front(places[i])) continue;
-    outline.add(pixelOf(view.project(places[i])));
-    for (const dvec3& behind : places) {
-      if (in_front(behind)) continue;
-      dvec3 between = glm::mix(behind, places[i], (-near - behind.z) / (places[i].z - behind.z));
-      outline.add(pixelOf(view.project({between.x, between.y, -near})));
-    }
-  }
-  return outline;
-}
-
-static PixelArea areaOf(const Outline& outline, const ExposedFrame& frame) {
-  return outline.empty() ? PixelArea() : areaOf(outline.low, outline.high, frame);
-}
-
-// From one pose to the next: around both, and half the way between them.
-static PixelArea areaOf(const Outline& from, const Outline& to, const ExposedFrame& frame) {
-  if (from.empty() || to.empty()) return areaOf(from.empty() ? to : from, frame);
-  Outline both = from;
-  both.add(to.low);
-  both.add(to.high);
-  if (areaOf(both, frame).empty()) return {};
-  const double margin = 0.5 * std::max(glm::length(to.low - from.low), glm::length(to.high - from.high));
-  both.low -= margin, both.high += margin;
-  return areaOf(both, frame);
-}
-
-// A box that neither the capture nor an end of the exposure has in the picture, at the times between.
-static void addTo(Crossing& crossing, const std::vector<Outline>& outlines, const std::vector<double>& times,
-                  const ExposedFrame& frame) {
-  for (size_t k = 0; k < times.size(); ++k)
-    if (times[k] == frame.capture_s || times[k] == frame.open_s || times[k] == frame.close_s)
-      if (!areaOf(outlines[k], frame).empty()) return;
-  for (size_t k = 0; k + 1 < times.size(); ++k) {
-    if (times[k] < frame.open_s || times[k + 1] > frame.close_s) continue;
-    const PixelArea area = areaOf(outlines[k], outlines[k + 1], frame);
-    if (area.empty()) continue;
-    const bool is_first = crossing.area.empty();
-    include(crossing.area, area);
-    crossing.from_s = is_first ? times[k] : std::min(crossing.from_s, times[k]);
-    crossing.to_s = is_first ? times[k + 1] : std::max(crossing.to_s, times[k + 1]);
-  }
-}
-
-static Crossing crossingOf(const std::vector<std::optional<Hull>>& hulls, const std::vector<Pose>& poses,
-                           const std::vector<bool>& moves, const std::vector<double>& times,
-                           const ExposedFrame& frame) {
-  Crossing crossing;
-  std::vector<View> views;
-  for (const Pose& pose : poses) views.emplace_back(pose, frame.height);
-  for (size_t i = 0; i < hulls.size(); ++i) {
-    if (!moves[i]) continue;
-    for (size_t box = 0; box < hulls[i]->boxes(); ++box) {
-      std::vector<Outline> outlines;
-      for (size_t k = 0; k < poses.size(); ++k)
-        outlines.push_back(outlineOf(hulls[i]->corners(poses[k], i, box), views[k]));
-      addTo(crossing, outlines, times, frame);
-    }
-  }
-  return crossing;
-}
-
 // ---- all
 
 static bool isSmall(const Scene& scene, const std::vector<Instance>& instances) {
@@ -419,13 +321,11 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
   std::vector<std::optional<Hull>> hulls(instances.size());
   for (size_t i = 0; i < instances.size(); ++i)
     if (moves[i] || is_small) hulls[i].emplace(scene, instances[i]);
-  unknown.crossing = crossingOf(hulls, poses, moves, times, frame);
   if (camera_moves) return unknown;
   const View view(capture[0], frame.height);
 
   ScreenMotion motion;
-  motion.paths.assign(instances.size(), {false, false, false, false});
-  motion.crossing = unknown.crossing;
+  motion.paths.assign(instances.size(), {false, false, false});
   std::vector<std::optional<Extent>> extents(instances.size());
   for (size_t i = 0; i < instances.size(); ++i) {
     if (!hulls[i]) continue;
@@ -438,7 +338,6 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
     if (!moves[i]) continue;
     ScreenPath& path = motion.paths[i];
     path.may_be_occluded = path.turns || mayBeCovered(extents, i);
-    path.may_appear = path.may_be_occluded || mayCross(*extents[i], frame);
   }
   // Paths through places in earlier frames may go on anywhere.
   if (!frame.earlier_s.empty()) motion.reach = unknown.reach;

@@ -31,13 +31,6 @@ struct ScreenPath {
   bool curved = true;           // a point leaves the straight line between the ends of its path, or changes its speed
   bool turns = true;            // points of the instance move differently
   bool may_be_occluded = true;  // another object may be in front, or a part of the instance with other motion
-  bool may_appear = true;       // a part that is hidden at the raster time may become visible at another time
-};
-
-// Place and time of objects in the picture that are outside of it at the raster time and at both ends of the exposure.
-struct Crossing {
-  PixelArea area;  // empty: nothing is
-  double from_s = 0, to_s = 0;
 };
 
 struct ScreenMotion {
@@ -50,10 +43,7 @@ struct ScreenMotion {
   PixelArea reach;
   // The same at one of the frame's poses; none: `reach` is all that is known.
   std::function<PixelArea(const Pose&)> area_at;
-  std::vector<ScreenPath> paths;  // by instance, from the same poses; of what does not move none of the four holds
-  // From boxes at the same poses, also before a camera that moves: then of what is at rest too, but for scenes of more
-  // than 200,000 vertices. Empty where those poses do not follow the motion.
-  Crossing crossing;
+  std::vector<ScreenPath> paths;  // by instance, from the same poses; all false for a static instance
 };
 
 // `pose_at`: the scene at a time, in seconds.

@@ -223,8 +223,7 @@ void GpuScene::setPose(gpu::Staging& staging, uint32_t slice, const Pose& pose, 
 }
 
 static uint32_t bitsOf(const scene::ScreenPath& path) {
-  return (path.curved ? PATH_CURVED : 0) | (path.turns ? PATH_TURNS : 0) |
-         (path.may_be_occluded ? PATH_MAY_BE_OCCLUDED : 0) | (path.may_appear ? PATH_MAY_APPEAR : 0);
+  return (path.curved ? PATH_CURVED : 0) | (path.may_be_occluded ? PATH_MAY_BE_OCCLUDED : 0);
 }
 
 void GpuScene::setMotion(gpu::Staging& staging, const std::vector<bool>& moves,

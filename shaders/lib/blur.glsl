@@ -88,14 +88,6 @@ bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
   return dot(off, off) <= within_px * within_px;
 }
 
-// True if the displacements d and `other` of two adjacent texels differ so much that a silhouette may lie between them. The
-// threshold is 5 % of the shorter displacement, because displacements vary from texel to texel on one surface. The threshold is
-// at least `slowest` px, and at most half a pixel (or `slowest`, if that is larger).
-bool movesOtherwise(vec2 d, vec2 other, float slowest) {
-  if (d == other && slowest > 0.0) return false;
-  return lengthOf(d - other) >= clamp(0.05 * min(lengthOf(d), lengthOf(other)), slowest, max(slowest, 0.5));
-}
-
 // True if a surface that is at `offset` from a pixel at the raster time, and moves by d, passes over the pixel within the
 // window. Both the position of the texel and its path may be rounded by half a pixel. The tolerance is therefore 3/4 px across
 // the path (sqrt(1/2), rounded up) and 1/2 px along the path.

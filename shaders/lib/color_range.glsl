@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Range of a set of colours: smallest and largest value of each channel. Used to test if the colours are nearly equal.
-#ifndef STROBE_SPREAD_GLSL
-#define STROBE_SPREAD_GLSL
+#ifndef STROBE_COLOR_RANGE_GLSL
+#define STROBE_COLOR_RANGE_GLSL
 
 struct ColorRange {
   vec3 low, high;

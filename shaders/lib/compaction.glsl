@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pixel lists: buffers with the pixels of a mask. A pass can be dispatched over the entries of a list instead of over the
 // image.
-#ifndef STROBE_LIST_GLSL
-#define STROBE_LIST_GLSL
+#ifndef STROBE_COMPACTION_GLSL
+#define STROBE_COMPACTION_GLSL
 
 // List entry of a pixel: x in the lower 16 bits, y in the upper 16 bits. The sides of an image are below 2^16 px.
 uint entryOf(ivec2 pixel) { return uint(pixel.x) | uint(pixel.y) << 16; }

@@ -2,8 +2,8 @@
 // Summary of the surfaces that the time samples of a pixel hit, as (instance + 2, geometry, triangle, distance). Ground truth
 // skips rays where the summaries of the first samples agree (docs/truth.md). A moving surface is in the summary only if the
 // samples hit no static surface.
-#ifndef STROBE_SEEN_GLSL
-#define STROBE_SEEN_GLSL
+#ifndef STROBE_CONSENSUS_GLSL
+#define STROBE_CONSENSUS_GLSL
 
 // Special values of the first component of a summary, which otherwise is instance + 2: no surface yet, the sky, or several
 // surfaces. The third component, the triangle, may be kSeveralSurfaces as well.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Test if a pixel is in the moving rectangle `frame.moving_rect`: the pixels that moving surfaces can reach within the
 // exposure.
-#ifndef STROBE_REACHED_GLSL
-#define STROBE_REACHED_GLSL
+#ifndef STROBE_MOVING_RECT_GLSL
+#define STROBE_MOVING_RECT_GLSL
 
 // True if a moving surface may be visible at the pixel at some time of the exposure. Conservative: also true for some other
 // pixels.

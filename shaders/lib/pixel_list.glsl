@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Masks of squares of 8x8 pixels, packed into 64 bits. A bit is set if its pixel is in the pixel list; the pixels of a list are
 // in the order of these bits.
-#ifndef STROBE_LISTED_GLSL
-#define STROBE_LISTED_GLSL
+#ifndef STROBE_PIXEL_LIST_GLSL
+#define STROBE_PIXEL_LIST_GLSL
 
 const int kSquareSide = 8;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random choice of blocks of pixels for validation. Passes that skip rays with known results trace all rays in a chosen block,
 // and compare the results. The choice is a hash of the block's position alone, so all frames and runs validate the same blocks.
-#ifndef STROBE_AUDIT_GLSL
-#define STROBE_AUDIT_GLSL
+#ifndef STROBE_VALIDATION_GLSL
+#define STROBE_VALIDATION_GLSL
 #include "lib/random.glsl"
 
 // Size of a block, pixels. A software device traces the rays of 4x2 pixels together, so validating a block costs as much as

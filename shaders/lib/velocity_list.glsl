@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lists of displacements per tile or cell, stored in images with two displacements to a texel.
-#ifndef STROBE_MOTIONS_GLSL
-#define STROBE_MOTIONS_GLSL
+#ifndef STROBE_VELOCITY_LIST_GLSL
+#define STROBE_VELOCITY_LIST_GLSL
 
 const int kMaxVelocities = 8;  // entries per list
 

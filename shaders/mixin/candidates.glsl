@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs: PARAM_search_taps, PARAM_marks_unresolved, color_tex, dominant_tex, params.limit, params.samples, revealed_color_tex,
+// Needs: PARAM_search_taps, color_tex, dominant_tex, params.limit, params.samples, revealed_color_tex,
 //   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex, dominant_post_tex, second_post_tex,
 //   velocity_post_tex, dominant_curve_tex, dominant_place_tex, revealed_dominant_post_tex, revealed_velocity_post_tex,
 //   revealed_dominant_tex, second_tex; may have: PARAM_trajectory, curve_tex, max_displacement_buf, revealed_curve_tex,
@@ -31,7 +31,6 @@ struct Candidates {
 #endif
   vec4 tolerance_px;  // result of toleranceOf for each displacement, px
   int count;          // 0 to kMaxCandidates
-  bool overflowed;  // a displacement did not fit although it differs from each entry by over 2 px and over 14 % of its length
 };
 
 // Component of the displacement of an unused entry, px.
@@ -60,10 +59,13 @@ Path candidate(Candidates candidates, int k) {
 #endif
 }
 
+// True if no further candidate fits.
+bool isFull(Candidates candidates) { return candidates.count == kMaxCandidates; }
+
 // Candidates with one more path. `texel`: texel that has the path; kNoTexel if unknown. The path is not added if it differs
-// from a candidate by half a pixel or less, or if the list is full. If the list is full and the path differs from all
-// candidates by more than 2 px and 14 % of its length, `overflowed` becomes true.
+// from a candidate by half a pixel or less, or if the list is full.
 Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
+  if (isFull(candidates)) return candidates;
   vec2 d = path.d;
   vec4 x = candidates.x - d.x, y = candidates.y - d.y;
   vec4 squares = x * x + y * y;
@@ -72,10 +74,6 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
 #endif
   float nearest = min(min(squares.x, squares.y), min(squares.z, squares.w));
   if (nearest <= 0.25) return candidates;
-  if (candidates.count == kMaxCandidates) {
-    candidates.overflowed = candidates.overflowed || nearest > max(4.0, 0.02 * dot(d, d));
-    return candidates;
-  }
   candidates.x[candidates.count] = d.x;
   candidates.y[candidates.count] = d.y;
 #if HAS_curve
@@ -94,12 +92,6 @@ Candidates withAllLayers(Candidates candidates, ivec2 at, bool background, bool 
   for (int layer = kRaster; layer == kRaster || (background && layer <= kRevealed && isRevealed(at)); ++layer)
     candidates = withCandidate(candidates, pathOf(layer, at, after), at);
   return candidates;
-}
-
-// True if further taps cannot change the candidates: the list is full, and `overflowed` is already true or has no effect,
-// because the pass does not mark unresolved samples.
-bool isFull(Candidates candidates) {
-  return candidates.count == kMaxCandidates && (PARAM_marks_unresolved == 0 || candidates.overflowed);
 }
 
 // Index of the time sample that is k-th nearest to the raster time, k from 0. A centred exposure has pairs of equally near
@@ -171,7 +163,6 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool backg
   candidates.x = candidates.y = vec4(kUnused);
   candidates.tolerance_px = vec4(0);
   candidates.count = 0;
-  candidates.overflowed = false;
 #if HAS_curve
   for (int k = 0; k < kMaxCandidates; ++k) {
     candidates.curves[k] = vec4(0);

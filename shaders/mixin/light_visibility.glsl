@@ -6,8 +6,8 @@
 //   Culling for Efficient Ray-Cast Radiosity", 1991). All bounds are widened by more than the rounding errors of rays and
 //   triangles, so kVisible and kBlocked agree with every traced ray.
 // Fails: always kMixed with the drivers' acceleration structures, which shaders cannot traverse by a volume.
-#ifndef STROBE_SHAFT_GLSL
-#define STROBE_SHAFT_GLSL
+#ifndef STROBE_LIGHT_VISIBILITY_GLSL
+#define STROBE_LIGHT_VISIBILITY_GLSL
 #include "mixin/trace.glsl"
 
 const uint kMixed = 0u, kVisible = 1u, kBlocked = 2u;

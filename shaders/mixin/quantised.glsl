@@ -19,8 +19,8 @@
 // Fails: the encoding unorm24 turns surfaces farther than 2^25 n into sky. The encodings reversed and inverse do so where w
 //   rounds to 0, from a depth of about 1e38 n and 1e38 m on. The counter depth_lost counts these surfaces. The encodings assume
 //   that all surfaces are at the near distance n or farther.
-#ifndef STROBE_STORED_GLSL
-#define STROBE_STORED_GLSL
+#ifndef STROBE_QUANTISED_GLSL
+#define STROBE_QUANTISED_GLSL
 
 const float kLargestHalf = 65504.0;
 

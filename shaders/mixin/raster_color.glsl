@@ -7,8 +7,8 @@
 //   texels, leaving out texels that show another surface. Otherwise shade the point. With `shades_contrast`, the layer is used
 //   only in two cases: all four texels show the surface and differ by at most the share `contrast`, or the surface moves by
 //   more than `detail_below` px between two samples.
-#ifndef STROBE_CAPTURED_COLOR_GLSL
-#define STROBE_CAPTURED_COLOR_GLSL
+#ifndef STROBE_RASTER_COLOR_GLSL
+#define STROBE_RASTER_COLOR_GLSL
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 #include "lib/color_range.glsl"

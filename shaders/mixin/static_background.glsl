@@ -3,8 +3,8 @@
 // Nearest surface at a pixel at many times of the exposure. If the camera is static, all rays of a pixel are one ray in space,
 // and the static surface on this ray (the static background) is found only once. Rays at other times then test only the moving
 // instances in front of this background.
-#ifndef STROBE_GROUND_GLSL
-#define STROBE_GROUND_GLSL
+#ifndef STROBE_STATIC_BACKGROUND_GLSL
+#define STROBE_STATIC_BACKGROUND_GLSL
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 #include "mixin/shade.glsl"

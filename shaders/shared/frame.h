@@ -30,11 +30,7 @@ struct FrameData {
   vec3 sky;         // linear ambient radiance from above
   vec3 ground;      // linear ambient radiance from below
   vec4 background;  // rgb: linear radiance of rays that hit nothing; with w = 0, a blend of sky and ground replaces rgb
-  ivec4 moving_rect;      // rectangle that contains all moving surfaces at all times of the exposure; conservative
-  // Objects that are outside of the image at the raster time, shutter open and shutter close, but may be in the image between
-  // these times. Conservative.
-  ivec4 crossing;       // rectangle that contains these objects whenever they are in the image
-  vec2 crossing_times;  // first and last time when one of these objects may be in the image
+  ivec4 moving_rect;    // rectangle that contains all moving surfaces at all times of the exposure; conservative
   float exposure;       // length of the exposure, in frames
   uint camera_rests;    // 1 if the camera is proven static within the exposure
   uint moving_count;    // number of instances that may move within the exposure
@@ -49,6 +45,6 @@ struct FrameData {
 
 STROBE_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(strobe::shared::FrameData) == 168 + 2 * CURVE_KNOTS * 16);
+static_assert(sizeof(strobe::shared::FrameData) == 144 + 2 * CURVE_KNOTS * 16);
 #endif
 #endif

@@ -21,9 +21,7 @@ STROBE_SHARED_BEGIN
 // Properties of an instance's motion on the screen, within the exposure and since the previous frame. Conservative: a bit is
 // clear only if the property is proven false, with a tolerance of 0.05 px. All bits of a static instance are clear.
 #define PATH_CURVED 1u   // a point of the instance deviates from a straight path at constant speed
-#define PATH_TURNS 2u    // points of the instance have different velocities
-#define PATH_MAY_BE_OCCLUDED 4u  // another object may be in front, or another part of the instance with another velocity
-#define PATH_MAY_APPEAR 8u  // a part of the instance may be visible at another time but not at the raster time
+#define PATH_MAY_BE_OCCLUDED 2u  // another object may be in front, or another part of the instance with another velocity
 
 // Vertex of a mesh in object space.
 struct SceneVertex {

@@ -5,12 +5,8 @@
 //      `id`: instance + 1; 0 for the sky
 //      `velocity`: displacement computed from the previous frame alone, px over the exposure
 //      `hit`: instance + 1, geometry, primitive; absent: deformation by joints and morph targets is ignored
-//      `normal`: unit normal in world space; absent: `max_stretch` is not tested
 // Out: `velocity`: displacement between the ends of the curve, px; for a straight path the input `velocity`
 //      `curve`: coefficients of the curve, px (mixin/curve.glsl)
-//      `path_deviation`: path deviation in the middle of the exposure, px
-//      `nonlinear`: 1 if the true position at shutter open or close is more than `max_deviation` px from the curve, or if two
-//        points one pixel apart at the raster time are more than `max_stretch` px apart at shutter open or close
 // Method: Newton's backward differences of the position p0 at the raster time, p1 one frame before and p2 two frames before (a
 //   loop with two times). With D = p0 - p1 and D2 = p0 - 2 p1 + p2, the point is at p0 + f D + f (f + 1) / 2 D2, f frames after
 //   the raster time. Poses beyond a cut are ignored. If only one earlier pose remains, the path is straight.
@@ -69,31 +65,21 @@ vec2 placeAt(Differences d, float f) { return f * (d.first + 0.5 * (f + 1.0) * d
 vec4 curveOf(Differences d) { return vec4(-frame.exposure * frame.exposure / 8.0 * d.second, 0, 0); }
 
 void run(ivec2 pixel) {
-  uint id = texelFetch(id_tex, pixel, 0).x, kind = pathKind(id);
+  uint id = texelFetch(id_tex, pixel, 0).x;
   vec2 velocity = vec2(texelFetch(velocity_tex, pixel, 0));
   vec4 curve = vec4(0);
-  float off_px = 0.0;
-  bool grows = false;
-  bool is_curved = (kind & PATH_CURVED) != 0u && texelFetch(depth_tex, pixel, 0).x > 0.0;
-  if (is_curved || isMoving(pixel)) {
-    if (is_curved) {
-      vec2 places[kPoses];
-      for (int k = 0; k < kPoses; ++k) places[k] = pathOfTexel(SLICE_SAMPLE + uint(k), pixel);
-      bool has_differences = hasDifferences(id, places);
-      Differences d = differencesOf(places, has_differences);
-      vec2 open = placeAt(d, frame.exposure * frame.shutter.x), close = placeAt(d, frame.exposure * frame.shutter.y);
-      vec2 between = close - open;
-      if (has_differences && !any(isnan(between)) && !any(isinf(between))) {
-        velocity = quantisedVelocity(between);
-        curve = curveOf(d);
-      }
-      off_px = max(lengthOf(open - pathOfTexel(SLICE_SHUTTER_OPEN, pixel)),
-                   lengthOf(close - pathOfTexel(SLICE_SHUTTER_CLOSE, pixel)));
+  if (isCurvedAt(pixel, id)) {
+    vec2 places[kPoses];
+    for (int k = 0; k < kPoses; ++k) places[k] = pathOfTexel(SLICE_SAMPLE + uint(k), pixel);
+    bool has_differences = hasDifferences(id, places);
+    Differences d = differencesOf(places, has_differences);
+    vec2 open = placeAt(d, frame.exposure * frame.shutter.x), close = placeAt(d, frame.exposure * frame.shutter.y);
+    vec2 between = close - open;
+    if (has_differences && !any(isnan(between)) && !any(isinf(between))) {
+      velocity = quantisedVelocity(between);
+      curve = curveOf(d);
     }
-    if ((kind & PATH_TURNS) != 0u) grows = growsAt(pixel, id);
   }
   imageStore(velocity_img, pixel, vec4(velocity, 0, 0));
   imageStore(curve_img, pixel, curve);
-  imageStore(path_deviation_img, pixel, vec4(quantisedVelocity(curve.xy), 0, 0));
-  imageStore(nonlinear_img, pixel, vec4(!(off_px <= params.max_deviation) || grows ? 1 : 0));
 }

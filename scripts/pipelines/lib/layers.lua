@@ -62,18 +62,15 @@ end
 
 -- Returns the outputs of the pass classify_cells, which marks the cells that moving surfaces reach. The composite copies the
 -- pixels of all other cells.
-local function moving_cells(raster, revealed, images, slowest)
+local function moving_cells(raster, revealed, images)
   -- The velocity bounds made for the disocclusion mask are valid only for straight paths with one segment.
   local is_simple = raster.bounds and not (raster.curve or raster.velocity_post)
   local bounds = is_simple and raster.bounds or bounds_of(raster, "raster_bounds")
   return classify_cells {
-    background_bounds = bounds_of(revealed, "revealed_bounds"), bounds = bounds, slowest = slowest,
-    dominant = images.dominant, dominant_post = images.dominant_post,
-    second = images.second, second_post = images.second_post,
+    background_bounds = bounds_of(revealed, "revealed_bounds"), bounds = bounds,
     max_displacement = images.max_displacement, max_displacement_post = images.max_displacement_post,
     revealed_max_displacement = images.revealed_max_displacement,
     revealed_max_displacement_post = images.revealed_max_displacement_post,
-    revealed_dominant = images.revealed_dominant, revealed_dominant_post = images.revealed_dominant_post,
   }
 end
 
@@ -115,9 +112,9 @@ function layers.outputs(p, both, color)
 end
 
 -- Returns the inputs of the pass `composite`: the images of the raster layer, the images of the revealed layer with the prefix
--- "revealed_", and displacements per tile. `slowest`: largest displacement that counts as static, px; nil: 0.5. `apart`: true
--- if each layer has its own displacements per tile, nil if both layers share them.
-function layers.images(p, raster, revealed, composite, slowest, apart)
+-- "revealed_", and displacements per tile. `apart`: true if each layer has its own displacements per tile, nil if both layers
+-- share them.
+function layers.images(p, raster, revealed, composite, apart)
   paths.require_segments(raster, composite, "the composite")
   local images = {}
   put(images, "", raster)
@@ -132,8 +129,8 @@ function layers.images(p, raster, revealed, composite, slowest, apart)
     images.revealed_max_displacement_post = around.max_displacement_post
   end
   if pass.reads(composite, "moved") then
-    local cells = moving_cells(raster, revealed, images, slowest)
-    images.moved, images.background, images.unlisted = cells.moved, cells.background, cells.unlisted
+    local cells = moving_cells(raster, revealed, images)
+    images.moved, images.background = cells.moved, cells.background
   end
   return images
 end

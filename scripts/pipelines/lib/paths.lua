@@ -38,13 +38,12 @@ end
 -- If the motion is split at the raster time (range = split), returns a copy of `layer` with these fields:
 --   velocity        velocity before the raster time, scaled to the whole exposure, px
 --   velocity_post   velocity after the raster time, scaled to the whole exposure, px
---   whole_velocity  the original velocity: one displacement over the exposure, px
 -- Otherwise returns `layer`. `name`: name of the node.
 function paths.split(p, layer, name)
   if not paths.are_split(p) then return layer end
   local segments = two_segments { depth = layer.depth, id = layer.id, velocity = layer.velocity, as = name }
   local split = copy_of(layer)
-  split.velocity, split.velocity_post, split.whole_velocity = segments.velocity_pre, segments.velocity_post, layer.velocity
+  split.velocity, split.velocity_post = segments.velocity_pre, segments.velocity_post
   return split
 end
 
@@ -106,20 +105,18 @@ local function poses_of(p)
 end
 
 local function curve_of(p, name, layer)
-  local images = {
-    depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
-    as = name .. "_curve",
-  }
-  if paths.are_extrapolated(p) then return extrapolated_curve(images) end
-  return path_curve(images)
+  local images = { depth = layer.depth, id = layer.id, hit = layer.hit, as = name .. "_curve" }
+  if not paths.are_extrapolated(p) then return path_curve(images) end
+  images.velocity = layer.velocity
+  return extrapolated_curve(images)
 end
 
--- Adds the fields `curve`, `path_deviation` and `nonlinear` to each layer of `layers`, a list of { name, layer }. An
--- extrapolated curve also replaces the field `velocity`. Changes nothing if paths are straight lines.
+-- Adds the field `curve` to each layer of `layers`, a list of { name, layer }. An extrapolated curve also replaces the field
+-- `velocity`. Changes nothing if paths are straight lines.
 function paths.add_curves(p, layers)
   if not paths.are_curved(p) then return end
   local extrapolated = paths.are_extrapolated(p)
-  local images = { "curve", "path_deviation", "nonlinear", extrapolated and "velocity" or nil }
+  local images = { "curve", extrapolated and "velocity" or nil }
   local found = pipeline.loop {
     name = extrapolated and layers[1][1] .. "_earlier" or "inside",
     count = 1, times = extrapolated and "frames" or "even", slices = poses_of(p),

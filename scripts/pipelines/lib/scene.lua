@@ -11,8 +11,7 @@ local scene = {}
 -- Makes a layer: a table of images with one surface per pixel. A layer may lack the fields in this list; lib/paths adds some of
 -- these fields.
 scene.layer = pipeline.record("a layer", {
-  "valid", "normal", "hit", "light_visibility", "velocities", "bounds", "curve", "path_deviation", "nonlinear",
-  "velocity_post", "whole_velocity", "post",
+  "valid", "normal", "hit", "light_visibility", "velocities", "bounds", "curve", "velocity_post", "post",
 })
 
 -- Returns the colour of the surfaces `hit`, shaded at the raster time, and `light_visibility`: for each tile, the lights that
