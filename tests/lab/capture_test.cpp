@@ -49,7 +49,7 @@ std::set<std::string> channelsOf(const image::ExrPart& part) {
 
 // Formats of all kinds and sizes: half floats, bytes, tiles, integers.
 TEST_F(CaptureTest, EveryTapComesBackBitForBit) {
-  for (const char* pipeline : {"hybrid", "hybrid_traced"}) {
+  for (const char* pipeline : {"hybrid", "hybrid_layered"}) {
     Picture picture = everything(crowd(pipeline, {"velocity_format=fp16"}));
     image::ExrFile written = exrOf(picture, {.multipart = true});
     EXPECT_EQ(written.width, 64);

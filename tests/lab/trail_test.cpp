@@ -93,7 +93,7 @@ void TrailTest::expectWhatTheFileHolds(const Shot& shot) {
 }
 
 TEST_F(TrailTest, IsWhatTheFileHoldsBest) {
-  expectWhatTheFileHolds(oracle::with(oracle::shotOf("crowd", 64, 40), "hybrid_traced", {}));
+  expectWhatTheFileHolds(oracle::with(oracle::shotOf("crowd", 64, 40), "adaptive", {}));
 }
 
 TEST_F(TrailTest, IsWhatTheFileHoldsSeed) {

@@ -34,11 +34,11 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
   };
   const Traced cases[] = {
       {"shade", crowd("none", {"tile_light_visibility.per_tile=false"})},
-      {"ray_reveal", crowd("hybrid_traced", {"tile=8", "limit=0.25"})},
+      {"ray_reveal", crowd("hybrid_layered", {"tile=8", "limit=0.25"})},
       {"ray_reveal", crowd("hybrid", {"preset=text", "tile=8", "limit=0.25"})},
       {"ray_reveal", crowd(hybridSteps(), {"mask=all", "advance=restart", "tile=8", "limit=0.25"})},
       // Many at rest, over which the runtime's own tree is built once.
-      {"ray_reveal", with(shotOf("crowd", 64, 40, {{"crumbs", 300}}), "hybrid_traced", {"tile=8", "limit=0.25"})},
+      {"ray_reveal", with(shotOf("crowd", 64, 40, {{"crumbs", 300}}), "hybrid_layered", {"tile=8", "limit=0.25"})},
       // A box has a back, which rays that skip it pass over at once.
       {"ray_reveal", with(shotOf("turning_box", 64, 36, {}), hybridSteps(), {"mask=all"})},
       {"sample", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"}), false},
@@ -65,7 +65,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
 }
 
 TEST_F(RenderBackends, TenRunsGiveOneHash) {
-  for (const lab::Shot& shot : {crowd("hybrid_traced", {"jitter=hash"}), crowd("hybrid", {"preset=text"}),
+  for (const lab::Shot& shot : {crowd("hybrid_layered", {"jitter=hash"}), crowd("hybrid", {"preset=text"}),
                                 crowd("ground_truth", {"samples=4", "times=stratified"})}) {
     Json first = outputs(render(shot));
     for (int run = 1; run < 10; ++run) EXPECT_EQ(outputs(render(shot)), first) << shot.pipeline << " run " << run;
@@ -73,7 +73,7 @@ TEST_F(RenderBackends, TenRunsGiveOneHash) {
 }
 
 TEST_F(RenderBackends, SeedsMatterOnlyWhereTheyAreUsed) {
-  lab::Shot shot = crowd("hybrid_traced", {"jitter=hash"});
+  lab::Shot shot = crowd("hybrid_layered", {"jitter=hash"});
   Json first = outputs(render(shot));
   shot.seed = 1;
   EXPECT_NE(outputs(render(shot))["color"], first["color"]);
@@ -85,7 +85,7 @@ TEST_F(RenderBackends, SeedsMatterOnlyWhereTheyAreUsed) {
 
 // What is looked at keeps its memory to itself: a picture that changes with it would have read what it may not.
 TEST_F(RenderBackends, LookingChangesNothing) {
-  for (lab::Shot shot : {crowd("hybrid_traced"), crowd("hybrid", {"preset=text"})}) {
+  for (lab::Shot shot : {crowd("hybrid_layered"), crowd("hybrid", {"preset=text"})}) {
     Json without = outputs(render(shot));
     for (const std::vector<std::string>& taps :
          {std::vector<std::string>{"mask.mask"},

@@ -54,7 +54,7 @@ class RenderBending : public RenderTest {
 
 TEST_F(RenderBending, BackendsGiveTheSamePictures) {
   for (const lab::Shot& shot : samples())
-    for (const lab::Shot& drawn : {with(shot, "none"), with(shot, "hybrid_traced", {"tile=8", "limit=0.25"}),
+    for (const lab::Shot& drawn : {with(shot, "none"), with(shot, "hybrid_layered", {"tile=8", "limit=0.25"}),
                                    with(shot, "hybrid", {"tile=8", "limit=0.25"}),
                                    with(shot, "ground_truth", {"samples=12", "times=stratified", "slices=4"})}) {
       const Json first = by(drawn, backends().front()).record["outputs"];

@@ -196,7 +196,7 @@ TEST_F(RenderCells, DoNotShowInThePicture) {
 TEST_F(RenderCells, LeaveOutWhatNothingReaches) {
   lab::Shot shot = room("main", "end");
   shot.taps = {"classify_cells.moved"};
-  lab::Picture picture = render(with(shot, "hybrid_traced", {"tile=20"}));
+  lab::Picture picture = render(with(shot, "hybrid_layered", {"tile=20"}));
   shot.taps.clear();
   const image::Image& moved = picture.frame.taps.at("classify_cells.moved").floats;
   lab::Shot at_once = shot;

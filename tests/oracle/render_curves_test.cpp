@@ -109,62 +109,13 @@ double errorOf(const Wheel& wheel, const lab::Picture& picture, Window window) {
   return std::sqrt(sum / count);
 }
 
-// Displacements, and bends, of what is unreliable in each cell of a layer, which has things where they are at a time.
-struct DoubtedLayer {
-  const image::Image &bounds, &bends;
-  double seen;
-
-  // A corner of the box of a cell, k in [0, 4).
-  static glm::dvec2 corner(const image::Image& boxes, glm::ivec2 cell, int k) {
-    return {boxes.at(cell.x, cell.y, k % 2 * 2), boxes.at(cell.x, cell.y, k / 2 * 2 + 1)};
-  }
-};
-
-// Cells of 10 px in which something unreliable certainly is, and may be, a bit for each of four parts of an exposure
-// around the capture.
-struct Doubts {
-  static constexpr int kParts = 4;
-  static constexpr double kCell = 10, kOpen = -.5, kClose = .5, kRounding = 1e-2;
-  glm::ivec2 cells;
-  std::vector<uint32_t> least = std::vector<uint32_t>(size_t(cells.x * cells.y)), most = least;
-
-  void mark(std::vector<uint32_t>& marked, glm::dvec2 low, glm::dvec2 high, int part) const {
-    const glm::dvec2 first = glm::max(glm::floor(low / kCell), 0.),
-                     last = glm::min(glm::floor(high / kCell), glm::dvec2(cells) - 1.);
-    for (double y = first.y; y <= last.y; ++y)
-      for (double x = first.x; x <= last.x; ++x) marked[size_t(y) * size_t(cells.x) + size_t(x)] |= 1u << part;
-  }
-
-  // Where a layer's cell goes: certainly where any corner of its boxes takes it, and perhaps anywhere between all of
-  // them, by a tenth of the bend and by `slack` px farther.
-  void add(const DoubtedLayer& layer, glm::ivec2 cell, int part, double slack) {
-    auto bentShare = [](double t) { return 4 * (t - kOpen) * (kClose - t); };
-    const double bent = bentShare(kOpen + (part + .5) / kParts) - bentShare(layer.seen);
-    const glm::dvec2 from = glm::dvec2(cell) * kCell;
-    glm::dvec2 low(INFINITY), high(-INFINITY);
-    double longest = 0;
-    for (int k = 0; k < 4 * 4 * 2; ++k) {
-      const glm::dvec2 d = layer.corner(layer.bounds, cell, k % 4), b = layer.corner(layer.bends, cell, k / 4 % 4);
-      const double t = kOpen + double(part + k / 16) / kParts - layer.seen;
-      const glm::dvec2 way = d * t + b * bent, bent_more = d * t + 1.1 * b * bent;
-      longest = std::max(longest, glm::length(d));
-      if (glm::length(d) / 2 > .51) mark(least, from + way + kRounding, from + way + kCell - kRounding, part);
-      low = glm::min(low, glm::min(way, bent_more)), high = glm::max(high, glm::max(way, bent_more));
-    }
-    if (longest / 2 < .49) return;  // at rest
-    mark(most, from + low - slack - kRounding, from + high + kCell + slack + kRounding, part);
-  }
-};
-
-// A parabola meets the point at both ends of the exposure and in the middle; `bent` marks points that are more than
-// half a pixel off it a third of the exposure before or after.
+// A parabola meets the point at both ends of the exposure and in the middle.
 TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(wedge(), "hybrid_layered", {"trajectory=quadratic"}, anchor.name);
-    shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
+    shot.taps = {"raster_curve.curve"};
     lab::Picture picture = render(shot);
-    const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
-                       &bent = picture.frame.taps.at("raster_curve.nonlinear").floats;
+    const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats;
     int seen = 0;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -175,36 +126,8 @@ TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
         const glm::dvec2 b = fromLine(.5);
         for (int k = 0; k < 2; ++k) EXPECT_NEAR(curve.at(x, y, k), b[k], 1e-3) << anchor.name;
         for (int k = 2; k < 4; ++k) EXPECT_EQ(curve.at(x, y, k), 0) << anchor.name;
-        double off_px = 0;
-        for (double u : {1 / 6., 5 / 6.}) off_px = std::max(off_px, glm::length(fromLine(u) - 4 * u * (1 - u) * b));
-        if (std::abs(off_px - .5) > .01) EXPECT_EQ(bent.at(x, y, 0), off_px > .5) << anchor.name << ' ' << off_px;
       }
     EXPECT_GT(seen, 500);
-  }
-}
-
-// How far paths are from the line between their ends in the middle of the exposure, in closed form; and where that is
-// more than they may be.
-TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
-  for (const Anchor& anchor : anchors()) {
-    lab::Shot shot = with(wedge(), "hybrid_traced", {"raster_deviation.max_deviation=2"}, anchor.name);
-    shot.taps = {"raster_deviation.path_deviation", "raster_deviation.nonlinear"};
-    lab::Picture picture = render(shot);
-    const image::Image &bend = picture.frame.taps.at("raster_deviation.path_deviation").floats,
-                       &bent = picture.frame.taps.at("raster_deviation.nonlinear").floats;
-    int near = 0, far = 0;
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        if (imageOf(picture, "velocity").at(x, y, 0) == 0) continue;
-        auto at = [&](double u) { return turned(placeOf(x, y), glm::mix(anchor.window.open, anchor.window.close, u)); };
-        const glm::dvec2 expected = at(.5) - .5 * (at(0) + at(1));
-        for (int k = 0; k < 2; ++k) EXPECT_NEAR(bend.at(x, y, k), expected[k], 1e-3) << anchor.name;
-        const double px = glm::length(expected);
-        if (std::abs(px - 2) > .01) EXPECT_EQ(bent.at(x, y, 0), px > 2) << anchor.name << ' ' << px;
-        ++(px > 2 ? far : near);
-      }
-    EXPECT_GT(near, 50) << anchor.name;
-    EXPECT_GT(far, 50) << anchor.name;
   }
 }
 
@@ -246,39 +169,6 @@ TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
   }
 }
 
-// In each part of the exposure, in which a jittered sample may be anywhere, cells are doubted in which something
-// unreliable is; and none farther off than the pixel and a half that rounding and the width of a tap make.
-TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
-  lab::Shot shot = with(shotOf("swerve", kSide, 64), "hybrid_traced",
-                        {fmt::format("samples={}", Doubts::kParts), "jitter=hash"}, "centre");
-  shot.taps = {"classify_time_samples.unreliable"};
-  const std::pair<const char*, double> layers[] = {{"raster_deviation_bounds", 0},
-                                                   {"revealed_deviation_bounds", 0},
-                                                   {"open_disoccluded_bounds", Doubts::kOpen},
-                                                   {"close_disoccluded_bounds", Doubts::kClose}};
-  for (const auto& layer : layers)
-    for (const char* of : {"bounds", "deviation_bounds"}) shot.taps.push_back(fmt::format("{}.{}", layer.first, of));
-  const lab::Picture picture = render(shot);
-  const image::UintImage& unreliable = picture.frame.taps.at(shot.taps[0]).uints;
-  Doubts doubts{{unreliable.width, unreliable.height}};
-  for (size_t l = 0; l < std::size(layers); ++l) {
-    const DoubtedLayer layer{picture.frame.taps.at(shot.taps[2 * l + 1]).floats,
-                             picture.frame.taps.at(shot.taps[2 * l + 2]).floats, layers[l].second};
-    for (int c = 0; c < doubts.cells.x * doubts.cells.y * Doubts::kParts; ++c) {
-      const int cell = c / Doubts::kParts;
-      doubts.add(layer, {cell % doubts.cells.x, cell / doubts.cells.x}, c % Doubts::kParts, 1.5);
-    }
-  }
-  int doubted = 0, trusted = 0;
-  for (size_t c = 0; c < unreliable.values.size(); ++c) {
-    EXPECT_EQ(doubts.least[c] & ~unreliable.values[c], 0u) << c;
-    EXPECT_EQ(unreliable.values[c] & ~doubts.most[c], 0u) << c;
-    for (int i = 0; i < Doubts::kParts; ++i) ++((unreliable.values[c] >> i & 1) != 0 ? doubted : trusted);
-  }
-  EXPECT_GT(doubted, 20);
-  EXPECT_GT(trusted, 20);
-}
-
 TEST_F(RenderCurves, FollowATurningWedge) {
   for (const Anchor& anchor : anchors()) {
     std::map<std::string, double> errors;
@@ -318,10 +208,9 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
         const std::string what = fmt::format("{}, {} degrees, {} px", anchor.name, degrees, slide);
         lab::Shot shot =
             with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "hybrid_layered", {"trajectory=arc"}, anchor.name);
-        shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
+        shot.taps = {"raster_curve.curve"};
         const lab::Picture picture = render(shot);
-        const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
-                           &bent = picture.frame.taps.at("raster_curve.nonlinear").floats;
+        const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats;
         int seen = 0;
         for (int y = 0; y < kSide; ++y)
           for (int x = 0; x < kSide; ++x) {
@@ -329,7 +218,6 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
             ++seen;
             EXPECT_NEAR(curve.at(x, y, 2), 0, 5e-3) << what;
             EXPECT_NEAR(curve.at(x, y, 3), -glm::radians(degrees), 5e-3) << what;  // y points down
-            EXPECT_EQ(bent.at(x, y, 0), 0) << what;
           }
         EXPECT_GT(seen, 500) << what;
       }
@@ -450,7 +338,7 @@ TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
   const lab::Shot bent = shotOf("bent", 96, 32, {{"before", 12}, {"after", 12}, {"bend", 5}});
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(bent, "hybrid_layered", foretold("quadratic"), anchor.name);
-    shot.taps = {"raster_curve.curve", "raster_curve.nonlinear"};
+    shot.taps = {"raster_curve.curve"};
     const lab::Picture picture = render(shot);
     const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
     for (int x = 32; x < 60; ++x) {
@@ -459,7 +347,6 @@ TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
           << anchor.name;
       EXPECT_NEAR(curve.at(x, 16, 0), -5. / 8, 1e-3) << anchor.name;
       for (int k = 1; k < 4; ++k) EXPECT_NEAR(curve.at(x, 16, k), 0, 1e-3) << anchor.name;
-      EXPECT_EQ(picture.frame.taps.at("raster_curve.nonlinear").floats.at(x, 16, 0), 0) << anchor.name;
     }
   }
 }

@@ -46,32 +46,32 @@ std::vector<Case> cases() {
   std::vector<Case> all = {
       {"crowd at rest",
        shotOf("crowd", kWidth, kHeight, {{"speed", 0}}),
-       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms"}},
+       {"motion", "curves", "alpha", "blend", "one_sided", "deforms"}},
       {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "deforms"}},
       {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "deforms"}},
       {"crowd whose motion is not kept",
        held,
-       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms"}},
+       {"motion", "curves", "alpha", "blend", "one_sided", "deforms"}},
       {"crowd in no time",
        instant,
-       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "deforms", "before",
+       {"motion", "curves", "alpha", "blend", "one_sided", "deforms", "before",
         "after"}},
       {"cut out",
        shotOf("cut_out", kWidth, kHeight),
-       {"motion", "curves", "may_be_occluded", "may_appear", "blend", "one_sided", "shadows", "deforms"}},
+       {"motion", "curves", "blend", "one_sided", "shadows", "deforms"}},
       {"veil",
        shotOf("veil", kWidth, kHeight, {{"shift", 9}}),
-       {"curves", "may_be_occluded", "one_sided", "shadows", "deforms"}},
+       {"curves", "one_sided", "shadows", "deforms"}},
       {"sides",
        shotOf("sides", kWidth, kHeight),
-       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "shadows", "deforms"}},
+       {"motion", "curves", "alpha", "blend", "shadows", "deforms"}},
       {"a square that slides",
        shotOf("quad_2d", kWidth, kHeight,
               {{"left", 18}, {"right", 28}, {"top", 10}, {"bottom", 18}, {"d_x", 8}, {"d_y", -4}}),
-       {"curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "shadows", "deforms"}},
+       {"curves", "alpha", "blend", "one_sided", "shadows", "deforms"}},
       {"lit",
        shotOf("lit", kWidth, kHeight),
-       {"motion", "curves", "may_be_occluded", "may_appear", "alpha", "blend", "one_sided", "shadows", "deforms"}},
+       {"motion", "curves", "alpha", "blend", "one_sided", "shadows", "deforms"}},
   };
   Shot bent;
   bent.width = kWidth, bent.height = kHeight;
@@ -93,8 +93,8 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
       {"weights=guertin2014"},
       {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
     {"hybrid_layered",
-     {{"trajectory=quadratic"}, {"trajectory=arc"}, {"range=split"}, {"termination=motion", "advance=origin_kept"}}},
-    {"hybrid_traced", {{"range=split"}, {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
+     {{"trajectory=quadratic"}, {"trajectory=arc"}, {"range=split"}, {"termination=motion", "advance=origin_kept"},
+      {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
     {"accumulation", {{"samples=4", "reuse=none"}, {"samples=3", "reuse=blended"}}},
     {"eevee", {{"steps=2", "weights=jimenez2014"}, {"steps=5", "displacement=extrapolated"}}},
     {"ground_truth", {{"samples=4"}, {"samples=2", "mode=raster"}}},
@@ -137,7 +137,7 @@ class RenderFacts : public oracle::RenderTest {
                        : takesMeansOtherwise(required) ? kRounded
                                                        : 0;
       // Of means alone no pixel differs by more; what is at rest is found by a ray or by raster.
-      const int most = hasOwnTimes(required) || hasGround(required) ? kWidth * kHeight / 100 : 0;
+      const int most = hasGround(required) ? kWidth * kHeight / 100 : 0;
       expectFewDiffer(oracle::colorOf(required), oracle::colorOf(everything), rounded, most);
     }
     EXPECT_EQ(required.record["pipeline"]["plan"], everything.record["pipeline"]["plan"]);
@@ -147,10 +147,6 @@ class RenderFacts : public oracle::RenderTest {
     Picture capture = render(with(
         one.shot, "none", halves ? std::vector<std::string>{"shade.color_format=fp16"} : std::vector<std::string>{}));
     EXPECT_TRUE(oracle::identical(oracle::colorOf(required), oracle::colorOf(capture)));
-  }
-
-  static bool hasOwnTimes(const Picture& picture) {
-    return picture.record["counters"].contains("trace_time_samples.samples");
   }
 
   // Then what is at rest counts in the mean at once, or is the capture's where nothing reaches, and else sample by
@@ -163,9 +159,8 @@ class RenderFacts : public oracle::RenderTest {
     return hasGround(picture) || passes.contains("adaptive_times.samples");
   }
 
-  static bool mayDiffer(const Picture& picture) { return hasOwnTimes(picture) || takesMeansOtherwise(picture); }
+  static bool mayDiffer(const Picture& picture) { return takesMeansOtherwise(picture); }
 
-  // Rays at a sample's own time that meet a silhouette exactly fall to the side that the code compiled rounds to.
   // `rounded`: a share of its colour by which a texel is not what a ray that is not required finds there.
   static void expectFewDiffer(const image::Image& a, const image::Image& b, double rounded, int most) {
     int differ = 0;
@@ -220,7 +215,7 @@ TEST_F(RenderFacts, OfEachAnchor) {
   const std::map<std::string, std::vector<std::string>> lacked = {
       {"end", {"after"}}, {"centre", {}}, {"start", {"before"}}};
   for (const auto& [anchor, absent] : lacked) {
-    Shot shot = with(cases()[1].shot, "hybrid_traced", {}, anchor);
+    Shot shot = with(cases()[1].shot, "hybrid_layered", {}, anchor);
     std::vector<std::string> found = absentFacts(shot, bench().scene(shot)->loaded.scene);
     std::erase_if(found, [](const std::string& fact) { return fact != "before" && fact != "after"; });
     EXPECT_EQ(found, absent) << anchor;
@@ -235,15 +230,15 @@ TEST_F(RenderFacts, OfEveryPipelineThatShips) {
 }
 
 TEST_F(RenderFacts, OfTheHybrids) {
-  for (const char* name : {"hybrid", "hybrid_layered", "hybrid_traced"}) compareAll(name);
+  for (const char* name : {"hybrid", "hybrid_layered"}) compareAll(name);
 }
 
 TEST_F(RenderFacts, AreInTheRecord) {
-  Picture still = render(with(cases()[0].shot, "hybrid_traced")),
-          moving = render(with(cases()[1].shot, "hybrid_traced"));
+  Picture still = render(with(cases()[0].shot, "hybrid_layered")),
+          moving = render(with(cases()[1].shot, "hybrid_layered"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
-  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "may_be_occluded", "may_appear", "shadows", "before"}));
-  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid_traced")).record["facts"].size(), 12u);
+  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "shadows", "before"}));
+  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid_layered")).record["facts"].size(), 10u);
 }
 
 // What goes on otherwise after the capture than displacements say is blurred as they do, to where it never comes.
@@ -269,9 +264,8 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
 // Outside of where anything moves, passes that know what stands in for them do not run; what they leave is the same.
 TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
   const Shot square = shotOf("quad_2d", kWidth, kHeight, {{"left", 18}, {"right", 24}, {"top", 10}, {"bottom", 15}});
-  Shot shot = with(square, "hybrid_traced", {}, "end");
-  shot.taps = {"composite.unresolved", "mask.mask",        "ray_reveal.found", "raster_deviation.path_deviation",
-               "tile_max.longest",     "composite.blurred"};
+  Shot shot = with(square, "hybrid_layered", {}, "end");
+  shot.taps = {"mask.mask", "ray_reveal.found", "tile_max.longest", "composite.blurred"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
@@ -281,7 +275,7 @@ TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
 
 // A tap of what is left out is what stands in for it.
 TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
-  Shot shot = with(cases()[0].shot, "hybrid_traced");
+  Shot shot = with(cases()[0].shot, "hybrid_layered");
   shot.taps = {"composite.blurred", "mask.mask", "tile_max.longest", "gather_candidates.candidates_0"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
@@ -306,47 +300,6 @@ TEST_F(RenderFacts, AStillFrameCostsWhatTheCaptureCosts) {
       EXPECT_EQ(nodesOf(render(with(cases()[0].shot, name))), capture) << name;
     }
   }
-}
-
-// Rays at their own time run in hybrid_traced alone; the end of the exposure that is the raster time is not drawn
-// again.
-TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
-  const Shot crowd = cases()[1].shot;
-  auto runs = [&](const std::string& anchor, const std::string& pipeline, const std::string& node) {
-    std::vector<std::string> nodes = nodesOf(render(with(crowd, pipeline, {}, anchor)));
-    return std::count(nodes.begin(), nodes.end(), node) > 0;
-  };
-  for (const char* node : {"trace_time_samples", "shutter_open_visibility", "disoccluded_at_open", "raster_deviation",
-                           "unreliable", "moving_silhouettes"})
-    EXPECT_FALSE(runs("end", "hybrid_layered", node)) << node;
-  const std::map<std::string, std::pair<bool, bool>> ends = {
-      {"end", {true, false}}, {"centre", {true, true}}, {"start", {false, true}}};
-  for (const auto& [anchor, seen] : ends) {
-    EXPECT_EQ(runs(anchor, "hybrid_traced", "shutter_open_visibility"), seen.first) << anchor;
-    EXPECT_EQ(runs(anchor, "hybrid_traced", "shutter_close_visibility"), seen.second) << anchor;
-  }
-}
-
-// Before a camera at rest an end of the exposure is drawn without what is at rest; before one that moves with it.
-TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
-  auto seenAtOpen = [](Shot shot) {
-    shot = with(shot, "hybrid_traced", {}, "end");
-    shot.taps = {"shutter_open_visibility.hit"};
-    Picture picture = render(shot);
-    std::set<uint32_t> seen;
-    const image::UintImage& hit = picture.frame.taps.at("shutter_open_visibility.hit").uints;
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) seen.insert(hit.at(x, y, 0));
-    return seen;
-  };
-  Shot before_rest = with(cases()[1].shot, "hybrid_traced", {}, "end");
-  const std::vector<bool> moves = lab::factsOf(before_rest, bench().scene(before_rest)->loaded.scene, 0).moves;
-  ASSERT_GT(std::count(moves.begin(), moves.end(), false), 0);
-  for (uint32_t id : seenAtOpen(before_rest)) {
-    if (id > 0) EXPECT_TRUE(moves[id - 1]) << id;
-  }
-  const Shot before_motion = with(cases()[2].shot, "hybrid_traced", {}, "end");
-  EXPECT_GT(seenAtOpen(before_motion).size(), 2u);
 }
 
 }  // namespace render_facts_test

@@ -407,7 +407,7 @@ TEST_F(RenderGathers, WhatRestsInFrontIsNotLost) {
 // A wire at rest keeps its colour in front of moving objects, also where no tap falls on the wire.
 TEST_F(RenderGathers, AThinForegroundAtRestKeepsItsColour) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
-      {"mcguire2012", {"weights=uniform"}}, {"hybrid", {}}, {"hybrid_layered", {}}, {"hybrid_traced", {}}};
+      {"mcguire2012", {"weights=uniform"}}, {"hybrid", {}}, {"hybrid_layered", {}}, {"adaptive", {}}};
   for (double width : {1, 2, 5})
     for (double d : {3, 11, 24})
       for (const auto& [pipeline, settings] : cases)

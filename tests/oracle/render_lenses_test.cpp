@@ -98,34 +98,6 @@ TEST_F(RenderLenses, ZoomsBlurTruth) {
   EXPECT_GE(between, 2);
 }
 
-// The camera comes nearer, from 5.5 m at the start of the exposure to 4.5 m at its end, and so does its near plane,
-// which starts at 5.24 m: at the capture, 5 m off, the card is seen all the same. What is not lies outside of the
-// picture then.
-TEST_F(RenderLenses, NearPlanesMoveFromWhatTheCaptureSees) {
-  constexpr double kFov = .6, kStretch = 5.5 / 5;  // of the card, from the start to the capture
-  lab::Shot nearing = shot("/cameras/0/perspective/znear", 8.84f, .84f, true, kFov);
-  nearing.moves = {"eye=0,0,-1"};
-  nearing = with(nearing, "hybrid_traced", {}, "centre");
-  nearing.taps = {"disoccluded_at_open.disoccluded", "disoccluded_at_close.disoccluded"};
-  const lab::Picture picture = render(nearing);
-  const image::Image &open = picture.frame.taps.at(nearing.taps[0]).floats,
-                     &close = picture.frame.taps.at(nearing.taps[1]).floats;
-  const double beside =
-      2 / 5.5 / std::tan(kFov / 2) * kHeight / 2;  // the card's border at the start, px from the middle
-  int seen = 0, unseen = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      EXPECT_EQ(close.at(x, y, 0), 0) << x << ' ' << y;
-      const double at_raster_time = std::abs(y + .5 - kHeight / 2.) * kStretch;
-      if (std::abs(x + .5 - kWidth / 2.) > beside - 1 || std::abs(at_raster_time - kHeight / 2.) < 1) continue;
-      const bool is_outside = at_raster_time > kHeight / 2.;
-      EXPECT_EQ(open.at(x, y, 0) > .5f, is_outside) << x << ' ' << y;
-      ++(is_outside ? unseen : seen);
-    }
-  EXPECT_GT(seen, 500);
-  EXPECT_GT(unseen, 50);
-}
-
 // Shaded at its own time, a point takes the mean of the light; frozen, that of the capture.
 TEST_F(RenderLenses, LightsFadeWithinTheExposure) {
   lab::Shot fading = shot("/extensions/KHR_lights_punctual/lights/0/intensity", 4, 0, false);

@@ -116,39 +116,6 @@ TEST_F(RenderMasks, TilesKnowTheFarthestThatMoves) {
   EXPECT_GT(still, 0);
 }
 
-// Where two cards meet there is one if they move otherwise by half a pixel, what is slow by a twentieth of the slower.
-TEST_F(RenderMasks, SilhouettesAreWhereDisplacementsDiffer) {
-  struct Pair {
-    double left, right;
-    bool expected;
-  };
-  for (const Pair& pair : {Pair{4, 3.805, true},
-                           {3.805, 4, true},
-                           {4, 3.83, false},
-                           {4, 4, false},
-                           {20, 19.4, true},
-                           {20, 19.6, false},
-                           {4, -4, true}}) {
-    lab::Shot shot = shotOf("cards", 32, 4,
-                            {{"left0", 0},
-                             {"right0", 16},
-                             {"z0", 0},
-                             {"v0", .5},
-                             {"d0", pair.left},
-                             {"left1", 16},
-                             {"right1", 32},
-                             {"z1", 0},
-                             {"v1", 1},
-                             {"d1", pair.right}});
-    shot.taps = {"moving_silhouettes.near"};
-    const lab::Picture picture = render(with(shot, "hybrid_traced", {}));
-    const image::Image& near = picture.frame.taps.at(shot.taps[0]).floats;
-    EXPECT_NEAR(imageOf(picture, "velocity").at(15, 1, 0), pair.left, 1e-3);
-    for (int x : {15, 16}) EXPECT_EQ(near.at(x, 1, 0) > .5f, pair.expected) << pair.left << ' ' << pair.right;
-    for (int x : {13, 14, 17, 18}) EXPECT_EQ(near.at(x, 1, 0), 0) << pair.left << ' ' << pair.right << ' ' << x;
-  }
-}
-
 // --- Gaps
 
 // Displaced by 20 px every tooth lies on the next, by 5 or 15 px half of it between two: one tap finds nothing, four

@@ -184,7 +184,7 @@ TEST_F(RenderSheets, MoveAsTheyDoWithoutTheScale) {
     return result;
   };
   auto ways = [](const lab::Shot& one) {
-    return std::vector<lab::Shot>{with(one, "ground_truth", {"samples=16"}), with(one, "hybrid_traced")};
+    return std::vector<lab::Shot>{with(one, "ground_truth", {"samples=16"}), with(one, "adaptive")};
   };
   std::vector<image::Image> full, flat;
   for (const lab::Shot& way : ways(moving({1, 1, 1}))) full.push_back(colorOf(render(way)));

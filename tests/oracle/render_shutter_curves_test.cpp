@@ -220,18 +220,6 @@ TEST_F(RenderShutterCurves, CoverageOfTheSlowerFollowsTheCurveToo) {
   }
 }
 
-// Rays at their own time: what the capture does not see at all.
-TEST_F(RenderShutterCurves, RaysAtTheirOwnTimeFollowTheCurve) {
-  for (const Curve& curve : curves()) {
-    lab::Shot shot = curved(shotOf("bar", 64, 4, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), curve.text);
-    const Exact exact(Strips{{70.3, 90.3, 40, {1}}, {}}, curve, kCloseAnchor);
-    expectWithin(
-        drawn(shot, "hybrid_traced", "end", {"samples=32", "tile=16", "composite.taps=nearest"}),
-        [&](int x, int) { return exact.at(x); },
-        [&](const Exposure& e) { return e.variation * (.5 / 32 + curve.stated) + 1e-3; }, curve.text);
-  }
-}
-
 // --- Filters that do not: their own formula, with taps where the curve has them
 
 TEST_F(RenderShutterCurves, TapsOfMcGuireAndGuertinLieWhereTheCurveHasThem) {

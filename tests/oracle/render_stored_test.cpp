@@ -229,7 +229,7 @@ TEST_F(RenderStored, ThePictureMovesByNoMoreThanItsColours) {
 
 // What is at rest is copied: with half floats the picture is what was stored, bit for bit.
 TEST_F(RenderStored, StillPicturesAreWhatWasStored) {
-  for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid", "hybrid_traced"}) {
+  for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid", "hybrid_layered"}) {
     lab::Shot shot = crowd({pipeline, {}, {{"shade.color", "color"}}}, kOther);
     shot.exposure = 0;
     lab::Picture picture = render(shot);

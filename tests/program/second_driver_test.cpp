@@ -33,7 +33,7 @@ return capture {
     { name = "oberberger2022", pipeline = "oberberger2022" },
     { name = "adaptive", pipeline = "adaptive" },
     { name = "accumulation", pipeline = "accumulation" },
-    { name = "traced", pipeline = "hybrid_traced" },
+    { name = "adaptive", pipeline = "adaptive" },
     { name = "paper", pipeline = "hybrid" },
     { name = "truth", pipeline = "ground_truth", set = { samples = 8, pixel = "box" } },
   },

@@ -113,7 +113,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"weights=jimenez2014", "anchor=centre"}, {}},
       {{"tile=8"}, {"tile_rule"}}}},
     {"hybrid_layered",
-     {{{}, {"layered/layered_composite.search_taps", "layered/layered_composite.taps"}},
+     {{{}, {"layered/layered_composite.search_taps"}},
       kJitter,
       kBent,
       {{"scene=bent", "anchor=centre"}, {"range"}},
@@ -122,25 +122,6 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"scene=solids", "termination=motion", "advance=origin_kept"}, {"same_motion"}},
       {{"scene=solids", "termination=luminance", "advance=origin_kept", "max_layers=1", "tolerance=0.5"}, {"on_cap"}},
       {{"tile=8"}, {"tile_rule"}}}},
-    {"hybrid_traced",
-     {{{}, {}},
-      kJitter,
-      kBent,
-      {{"scene=solids", "ray_reveal.termination=luminance", "ray_reveal.advance=origin_kept"},
-       {"hybrid/ray_reveal.tolerance", "hybrid/ray_reveal.max_layers", "hybrid/ray_reveal.advance",
-        "hybrid/ray_reveal.luminance_of"}},
-      {{"scene=solids", "ray_reveal.termination=motion", "ray_reveal.advance=origin_kept"},
-       {"hybrid/ray_reveal.same_motion"}},
-      {{"scene=solids", "ray_reveal.termination=luminance", "ray_reveal.advance=origin_kept", "ray_reveal.max_layers=1",
-        "ray_reveal.tolerance=0.5"},
-       {"hybrid/ray_reveal.on_cap"}},
-      {{"samples=64"},
-       {"layered/layered_composite.slowest", "layered/layered_composite.contrast",
-        "layered/layered_composite.detail_below", "time/trace_time_samples.contrast",
-        "time/trace_time_samples.detail_below"}},
-      {{"scene=solids", "anchor=centre"},
-       {"time/path_deviation.max_stretch", "time/disoccluded_at_open.same_depth",
-        "time/disoccluded_at_close.same_depth", "time/trace_time_samples.same_depth"}}}},
     {"ground_truth",
      {{{"samples=8"}, {}},
       {{"samples=8", "times=stratified"}, {"slices"}},
@@ -149,24 +130,16 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
 };
 
-const char* const kResolved = "this pipeline leaves no sample open";
-
 // Parameters that change how a picture comes about and never the picture, with the reason.
 const std::map<std::string, std::string> kNoPicture = {
     {"gbuffer/shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
     {"adaptive: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"ue4: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
-    {"hybrid_layered: layered/layered_composite.marks_contrast", kResolved},
-    {"hybrid_layered: layered/layered_composite.contrast", kResolved},
-    {"hybrid_layered: layered/layered_composite.detail_below", kResolved},
-    {"hybrid_layered: layered/layered_composite.slowest", kResolved},
     {"layered/cull_candidates.margin", "which of the candidates that come to nothing are tried all the same"},
     {"accumulation/accumulate_moving.skip_static", "elsewhere there is nothing to add"},
     {"truth/sample.static_once_per_loop", "what is at rest comes out the same however often it is sampled"},
     {"truth/half_difference.block", "in which groups differences are added up"},
-    {"time/trace_time_samples.validation_share", "which pixels are checked"},
-    {"time/trace_time_samples.mismatch_tolerance", "what a check counts"},
     {"time/coherent_cells.validation_rays",
      "which cells are checked; where no ray finds anything they stay what they are"},
     {"adaptive: truth/sample_consensus.even_within", "centres are sampled alone, whose rays are one"},
@@ -390,7 +363,6 @@ TEST_F(Registry, Adaptive) { walk("adaptive", 11); }
 TEST_F(Registry, Accumulation) { walk("accumulation", 12); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }
 TEST_F(Registry, HybridLayered) { walk("hybrid_layered", 13); }
-TEST_F(Registry, HybridTraced) { walk("hybrid_traced", 14); }
 TEST_F(Registry, GroundTruth) { walk("ground_truth", 6); }
 
 TEST_F(Registry, OptionsOfTheShotChangeThePicture) {

@@ -191,7 +191,7 @@ TEST_F(ReloadTest, FilesSavedOneAfterAnotherAreOneReload) {
   session.reload(false);
   const std::string before = colorHash(session), good = home_.read("shaders/layered/disocclusion_mask.glsl");
   home_.write("shaders/layered/disocclusion_mask.glsl", "void run(ivec2 pixel) { nonsense }");
-  home_.edit("shaders/layered/layered_composite.glsl", "fromSum(sum / n)", "fromSum(0.5 * sum / n)");
+  home_.edit("shaders/layered/layered_composite.glsl", "fromSum(sum / float", "fromSum(0.5 * sum / float");
   expectNoReload(session, "a mistake in one of two files");
   EXPECT_EQ(colorHash(session), before);
   home_.write("shaders/layered/disocclusion_mask.glsl", good);
@@ -287,7 +287,7 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   // GLSL: one shader broken, another changed.
   std::string good = home_.read("shaders/layered/disocclusion_mask.glsl"), before = colorHash(session);
   home_.write("shaders/layered/disocclusion_mask.glsl", "void run(ivec2 pixel) { nonsense }");
-  home_.edit("shaders/layered/layered_composite.glsl", "fromSum(sum / n)", "fromSum(0.5 * sum / n)");
+  home_.edit("shaders/layered/layered_composite.glsl", "fromSum(sum / float", "fromSum(0.5 * sum / float");
   auto told = session.reload(true);
   ASSERT_TRUE(told);
   EXPECT_EQ(joined(told->rebuilt), "composite");
@@ -302,8 +302,8 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   // Lua: one pass broken, another with a new parameter.
   good = home_.read("passes/layered/disocclusion_mask.lua");
   home_.write("passes/layered/disocclusion_mask.lua", "return nothing at all");
-  home_.edit("passes/lib/layered_composite.lua", "search_taps  ",
-             "dimmed = param.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    search_taps  ");
+  home_.edit("passes/layered/layered_composite.lua", "search_taps  ",
+             "dimmed = pass.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    search_taps  ");
   home_.edit("shaders/layered/layered_composite.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
   told = session.reload(true);
   ASSERT_TRUE(told);
