@@ -108,6 +108,22 @@ TEST_F(RenderAdaptive, FindsWhatTheCaptureDoesNotSee) {
   }
 }
 
+// A panel narrower than the way between two of the first rays passes over pixels whose rays hit nothing but the
+// background before and after the panel. No pixel may lose it: each has the exact coverage to within the shortest
+// interval between two rays, a sixteenth of the exposure at these qualities.
+TEST_F(RenderAdaptive, APanelBetweenTwoAgreeingRaysIsFound) {
+  constexpr double kLeft = 60.3, kPanel = 8, kMoved = 64;
+  const lab::Shot passes = shotOf("bar", 192, 12, {{"left", kLeft}, {"right", kLeft + kPanel}, {"d_f", kMoved}});
+  const Strips exact = {{kLeft, kLeft + kPanel, kMoved, {1}}, {-kInfinity, kInfinity, 0, {0}}};
+  for (const Anchor& anchor : anchors())
+    for (double quality : {.1, .3, .5}) {
+      SCOPED_TRACE(fmt::format("{}, quality {}", anchor.name, quality));
+      const image::Image color = colorOf(at(passes, quality, {}, anchor.name));
+      for (int x = 0; x < 192; ++x)
+        EXPECT_NEAR(color.at(x, 6, 0), exposeCentre(exact, anchor.window, x).colour, 1. / 16 + 1e-4) << x;
+    }
+}
+
 // Something that no displacement of the capture tells of comes before what rests or moves alike: rays of the cells see
 // it.
 TEST_F(RenderAdaptive, RaysRefuteCellsThatSeemCertain) {
