@@ -49,7 +49,8 @@ local function true_times(p)
     mode = "rays", samples = adaptive.truth_samples(p.quality(), p.samples()), times = "midpoint", slices = 1, pixel = "centre",
     shading = "frozen", mark_regions = false, tolerance = 0, first_samples = 0,
   }, raster)
-  return scene.outputs(raster, { color = mean { mean_a = means.mean_a, mean_b = means.mean_b }.color })
+  local result = mean { mean_a = means.mean_a, mean_b = means.mean_b }
+  return scene.outputs(raster, { color = result.color, error = result.error })
 end
 
 return pipeline {
