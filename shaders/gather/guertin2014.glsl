@@ -116,8 +116,8 @@ void run(ivec2 pixel) {
   }
 
   ivec2 size = textureSize(color_tex, 0);
-  bool coherent_cells = movesAsOne(tile, d, spread_factor);
-  if (coherent_cells) count_uniform(1u);
+  bool is_uniform = movesAsOne(tile, d, spread_factor);
+  if (is_uniform) count_uniform(1u);
   Texel own = texelAt(pixel);
   Tap here = tapFrom(own, own.d, spread_factor);
   vec2 second = secondAt(pixel, tile, d, here.radius, params.gamma);
@@ -139,7 +139,7 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Texel texel = texelAt(at);
-    Tap tap = tapFrom(texel, coherent_cells ? d : texel.d, spread_factor);
+    Tap tap = tapFrom(texel, is_uniform ? d : texel.d, spread_factor);
     float weight = tapWeight(here, tap, taken, second);
     all += weight;
     if (over) weight *= inFrontOf(tap.depth, background, params.depth_extent) * covers(tap, taken);

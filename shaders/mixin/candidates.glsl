@@ -41,13 +41,13 @@ const float kUnused = 1e9;
 // surface is an example, at the samples before and after the raster time.
 float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
 
-// True if the surface of the texel `now` (a texel of the raster time) is at the pixel at time t, within
+// True if the surface that `texel` shows at the raster time is at the pixel at time t, within
 // max(kNearest, min(tolerance_px, toleranceOf(path.d))) px. `path`: path of this surface. `tolerance_px`: tolerance of the
 // candidate that led to the texel. Tolerances above kNearest are for surfaces with varying displacements: the nearest match may
 // then be almost half-way to the next sample.
-bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
-  if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
-  return isAt(pixel, now, path, t, kNearest) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)));
+bool isThere(ivec2 pixel, ivec2 texel, Path path, float t, float tolerance_px) {
+  if (!isAt(pixel, texel, path, t, max(kNearest, tolerance_px))) return false;
+  return isAt(pixel, texel, path, t, kNearest) || isAt(pixel, texel, path, t, min(tolerance_px, toleranceOf(path.d)));
 }
 
 // Path of candidate k, 0 <= k < candidates.count.
@@ -96,7 +96,7 @@ Candidates withAllLayers(Candidates candidates, ivec2 at, bool background, bool 
 
 // Index of the time sample that is k-th nearest to the raster time, k from 0. A centred exposure has pairs of equally near
 // samples. In a pair, the earlier sample comes first if the number of samples is even; the later one comes first if it is odd.
-int nearest(int k) {
+int nearestSample(int k) {
   if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
   return frame.shutter.x < 0.0 ? params.samples - 1 - k : k;
 }
@@ -143,7 +143,7 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
     for (int k = 0; k < taps && !isFull(candidates); ++k) {
       ivec2 offset = ivec2(0);
       if (along) {
-        int i = clamp(nearest(k), 0, params.samples - 1);
+        int i = clamp(nearestSample(k), 0, params.samples - 1);
         offset = roundSymmetric(tapOffset(path, sampleTime(i, params.samples, jitter)));
       }
       for (int side = 0; side < sides; ++side) {
