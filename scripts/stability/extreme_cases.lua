@@ -563,7 +563,7 @@ for _, v in ipairs { { "thousands_of_instances", 8, 0.7, 8, "raster and rays agr
 end
 
 for _, v in ipairs { { "black", 0 }, { "equal_luminance", 0.9 } } do
-  case(v[1], "equal colours", "motion of a surface in front of another one of equal colour does not change the picture", function()
+  case(v[1], "equal colours", "motion in front of a surface of equal colour does not change the picture", function()
     -- A pipeline whose rays end by luminance cannot separate the two surfaces, and warns about this.
     return { merged(within(planes(7, { value = v[2], velocity_x = 0.7 }), v[2], v[2]),
                     { unless = "as bright as the foreground" }) }

@@ -30,8 +30,7 @@ vec2 clampLength(vec2 d, float limit) {
 }
 
 // Converts floats that hold integers to integers, clamped to [-2^22, 2^22 - 1]. The sum of such a float and 1.5 * 2^23 has the
-// integer in its lowest bits. This needs one step on devices that convert float to int separately for each component and
-// invocation.
+// integer in its lowest bits. Software devices add vectors in one step, but convert floats to integers one by one.
 ivec2 wholeOf(vec2 whole) { return floatBitsToInt(clamp(whole, -4194304.0, 4194303.0) + 12582912.0) - 0x4B400000; }
 
 // Nearest integers, with ties away from zero, so that offsets of opposite sign round to integers of opposite sign. Offsets

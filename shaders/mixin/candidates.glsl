@@ -123,11 +123,10 @@ Dominant dominantAfter(ivec2 tile) {
 }
 
 // Candidates with the displacements at the pixel and, with `search_taps`, at the taps along the tile's longest displacement and
-// then along its second displacement. `jitter`: of the tap times, as a share of the time between two samples. `background`,
-// `after`: as in `withAllLayers`.
-// The list keeps the first displacements that fit. The taps go from the pixel outwards, so that with the anchors `end` and
-// `start` a reversal of time does not change the order. One loop serves all taps, because each inlined copy of the loop's body
-// takes long to compile.
+// then along its second displacement. `jitter`: shift of the tap times, as a share of the time between two samples.
+// `background`, `after`: as in `withAllLayers`. The list keeps the first displacements that fit. The taps go from the pixel
+// outwards, so that with the anchors `end` and `start` a reversal of time does not change the order. One loop serves all taps,
+// because each inlined copy of the loop's body takes long to compile.
 Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   int ways = PARAM_search_taps == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
@@ -156,8 +155,8 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
 }
 
 // Candidates of a pixel: the displacements of the tile (`dominant`), then the displacements at the pixel and at its taps.
-// `jitter`: of the tap times, as a share of the time between two samples. `background`: include displacements of the revealed
-// layer. `after`: candidates for the times after the raster time; otherwise for the times before.
+// `jitter`: shift of the tap times, as a share of the time between two samples. `background`: include displacements of the
+// revealed layer. `after`: candidates for the times after the raster time; otherwise for the times before.
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   Candidates candidates;
   candidates.x = candidates.y = vec4(kUnused);

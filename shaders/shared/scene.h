@@ -50,7 +50,7 @@ struct SceneDeformedVertex {
 
 // Instance: one drawn object, a mesh at a node of the scene.
 struct SceneInstance {
-  uint first_geometry;  // index of its first geometry
+  uint first_geometry;  // index of the instance's first geometry
   uint geometry_count;
   uint moves;  // 0 if the instance is proven static within the exposure
   uint path;   // PATH_* bits

@@ -6,8 +6,8 @@
 //      `id`: instance + 1, geometry + 1; 0 for the sky
 //      `hit`: instance + 1 (0 = sky), geometry, primitive
 //      `velocity`: displacement, px over the exposure
-//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, 1/4 if a ray refuted
-//                 this, otherwise 0
+//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, 1/4 if a validation ray
+//        refuted one of these, otherwise 0
 //      `longest`: per cell: longest displacement of the surfaces that reach the cell, px over the exposure
 // Out: `picture`: linear radiance, alpha 1
 //      `error`: estimated standard deviation of `picture`, linear radiance
@@ -34,7 +34,7 @@ struct Sample {
   vec3 color;
   uvec2 id;     // instance + 1, geometry + 1; 0 for the sky
   vec3 place;   // position of the hit point at the raster time: texel (xy), view depth (z)
-  float apart;  // largest difference of a channel from the raster texel at `place`; kFar if the texel does not show the point
+  float apart;  // largest difference of a channel from the raster texel at `place`; kFar if that texel does not show the point
 };
 
 // True if the raster texel `at` shows the surface `id` at the view depth `depth`. `color`: colour of the texel, multiplied by
@@ -89,7 +89,7 @@ bool isBlended(vec3 place, uvec2 id, float share, out vec3 color) {
 }
 #endif
 
-// Traces a ray through the pixel at the time with this number of the loop. The sample stands for the share `share` of the exposure. The ray
+// Traces a ray through the pixel at the loop's time `number`. The sample stands for the share `share` of the exposure. The ray
 // updates `static_background`, which later rays of the pixel reuse.
 Sample sampleAt(ivec2 pixel, int number, float share, inout StaticBackground static_background) {
   ++traced_rays;
@@ -119,12 +119,12 @@ Sample sampleAt(ivec2 pixel, int number, float share, inout StaticBackground sta
   return result;
 }
 
-// True if both samples hit one surface and the raster image shows both hit points.
+// True if both samples hit one surface, and the raster image shows both hit points.
 bool isOneShownSurface(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
 
-// True if the raster image shows a third surface that is at the pixel at time `number` of `count` times. The displacement d leads to
-// one texel of the raster image, and the displacement of that texel decides if its surface is at the pixel. a and b: ids of the
-// surfaces that the rays before and after this time hit; a third surface has another id. The tolerance is 3/4 px, because
+// True if the raster image shows a third surface that is at the pixel at the time `number` of `count`. The displacement d leads
+// to one texel of the raster image, and the displacement of that texel decides if its surface is at the pixel. a and b: ids of
+// the surfaces that the rays before and after this time hit; a third surface has another id. The tolerance is 3/4 px, because
 // rounding the position to a texel moves it by up to 1/2 px along each axis, and by 0.71 px diagonally.
 bool hasThirdSurface(ivec2 pixel, vec2 d, int number, int count, uvec2 a, uvec2 b) {
   float t = sampleTime(number, count, 0.0);
@@ -148,9 +148,10 @@ bool needsNoRay(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int co
   if (one_shown_surface) sum = vec3(0);
   for (int number = at + 1; number < end; ++number) {
     if (d != vec2(0) && hasThirdSurface(pixel, d, number, count, a.id, b.id)) return false;
+    if (!one_shown_surface) continue;
     vec3 color;
-    if (one_shown_surface && !isShown(mix(a.place, b.place, float(number - at) / float(end - at)), a.id, color)) return false;
-    if (one_shown_surface) sum += color;
+    if (!isShown(mix(a.place, b.place, float(number - at) / float(end - at)), a.id, color)) return false;
+    sum += color;
   }
   return true;
 }
@@ -214,9 +215,8 @@ vec3 gathered(ivec2 pixel) {
   return fromSum(sum / float(params.samples));
 }
 
-// Entry of `certain` for the pixel's cell; 0 beside a refuted cell, because the surface that refuted it may reach its
-// neighbours.
-// `longest`: displacement that the times of the first rays depend on, px over the exposure.
+// Entry of `certain` for the pixel's cell. It is 0 beside a refuted cell, because the surface that a ray found there may also
+// reach the neighbouring cells. `longest`: displacement that decides the times of the first rays, px over the exposure.
 float certainAt(ivec2 cell, out vec2 longest) {
   float certain = texelFetch(certain_tex, cell, 0).x;
   longest = vec2(texelFetch(longest_tex, cell, 0));
