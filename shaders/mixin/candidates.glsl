@@ -14,7 +14,8 @@
 #include "mixin/search.glsl"
 #include "lib/times.glsl"
 
-// Largest number of candidates of a pixel.
+// Largest number of candidates of a pixel. Four displacements fill the components of a vec4, so that one comparison of vectors
+// finds a candidate that is nearly equal to a new one.
 const int kMaxCandidates = 4;
 
 // Least tolerance for the match of a surface, px. Rounding a position to a texel moves the position by up to sqrt(1/2) px; the

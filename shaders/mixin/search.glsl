@@ -24,7 +24,8 @@ const int kIterations = 2, kCurveIterations = kIterations;
 bool iteratesAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurveIterations : kIterations); }
 
 // Largest difference between the paths of adjacent texels of one surface, px. If the paths differ more, the texels are assumed
-// to show different objects.
+// to show different objects. On seven scenes, halving or doubling it changes the error of arcs by at most 0.4 %; the error of
+// parabolas rises by up to 10 % at half the value and 3 % at twice the value.
 const float kMostSlope = 2.0;
 
 // Two functions that the including shader defines. `pathOf`: path of the surface at a texel of a layer, for the times after the
@@ -75,7 +76,8 @@ mat2 changeOf(int layer, ivec2 texel, Path path, float t) {
 //   curved path, take a Newton step: a surface with curved paths usually rotates, so that paths differ from texel to texel. A
 //   Newton step needs the derivative of the position at time t by the texel. For an arc that rotates, the derivative follows
 //   from the arc. Otherwise it is estimated from the paths of adjacent texels (`changeOf`). One Newton step suffices if the
-//   whole surface rotates or stretches uniformly. If the derivative is nearly singular, take a fixed-point step instead.
+//   whole surface rotates or stretches uniformly. If the derivative is nearly singular (determinant below 0.1), take a
+//   fixed-point step instead. Halving or doubling this bound changes the error by at most 0.2 % on seven scenes.
 ivec2 nextTexelOf(int layer, ivec2 pixel, ivec2 texel, Path path, float t) {
 #if HAS_curve
   if (!isCurved(path)) return nextTexel(pixel, path, t);
