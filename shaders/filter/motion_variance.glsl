@@ -15,7 +15,8 @@
 // oberberger2022 by at most 3.4 % on five scenes.
 const int kVarianceRadius = 3;
 // Largest distance of a pixel that is tested for motion from the filtered pixel, px. A surface that passes over the filtered
-// pixel is hit in some of the tested pixels, at their sample times.
+// pixel is hit in some of the tested pixels, at their sample times. On five scenes of 160 x 90 and three of
+// 320 x 180 pixels, 4 px changes the error of oberberger2022 by -5 % to -13 %, 16 px by +10 % to +25 %.
 const int kMotionRadius = 8;
 
 bool hitsMotion(ivec2 at, ivec2 size) {

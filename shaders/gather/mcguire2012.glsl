@@ -29,8 +29,8 @@
 #include "mixin/quantised.glsl"
 #include "lib/times.glsl"
 
-// Range of blur radii over which the second direction turns to the pixel's own displacement, px: the default of the parameter
-// `gamma` of the pass guertin2014.
+// The second direction turns to the pixel's own displacement over a range of blur radii of this length, px. The pass
+// guertin2014 has the same value as the default of its parameter `gamma`.
 const float kGamma = 1.5;
 
 struct Tap {

@@ -21,13 +21,16 @@ struct RayVolumeStart {
   uint unused_planes;   // bit i is set if no ray to the light starts above plane i
   float raised;         // metres
 };
-// Planes below the origins of the shadow rays, one for each direction that surfaces of the tile face.
+// Planes below the origins of the shadow rays, one for each direction that surfaces of the tile face. On five scenes, half or
+// twice as many change the number of shadow rays by at most 0.5 %.
 const uint kMostStartPlanes = 12u;
 vec4 start_planes[kMostStartPlanes];  // xyz: unit normal n; w: least dot(n, p) over the plane's surface points p
 
 #ifdef STROBE_STRUCTURES_OWN
 
-const int kMaxVolumeNodes = 64;           // nodes that one traversal may visit; after more, the result is kMixed
+// Nodes that one traversal may visit; after more, the result is kMixed. On five scenes, half or twice as many change the number
+// of shadow rays by at most 0.9 %.
+const int kMaxVolumeNodes = 64;
 // Bound of the rounding errors of coordinates that are transformed to another space, as a share of the largest coordinate.
 const float kRounding = 1.0 / 1048576.0;
 

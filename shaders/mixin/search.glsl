@@ -13,7 +13,9 @@
 const ivec2 kNoTexel = ivec2(-1);
 
 // Number of texels that a search tests at most, on straight and on curved paths. Passes without curves always test at most two,
-// because compilers unroll a loop over two texels.
+// because compilers unroll a loop over two texels. On seven scenes with arcs, two texels instead of four on curved paths raise
+// the error by up to 42 %, eight change it by at most 0.1 %. On seven scenes with straight paths, one texel instead of two
+// changes it by -7 % to +33 %, four by -8 % to +1 %.
 #if HAS_curve
 const int kIterations = 2, kCurveIterations = 4;
 #else

@@ -55,7 +55,7 @@ TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {
       {"zoom = 1.5", "13", "'zoom' is 1.5; it must be a whole number from 1 to 64"},
       {"zoom = 2, shrink = 2", "11", "has both a zoom and a shrink"},
       {"gain = 4", "11", "has a gain and no 'against'"},
-      {"against = 'truth', difference = 'flip', gain = 4", "11", "FLIP has its own scale"},
+      {"against = 'truth', difference = 'flip', gain = 4", "11", "FLIP has a fixed scale"},
       {"against = 'truth', difference = 'heat'", "13",
        "the difference is 'heat', which is not one of mean, channels, flip"},
       {"caption = 'FLIP {flop}'", "13", "did you mean 'flip'?"},
