@@ -32,7 +32,8 @@ return pass.trace {
       doc = "skip pixels that no moving surface reaches" },
   },
   counters = {
-    shaded     = "samples shaded because the raster layer does not show their surface in enough detail",
+    shaded     = "samples with newly shaded colours: the raster layer lacks their surface points or shows them too " ..
+                 "coarsely, or `reused` is off",
     not_finite = shade.counters.not_finite,
   },
 }

@@ -18,7 +18,7 @@ return pass.trace {
   },
   if_no = { motion = { static_background = 0 }, moving_rect = { static_background = 0 } },
   counters = {
-    rays       = "pixels with a moving surface; each has a ray to the static background",
+    rays       = "pixels that show a moving surface at the raster time; rays search the static background there",
     not_finite = shade.counters.not_finite,
   },
 }

@@ -15,12 +15,12 @@ return pass.compute {
   params = edge_ports.steps {
     kernel = pass.choice { "four", "eight", "log", default = "four", doc = "kernel that computes the second difference",
       values = {
-        four  = "The four neighbours. Fails for diagonals: the response to a diagonal step is twice the response to a step " ..
-                "along an axis.",
-        eight = "All eight neighbours with equal weights. Responses to diagonal and axis-aligned steps are equal. Fails " ..
-                "with noise as `four` does.",
-        log   = "Laplacian of a Gaussian with a standard deviation of 1 px. Fails by merging edges closer than about 3 px; " ..
-                "edges are four pixels wide.",
+        four  = "Sum over the four neighbours. Fails for diagonals: the response to a diagonal step is twice the response " ..
+                "to a step along an axis. Also marks noise as edges.",
+        eight = "Sum over all eight neighbours with equal weights, so that diagonal and axis-aligned steps have equal " ..
+                "responses. Fails by marking noise as edges.",
+        log   = "Laplacian of a Gaussian with a standard deviation of 1 px, which suppresses noise. Fails by merging edges " ..
+                "closer than about 3 px; edges are four pixels wide.",
       } },
   },
 }

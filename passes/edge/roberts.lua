@@ -10,7 +10,7 @@ return pass.compute {
            "mark, because by default it requires an edge on the pixel's own instance. With the anchor `end`, objects that " ..
            "move left or up therefore get no ray mask. Planes at grazing angles and curved surfaces are marked, although " ..
            "they are not edges.",
-  breaks = { mirrored = "a block of 2 x 2 pixels has no centre pixel" },
+  breaks = { mirrored = "an edge is marked half a pixel to the left of and above its position, in a mirrored scene too" },
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },

@@ -30,6 +30,6 @@ return pass.compute {
       limit = "each such displacement was shortened, so that the blur is too short; ground truth has no limit. " ..
               "Raise `limit`, or shorten the exposure",
     },
-    copied = "pixels copied because they do not move",
+    copied = "pixels copied without blur, because they move less than `copy_below`",
   },
 }

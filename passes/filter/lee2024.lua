@@ -30,7 +30,8 @@ return pass.compute {
            "the pixel's own displacements and the longest displacements of its tile are tried: surfaces with other " ..
            "displacements are missed. Surfaces whose displacement varies by more than `agreement` are missed too.",
   breaks = {
-    mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
+    mirrored = "of equally long displacements, and of equally deep surfaces, the first one in raster order is used; " ..
+      "in a mirrored scene this is another one",
   },
   size   = { of = "color" },
   reads  = ports.of({ "color", "depth", "velocity" }, more),
@@ -47,7 +48,7 @@ return pass.compute {
     jitter_frame = jitter.jitter_frame,
   },
   counters = {
-    missed = "time samples that no layer resolves; the mean omits them",
+    missed = "time samples without a surface at the pixel in any layer; the mean omits them",
     varied = {
       doc   = "time samples that skip the visible surface because its displacement varies from texel to texel",
       limit = "a surface behind the visible one was used instead: it shows through. Raise `agreement`, or shorten the exposure",

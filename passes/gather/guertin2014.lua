@@ -6,9 +6,9 @@ local ports     = require "passes.lib.blur_ports"
 local jitter    = require "passes.lib.jitter"
 local quantised = require "passes.lib.quantised"
 
-local every_other = "if the number of samples is even, the samples alternate between the two directions from one end to the " ..
-  "other, as published, so that reversed time swaps the directions"
-local stands = "the choice of the tile depends on the screen position: it is not mirrored or moved with the scene"
+local every_other = "with an even number of samples, as published, samples alternate between two directions from shutter " ..
+  "open to shutter close; if time is reversed, each sample has the other direction"
+local stands = "the random choice of a pixel's tile depends on the position on the screen, so it does not move with the scene"
 
 return pass.compute {
   doc    = "Blur along the dominant displacement of the tile and along a second direction; taps have larger weights if " ..
@@ -28,9 +28,11 @@ return pass.compute {
     samples      = blur.samples { doc = "number of taps, both directions together" },
     directions   = blur.directions { default = "two",
       values = {
-        one = "All taps along the dominant displacement. Fails where surfaces move across it: they stay sharp.",
-        two = "Every other tap along a second direction: the pixel's own displacement, or the perpendicular of the dominant "
-          .. "one at static pixels. Fails by halving the samples of each direction.",
+        one = "All taps along the dominant displacement, the longest one near the pixel. Fails where surfaces move across "
+          .. "this direction: they stay sharp.",
+        two = "Half of the taps along the dominant displacement (the longest one near the pixel), the others along the "
+          .. "pixel's own displacement or, at static pixels, across the dominant one. Fails by halving the samples of each "
+          .. "direction.",
       },
       breaks = { two = { reversed = every_other } } },
     tile         = blur.tile,
@@ -46,11 +48,12 @@ return pass.compute {
     tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "shift of the position that selects the " ..
         "tile of a pixel, and so the dominant displacement; hides the borders of tiles",
       values = {
-        none = "Each pixel reads its own tile. Fails by showing tile borders where the dominant displacement changes.",
-        angle = "Each pixel reads the tile of a point a quarter of a tile away, in a direction that varies per pixel. Fails as "
-          .. "noise near borders, and where the other tile's displacement does not reach this tile.",
-        axis = "Each pixel reads the tile of a point up to a quarter of a tile away, along x or y depending on its tile. Fails "
-          .. "as `angle` does.",
+        none = "Each pixel has the dominant displacement of its own tile. Fails by showing tile borders where the dominant "
+          .. "displacement changes.",
+        angle = "Each pixel has the dominant displacement of the tile at a point a quarter of a tile away, in a random "
+          .. "direction. Fails with noise near tile borders, and where the displacement of that tile does not reach the pixel.",
+        axis = "Each pixel has the dominant displacement of the tile at a point up to a quarter of a tile away, along x in "
+          .. "every other tile, along y in the rest. Fails as `angle` does.",
       },
       breaks = {
         angle = { mirrored = stands, shifted = stands }, axis = { mirrored = stands, shifted = stands },
@@ -61,7 +64,7 @@ return pass.compute {
   },
   counters = {
     color_clamped = quantised.counters.color_clamped,
-    copied  = "pixels copied because no surface around moves",
-    uniform = "pixels treated as surrounded by uniform motion",
+    copied  = "pixels copied without blur, because no surface near them moves",
+    uniform = "pixels with uniform motion around; all their taps count as moving by the dominant displacement",
   },
 }

@@ -20,9 +20,9 @@ return pass.compute {
     samples      = blur.samples { doc = "largest number of taps along the dominant displacement" },
     count        = pass.choice { "fixed", "adaptive", default = "fixed", doc = "number of taps per pixel",
       values = {
-        fixed = "`samples` at every pixel. Fails by reading pixels several times where the displacement is short.",
-        adaptive = "Largest even number of pixels in the displacement, at least 2 and at most `samples`. Fails for "
-          .. "displacements of a few pixels, which 2 taps show as copies.",
+        fixed = "`samples` taps at every pixel. Fails by reading pixels several times where the displacement is short.",
+        adaptive = "One tap per pixel of the dominant displacement, rounded down to an even number, at least 2 and at most "
+          .. "`samples`. Fails for displacements below 4 px: their 2 taps show as two copies.",
       } },
     tile         = blur.tile { 16 },
     limit        = blur.limit,
@@ -36,10 +36,11 @@ return pass.compute {
         none = "Factor 1. Fails where surfaces move across the dominant displacement: they are blurred along it.",
         projected = "Length of the tap's displacement projected on the dominant one, divided by the length of the dominant "
           .. "one. Fails for slower surfaces with parallel motion: they spread too thinly.",
-        cosine = "Cosine of the angle between the tap's and the dominant displacement. Fails as `none` does where slow "
-          .. "surfaces cross at an acute angle.",
-        opposing = "0 for taps that move away from the pixel, otherwise 1. Has no effect with the anchor `centre`, because "
-          .. "surfaces then blur to both sides. Fails as `none` does for motion across the dominant displacement.",
+        cosine = "Magnitude of the cosine of the angle between the tap's and the dominant displacement. Fails at small "
+          .. "angles, where the factor is nearly 1: surfaces are blurred along the dominant displacement, as with `none`.",
+        opposing = "0 for taps that move away from the pixel within the exposure, otherwise 1. Has no effect with the "
+          .. "anchor `centre`, because surfaces then blur to both sides. Fails as `none` does for motion across the dominant "
+          .. "displacement.",
       } },
     copy_below   = pass.float { 0.5, min = 0, max = 16, unit = "px",
       doc = "blur radius of the dominant displacement up to which a pixel is copied instead of blurred" },
@@ -52,8 +53,8 @@ return pass.compute {
   },
   counters = {
     color_clamped = quantised.counters.color_clamped,
-    copied = "pixels copied because no surface around moves",
-    cheap  = "pixels that are the plain mean of their taps, because all motion around is similar",
+    copied = "pixels copied without blur, because no surface near them moves farther than `copy_below`",
+    cheap  = "pixels that are the plain mean of their taps, because all surfaces near them move alike",
     full   = "pixels with weighted taps",
   },
 }

@@ -6,8 +6,8 @@ local ports     = require "passes.lib.blur_ports"
 local jitter    = require "passes.lib.jitter"
 local quantised = require "passes.lib.quantised"
 
-local every_other = "if the number of samples is even, the samples alternate between the two directions from one end to the " ..
-  "other, so that reversed time swaps the directions"
+local every_other = "with an even number of samples, samples alternate between two directions from shutter open to shutter " ..
+  "close; if time is reversed, each sample has the other direction"
 
 return pass.compute {
   doc    = "Blur along the dominant displacement of the tile; taps are weighted by depth order, and by cone and cylinder " ..
@@ -16,7 +16,8 @@ return pass.compute {
            "and the background is copied from outside. Coverage does not change linearly across an edge, and opacity grows " ..
            "with the number of samples. Surfaces that move across the dominant displacement are blurred along it.",
   breaks = {
-    converging = "opacity grows with the number of samples: the weight of the centre pixel does not grow with it",
+    converging = "a moving object becomes more opaque with the number of samples, because the weight of the centre pixel " ..
+      "stays the same",
   },
   size   = { of = "color" },
   reads  = ports.of_layer { "second" },
@@ -26,10 +27,11 @@ return pass.compute {
     samples      = blur.samples { doc = "number of taps along the dominant displacement" },
     directions   = blur.directions {
       values = {
-        one = "All taps along the dominant displacement, as published. Fails where surfaces move across it: they are " ..
-          "blurred along it.",
-        two = "Every other tap along the pixel's own displacement, or the perpendicular of the dominant one at static pixels. "
-          .. "Fails by spreading surfaces across their motion, since weights depend on distances, not directions.",
+        one = "All taps along the dominant displacement (the longest one near the pixel), as published. Fails where " ..
+          "surfaces move across this direction: they are blurred along it.",
+        two = "Half of the taps along the dominant displacement (the longest one near the pixel), the others along the "
+          .. "pixel's own displacement or, at static pixels, across the dominant one. Fails by spreading surfaces across "
+          .. "their motion, since weights depend on distances, not directions.",
       },
       breaks = { two = { reversed = every_other } } },
     tile         = blur.tile,

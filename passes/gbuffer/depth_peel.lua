@@ -13,8 +13,8 @@ return pass.raster {
       values = {
         front = "Front faces only, as renderers draw them; a closed object then needs one or two layers fewer than with " ..
                 "`all`. Fails for open surfaces seen from the back.",
-        all = "Front and back faces, as all other passes draw and hit them. Fails by spending layers on the back of the " ..
-              "foreground.",
+        all = "Front and back faces, as all other passes draw and hit them. Fails by spending layers on the far sides of " ..
+              "objects in front.",
       } },
   },
   counters = { fragments = "fragments drawn to find the layer" },

@@ -23,7 +23,7 @@ return pass.compute {
       doc = "poses that the displacement over the exposure is computed from",
       values = {
         window = "True poses at shutter open and shutter close. Fails where the path within the exposure is not a straight " ..
-                 "line.",
+                 "line at constant speed.",
         extrapolated = "Poses of this frame and the previous one; the path between them is multiplied by the exposure in " ..
                        "frames. A renderer that keeps one earlier frame has no other poses. Fails where the velocity " ..
                        "changes from frame to frame, and at the first frame of a clip. With trajectory = quadratic, two " ..

@@ -28,9 +28,9 @@ return pass.trace {
     shading = pass.choice { "frozen", "full", default = "frozen", role = "shading",
       doc = "time of the poses used for shading: the raster time, or the time of the sample",
       values = {
-        frozen = "Shading at the raster time for all samples: the same information that a filter of one image has. " ..
-                 "Fails where light, shadows or highlights move within the exposure: they stay fixed.",
-        full   = "Shading at the time of the sample. Never fails: light, shadows and highlights move within the exposure.",
+        frozen = "Shading as at the raster time for all samples, as in a filter that blurs one image. Fails where light, " ..
+                 "shadows or highlights move within the exposure: they stay fixed.",
+        full   = "Shading at the time of each sample. Never fails: light, shadows and highlights move within the exposure.",
       } },
   },
 }

@@ -49,13 +49,13 @@ return pass.trace {
         instance  = "First hit on another instance. Treats an object made of several instances as several objects, and " ..
                     "misses self-occlusion.",
         motion    = "First hit that does not move as if fixed to the foreground. Misses a background that happens to move " ..
-                    "with the foreground; such a background would be disoccluded only after the exposure.",
+                    "with the foreground; such a background is not disoccluded within the exposure.",
         disoccluded = "First hit, on any object, whose displacement differs from the foreground's at this pixel. " ..
                       "Parts that move with the foreground are skipped; other parts of a rotating object are revealed. " ..
                       "Visits every hit, also hits on the foreground. Fails for a rotating closed object with two-sided " ..
                       "triangles: the first such hit is inside the object.",
       },
-      breaks = { luminance = { linear = "luminances are compared, so that other lighting may reveal another layer" } } },
+      breaks = { luminance = { linear = "luminances are compared, so that another lighting may end rays at other hits" } } },
     advance = pass.choice { "instance_filter", "origin_kept", "restart", default = "instance_filter",
       doc = "continuation of a ray past a hit that still counts as foreground",
       values = {

@@ -29,5 +29,7 @@ return pass.compute {
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },
-  counters = { fallback = "time samples whose background is in neither layer; the background at the pixel is used instead" },
+  counters = {
+    fallback = "time samples with a background that neither layer shows; the background at the pixel is used instead",
+  },
 }

@@ -14,9 +14,10 @@ return pass.compute {
            "are misplaced if the path of a surface deviates from its straight line (or curve), or the surface stretches, " ..
            "by more than about a pixel. If more than 4 different motions meet at a pixel, some are ignored.",
   breaks = {
-    mirrored = "among equally long displacements, and among equally deep surfaces, the first in raster order is used",
+    mirrored = "of equally long displacements, and of equally deep surfaces, the first one in raster order is used; " ..
+      "in a mirrored scene this is another one",
     reversed = "if a pixel has more than 4 motions around it, the motions of the nearest taps are used; of two equally " ..
-      "near taps, the one before the raster time comes first",
+      "near taps, the one before the raster time comes first, also if time is reversed",
   },
   size   = { of = "color" },
   reads  = ports.of_both({

@@ -56,7 +56,7 @@ local docs = {
 
 local function reads(names, more)
   local list = {}
-  for _, name in ipairs(names) do list[name] = docs[name] or error(("no filter reads '%s'"):format(name), 3) end
+  for _, name in ipairs(names) do list[name] = docs[name] or error(("blur_ports has no image '%s'"):format(name), 3) end
   for name, port in pairs(more or {}) do list[name] = port end
   return list
 end

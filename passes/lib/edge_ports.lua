@@ -15,7 +15,7 @@ local docs = {
 function edge_ports.reads(...)
   local reads = { where = docs.where }
   for _, name in ipairs { ... } do
-    reads[name] = docs[name] or error(("a detector reads depth, normal or id, not '%s'"):format(name), 2)
+    reads[name] = docs[name] or error(("edge_ports.reads has no image '%s'; it has depth, normal and id"):format(name), 2)
   end
   return reads
 end
@@ -39,11 +39,12 @@ function edge_ports.steps(more)
     combine          = pass.choice { "max", "sum", "and", default = "max",
       doc = "combination of the depth step and the normal step into one edge strength",
       values = {
-        max     = "An edge is a step of depth or of normal. Fails where one of the two responds without a silhouette: " ..
-                  "creases and curved surfaces are marked.",
-        sum     = "The two steps are added, each divided by its threshold. Fails as `max` does, and marks more surfaces.",
-        ["and"] = "An edge is a step of both depth and normal. Fails by missing silhouettes in front of a parallel " ..
-                  "surface, where normals are equal.",
+        max     = "An edge is a step of depth or of the normal above its threshold. Fails by marking creases and curved " ..
+                  "surfaces, which have a step of the normal without a silhouette.",
+        sum     = "The two steps, each divided by its threshold, are added; an edge has a sum above 1. Fails as `max` " ..
+                  "does, and also marks surfaces where each step alone is below its threshold.",
+        ["and"] = "An edge is a step of both depth and normal, each above its threshold. Fails by missing silhouettes in " ..
+                  "front of a parallel surface, where normals are equal.",
       } },
   }
   for name, param in pairs(more or {}) do params[name] = param end
@@ -55,9 +56,9 @@ function edge_ports.gradients()
   return edge_ports.steps {
     norm = pass.choice { "l1", "l2", default = "l2", doc = "norm of the gradient, a vector of two components",
       values = {
-        l1 = "Sum of the magnitudes of both components. Fails for diagonals: a diagonal gradient counts 41 % more than one " ..
-             "along an axis.",
-        l2 = "Euclidean length of the gradient.",
+        l1 = "Sum of the magnitudes of both components. Fails for diagonals: a diagonal gradient counts 41 % more than an " ..
+             "equally long one along an axis.",
+        l2 = "Euclidean length of the gradient, equal for all directions.",
       } },
   }
 end
@@ -67,9 +68,10 @@ function edge_ports.measure()
   return pass.choice { "second_difference", "distance", default = "second_difference",
     doc = "measure of a neighbouring pixel's distance from the tangent plane of the pixel's surface",
     values = {
-      second_difference = "Second difference of 1/z, which is 0 on a plane, since 1/z is affine there. Uses depth alone. " ..
-                          "Fails if one neighbour of a pixel is as much nearer as the opposite one is farther, and at the " ..
-                          "border of the image.",
+      second_difference = "Second difference of 1/z, where z is the view depth: the sum of two opposite neighbours minus " ..
+                          "twice the pixel. It is 0 on a plane, where 1/z is affine in screen space. Needs no normals. " ..
+                          "Fails if one neighbour is as much nearer as the opposite one is farther, and at the border of " ..
+                          "the image.",
       distance = "Distance from the neighbour's point to the plane through the pixel's point and normal. Fails at the " ..
                  "silhouettes of curved surfaces, where that plane runs along the line of sight and meets the background.",
     } }

@@ -2,8 +2,8 @@
 -- The parameters `jitter` and `jitter_frame` of passes and pipelines whose shaders include mixin/jitter.glsl.
 local param = require "strobe.param"
 
-local stands = "the pattern is fixed to the screen: it is not mirrored or moved with the scene"
-local runs_on = "when time is reversed, the jitter is not mirrored: it shifts the samples in the same direction as before"
+local stands = "the pattern of the jitter is fixed to the screen: it is not mirrored or moved with the scene"
+local runs_on = "if time is reversed, the jitter is not: it shifts the samples in the same direction as before"
 local pattern = { mirrored = stands, shifted = stands, reversed = runs_on }
 
 return {
@@ -11,8 +11,8 @@ return {
     "none", "ign", "hash", default = "none", role = "jitter",
     doc = "shift of the sample times per pixel, by up to half the distance between two samples",
     values = {
-      none = "No shift: all pixels take their samples at the same times. Fails with banding: if samples are few, copies of an "
-        .. "object show.",
+      none = "No shift: all pixels take their samples at the same times. Fails with banding: with few samples, an object "
+        .. "shows as separate copies.",
       ign = "Interleaved gradient noise (Jimenez 2014): the values of every 3 x 3 pixels are evenly spread. Fails with "
         .. "diagonal hatching where noise is large.",
       hash = "White noise that depends on the seed. Fails with clumps: neighbouring pixels may get similar values.",

@@ -32,7 +32,7 @@ quantised.color_format = param.choice {
       mirrored = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
       reversed = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
       scaled   = "rounding enlarges a difference in the last digit of single precision to the last digit of half precision",
-      unmasked = "blurring in two layers rounds the colour once more",
+      unmasked = "two blurred layers and their composite are rounded more often than one blurred image",
     },
   },
 }

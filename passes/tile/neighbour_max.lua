@@ -41,12 +41,12 @@ return pass.compute {
     rule  = pass.choice { "swept_box", "sign", "all", default = "swept_box",
       doc = "test that decides which of the surrounding tiles may bring a surface to a tile",
       values = {
-        swept_box = "Accepts tiles whose box passes over this tile within the exposure. Fails for a slow pixel of a tile whose "
-          .. "longest displacement misses this tile.",
+        swept_box = "Accepts a tile if its box, moved by its longest displacement, passes over this tile within the exposure. "
+          .. "Fails for a slower pixel that reaches this tile although that box does not.",
         sign = "Accepts tiles whose displacement points to this tile on every axis that separates the two tiles (Guertin et "
           .. "al. 2014). Fails as `swept_box` does, and lets distant tiles dominate although their motion ends before this "
           .. "tile.",
-        all = "Accepts every tile within the search radius (McGuire et al. 2012). Fails by letting motion dominate that never "
+        all = "Accepts every tile within the search radius (McGuire et al. 2012). Fails by accepting motion that never "
           .. "reaches this tile.",
       } },
   },

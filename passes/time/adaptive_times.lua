@@ -16,8 +16,8 @@ return pass.trace {
     hit      = { uint = true, doc = "surface of the raster layer, by indices: instance + 1 (0 for the sky), geometry, " ..
                                     "triangle" },
     velocity = { doc = "screen displacement of each pixel of the raster layer, px over the exposure" },
-    certain  = { doc = "per cell, 1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 in refuted " ..
-                       "cells, otherwise 0" },
+    certain  = { doc = "per cell, 1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 where a " ..
+                       "validation ray refuted one of these, otherwise 0" },
     longest  = { doc = "longest displacement of the surfaces that reach each cell, px over the exposure" },
   },
   writes = {
@@ -36,9 +36,10 @@ return pass.trace {
             "times the interval's fraction of the exposure" },
     hit_color = pass.choice { "shaded", "blended", default = "shaded", doc = "source of the colour of a hit",
       values = {
-        shaded = "Shading of the hit, as at the raster time.",
-        blended = "Blend of the four raster texels around the point, if they show its surface and their range is within the " ..
-                  "error tolerance; other hits are shaded. Fails by smoothing textures of low contrast.",
+        shaded = "Shading of the hit, as at the raster time. Costs shadow rays.",
+        blended = "Blend of the raster texels around the hit, of at most four that show its surface, if the error expected " ..
+                  "from the range of their colours is at most a quarter of `allowance`. Other hits are shaded. Fails by " ..
+                  "smoothing textures of low contrast.",
       } },
     same_depth = pass.float { 0.01, min = 0, max = 1,
       doc = "largest relative difference between the depth of a hit point and the depth of a texel that shows this point" },
@@ -46,7 +47,8 @@ return pass.trace {
   counters = {
     gathered   = "pixels computed from raster colours, without a ray",
     samples    = "time samples with a ray",
-    shaded     = "hits that are shaded because the raster layer does not show their surface",
+    shaded     = "hits that are shaded, because no blend of raster texels and no known colour of the static background " ..
+                 "replaces the shading",
     not_finite = shade.counters.not_finite,
   },
   fails  = "Surfaces that appear and disappear between two rays with equal results are missed, unless the raster layer " ..

@@ -7,7 +7,7 @@ local max_displacement = require "passes.lib.max_displacement"
 return pass.trace {
   doc    = "Cells where a gather is reliable, because all surfaces that reach the cell move alike and a few rays confirm this",
   fails  = "Misses objects smaller than a cell that are neither in the raster layer nor hit by a validation ray.",
-  breaks = { mirrored = "the choice of the pixels with rays depends on the screen position of the cell" },
+  breaks = { mirrored = "the random choice of the pixels with validation rays depends on the screen position of the cell" },
   size   = { of = "bounds" },
   reads  = {
     bounds           = { doc = "least and greatest displacement in each cell, component by component, px over the exposure" },
@@ -17,8 +17,8 @@ return pass.trace {
   },
   writes = {
     certain = { format = "r8_unorm",
-      doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 where a ray refuted one of these, " ..
-            "otherwise 0" },
+      doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 where a validation ray refuted " ..
+            "one of these, otherwise 0" },
     longest = { format = "rg32f", doc = "longest displacement of the surfaces that reach the cell, px over the exposure" },
   },
   if_no = { motion = { certain = 0, longest = 0 } },
@@ -32,6 +32,6 @@ return pass.trace {
   },
   counters = {
     checked = "cells with uniform motion, validated by rays",
-    mismatched = "cells with uniform motion, rejected because a validation ray hit another instance",
+    mismatched = "cells with uniform motion, rejected because a validation ray hit another point than the motion predicts",
   },
 }

@@ -5,13 +5,14 @@ local blur  = require "passes.lib.blur"
 local jitter = require "passes.lib.jitter"
 local shade = require "passes.gbuffer.shade"
 
-local drawn = "the sample time of a pixel depends on its screen position"
+local drawn = "the random sample time of a pixel depends on the position of the pixel on the screen"
 
 return pass.trace {
   doc    = "One ray per pixel at a random time of the exposure, in tiles that a moving surface may reach",
   fails  = "The picture is noisy, because one time sample per pixel represents the whole exposure. Misses surfaces that " ..
            "enter the image where no tile around has a displacement.",
-  breaks = { mirrored = drawn, shifted = drawn, reversed = drawn, uniform = "a pixel has one random time sample" },
+  breaks = { mirrored = drawn, shifted = drawn, reversed = drawn,
+             uniform = "a pixel shows the scene at one random time, not the mean over the exposure" },
   size   = { of = "color" },
   reads  = {
     color    = { doc = "colour of the raster layer, linear radiance" },

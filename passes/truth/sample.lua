@@ -53,8 +53,8 @@ return pass.trace {
   },
   counters = {
     not_finite = shade.counters.not_finite,
-    validated  = "samples traced in full to validate the rays skipped elsewhere",
-    mismatched   = "validated samples with another surface, triangle or shadow than the first samples agree on",
+    validated  = "samples that trace all their rays, to validate the results that other samples assume without a ray",
+    mismatched   = "validated samples that contradict the first samples: other surface, triangle or shadow",
   },
   params = {
     shading = shade.params.shading {

@@ -37,6 +37,7 @@ return pass.compute {
     one_shading = pass.bool { true, wired = true,
       doc = "true if all samples are shaded at the raster time, so that one colour may suffice" },
     validation_share = pass.float { 0, min = 0, max = 1, wired = true,
-      doc = "fraction of the pixels that take all samples although the first ones suffice, for validation" },
+      doc = "fraction of the blocks of 4 x 2 pixels that take all samples although the first ones suffice, to validate the " ..
+            "consensus" },
   },
 }

@@ -10,7 +10,7 @@ local static_background = require "passes.accumulation.static_background"
 local visibility_moving = require "passes.gbuffer.visibility_moving"
 local scene    = require "scripts.pipelines.lib.scene"
 
-local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
+local snapped = "the rasteriser snaps vertices to 1/256 px, so that a silhouette may cross the centre of a pixel"
 
 return pipeline {
   doc = "Accumulation buffer (Haeberli and Akeley 1990): mean of pictures at many times, all shaded as at the raster time",

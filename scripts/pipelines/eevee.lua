@@ -16,7 +16,7 @@ local options    = require "scripts.pipelines.lib.options"
 local scene      = require "scripts.pipelines.lib.scene"
 local tiles      = require "scripts.pipelines.lib.tiles"
 
-local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
+local snapped = "the rasteriser snaps vertices to 1/256 px, so that a silhouette may cross the centre of a pixel"
 
 -- Picture of one step: `raster`, the scene in the middle of the step, blurred over the step's part of the exposure.
 local function blurred(p, raster)

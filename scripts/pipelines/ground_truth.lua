@@ -13,16 +13,16 @@ local trace      = require "passes.truth.sample"
 local scene      = require "scripts.pipelines.lib.scene"
 local truth      = require "scripts.pipelines.lib.truth"
 
-local drawn = "a sample's random time or position depends on the coordinates of its pixel"
-local smooth = "samples cover the whole pixel, so static silhouettes are smooth too"
+local drawn = "the random time or position of a sample depends on the position of the pixel on the screen"
+local smooth = "samples cover the whole pixel, so static silhouettes are smooth; in the raster image they have steps"
 
-local snapped = "vertices are snapped to 1/256 px, so a silhouette may move across the centre of a pixel"
+local snapped = "the rasteriser snaps vertices to 1/256 px, so that a silhouette may cross the centre of a pixel"
 
 -- Adds one time sample by rasterisation to the mean. Rasterisation and rays share no visibility code, so that each can check
 -- the other.
 local function rastered_sample(p)
-  if p.pixel() == "box" then error("mode = raster samples pixel centres only: pixel = box needs mode = rays", 0) end
-  if p.slices() > 1 then error("mode = raster draws one time per iteration: slices > 1 needs mode = rays", 0) end
+  if p.pixel() == "box" then error("mode = raster samples pixel centres only; pixel = box needs mode = rays or brute", 0) end
+  if p.slices() > 1 then error("mode = raster draws one time per iteration; slices > 1 needs mode = rays or brute", 0) end
   local hit = visibility { time = "sample", as = "sample_visibility" }.hit
   local color = shade { hit = hit, time = "sample", as = "sample_shade" }.color
   return accumulate { color = color }
@@ -70,8 +70,9 @@ return pipeline {
     times        = choice { "midpoint", "stratified", default = "midpoint", role = "sample_times",
       doc = "time of a sample within its stratum (its part of the exposure)",
       values = {
-        midpoint   = "The middle. The error is at most half a sample per silhouette. Fails with bands where samples are few.",
-        stratified = "A random time. With several slices, each pixel takes the time of one slice. Unbiased, with noise " ..
+        midpoint   = "The middle. A silhouette that crosses the pixel causes an error of at most half a sample's weight. " ..
+                     "Fails with bands where samples are few.",
+        stratified = "A random time; with several slices, each pixel takes the time of a random slice. Unbiased, with noise " ..
                      "instead of bands. Fails by up to twice the error of `midpoint` at each silhouette.",
       },
       breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },

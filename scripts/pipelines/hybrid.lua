@@ -69,8 +69,8 @@ return pipeline {
     directions   = mcguire2012.params.directions,
   },
   presets = {
-    paper = { doc = "settings that make the paper's claims hold: a ray passes the foreground object at once, taps have " ..
-                    "equal weights",
+    paper = { doc = "settings that make the paper's claims hold: a ray passes the foreground object at once, and each tap " ..
+                    "stands for an equal share of the exposure",
               set = paper },
     text = { doc = "settings that follow the text of the paper to the letter", set = text },
     geometry_index = { doc = "settings of `paper`, but a ray ends at another geometry instead of another luminance, as the " ..

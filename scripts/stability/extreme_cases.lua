@@ -133,7 +133,7 @@ end
 
 for _, v in ipairs { { "zero", 0 }, { "1e_8", 1e-8 }, { "0_49", 0.49 }, { "half", 0.5 }, { "minus_half", -0.5 } } do
   case("displacement_" .. v[1] .. "_px", "displacement",
-       "half a pixel does not reach another pixel centre, so the picture is the raster image, bit for bit",
+       "motion by at most half a pixel reaches no other pixel centre, so the picture is the raster image, bit for bit",
        function() return { as_captured(bar(v[2], { limit = 10 })) } end)
 end
 
@@ -265,7 +265,7 @@ end
 
 for _, anchor in ipairs(anchors) do
   case("shutter_curve_" .. anchor, "exposure",
-       "unequal weights: truth equals the weighted coverage; every blur is nearer to truth than the picture without blur",
+       "shutter curve with unequal weights: truth equals the weighted coverage; every blur is nearer to truth than no blur",
        function()
     local from = window_start[anchor]
     local curved = bar(12, { limit = 10, tile = 8 }, { anchor = anchor, shutter_curve = "triangle" })
@@ -305,7 +305,7 @@ for _, samples in ipairs { 1, 2, 3, 15 } do
 end
 
 case("samples_1_truth", "samples",
-     "one sample at the midpoint gives the raster image of the bar half a displacement back", function()
+     "one sample, at the middle of the exposure, gives the raster image of the bar at that time: 4 px back", function()
   return { merged(as_captured(bar(8, { samples = 1 })), { of = bar_in(48, 4, 0, 12, 28), by = "truth" }) }
 end)
 
@@ -468,7 +468,7 @@ case("only_sky_at_rest", "all sky",
 for _, v in ipairs { { "", 0.1, 0.9, 0.9 }, { "_that_the_near_plane_cuts", 3.2, 0.2, 0.9 },
                      { "_all_before_the_near_plane", 5, 0.2, 0.2 } } do
   case("inside_a_ball" .. v[1], "camera inside",
-       "raster and rays agree; one colour stays one colour, or a warning says that other surfaces show through", function()
+       "raster and rays agree; one colour stays one colour, or a warning states that other surfaces show through", function()
     local inside = within(planes(4, { near = v[2], velocity_x = 1 }), v[3], v[4])
     return { as_captured(planes(4, { near = v[2] })), merged(inside, { unless = "it shows through" }) }
   end)
@@ -563,7 +563,7 @@ for _, v in ipairs { { "thousands_of_instances", 8, 0.7, 8, "raster and rays agr
 end
 
 for _, v in ipairs { { "black", 0 }, { "equal_luminance", 0.9 } } do
-  case(v[1], "equal colours", "motion between equal colours does not change the picture", function()
+  case(v[1], "equal colours", "motion in front of a surface of equal colour does not change the picture", function()
     -- A pipeline whose rays end by luminance cannot separate the two surfaces, and warns about this.
     return { merged(within(planes(7, { value = v[2], velocity_x = 0.7 }), v[2], v[2]),
                     { unless = "as bright as the foreground" }) }

@@ -175,14 +175,16 @@ function Checker:measured(t, shot_names)
   for i, name in ipairs(shot_names) do
     local shot = t.shots[i]
     if type(shot.truth) == "table" and t.truth == nil then
-      self:add({ "shots", i, "truth" }, "shot '%s' has settings of truth, and the capture has no 'truth' arm", name)
+      self:add({ "shots", i, "truth" }, "shot '%s' has settings of truth, but the capture has no 'truth' arm", name)
     end
     if t.measures and shot.vary ~= nil then
       self:add({ "shots", i, "vary" }, "a shot with vary cannot be measured; use the axes of an experiment")
     end
   end
   if t.measures == nil then return end
-  if t.truth == nil then self:add({ "measures" }, "measures are against truth, and the capture has no 'truth' arm") end
+  if t.truth == nil then
+    self:add({ "measures" }, "measures compare pictures with truth, but the capture has no 'truth' arm")
+  end
   for i, arm in ipairs(t.arms) do
     if arm.files ~= nil then self:add({ "arms", i, "files" }, "an arm with files of its own cannot be measured") end
   end

@@ -131,7 +131,7 @@ function check.field(problems, t, key, kind, place, what, path)
   local where = native.key_place(place, table.unpack(check.joined(path or {}, key)))
   local article = kind == "function" and "a function" or (kind == "string" and "a text" or "a " .. kind)
   if t[key] == nil then
-    problems:add(where, "%s has no '%s'; it wants %s", what, key, article)
+    problems:add(where, "%s has no '%s', which must be %s", what, key, article)
   else
     problems:add(where, "'%s' of %s is a %s instead of %s", key, what, type(t[key]), article)
   end
@@ -142,7 +142,7 @@ end
 function check.doc(problems, t, place, what, path)
   if type(t.doc) == "string" and t.doc:find("%S") then return t.doc end
   local where = native.key_place(place, table.unpack(path or {}))
-  problems:add(where, "%s has no 'doc' that says what it means", what)
+  problems:add(where, "%s has no 'doc', a text that describes it", what)
   return ""
 end
 
@@ -161,10 +161,10 @@ function check.breaks(problems, given, place, what, path)
     local where = native.key_place(place, table.unpack(check.joined(path, name)))
     if not check.contains(known, name) then
       local near = type(name) == "string" and native.nearest(name, known) or ""
-      if near == "" then near = "; there are " .. table.concat(known, ", ") end
+      if near == "" then near = "; the invariants are " .. table.concat(known, ", ") end
       problems:add(where, "%s breaks %s, which is not an invariant%s", what, check.quoted(name), near)
     elseif type(reason) ~= "string" or not reason:find("%S") then
-      problems:add(where, "%s breaks '%s' without a text that says why", what, name)
+      problems:add(where, "%s breaks '%s' without a text that states the reason", what, name)
     else
       result[name] = reason
     end

@@ -186,7 +186,8 @@ local function value_of(axis, t, value, at)
   for _, entry in ipairs(sorted.others) do
     local kind = type(entry.value)
     if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
-      axis:add({ t.at and "at" or "values", at }, "'%s' is a %s, which is not a value of a parameter", entry.name, kind)
+      axis:add({ t.at and "at" or "values", at },
+               "'%s' is a %s, but the value of a parameter is a number, a text or a boolean", entry.name, kind)
     end
   end
   return result
@@ -236,9 +237,11 @@ function Checker:axis(made)
       axis:add({ "values", i }, "%s has no place on a %s scale", check.quoted(value), t.scale)
     elseif t.scale and is_finite(value) then
       if before and value <= before then
-        axis:add({ "values", i }, "values grow; %s follows %s", shown(value), shown(before))
+        axis:add({ "values", i }, "the values must increase, but %s follows %s", shown(value), shown(before))
       end
-      if t.scale == "log" and value < 0 then axis:add({ "values", i }, "%s has no logarithm", shown(value)) end
+      if t.scale == "log" and value < 0 then
+        axis:add({ "values", i }, "%s is negative and has no place on a logarithmic scale", shown(value))
+      end
       before = value
     end
     result.values[i] = value_of(axis, t, value, i)
@@ -320,7 +323,9 @@ function Checker:groups(result, skip, combinations)
       if #group.arms > 0 then groups[#groups + 1] = group end
     end
   end
-  if #groups == 0 then self:add({ "vary" }, "there are no points: nothing varies, or all are skipped") end
+  if #groups == 0 then
+    self:add({ "vary" }, "the experiment has no points: it has no arms, or the function skip leaves out all points")
+  end
   return groups
 end
 
@@ -346,8 +351,9 @@ function Checker:lacks(arms, axes)
     for k, name in ipairs(type(arm.lacks) == "table" and arm.lacks or {}) do
       if not check.contains(known, name) then
         local near = type(name) == "string" and native.nearest(name, known) or ""
-        if near == "" and #known > 0 then near = "; there are " .. table.concat(known, ", ") end
-        self:add({ "arms", i, "lacks", k }, "arm '%s' lacks %s, which is neither an axis nor a parameter that an axis sets%s",
+        if near == "" and #known > 0 then near = "; it may name " .. table.concat(known, ", ") end
+        self:add({ "arms", i, "lacks", k },
+                 "'lacks' of arm '%s' names %s, which is neither an axis nor a parameter that an axis sets%s",
                  tostring(arm.name), check.quoted(name), near)
       end
     end
@@ -462,7 +468,7 @@ function Checker:whole(t)
   result.truth = self:truth(t.truth)
   local arm_names, shot_names = self:distinct(result.arms, "name", "arms"), self.shot_names
   if check.contains(arm_names, result.truth.name) then
-    self:add({ "truth", "name" }, "an arm is called '%s' too", result.truth.name)
+    self:add({ "truth", "name" }, "truth and an arm are both called '%s'", result.truth.name)
   end
   self:numbers(t.size, 2, { "size" }, "size")
   self:one_of(t.base, arm_names, { "base" }, "the base")

@@ -25,7 +25,7 @@ function fields.checker(declared)
   function Checker:fields(t, kind, path, what)
     what = what or "the " .. kind
     if type(t) ~= "table" then
-      self:add(path, "%s is a table, got a %s", what, type(t))
+      self:add(path, "%s must be a table, got a %s", what, type(t))
       return {}
     end
     check.keys(self.problems, t, check.names(declared[kind]), self.place, what, path)
@@ -41,7 +41,7 @@ function fields.checker(declared)
   function Checker:one_of(value, allowed, path, what)
     if value == nil or check.contains(allowed, value) then return end
     local near = type(value) == "string" and native.nearest(value, allowed) or ""
-    self:add(path, "%s is %s, none of %s%s", what, check.quoted(value), table.concat(allowed, ", "), near)
+    self:add(path, "%s is %s, which is not one of %s%s", what, check.quoted(value), table.concat(allowed, ", "), near)
   end
 
   -- Calls the function `one(entry, i, path)` for each entry of the list t[name], and returns the list of its results. `i` is

@@ -88,7 +88,8 @@ function Checker:amount(value, least, most, path, what, fraction)
   local good = value >= least and value <= most and (fraction or math.tointeger(value))
   if good then return end
   local kind = fraction and "a number" or "a whole number"
-  self:add(path, "%s is %s; it is %s from %s to %s", what, fields.shown(value), kind, fields.shown(least), fields.shown(most))
+  self:add(path, "%s is %s; it must be %s from %s to %s", what, fields.shown(value), kind, fields.shown(least),
+           fields.shown(most))
 end
 
 -- Returns the colour `value`, which is "#rrggbb" or a name, as three numbers from 0 to 1; nil after a mistake.
@@ -113,7 +114,7 @@ function Checker:area(value, path, what)
     if #value ~= 3 or not math.tointeger(value[2]) or not math.tointeger(value[3]) or value[2] < 1 or value[3] < 1 then
       self:add(path, "%s is { x, y, width, height } or { REGION, width, height } in whole pixels of the capture", what)
     elseif self.truth == false then
-      self:add(path, "%s is placed by the region '%s' of truth, and the capture has no 'truth' arm", what, value[1])
+      self:add(path, "%s is placed by the region '%s' of truth, but the capture has no 'truth' arm", what, value[1])
     end
     return
   end
@@ -216,10 +217,10 @@ function Checker:inserted(inside, path)
   elseif check.contains(figure.measures, name) then
     part.measure, part.region = name, region ~= "" and region or "whole"
     if self.truth == false then
-      self:add(path, "'{%s}' is measured against truth, and the capture has no 'truth' arm", inside)
+      self:add(path, "'{%s}' is measured against truth, but the capture has no 'truth' arm", inside)
     end
   elseif region ~= "" then
-    self:add(path, "'%s' of a caption has no region: only measures have", name)
+    self:add(path, "'%s' of a caption cannot have a region, because it is not a measure", name)
   elseif name:find("^set%.") or name:find("^scene%.") then
     part.setting = name
   elseif name == "shot" or name == "arm" or name == "step" then
@@ -328,16 +329,16 @@ function Checker:finish_cell(cell, path)
     if cell[name] == nil then self:add(path, "%s has no %s", where, name) end
   end
   if cell.against == nil and (cell.difference ~= nil or cell.gain ~= nil) then
-    self:add(path, "%s has a %s and no 'against': the arm to compare with", where, cell.gain and "gain" or "difference")
+    self:add(path, "%s has a %s, but no 'against', the arm to compare with", where, cell.gain and "gain" or "difference")
   end
   if cell.against ~= nil and cell.kind ~= nil then
-    self:add(path, "%s is a difference and has no 'kind'", where)
+    self:add(path, "%s shows a difference, so it cannot have a 'kind'", where)
   end
   if cell.difference == "flip" and cell.gain ~= nil then
-    self:add(path, "%s: FLIP has its own scale from 0 to 1 and no gain", where)
+    self:add(path, "%s: a difference by FLIP has a fixed scale from 0 to 1, so it cannot have a gain", where)
   end
   if (cell.zoom or 1) > 1 and (cell.shrink or 1) > 1 then
-    self:add(path, "%s has a zoom and a shrink", where)
+    self:add(path, "%s has both a zoom and a shrink", where)
   end
   if self.cell_width and (cell.zoom or cell.shrink) then
     self:add(path, "%s has a %s, but its size is set by the figure's cell_width", where, cell.zoom and "zoom" or "shrink")

@@ -197,10 +197,9 @@ local function wire(problems, pass, read, value, at)
   end
   local format = rawget(value, "format")
   if check.is_buffer(format) ~= read.buffer then
-    refuse("wants %s, but '%s' is %s", read.buffer and "a buffer" or "an image", node.source(value), format)
+    refuse("takes %s, but '%s' is %s", read.buffer and "a buffer" or "an image", node.source(value), format)
   elseif check.is_uint(format) ~= read.uint then
-    local wants = read.uint and "unsigned integers" or "numbers"
-    refuse("wants %s, but '%s' is %s", wants, node.source(value), format)
+    refuse("takes %s, but '%s' is %s", read.uint and "unsigned integers" or "numbers", node.source(value), format)
   end
   return node.source(value)
 end
@@ -253,7 +252,7 @@ local function choose_time(problems, pass, arguments, place)
     local near = type(time) == "string" and native.nearest(time, node.times) or ""
     problems:add(at, "time = %s is not one of %s%s", check.quoted(time), table.concat(node.times, ", "), near)
   elseif time == "sample" and not node.graph.loop then
-    problems:add(at, "time = \"sample\" exists inside the body of a pipeline.loop only")
+    problems:add(at, "time = \"sample\" is possible only in the body of a pipeline.loop")
   elseif not pass.scene then
     problems:add(at, "pass '%s' does not read the scene, so a time has no effect on it", pass.name)
   end
@@ -275,7 +274,7 @@ end
 function node.create(place, pass, arguments)
   if not node.graph then check.fail(place, "pass '%s' is called outside of a pipeline's build", pass.name) end
   if not check.is_plain(arguments) then
-    check.fail(place, "pass '%s' wants a table: %s { port = image, parameter = value }", pass.name, pass.name)
+    check.fail(place, "pass '%s' takes a table: %s { port = image, parameter = value }", pass.name, pass.name)
   end
   local problems = check.problems()
   check_argument_names(problems, pass, arguments, place)

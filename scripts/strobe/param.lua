@@ -30,7 +30,7 @@ local Param = check.index_of_records({}, "a parameter")
 
 local function constructor(kind)
   return native.at_caller(function(place, given)
-    if type(given) ~= "table" then check.fail(place, "%s wants a table: %s { ... }", kind, kind) end
+    if type(given) ~= "table" then check.fail(place, "%s takes a table: %s { ... }", kind, kind) end
     return param.new(kind, place, given)
   end)
 end
@@ -131,7 +131,7 @@ local function check_bounds(problems, result, given, place, what)
     local function wrong(...) problems:add(native.key_place(place, key), ...) end
     local finite = type(bound) == "number" and bound == bound and math.abs(bound) < math.huge
     if bound == nil then
-      wrong("%s has no '%s'; every number has a range", what, key)
+      wrong("%s has no '%s'; every number needs a range", what, key)
     elseif not finite then
       wrong("'%s' of %s is %s, not a number", key, what, check.quoted(bound))
     elseif result.type == "int" and not math.tointeger(bound) then
@@ -227,7 +227,8 @@ function param.declare(problems, name, declared, at, owner)
   if given.auto ~= nil and check.field(problems, given, "auto", "boolean", place, what) then
     result.auto = given.auto
     if given.auto and type(given.min) == "number" and given.min < 0 then
-      problems:add(native.key_place(place, "auto"), "%s is 'auto' and may be negative: -1 stands for auto", what)
+      problems:add(native.key_place(place, "auto"), "%s accepts auto, which is stored as -1, so its 'min' must be at least 0",
+                   what)
     end
   end
   if kind == "choice" then

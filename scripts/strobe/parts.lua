@@ -10,7 +10,7 @@ local parts = { loop_keys = { "name", "count", "body" } }
 
 -- Makes a loop of `count` iterations, one for each part. `name`, `count`, `body` and the result: as for pipeline.loop.
 parts.loop = native.at_caller(function(place, t)
-  if type(t) ~= "table" then check.fail(place, "parts.loop wants a table") end
+  if type(t) ~= "table" then check.fail(place, "parts.loop takes a table") end
   local problems = check.problems()
   check.keys(problems, t, parts.loop_keys, place, "the loop of parts")
   problems:raise()

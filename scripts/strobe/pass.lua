@@ -51,7 +51,8 @@ end
 local function check_needs(problems, reads, port, at, what)
   local needs = type(port.needs) == "string" and { port.needs } or port.needs or {}
   if type(needs) ~= "table" then
-    problems:add(at, "%s needs %s, which is neither the name of a read nor a list of names", what, check.quoted(port.needs))
+    problems:add(at, "'needs' of %s is %s, which is neither the name of a read nor a list of names", what,
+                 check.quoted(port.needs))
     return {}
   end
   if #needs > 0 and not (port.optional or port.absent ~= nil) then
@@ -93,24 +94,24 @@ local function check_absent(problems, reads, name, at, what)
   local port = reads[name]
   local given = port.absent
   if given == nil then return nil end
-  if port.buffer then problems:add(at, "%s is a buffer; only images have a value for their absence", what) end
+  if port.buffer then problems:add(at, "%s is a buffer; only images can have 'absent'", what) end
   if type(given) ~= "string" then
     local texel = type(given) == "number" and { given, given, given, given } or given
     if is_texel(texel, port.uint) then return texel end
     local numbers = port.uint and "unsigned integer" or "number"
-    problems:add(at, "absent of %s is neither one %s nor four, nor the name of a read", what, numbers)
+    problems:add(at, "'absent' of %s is neither one %s nor four, nor the name of a read", what, numbers)
     return nil
   end
   local other = reads[given]
   if type(other) ~= "table" or given == name then
     local near = given == name and "" or native.nearest(given, check.names(reads))
-    problems:add(at, "absent of %s is %s, which is not another read of the pass%s", what, check.quoted(given), near)
+    problems:add(at, "'absent' of %s is %s, which is not another read of the pass%s", what, check.quoted(given), near)
   elseif other.buffer or (other.uint or false) ~= (port.uint or false) then
-    problems:add(at, "absent of %s is '%s', which has other texels", what, given)
+    problems:add(at, "'absent' of %s is '%s', which has texels of another kind", what, given)
   elseif leads_back(reads, name) then
-    problems:add(at, "absent of %s is '%s', which leads back to it", what, given)
+    problems:add(at, "'absent' of %s is '%s', which this read replaces in turn", what, given)
   elseif other.optional and other.absent == nil then
-    problems:add(at, "absent of %s is '%s', which may be absent too", what, given)
+    problems:add(at, "'absent' of %s is '%s', which may be unwired too", what, given)
   else
     return given
   end
@@ -264,9 +265,9 @@ local function declare_counters(problems, t, place, owner)
     local counter = type(given) == "table" and given or { doc = given }
     if not check.is_name(name) then problems:add(at, "%s is not a name for a counter", check.quoted(name)) end
     if type(given) == "table" then check.keys(problems, given, pass.counter_keys, place, what, { "counters", name }) end
-    if not has_text(counter.doc) then problems:add(at, "%s wants a text that says what it counts", what) end
+    if not has_text(counter.doc) then problems:add(at, "%s needs a text that names the counted event", what) end
     if counter.limit ~= nil and not has_text(counter.limit) then
-      problems:add(at, "limit of %s wants a text: what was done to the picture, and what to do about it", what)
+      problems:add(at, "'limit' of %s needs a text: how the events changed the picture, and the remedy", what)
     end
     list[#list + 1] = { name = name, doc = counter.doc, limit = counter.limit }
   end
@@ -290,7 +291,7 @@ local function declare_over(problems, t, kind, result, place, owner)
   if kind == "raster" then problems:add(at, "%s is a raster pass, which runs over triangles", owner) end
   for _, write in ipairs(result.writes) do
     if not write.cleared and not check.is_buffer(write.format or "") then
-      problems:add(write.place, "'%s' of %s, which runs over '%s', wants cleared = true: the other pixels are zero",
+      problems:add(write.place, "'%s' of %s, which runs over '%s', needs cleared = true: pixels outside of the list stay 0",
                    write.name, owner, t.dispatch_over)
     end
   end
@@ -304,11 +305,11 @@ local function declare_group(problems, t, kind, result, place, owner)
   local at = native.key_place(place, "group")
   if kind ~= "compute" then problems:add(at, "%s is a %s pass; only compute passes have groups", owner, kind) end
   if result.over ~= "" then
-    problems:add(at, "%s runs over '%s', which takes one invocation per entry, not a group", owner, result.over)
+    problems:add(at, "%s runs over '%s' with one invocation per entry, so it cannot have group = true", owner, result.over)
   end
   for _, one in ipairs(result.params) do
     if one.role == "static_once" then
-      problems:add(one.place, "'%s' of %s, which has a group for each pixel, cannot be static_once", one.name, owner)
+      problems:add(one.place, "'%s' of %s cannot have the role static_once, because the pass has group = true", one.name, owner)
     end
   end
   return true
@@ -425,7 +426,7 @@ end
 local function named_by_file(problems, t, place)
   local name = t.name or path_of(place)
   if name == nil then
-    problems:add(place, "the pass needs a name: it is not in a file of passes/, which would name it")
+    problems:add(place, "the pass needs a field 'name', because its file is not in passes/, where the path gives the name")
     return nil, t.shader
   end
   if not check.is_path(name) then
@@ -462,7 +463,7 @@ local Pass = check.index_of_records({}, "a pass")
 
 
 local function declare(kind, place, t)
-  if type(t) ~= "table" then check.fail(place, "pass.%s wants a table: pass.%s { ... }", kind, kind) end
+  if type(t) ~= "table" then check.fail(place, "pass.%s takes a table: pass.%s { ... }", kind, kind) end
   t = check.with_merged(t, "params")
   local problems = check.problems()
   local owner = ("pass '%s'"):format(tostring(t.name or path_of(place)))
@@ -474,7 +475,8 @@ local function declare(kind, place, t)
   end
   if t.scene ~= nil then check.field(problems, t, "scene", "boolean", place, owner) end
   if kind ~= "compute" and t.scene == false then
-    problems:add(native.key_place(place, "scene"), "%s is a %s pass, which always has the scene", owner, kind)
+    problems:add(native.key_place(place, "scene"), "%s is a %s pass, which always reads the scene; remove scene = false",
+                 owner, kind)
   end
   local doc = check.doc(problems, t, place, owner)
   if t.fails ~= nil then check.field(problems, t, "fails", "string", place, owner) end

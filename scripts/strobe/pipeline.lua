@@ -43,7 +43,7 @@ local function declare_regions(problems, t, place)
     local at = native.key_place(place, "regions", name)
     if not check.is_name(name) then problems:add(at, "%s is not a name for a region", check.quoted(name)) end
     if type(text) ~= "string" or not text:find("%S") then
-      problems:add(at, "region %s wants a text that says what is in it", check.quoted(name))
+      problems:add(at, "region %s needs a text that describes its pixels", check.quoted(name))
     end
     list[#list + 1] = { name = name, doc = text }
   end
@@ -58,10 +58,10 @@ local function check_condition(problems, params, when, i, place)
     local declared = param.find(params, name)
     local _, wrong
     if declared then _, wrong = param.check(declared, value) end
-    if wrong then problems:add(at, "equal %d: %s", i, wrong) end
+    if wrong then problems:add(at, "entry %d of equals: %s", i, wrong) end
     if not declared then
       local near = type(name) == "string" and native.nearest(name, names) or ""
-      problems:add(at, "equal %d depends on %s, which is not a parameter%s", i, check.quoted(name), near)
+      problems:add(at, "entry %d of equals depends on %s, which is not a parameter%s", i, check.quoted(name), near)
     end
   end
 end
@@ -72,7 +72,7 @@ end
 local function check_equals(problems, t, params, place)
   local result = {}
   for i, equal in ipairs(t.equals or {}) do
-    local what = ("equal %d of the pipeline"):format(i)
+    local what = ("entry %d of equals"):format(i)
     local at = native.key_place(place, "equals", i)
     if type(equal) ~= "table" then
       problems:add(at, "%s is a %s instead of { when = {}, pipeline = \"name\", set = {} }", what, type(equal))
@@ -89,7 +89,7 @@ local function check_equals(problems, t, params, place)
 end
 
 local function declare(place, t)
-  if type(t) ~= "table" then check.fail(place, "pipeline wants a table: pipeline { ... }") end
+  if type(t) ~= "table" then check.fail(place, "pipeline takes a table: pipeline { ... }") end
   t = check.with_merged(t, "params")
   local problems = check.problems()
   check.keys(problems, t, pipeline.keys, place, "the pipeline")
@@ -100,7 +100,7 @@ local function declare(place, t)
   end
   if t.compare_with ~= nil then check.field(problems, t, "compare_with", "string", place, "the pipeline") end
   if t.default_preset ~= nil and t.presets == nil then
-    problems:add(native.key_place(place, "default_preset"), "default_preset without presets")
+    problems:add(native.key_place(place, "default_preset"), "the pipeline has default_preset, but no presets")
   end
   problems:raise()
 
@@ -181,7 +181,7 @@ local function check_parts(problems, t, place)
       problems:add(native.key_place(place, key), "'%s' of the loop is not an integer from %d to %d", key, at_least, 1 << 20)
     end
   end
-  if (t.first == nil) ~= (t.parts == nil) then problems:add(place, "'first' and 'parts' of a loop go together") end
+  if (t.first == nil) ~= (t.parts == nil) then problems:add(place, "a loop has both 'first' and 'parts', or neither") end
 end
 
 local function check_loop(problems, t, place)
@@ -192,7 +192,9 @@ local function check_loop(problems, t, place)
     problems:add(native.key_place(place, "name"), "'%s' is not a name (a-z, then a-z, 0-9 and _)", t.name)
   end
   if t.count == nil then problems:add(place, "the loop has no 'count'") end
-  if node.graph.loop then problems:add(place, "loop '%s' is inside loop '%s'", tostring(t.name), node.graph.loop) end
+  if node.graph.loop then
+    problems:add(place, "loop '%s' is inside loop '%s'; loops cannot be nested", tostring(t.name), node.graph.loop)
+  end
   for _, other in ipairs(node.graph.loops) do
     if other.name == t.name then
       problems:add(native.key_place(place, "name"), "there is a loop '%s' already, from %s:%d", t.name,
@@ -203,7 +205,7 @@ end
 
 pipeline.loop = native.at_caller(function(place, t)
   if not node.graph then check.fail(place, "pipeline.loop is called outside of a pipeline's build") end
-  if type(t) ~= "table" then check.fail(place, "pipeline.loop wants a table") end
+  if type(t) ~= "table" then check.fail(place, "pipeline.loop takes a table") end
   local problems = check.problems()
   check_loop(problems, t, place)
   problems:raise()
@@ -232,8 +234,8 @@ end)
 -- of a graph can be made twice, with different names.
 pipeline.prefixed = native.at_caller(function(place, prefix, body)
   if not node.graph then check.fail(place, "pipeline.prefixed is called outside of a pipeline's build") end
-  if not check.is_name(prefix) then check.fail(place, "%s cannot start the name of a node", check.quoted(prefix)) end
-  if type(body) ~= "function" then check.fail(place, "pipeline.prefixed wants a function, got a %s", type(body)) end
+  if not check.is_name(prefix) then check.fail(place, "%s cannot be the start of the name of a node", check.quoted(prefix)) end
+  if type(body) ~= "function" then check.fail(place, "pipeline.prefixed takes a function, got a %s", type(body)) end
   local outer = node.graph.prefix
   node.graph.prefix = (outer or "") .. prefix
   local result = body()
@@ -319,7 +321,7 @@ local function check_outputs(problems, outputs, build)
       if node.has_format(value, "^buffer") then
         problems:add(at, "output '%s' is '%s', a buffer; outputs are images", name, sources[name])
       elseif name == "color" and not fits then
-        problems:add(at, "output 'color' is '%s' of format %s; it wants rgba16f or rgba32f", sources[name], other)
+        problems:add(at, "output 'color' is '%s' of format %s; it must be rgba16f or rgba32f", sources[name], other)
       end
     end
   end

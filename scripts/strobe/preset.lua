@@ -13,7 +13,7 @@ preset.keys = { "doc", "set" }
 local Preset = {}  -- a preset in a file: { given = the table of the call preset { ... }, place = line of the call }
 
 setmetatable(preset, { __call = native.at_caller(function(place, _, t)
-  if type(t) ~= "table" then check.fail(place, "preset wants a table: preset { doc = \"...\", set = { ... } }") end
+  if type(t) ~= "table" then check.fail(place, "preset takes a table: preset { doc = \"...\", set = { ... } }") end
   return setmetatable({ given = t, place = place }, Preset)
 end) })
 check.closed(preset, "preset")

@@ -22,7 +22,8 @@ function Methods:settings(t, path)
   for i, name in ipairs(names) do
     local kind = type(t[name])
     if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
-      self:add(check.joined(path, name), "'%s' is a %s, which is not a value of a parameter", name, kind)
+      self:add(check.joined(path, name), "'%s' is a %s, but the value of a parameter is a number, a text or a boolean",
+               name, kind)
     end
     result[i] = { name = name, value = t[name], place = self:place_of(check.joined(path, name)) }
   end
@@ -92,7 +93,7 @@ function Methods:option(declared, value, path, what)
     self:one_of(value, declared.choices, at, ("'%s' of %s"):format(name, what))
   elseif type(value) == "number" and not (value >= (declared.min or value) and value <= (declared.max or value)) then
     local range = ("%s to %s"):format(shown(declared.min), shown(declared.max))
-    self:add(at, "'%s' of %s is %s, not in %s", name, what, shown(value), range)
+    self:add(at, "'%s' of %s is %s, which is not in the range %s", name, what, shown(value), range)
   elseif declared.type == "integer" and not math.tointeger(value) then
     self:add(at, "'%s' of %s is %s, which is not a whole number", name, what, shown(value))
   end

@@ -43,7 +43,7 @@ local function check_stand_in(problems, write, given, reads, at, what)
   if given == 0 then return end
   local read = type(given) == "string" and port_named(reads, given)
   if given == nil then
-    problems:add(at, "%s has no stand-in for '%s': 0, or the read that it equals", what, write.name)
+    problems:add(at, "%s has no stand-in for '%s', which is 0 or the name of a read", what, write.name)
   elseif not read then
     problems:add(at, "%s: '%s' is neither 0 nor a read of the pass, but %s%s", what, write.name, check.quoted(given),
                  near(given, names_of(reads, {})))
@@ -77,7 +77,7 @@ end
 function stand_in.declare(problems, given, result, place, owner)
   if given == nil then return nil end
   if next(result.updates) ~= nil then
-    problems:add(native.key_place(place, "if_no"), "%s updates images, for which nothing can stand in", owner)
+    problems:add(native.key_place(place, "if_no"), "%s has updates, so it cannot have if_no: an update has no stand-in", owner)
   end
   local list = {}
   for name, writes in pairs(given) do list[#list + 1] = declare_one(problems, name, writes, result, place, owner) end

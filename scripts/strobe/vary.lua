@@ -80,7 +80,7 @@ end
 
 local function check_count(place, what, count, least)
   if math.type(count) ~= "integer" or count < least then
-    check.fail(place, "%s makes %s values; it takes a whole number from %d", what, tostring(count), least)
+    check.fail(place, "%s is called with the count %s; the count is a whole number from %d", what, tostring(count), least)
   end
 end
 
@@ -95,7 +95,7 @@ end)
 -- `log(0.01, 1, 5)` returns 5 values from 0.01 to 1 with equal ratios.
 vary.log = native.at_caller(function(place, from, to, count)
   check_count(place, "log", count, 2)
-  if not (from > 0 and to > 0) then check.fail(place, "log takes values above 0") end
+  if not (from > 0 and to > 0) then check.fail(place, "the first and last value of log must be above 0") end
   local values = {}
   for i = 0, count - 1 do values[i + 1] = from * (to / from) ^ (i / (count - 1)) end
   values[count] = to + 0.0
@@ -167,7 +167,7 @@ vary.ablation = native.at_caller(function(place, base, changes)
   local changed = axes_of(changes, place, usage, as_they_are)
   for _, axis in ipairs(changed) do
     if base[axis.fields.name] == nil then
-      check.fail(axis.place, "'%s' is changed but not in the base%s", axis.fields.name,
+      check.fail(axis.place, "'%s' has changed values, but is not in the base of the ablation%s", axis.fields.name,
                  native.nearest(axis.fields.name, check.names(base)))
     end
   end
@@ -205,10 +205,10 @@ end
 local function check_range(range, place, name)
   local numbers = #range == 2 and math.type(range[1]) and math.type(range[2])
   if numbers and range[1] >= range[2] then
-    check.fail(place, "the range of '%s' does not grow: %s to %s", name, range[1], range[2])
+    check.fail(place, "the range of '%s' is empty: %s to %s", name, range[1], range[2])
   end
   if range.log and (not numbers or range[1] <= 0) then
-    check.fail(place, "the range of '%s' has no logarithm: it is two numbers above 0", name)
+    check.fail(place, "the range of '%s' has log = true, so it must be two numbers above 0", name)
   end
   return {}
 end

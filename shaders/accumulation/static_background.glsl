@@ -17,7 +17,7 @@ bool isMoving(uvec4 ids) { return ids.x != 0u && instanceAt(ids.x - 1u).moves !=
 
 // Nearest static surface along the ray, or a miss. `first_moving`: instance of the visible moving surface. Each further ray
 // starts at the last hit, which is moving, and skips the whole instance of that hit.
-Hit atRestOn(Ray ray, uint first_moving) {
+Hit staticHitOn(Ray ray, uint first_moving) {
   Hit hit = traceExcept(SLICE_RASTER, RAYS_TO_ALL, ray, scene_cameras[SLICE_RASTER].near, 3.0e38, first_moving, NO_INSTANCE);
   while (!isAtRest(hit))
     hit = traceExcept(SLICE_RASTER, RAYS_TO_ALL, ray, hit.t, 3.0e38, hit.instance, NO_INSTANCE);
@@ -30,7 +30,7 @@ void run(ivec2 pixel) {
   if (!isMoving(ids)) return;
   count_rays(1u);
   Ray ray = cameraRay(SLICE_RASTER, samplePosition(pixel));
-  Hit hit = atRestOn(ray, ids.x - 1u);
+  Hit hit = staticHitOn(ray, ids.x - 1u);
   vec4 static_background = vec4(0, 0, 0, uintBitsToFloat(0x7f800000u));
   if (isHit(hit)) {
     hit = hitOnTriangle(SLICE_RASTER, ray, hit.instance, hit.geometry, hit.primitive);

@@ -8,15 +8,15 @@
 // Fails: never.
 #include "lib/pixel_list.glsl"
 
-// Mask of a block of 2x2 pixels: true for masked pixels, row by row. `masked`: upper left pixel of the block. If all four
+// Mask of a block of 2x2 pixels: true for masked pixels, row by row. `first`: upper left pixel of the block. If all four
 // pixels are inside the image, one texture gather reads them.
-bvec4 maskedFrom(ivec2 masked) {
+bvec4 maskOf(ivec2 first) {
   ivec2 size = textureSize(mask_tex, 0);
-  if (all(lessThan(masked + 1, size)))
-    return greaterThan(textureGather(mask_tex, vec2(masked + 1) / vec2(size)).wzxy, vec4(0.5));
+  if (all(lessThan(first + 1, size)))
+    return greaterThan(textureGather(mask_tex, vec2(first + 1) / vec2(size)).wzxy, vec4(0.5));
   bvec4 result;
   for (int i = 0; i < 4; ++i) {
-    ivec2 at = masked + ivec2(i & 1, i >> 1);
+    ivec2 at = first + ivec2(i & 1, i >> 1);
     result[i] = all(lessThan(at, size)) && texelFetch(mask_tex, at, 0).r > 0.5;
   }
   return result;
@@ -34,7 +34,7 @@ void run(ivec2 square) {
   for (int y = 0; y < kSquareSide; y += 2)
     for (int x = 0; x < kSquareSide; x += 2) {
       ivec2 place = ivec2(x, y);
-      bvec4 four = maskedFrom(square * params.square_side + place);
+      bvec4 four = maskOf(square * params.square_side + place);
       for (int i = 0; i < 4; ++i) add(bits, place + ivec2(i & 1, i >> 1), four[i]);
     }
   imageStore(bits_img, square, uvec4(bits, 0u, 0u));

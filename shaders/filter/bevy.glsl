@@ -26,18 +26,18 @@ float depthAt(ivec2 pixel) { return saneDepth(texelFetch(depth_tex, pixel, 0).x)
 // True if the displacement `d_tap` of a nearer tap, projected on the pixel's displacement d, covers the distance from the tap
 // to the pixel. `spread_factor`: 1/2 for the anchor `centre`, otherwise 1. The factor 1 - 1e-4 allows for rounding: without it,
 // the last tap on a surface with the displacement d could be lost.
-bool comesAsFar(vec2 d_tap, vec2 d, float distance_px, float spread_factor) {
+bool coversDistance(vec2 d_tap, vec2 d, float distance_px, float spread_factor) {
   float d_length = lengthOf(d);
   return abs(dot(d_tap / d_length, d)) * spread_factor >= distance_px * (1.0 - 1e-4);
 }
 
 // True if the tap at the texel `at` counts in the mean. A tap counts if it is farther than the pixel or shows the sky. Another
 // tap counts if its own motion covers the distance to the pixel. `offset`: position of the tap relative to the pixel, px.
-// `depth`, d: view depth and displacement of the pixel. `spread_factor`: as in comesAsFar.
+// `depth`, d: view depth and displacement of the pixel. `spread_factor`: as in coversDistance.
 bool counts(ivec2 at, vec2 offset, float depth, vec2 d, float spread_factor) {
   float tap_depth = depthAt(at);
   if (tap_depth > depth || isinf(tap_depth)) return true;
-  return d == vec2(0) || comesAsFar(displacementAt(at), d, lengthOf(offset), spread_factor);
+  return d == vec2(0) || coversDistance(displacementAt(at), d, lengthOf(offset), spread_factor);
 }
 
 void run(ivec2 pixel) {

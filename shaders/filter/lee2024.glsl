@@ -112,11 +112,11 @@ bool agree(vec2 a, vec2 b) {
 }
 
 // True if the displacement of a texel agrees with the displacement d that the search followed to the texel.
-bool comes(int layer, ivec2 at, vec2 d) { return agree(limitedDisplacementOf(layer, at), d); }
+bool moveAgrees(int layer, ivec2 at, vec2 d) { return agree(limitedDisplacementOf(layer, at), d); }
 
 // The nearer of two surfaces: `nearest`, found so far, and the texel `at` of a layer, where the displacement d leads.
 Nearest nearer(Nearest nearest, int layer, ivec2 at, vec2 d) {
-  if (!comes(layer, at, d)) return nearest;
+  if (!moveAgrees(layer, at, d)) return nearest;
   float depth = depthOf(layer, at);
   if (nearest.layer >= 0 && depth >= nearest.depth * kSameDepth) return nearest;
   return Nearest(layer, at, depth);
@@ -138,7 +138,7 @@ Nearest sampleAt(ivec2 pixel, Searched searched, float t, ivec2 size) {
 bool isVaried(ivec2 pixel, float t, ivec2 size) {
   vec2 d = limitedDisplacementOf(0, pixel);
   ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);
-  return id_at(at).xy == id_at(pixel).xy && !comes(0, at, d);
+  return id_at(at).xy == id_at(pixel).xy && !moveAgrees(0, at, d);
 }
 
 void run(ivec2 pixel) {

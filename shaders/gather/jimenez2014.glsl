@@ -77,7 +77,7 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 // the step from the pixel, in steps. `after`: true if the step is on the side of the times after the raster time. With a
 // shutter curve, all steps have equal weight instead of equal length. The radius in steps is then the number of steps on this
 // side times the share of the side's weight up to the time when the dominant motion has covered the radius.
-float colorRangeOver(Gather gather, float radius, float steps, bool after) {
+float stepCoverage(Gather gather, float radius, float steps, bool after) {
 #if FACT_weighted
   if (isWeighted()) {
     float farthest = lengthOf(gather.d) * gather.spread_factor;
@@ -91,8 +91,8 @@ float colorRangeOver(Gather gather, float radius, float steps, bool after) {
 // Weight of a tap that is `steps` steps, and `offset` px, from the pixel.
 float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset, bool after) {
   float back = 0.5 + 0.5 * depthOrder(gather.here.depth, tap.depth, params.depth_extent);
-  float spread_here = colorRangeOver(gather, gather.here.radius, steps, after);
-  float spread_tap = colorRangeOver(gather, tap.radius, steps, after) * alongDominant(gather, tap, offset);
+  float spread_here = stepCoverage(gather, gather.here.radius, steps, after);
+  float spread_tap = stepCoverage(gather, tap.radius, steps, after) * alongDominant(gather, tap, offset);
   return back * spread_here + (1.0 - back) * spread_tap;
 }
 
@@ -105,7 +105,7 @@ vec2 mirrored(Tap a, Tap b, vec2 weights) {
 
 // Share of a tap's weight that belongs to the foreground, over a revealed background.
 float frontShare(Gather gather, Tap tap, float steps, bool after) {
-  return inFrontOf(tap.depth, gather.background, params.depth_extent) * colorRangeOver(gather, tap.radius, steps, after);
+  return inFrontOf(tap.depth, gather.background, params.depth_extent) * stepCoverage(gather, tap.radius, steps, after);
 }
 
 // Offsets of the two taps of a pair from the pixel, px: one for a time before the raster time, one for a time after it.

@@ -29,6 +29,10 @@
 #include "mixin/quantised.glsl"
 #include "lib/times.glsl"
 
+// The second direction turns to the pixel's own displacement over a range of blur radii of this length, px. The pass
+// guertin2014 has the same value as the default of its parameter `gamma`.
+const float kGamma = 1.5;
+
 struct Tap {
   vec3 color;
   float depth;
@@ -72,7 +76,7 @@ void run(ivec2 pixel) {
   float front = all * (over ? inFrontOf(here.depth, background, params.depth_extent) : 1.0);
   vec3 sum = toSum(here.color) * front;
 
-  vec2 second = secondAt(pixel, pixel / params.tile, d, here.radius, 1.5);
+  vec2 second = secondAt(pixel, pixel / params.tile, d, here.radius, kGamma);
   vec2 second_d = second == vec2(0) ? d : lengthOf(d) * second;
   for (int i = 0; i < params.samples; ++i) {
     if (i == skipped) continue;

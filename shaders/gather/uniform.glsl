@@ -100,7 +100,7 @@ float timeShare(int i, vec2 d, vec2 along) {
 }
 
 // True if a surface with this displacement counts as static.
-bool rests(vec2 d) { return lengthOf(d) < 0.5; }
+bool isStatic(vec2 d) { return lengthOf(d) < 0.5; }
 
 // Weight of tap i as a sample of the pixel's background. The caller multiplies this weight by the share of the tap that is not
 // foreground. `here`: tap at the pixel itself; `here_d`: displacement of its surface. `offset`: position of tap i relative to
@@ -109,16 +109,16 @@ float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Pass
   // 1 if the tap has the depth of the pixel's surface or is nearer; falls to 0 with the distance of the tap behind the surface.
   float same = softDepth(here.depth, tap.depth, params.depth_extent);
   float moved_px = spreadFactor(frame.shutter) * lengthOf(here_d);
-  bool is_uncovered = rests(here_d) ? offset == ivec2(0) : length(vec2(offset)) <= max(moved_px, 0.5) + 0.5;
-  float spread = is_uncovered ? shareOfMean(i, here_d, along) : 0.0;
+  bool is_disoccluded = isStatic(here_d) ? offset == ivec2(0) : length(vec2(offset)) <= max(moved_px, 0.5) + 0.5;
+  float spread = is_disoccluded ? shareOfMean(i, here_d, along) : 0.0;
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
 // Degree to which the pixel's own surface is static foreground, 0 to 1. It is 0 if the surface moves. The degree of a static
 // surface is 1 in front of the revealed surface, and falls to 0 as the two depths approach each other. A static surface covers
 // the pixel for the whole exposure, but only a tap on the pixel itself meets it. So `run` adds this surface's share separately.
-float restsInFront(Tap here, float background) {
-  if (!rests(here.d) || !rests(here.d_after)) return 0.0;
+float staticInFront(Tap here, float background) {
+  if (!isStatic(here.d) || !isStatic(here.d_after)) return 0.0;
   return inFrontOf(here.depth, background, params.depth_extent);
 }
 
@@ -153,8 +153,8 @@ void run(ivec2 pixel) {
     Tap tap = tapAt(at);
     float in_front = inFrontOf(tap.depth, background, params.depth_extent);
     Passing passing = passingOf(tap, at - pixel, t, turns_back);
-    float hides = passing.passes ? in_front : 0.0;
-    float weight = hides > 0.0 ? hides * timeShare(i, passing.d, along) : 0.0;
+    float coverage = passing.passes ? in_front : 0.0;
+    float weight = coverage > 0.0 ? coverage * timeShare(i, passing.d, along) : 0.0;
     front += weight;
     front_sum += weight * toSum(tap.color);
 
@@ -169,7 +169,7 @@ void run(ivec2 pixel) {
     front = 1.0;
   }
   if (hasBackground(pixel)) {
-    float own = restsInFront(here, background) * (1.0 - front);
+    float own = staticInFront(here, background) * (1.0 - front);
     front_sum += own * toSum(here.color);
     front += own;
     imageStore(blurred_img, pixel, quantisedColor(vec4(fromSum(front_sum), front)));

@@ -24,12 +24,12 @@ bool isBackground(ivec2 pixel) {
   uvec3 own = uvec3(draw.x + 1u, draw.y, triangle);
   if (own == front.xyz) return false;
   Ray ray = cameraRay(TIME_SLICE, samplePosition(pixel));
-  float known = hitOnTriangle(TIME_SLICE, ray, front.x - 1u, front.y, front.z).t;
+  float front_t = hitOnTriangle(TIME_SLICE, ray, front.x - 1u, front.y, front.z).t;
   Hit hit = hitOnTriangle(TIME_SLICE, ray, draw.x, draw.y, triangle);
 #if PARAM_sides == sides_front
   if (!hit.front) return false;
 #endif
-  return hit.t > known || (hit.t == known && isLater(own, front.xyz));
+  return hit.t > front_t || (hit.t == front_t && isLater(own, front.xyz));
 }
 
 void main() {

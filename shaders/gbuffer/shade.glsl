@@ -24,7 +24,7 @@ void run(ivec2 pixel) {
   } else {
 #if HAS_light_visibility
     uvec2 light_visibility = texelFetch(light_visibility_tex, pixel / params.shadow_tile, 0).xy;
-    known_free = light_visibility.x;
+    known_visible = light_visibility.x;
     known_blocked = light_visibility.y;
 #endif
     uint pose = PARAM_shading == shading_frozen ? SLICE_RASTER : TIME_SLICE;

@@ -44,7 +44,7 @@ const uint kFirstPose = SLICE_SHUTTER_OPEN, kLastPose = SLICE_SHUTTER_CLOSE;
 // True if the hit moves as if it were fixed to the foreground's instance: at each pose from kFirstPose to kLastPose, it is
 // within `same_motion` px of the screen position that a fixed point would have. Such a surface (a load on a truck, a lamp in
 // its shade) hides the same background as the foreground.
-bool goesAlong(Hit hit, uint instance) {
+bool movesWith(Hit hit, uint instance) {
   if (hit.instance == instance) return true;
   vec3 raster_ws = positionOf(SLICE_RASTER, hit);
   for (uint slice = kFirstPose; slice <= kLastPose; ++slice) {
@@ -87,7 +87,7 @@ bool movesApart(Ray ray, Hit hit, Hit front) {
 // luminance, which firstBackground tests itself.
 bool isOther(Ray ray, Hit hit, Hit front) {
 #if PARAM_termination == termination_motion
-  return !goesAlong(hit, front.instance);
+  return !movesWith(hit, front.instance);
 #elif PARAM_termination == termination_disoccluded
   return movesApart(ray, hit, front);
 #elif PARAM_termination == termination_geometry
@@ -127,12 +127,12 @@ vec3 comparedColor(Hit hit) {
 // black foreground from ending at another black surface (docs/derivations.md).
 Found firstBackground(Ray ray, Hit front) {
   Found found = Found(front, vec3(0), false, false);
-  bool under_way = PARAM_termination != termination_luminance;
+  bool past_front = PARAM_termination != termination_luminance;
   float reference = 0.0;
   int layer = 0;
   uint met_again = 0u;
   while (layer < params.max_layers && met_again < 8u) {
-    if (under_way) {
+    if (past_front) {
       Hit hit = nextHit(ray, front, found.hit);
       bool again = isSameTriangle(hit, found.hit);
       found.hit = hit;
@@ -145,9 +145,9 @@ Found firstBackground(Ray ray, Hit front) {
 #if PARAM_termination == termination_luminance
     found.color = comparedColor(exactly(ray, found.hit));
     float here = luminance(found.color);
-    if (!under_way) {
+    if (!past_front) {
       reference = here;
-      under_way = true;
+      past_front = true;
       continue;
     }
     if (abs(here - reference) > params.tolerance * max(here, reference) + 1e-4) break;

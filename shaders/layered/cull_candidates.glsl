@@ -41,12 +41,12 @@ Path pathOf(vec4 from_b, float t) {
   // Each extension continues in the direction of its path. `share`: upper bound of |x| and |y| of the unit vectors of these
   // directions.
   vec2 share = min(max(abs(low), abs(high)) / max(shortestIn(vec4(low, high)), 0.5), 1.0);
-  vec2 on = share * float(params.margin + 2) + 1.0;
-  vec2 far_on = on + share * ceil(reachPx());
+  vec2 slack = share * float(params.margin + 2) + 1.0;
+  vec2 extension = slack + share * ceil(reachPx());
   vec2 back = vec2(lessThan(low, vec2(0))), forth = vec2(greaterThan(high, vec2(0)));
   low = min(low, 0.0);
   high = max(high, 0.0);
-  return Path(vec4(low - on, high + on), vec4(low - back * far_on - 1.0, high + forth * far_on + 1.0));
+  return Path(vec4(low - slack, high + slack), vec4(low - back * extension - 1.0, high + forth * extension + 1.0));
 }
 
 struct Cell {
@@ -69,7 +69,7 @@ bool isOneInstance(Cell own, ivec2 cell) {
 
 // True if a walk for the candidate b from a pixel of the cell `own` may have an effect in the cell `cell`: end there, or start
 // a second walk. `from_b` and `t` as in pathOf.
-bool concerns(Cell own, ivec2 cell, vec4 from_b, vec2 b, float t) {
+bool hasEffectIn(Cell own, ivec2 cell, vec4 from_b, vec2 b, float t) {
   vec4 there = texelFetch(bounds_tex, cell, 0);
   float matching_px = max(1.0, params.match * longestIn(from_b));
   bool matches = shortestIn(relativeTo(there, b)) <= matching_px + kSlack;
@@ -78,7 +78,7 @@ bool concerns(Cell own, ivec2 cell, vec4 from_b, vec2 b, float t) {
 }
 
 // True if a walk for the candidate b from a pixel of the cell `own`, until time t, may have an effect in any cell.
-bool crossesWithin(Cell own, vec2 b, float t) {
+bool hasEffectUntil(Cell own, vec2 b, float t) {
   vec4 from_b = relativeTo(own.bounds, b);
   if (abs(t) * longestIn(from_b) < 0.5 - kSlack) return false;
   Path path = pathOf(from_b, t);
@@ -87,16 +87,16 @@ bool crossesWithin(Cell own, vec2 b, float t) {
   ivec2 to = clampToImage(own.last + ivec2(ceil(highOf(path.farthest))), size) / params.cell_side;
   for (int y = from.y; y <= to.y; ++y) {
     for (int x = from.x; x <= to.x; ++x) {
-      if (concerns(own, ivec2(x, y), from_b, b, t)) return true;
+      if (hasEffectIn(own, ivec2(x, y), from_b, b, t)) return true;
     }
   }
   return false;
 }
 
-bool crosses(Cell own, vec2 b) {
+bool hasEffect(Cell own, vec2 b) {
   for (int side = 0; side < 2; ++side) {
     float t = side == 0 ? min(frame.shutter.x, 0.0) : max(frame.shutter.y, 0.0);
-    if (t != 0.0 && crossesWithin(own, b, t)) return true;
+    if (t != 0.0 && hasEffectUntil(own, b, t)) return true;
   }
   return false;
 }
@@ -117,7 +117,7 @@ VelocityList with(VelocityList velocities, Cell own, vec2 b) {
   }
   velocities.tried[velocities.tried_count] = b;
   velocities.tried_count += 1;
-  if (!crosses(own, b)) return velocities;
+  if (!hasEffect(own, b)) return velocities;
   velocities.d[velocities.count] = b;
   velocities.count += 1;
   return velocities;
@@ -138,7 +138,7 @@ void run(ivec2 cell) {
   velocities.count = velocities.tried_count = 0;
   // First and last tile that overlap the cell. The cell takes the candidates of one, two or four tiles.
   ivec2 from = own.first / params.tile, to = own.last / params.tile;
-  for (int k = 0; k < 4; ++k) {  // one loop for all tiles, because each inlined copy of crosses() takes long to compile
+  for (int k = 0; k < 4; ++k) {  // one loop for all tiles, because each inlined copy of hasEffect() takes long to compile
     bool is_right = (k & 1) != 0, is_below = (k & 2) != 0;
     if ((is_right && to.x == from.x) || (is_below && to.y == from.y)) continue;
     velocities = withTile(velocities, own, ivec2(is_right ? to.x : from.x, is_below ? to.y : from.y));

@@ -26,8 +26,8 @@
 #include "lib/sanitise.glsl"
 #include "mixin/limit.glsl"
 
-// A walk runs three loops with small bodies, one after the other (firstConcern, lastOwn, walked). The reason is that a GPU runs
-// a loop until the slowest pixel of a subgroup has finished the loop, and the other pixels wait.
+// A walk runs three loops with small bodies, one after the other (firstPossibleEnd, lastOwn, walked). The reason is that a GPU
+// runs a loop until the slowest pixel of a subgroup has finished the loop, and the other pixels wait.
 
 // Path y - t*(d - b) of a walk from the pixel y, in steps of one pixel.
 struct Path {
@@ -77,7 +77,7 @@ bool occludes(float depth, float own_depth) { return depth < own_depth * (1.0 - 
 
 // True if a walk along the path may end in the cell, or find the displacement of a second walk there. The cell may then show
 // another instance that moves by about b, or that moves relative to the foreground at y.
-bool concerns(Path path, ivec2 cell) {
+bool mayEndIn(Path path, ivec2 cell) {
   uvec2 ids = uvec2(texelFetch(ids_tex, cell, 0));
   vec4 bounds = texelFetch(bounds_tex, cell, 0);
   const float slack = 1.0 + 1e-4;
@@ -86,17 +86,17 @@ bool concerns(Path path, ivec2 cell) {
   return (matches || moves) && !(ids.x == path.own && ids.y == path.own);
 }
 
-// First step of the path, from `from` to `to`, that lies in a cell where the walk may end (`concerns`), or a step shortly
+// First step of the path, from `from` to `to`, that lies in a cell where the walk may end (`mayEndIn`), or a step shortly
 // before; kNoStep without such a cell. The search goes from cell to cell along the path (Amanatides and Woo, "A Fast Voxel
 // Traversal Algorithm", 1987).
-int firstConcern(Path path, int from, int to) {
+int firstPossibleEnd(Path path, int from, int to) {
   ivec2 cell = placeOn(path, from) / params.cell_side;
   ivec2 ahead = ivec2(greaterThan(path.unit, vec2(0)));
   vec2 inverse = 1.0 / max(abs(path.unit), vec2(1e-6));
   vec2 border = abs(vec2((cell + ahead) * params.cell_side) - (vec2(path.pixel) + 0.5));
   vec2 next = border * inverse, per_cell = float(params.cell_side) * inverse;  // in steps
   float entered = float(from);
-  while (entered <= float(to) && !concerns(path, cell)) {
+  while (entered <= float(to) && !mayEndIn(path, cell)) {
     entered = min(next.x, next.y);
     bvec2 crossed = equal(next, vec2(entered));
     cell += ivec2(crossed) * (2 * ahead - 1);
@@ -120,7 +120,7 @@ int lastOwn(Path path, int i) {
 
 Walk walked(Path path) {
   Walk walk = Walk(false, false, vec2(0));
-  int first = firstConcern(path, 1, path.longest);
+  int first = firstPossibleEnd(path, 1, path.longest);
   if (first == kNoStep) return walk;
   // A path that ends behind an occluder continues to the occluder's end, because the occluder may hide the silhouette of the
   // foreground.
@@ -150,7 +150,7 @@ Walk walked(Path path) {
 
 // True if a point that moves by b behind the foreground of the pixel, which moves by d, becomes visible between the raster time
 // and time t.
-bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
+bool disoccludes(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   Walk walk = Walk(false, true, b);
   bool off_screen = false;
   for (int attempt = 0; attempt < 2 && walk.meets && !walk.crosses && isPath(d, walk.d_beyond, t); ++attempt) {
@@ -164,7 +164,7 @@ bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
 
 // True if the pixel is static and farther than each moving surface around. Such a pixel is background: it hides no moving
 // surface that the image shows, so nothing becomes visible behind it.
-bool isBackgroundMotion(ivec2 pixel, vec2 d) {
+bool isStaticBackground(ivec2 pixel, vec2 d) {
   return d == vec2(0) && occludes(texelFetch(farthest_around_tex, pixel / params.tile, 0).x, depthAt(pixel));
 }
 
@@ -174,14 +174,14 @@ void run(ivec2 pixel) {
   bool mask = false;
   uint own = texelFetch(id_tex, pixel, 0).x;
   vec2 d = displacementAt(pixel);
-  if (isVelocity(vec2(pair.x, pair.y)) && own != 0u && !isBackgroundMotion(pixel, d)) {
+  if (isVelocity(vec2(pair.x, pair.y)) && own != 0u && !isStaticBackground(pixel, d)) {
     vec4 pairs[4] = vec4[4](pair, texelFetch(culled_1_tex, cell, 0), texelFetch(culled_2_tex, cell, 0),
                             texelFetch(culled_3_tex, cell, 0));
     for (int k = 0; k < 2 * kMaxVelocities && !mask; ++k) {
       vec2 b = (k & 2) == 0 ? pairs[k / 4].xy : pairs[k / 4].zw;
       float t = (k & 1) == 0 ? frame.shutter.x : frame.shutter.y;
       if (!isVelocity(b)) break;
-      mask = t != 0.0 && uncovers(pixel, own, d, b, t);
+      mask = t != 0.0 && disoccludes(pixel, own, d, b, t);
     }
   }
   imageStore(mask_img, pixel, vec4(mask ? 1 : 0));

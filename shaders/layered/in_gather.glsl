@@ -63,15 +63,15 @@ struct Cover {
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
 // Raster surface that covers the background `back` at the pixel at time t; kNoCover if no such surface is found. The search
-// begins at the texel `now`. `path`: motion that the search assumes; its length sets the tolerance.
-Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
+// begins at `texel`. `path`: motion that the search assumes; its length sets the tolerance.
+Cover coverAt(ivec2 pixel, Path path, ivec2 texel, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
-  for (int fallback_estimate = 0; fallback_estimate < kIterations; ++fallback_estimate) {
-    if (!isInside(now, textureSize(color_tex, 0))) return kNoCover;
-    Tap tap = rasterAt(now, t > 0.0);
-    if (isAt(pixel, now, tap.path, t, tolerance_px))
+  for (int i = 0; i < kIterations; ++i) {
+    if (!isInside(texel, textureSize(color_tex, 0))) return kNoCover;
+    Tap tap = rasterAt(texel, t > 0.0);
+    if (isAt(pixel, texel, tap.path, t, tolerance_px))
       return Cover(tap.color, tap.depth, inFrontOf(tap.depth, back.depth, params.depth_extent));
-    now = tapFor(pixel, tap.path, t);
+    texel = tapFor(pixel, tap.path, t);
   }
   return kNoCover;
 }
@@ -87,12 +87,12 @@ Cover nearer(Cover a, Cover b) {
 // time, unless a surface there is in front of the background. Then the colour comes from the revealed layer or, as a fallback,
 // from `back`.
 vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
-  ivec2 now = tapFor(pixel, back.path, t);
-  if (isInside(now, textureSize(color_tex, 0))) {
-    Tap tap = rasterAt(now, t > 0.0);
-    bool in_view = tap.instance == back.instance || inFrontOf(tap.depth, back.depth, params.depth_extent) == 0.0;
-    if (in_view) return tap.color;
-    if (isRevealed(now)) return colorOf(kRevealed, now);
+  ivec2 texel = tapFor(pixel, back.path, t);
+  if (isInside(texel, textureSize(color_tex, 0))) {
+    Tap tap = rasterAt(texel, t > 0.0);
+    bool is_shown = tap.instance == back.instance || inFrontOf(tap.depth, back.depth, params.depth_extent) == 0.0;
+    if (is_shown) return tap.color;
+    if (isRevealed(texel)) return colorOf(kRevealed, texel);
   }
   fallbacks += 1u;
   return back.color;

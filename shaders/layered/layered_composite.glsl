@@ -43,16 +43,16 @@ const float kSameDepth = 1.0 - 1.0 / 65536.0;
 // Nearest surface at the pixel at one time sample, of the candidates tried so far.
 struct Nearest {
   int layer;           // kNothing, kRaster or kRevealed
-  ivec2 now;           // texel of the layer that shows the surface at the raster time
+  ivec2 texel;         // texel of the layer that shows the surface at the raster time
   float depth;         // view depth at the raster time, metres
 };
 
 // --- Surfaces at a pixel
 // ----------------------------------------------------------------------------------------------------------------
 
-Nearest nearer(Nearest nearest, int layer, ivec2 now, float depth) {
+Nearest nearer(Nearest nearest, int layer, ivec2 texel, float depth) {
   if (nearest.layer != kNothing && depth >= nearest.depth * kSameDepth) return nearest;
-  return Nearest(layer, now, depth);
+  return Nearest(layer, texel, depth);
 }
 
 // Raster surface at the pixel itself. Most searches end there, so the surface is read once for all time samples.
@@ -67,53 +67,53 @@ Own ownOf(ivec2 pixel) {
   return Own(pathOf(kRaster, pixel, false), pathOf(kRaster, pixel, true), depth, colorOf(kRaster, pixel));
 }
 
-Path rasterPath(Own own, ivec2 pixel, ivec2 now, bool after) {
-  if (now != pixel) return pathOf(kRaster, now, after);
+Path rasterPath(Own own, ivec2 pixel, ivec2 texel, bool after) {
+  if (texel != pixel) return pathOf(kRaster, texel, after);
   if (after) return own.after;
   return own.before;
 }
 
-float rasterDepth(Own own, ivec2 pixel, ivec2 now) {
-  return now == pixel ? own.depth : saneDepth(depth_at(now).x);
+float rasterDepth(Own own, ivec2 pixel, ivec2 texel) {
+  return texel == pixel ? own.depth : saneDepth(depth_at(texel).x);
 }
 
-// `nearest` or, if nearer, the surface of the raster layer at the pixel at time t. The search begins at the texel `now`.
-Nearest nearerRaster(Nearest nearest, Own own, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
+// `nearest` or, if nearer, the surface of the raster layer at the pixel at time t. The search begins at `texel`.
+Nearest nearerRaster(Nearest nearest, Own own, ivec2 pixel, ivec2 texel, float t, float tolerance_px) {
   bool after = t > 0.0;
   for (int i = 0; i < kCurveIterations; ++i) {
-    Path path = rasterPath(own, pixel, now, after);
-    if (isThere(pixel, now, path, t, tolerance_px))
-      return nearer(nearest, kRaster, now, rasterDepth(own, pixel, now));
+    Path path = rasterPath(own, pixel, texel, after);
+    if (isThere(pixel, texel, path, t, tolerance_px))
+      return nearer(nearest, kRaster, texel, rasterDepth(own, pixel, texel));
     if (!iteratesAgain(i, path)) break;
-    ivec2 next = nextTexelOf(kRaster, pixel, now, path, t);
-    if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
-    now = next;
+    ivec2 next = nextTexelOf(kRaster, pixel, texel, path, t);
+    if (next == texel || !isInside(next, textureSize(color_tex, 0))) break;
+    texel = next;
   }
   return nearest;
 }
 
-// `nearest` or, if nearer, the surface of the revealed layer at the pixel at time t. The search begins at the texel `now`.
-Nearest nearerRevealed(Nearest nearest, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
+// `nearest` or, if nearer, the surface of the revealed layer at the pixel at time t. The search begins at `texel`.
+Nearest nearerRevealed(Nearest nearest, ivec2 pixel, ivec2 texel, float t, float tolerance_px) {
   bool after = t > 0.0;
-  for (int i = 0; i < kCurveIterations && isRevealed(now); ++i) {
-    Path path = pathOf(kRevealed, now, after);
-    if (isThere(pixel, now, path, t, tolerance_px)) return nearer(nearest, kRevealed, now, revealedDepth(now));
+  for (int i = 0; i < kCurveIterations && isRevealed(texel); ++i) {
+    Path path = pathOf(kRevealed, texel, after);
+    if (isThere(pixel, texel, path, t, tolerance_px)) return nearer(nearest, kRevealed, texel, revealedDepth(texel));
     if (!iteratesAgain(i, path)) break;
-    ivec2 next = nextTexelOf(kRevealed, pixel, now, path, t);
-    if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
-    now = next;
+    ivec2 next = nextTexelOf(kRevealed, pixel, texel, path, t);
+    if (next == texel || !isInside(next, textureSize(color_tex, 0))) break;
+    texel = next;
   }
   return nearest;
 }
 
-// Texel where the search with candidate k begins. Without a curve, it is `now`, the texel that the candidate's displacement
-// leads to. With a curve, it is the texel that has this curve, because Newton's method finds more distant surfaces from there.
-ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
+// Texel where the search with candidate k begins. Without a curve, it is `texel`, the place where the candidate's displacement
+// ends. With a curve, it is the texel that has this curve, because Newton's method finds more distant surfaces from there.
+ivec2 startAt(int layer, Candidates candidates, int k, ivec2 texel) {
 #if HAS_curve
-  ivec2 texel = candidates.texels[k];
-  if (isCurved(candidate(candidates, k)) && hasSurface(layer, texel)) return texel;
+  ivec2 start = candidates.texels[k];
+  if (isCurved(candidate(candidates, k)) && hasSurface(layer, start)) return start;
 #endif
-  return now;
+  return texel;
 }
 
 // Nearest surface at the pixel at time t. `background`: search the revealed layer too.
@@ -128,11 +128,11 @@ Nearest sampleAt(ivec2 pixel, Own own, Candidates candidates, bool background, f
     Path path = candidate(candidates, k);
     float tolerance_px = candidates.tolerance_px[k];
     vec2 offset = tapOffset(path, t);
-    ivec2 now = pixel + roundSymmetric(offset), start = startAt(kRaster, candidates, k, now);
+    ivec2 texel = pixel + roundSymmetric(offset), start = startAt(kRaster, candidates, k, texel);
     if (!isInside(start, size)) continue;
     nearest = nearerRaster(nearest, own, pixel, start, t, tolerance_px);
     if (!background) continue;
-    start = startAt(kRevealed, candidates, k, now);
+    start = startAt(kRevealed, candidates, k, texel);
     if (isInside(start, size)) nearest = nearerRevealed(nearest, pixel, start, t, tolerance_px);
   }
   return nearest;
@@ -155,7 +155,7 @@ void run(ivec2 pixel) {
 
   Own own = ownOf(pixel);
   vec3 sum = vec3(0);
-  ColorRange all_hit = emptyColorRange();
+  ColorRange color_range = emptyColorRange();
   uint fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
     float t = sampleTime(i, params.samples, jitter);
@@ -164,12 +164,12 @@ void run(ivec2 pixel) {
       nearest.layer = isRevealed(pixel) ? kRevealed : kRaster;
       fallbacks += 1u;
     }
-    vec3 color = nearest.layer == kRaster && nearest.now == pixel ? own.color : colorOf(nearest.layer, nearest.now);
+    vec3 color = nearest.layer == kRaster && nearest.texel == pixel ? own.color : colorOf(nearest.layer, nearest.texel);
     sum += toSum(color);
-    all_hit = withColor(all_hit, color);
+    color_range = withColor(color_range, color);
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
   // The mean of equal colours is exact, without rounding.
-  vec3 mean = isNarrow(all_hit, 0.0) ? all_hit.low : fromSum(sum / float(params.samples));
+  vec3 mean = isNarrow(color_range, 0.0) ? color_range.low : fromSum(sum / float(params.samples));
   imageStore(blurred_img, pixel, vec4(mean, 1));
 }

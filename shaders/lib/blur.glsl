@@ -30,8 +30,7 @@ vec2 clampLength(vec2 d, float limit) {
 }
 
 // Converts floats that hold integers to integers, clamped to [-2^22, 2^22 - 1]. The sum of such a float and 1.5 * 2^23 has the
-// integer in its lowest bits. This needs one step on devices that convert float to int separately for each component and
-// invocation.
+// integer in its lowest bits. Software devices add vectors in one step, but convert floats to integers one by one.
 ivec2 wholeOf(vec2 whole) { return floatBitsToInt(clamp(whole, -4194304.0, 4194303.0) + 12582912.0) - 0x4B400000; }
 
 // Nearest integers, with ties away from zero, so that offsets of opposite sign round to integers of opposite sign. Offsets
@@ -79,11 +78,11 @@ int tilesInReach(float limit_px, int tile_px, vec2 shutter, ivec2 tiles) {
 // where a filter reads its colour.
 vec2 tapOffset(vec2 d, float t) { return -d * t; }
 
-// True if the surface that is at the texel `now` at the raster time and moves by d is at the pixel at time t, within the
+// True if the surface that `texel` shows at the raster time and that moves by d is at the pixel at time t, within the
 // tolerance. The factor 1 + 1e-4 makes the result independent of rounding where the distance equals the tolerance. This happens
 // for the pixel's own texel at half the time between two samples.
-bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
-  vec2 off = vec2(now - pixel) + t * d;
+bool isAt(ivec2 pixel, ivec2 texel, vec2 d, float t, float tolerance_px) {
+  vec2 off = vec2(texel - pixel) + t * d;
   float within_px = tolerance_px * (1.0 + 1e-4);
   return dot(off, off) <= within_px * within_px;
 }

@@ -23,9 +23,9 @@ uint instanceOf(uvec4 ids) { return ids.x - 2u; }
 // A texel of the image of shadows holds two instances: (first instance + 2, its shadows, second instance + 2, its shadows). If
 // samples hit a third instance, the third component becomes kSeveralSurfaces, and the second instance is lost.
 
-// Shadows word of one sample. `free_and_blocked`: bits of the lights found visible (x) and of the lights found blocked (y).
-uint shadowsFrom(uvec2 free_and_blocked) {
-  uvec2 never = ~free_and_blocked.yx;
+// Shadows word of one sample. `visible_and_blocked`: bits of the lights found visible (x) and of the lights found blocked (y).
+uint shadowsFrom(uvec2 visible_and_blocked) {
+  uvec2 never = ~visible_and_blocked.yx;
   return (never.x & 0xffffu) | (never.y << 16u);
 }
 // Bits of the lights that are visible (x) or blocked (y) in all samples that traced their shadow rays. A light has neither bit
@@ -43,11 +43,11 @@ uint shadowsOf(uvec4 kept, uint instance) {
 // Texel `kept` after one more sample, which hit `instance` and has the word `shadows` (`shadowsFrom`). The words of samples are
 // combined by bitwise and.
 uvec4 withShadows(uvec4 kept, uint instance, uint shadows) {
-  uint whose = instance + 2u;
-  if (kept.x == kNoSurface) return uvec4(whose, shadows, kNoSurface, 0u);
-  if (kept.x == whose) return uvec4(whose, kept.y & shadows, kept.zw);
-  if (kept.z == kNoSurface) return uvec4(kept.xy, whose, shadows);
-  if (kept.z == whose) return uvec4(kept.xyz, kept.w & shadows);
+  uint id = instance + 2u;
+  if (kept.x == kNoSurface) return uvec4(id, shadows, kNoSurface, 0u);
+  if (kept.x == id) return uvec4(id, kept.y & shadows, kept.zw);
+  if (kept.z == kNoSurface) return uvec4(kept.xy, id, shadows);
+  if (kept.z == id) return uvec4(kept.xyz, kept.w & shadows);
   return uvec4(kept.xy, kSeveralSurfaces, 0u);
 }
 

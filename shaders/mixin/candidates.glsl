@@ -14,7 +14,8 @@
 #include "mixin/search.glsl"
 #include "lib/times.glsl"
 
-// Largest number of candidates of a pixel.
+// Largest number of candidates of a pixel. Four displacements fill the components of a vec4, so that one comparison of vectors
+// finds a candidate that is nearly equal to a new one.
 const int kMaxCandidates = 4;
 
 // Least tolerance for the match of a surface, px. Rounding a position to a texel moves the position by up to sqrt(1/2) px; the
@@ -41,13 +42,13 @@ const float kUnused = 1e9;
 // surface is an example, at the samples before and after the raster time.
 float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
 
-// True if the surface of the texel `now` (a texel of the raster time) is at the pixel at time t, within
+// True if the surface that `texel` shows at the raster time is at the pixel at time t, within
 // max(kNearest, min(tolerance_px, toleranceOf(path.d))) px. `path`: path of this surface. `tolerance_px`: tolerance of the
 // candidate that led to the texel. Tolerances above kNearest are for surfaces with varying displacements: the nearest match may
 // then be almost half-way to the next sample.
-bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
-  if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
-  return isAt(pixel, now, path, t, kNearest) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)));
+bool isThere(ivec2 pixel, ivec2 texel, Path path, float t, float tolerance_px) {
+  if (!isAt(pixel, texel, path, t, max(kNearest, tolerance_px))) return false;
+  return isAt(pixel, texel, path, t, kNearest) || isAt(pixel, texel, path, t, min(tolerance_px, toleranceOf(path.d)));
 }
 
 // Path of candidate k, 0 <= k < candidates.count.
@@ -96,7 +97,7 @@ Candidates withAllLayers(Candidates candidates, ivec2 at, bool background, bool 
 
 // Index of the time sample that is k-th nearest to the raster time, k from 0. A centred exposure has pairs of equally near
 // samples. In a pair, the earlier sample comes first if the number of samples is even; the later one comes first if it is odd.
-int nearest(int k) {
+int nearestSample(int k) {
   if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
   return frame.shutter.x < 0.0 ? params.samples - 1 - k : k;
 }
@@ -123,11 +124,10 @@ Dominant dominantAfter(ivec2 tile) {
 }
 
 // Candidates with the displacements at the pixel and, with `search_taps`, at the taps along the tile's longest displacement and
-// then along its second displacement. `jitter`: of the tap times, as a share of the time between two samples. `background`,
-// `after`: as in `withAllLayers`.
-// The list keeps the first displacements that fit. The taps go from the pixel outwards, so that with the anchors `end` and
-// `start` a reversal of time does not change the order. One loop serves all taps, because each inlined copy of the loop's body
-// takes long to compile.
+// then along its second displacement. `jitter`: shift of the tap times, as a share of the time between two samples.
+// `background`, `after`: as in `withAllLayers`. The list keeps the first displacements that fit. The taps go from the pixel
+// outwards, so that with the anchors `end` and `start` a reversal of time does not change the order. One loop serves all taps,
+// because each inlined copy of the loop's body takes long to compile.
 Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   int ways = PARAM_search_taps == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
@@ -143,7 +143,7 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
     for (int k = 0; k < taps && !isFull(candidates); ++k) {
       ivec2 offset = ivec2(0);
       if (along) {
-        int i = clamp(nearest(k), 0, params.samples - 1);
+        int i = clamp(nearestSample(k), 0, params.samples - 1);
         offset = roundSymmetric(tapOffset(path, sampleTime(i, params.samples, jitter)));
       }
       for (int side = 0; side < sides; ++side) {
@@ -156,8 +156,8 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
 }
 
 // Candidates of a pixel: the displacements of the tile (`dominant`), then the displacements at the pixel and at its taps.
-// `jitter`: of the tap times, as a share of the time between two samples. `background`: include displacements of the revealed
-// layer. `after`: candidates for the times after the raster time; otherwise for the times before.
+// `jitter`: shift of the tap times, as a share of the time between two samples. `background`: include displacements of the
+// revealed layer. `after`: candidates for the times after the raster time; otherwise for the times before.
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool background, bool after) {
   Candidates candidates;
   candidates.x = candidates.y = vec4(kUnused);

@@ -31,9 +31,9 @@ bool isStep(vec4 a, vec4 b) {
 vec4 difference(ivec2 pixel, ivec2 along, ivec2 across, float depth, float middle, float side) {
   vec4 ahead = side * featureAt(pixel + along - across, depth) + middle * featureAt(pixel + along, depth) +
                side * featureAt(pixel + along + across, depth);
-  vec4 background = side * featureAt(pixel - along - across, depth) + middle * featureAt(pixel - along, depth) +
-                side * featureAt(pixel - along + across, depth);
-  return ahead - background;
+  vec4 opposite = side * featureAt(pixel - along - across, depth) + middle * featureAt(pixel - along, depth) +
+                  side * featureAt(pixel - along + across, depth);
+  return ahead - opposite;
 }
 
 // True if the pixel is on an edge, by the gradient in x and in y. The kernel is [side middle side]^T [-1 0 1] in x and its

@@ -46,9 +46,9 @@ Path pathOf(int layer, ivec2 pixel, bool after) {
 }
 
 // Linear radiance of a texel at the raster time, finite.
-vec3 colorOf(int layer, ivec2 now) {
-  if (layer == kRaster) return finiteColor(color_at(now));
-  return finiteColor(revealed_color_at(now));
+vec3 colorOf(int layer, ivec2 texel) {
+  if (layer == kRaster) return finiteColor(color_at(texel));
+  return finiteColor(revealed_color_at(texel));
 }
 
 #endif

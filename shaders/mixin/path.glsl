@@ -30,10 +30,10 @@ float reachOf(Path path) { return reachOf(path.d, path.curve, frame.shutter); }
 // Position at the raster time of the surface that is at the pixel at time t and has this path, relative to the pixel, px.
 vec2 tapOffset(Path path, float t) { return -movedBy(path.d, path.curve, t, frame.shutter); }
 
-// True if the surface that is at the texel `now` at the raster time and has this path is at the pixel at time t, within the
+// True if the surface that `texel` shows at the raster time and that has this path is at the pixel at time t, within the
 // tolerance. The factor 1 + 1e-4 makes the result independent of rounding if the distance equals the tolerance.
-bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
-  vec2 off = vec2(now - pixel) + movedBy(path.d, path.curve, t, frame.shutter);
+bool isAt(ivec2 pixel, ivec2 texel, Path path, float t, float tolerance_px) {
+  vec2 off = vec2(texel - pixel) + movedBy(path.d, path.curve, t, frame.shutter);
   float within_px = tolerance_px * (1.0 + 1e-4);
   return dot(off, off) <= within_px * within_px;
 }
@@ -52,8 +52,8 @@ float reachOf(Path path) { return lengthOf(path.d); }
 
 vec2 tapOffset(Path path, float t) { return tapOffset(path.d, t); }
 
-bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
-  return isAt(pixel, now, path.d, t, tolerance_px);
+bool isAt(ivec2 pixel, ivec2 texel, Path path, float t, float tolerance_px) {
+  return isAt(pixel, texel, path.d, t, tolerance_px);
 }
 #endif
 

@@ -58,7 +58,7 @@ vec3 rasterColorOf(Hit hit) {
   uvec2 id = uvec2(hit.instance, hit.geometry) + 1u;
   vec3 sum = vec3(0);
   float weights = 0.0;
-  bool alike = true;
+  bool all_shown = true;
   ColorRange color_range = emptyColorRange();
   for (int k = 0; k < 4; ++k) {
     ivec2 corner = ivec2(k & 1, k >> 1), at = ivec2(low) + corner;
@@ -67,7 +67,7 @@ vec3 rasterColorOf(Hit hit) {
     if (weight < 1e-3) continue;
     bool inside = isInside(at, ivec2(frame.size)), is_shown = inside && isShown(at, id, place.z);
     if (!is_shown && !(inside && isRevealed(at, id, place.z))) {
-      alike = false;
+      all_shown = false;
       continue;
     }
     vec3 color = texelOf(at, is_shown);
@@ -76,7 +76,7 @@ vec3 rasterColorOf(Hit hit) {
     weights += weight;
   }
 #if PARAM_shades_contrast
-  if ((!alike || !isNarrow(color_range, params.contrast)) && !(spacingOf(hit) > params.detail_below)) weights = 0.0;
+  if ((!all_shown || !isNarrow(color_range, params.contrast)) && !(spacingOf(hit) > params.detail_below)) weights = 0.0;
 #endif
   if (weights > 0.0)
     return isNarrow(color_range, 0.0) ? color_range.low : fromSum(sum / weights);  // equal colours: no rounding

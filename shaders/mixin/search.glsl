@@ -13,7 +13,9 @@
 const ivec2 kNoTexel = ivec2(-1);
 
 // Number of texels that a search tests at most, on straight and on curved paths. Passes without curves always test at most two,
-// because compilers unroll a loop over two texels.
+// because compilers unroll a loop over two texels. On seven scenes with arcs, two texels instead of four on curved paths raise
+// the error by up to 42 %, eight change it by at most 0.1 %. On seven scenes with straight paths, one texel instead of two
+// changes it by -7 % to +33 %, four by -8 % to +1 %.
 #if HAS_curve
 const int kIterations = 2, kCurveIterations = 4;
 #else
@@ -24,7 +26,8 @@ const int kIterations = 2, kCurveIterations = kIterations;
 bool iteratesAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurveIterations : kIterations); }
 
 // Largest difference between the paths of adjacent texels of one surface, px. If the paths differ more, the texels are assumed
-// to show different objects.
+// to show different objects. On seven scenes, halving or doubling it changes the error of arcs by at most 0.4 %; the error of
+// parabolas rises by up to 10 % at half the value and 3 % at twice the value.
 const float kMostSlope = 2.0;
 
 // Two functions that the including shader defines. `pathOf`: path of the surface at a texel of a layer, for the times after the
@@ -45,12 +48,12 @@ struct Slope {
   bool is_known;
 };
 
-// Slope at the texel `now` with this path, along `axis`, (1, 0) or (0, 1). It is the difference to the first neighbour on the
+// Slope at `texel`, which has this path, along `axis`, (1, 0) or (0, 1). It is the difference to the first neighbour on the
 // same object. A neighbour is on the same object if its offset and its displacement differ by at most kMostSlope.
-Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t) {
+Slope slopeOf(int layer, ivec2 texel, ivec2 axis, Path path, float t) {
   vec2 offset = tapOffset(path, t);
   for (int side = 1; side >= -1; side -= 2) {
-    ivec2 at = now + side * axis;
+    ivec2 at = texel + side * axis;
     if (!hasSurface(layer, at)) continue;
     Path beside = pathOf(layer, at, t > 0.0);
     vec2 slope = tapOffset(beside, t) - offset, over_all = beside.d - path.d;
@@ -62,31 +65,31 @@ Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t) {
 // Derivative of a surface point's screen position at time t with respect to its texel at the raster time. At corners of an
 // object, the slope along one axis is unknown. The motion is then assumed to be a rotation with a uniform scale. Without this
 // assumption, a Newton step from a distant texel would go far off.
-mat2 changeOf(int layer, ivec2 now, Path path, float t) {
-  Slope x = slopeOf(layer, now, ivec2(1, 0), path, t), y = slopeOf(layer, now, ivec2(0, 1), path, t);
+mat2 changeOf(int layer, ivec2 texel, Path path, float t) {
+  Slope x = slopeOf(layer, texel, ivec2(1, 0), path, t), y = slopeOf(layer, texel, ivec2(0, 1), path, t);
   if (!x.is_known) x.px = vec2(y.px.y, -y.px.x);
   if (!y.is_known) y.px = vec2(-x.px.y, x.px.x);
   return mat2(vec2(1, 0) - x.px, vec2(0, 1) - y.px);
 }
 #endif
 
-// Next texel to test, if the surface at the texel `now` of a layer is not at the pixel at time t. `path`: path of the texel
-// `now`.
+// Next texel to test, if the surface at `texel` of a layer is not at the pixel at time t. `path`: path of that surface.
 // Method: on a straight path, take a step of fixed-point iteration: follow `path` from the pixel back to the raster time. On a
 //   curved path, take a Newton step: a surface with curved paths usually rotates, so that paths differ from texel to texel. A
 //   Newton step needs the derivative of the position at time t by the texel. For an arc that rotates, the derivative follows
 //   from the arc. Otherwise it is estimated from the paths of adjacent texels (`changeOf`). One Newton step suffices if the
-//   whole surface rotates or stretches uniformly. If the derivative is nearly singular, take a fixed-point step instead.
-ivec2 nextTexelOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
+//   whole surface rotates or stretches uniformly. If the derivative is nearly singular (determinant below 0.1), take a
+//   fixed-point step instead. Halving or doubling this bound changes the error by at most 0.2 % on seven scenes.
+ivec2 nextTexelOf(int layer, ivec2 pixel, ivec2 texel, Path path, float t) {
 #if HAS_curve
   if (!isCurved(path)) return nextTexel(pixel, path, t);
   vec2 offset = tapOffset(path, t);
-  vec2 off = vec2(now - pixel) - offset;
+  vec2 off = vec2(texel - pixel) - offset;
 #if ON_ARCS
-  if (isTurning(path.curve)) return ivec2(round(vec2(now) - complexQuotient(off, complexExp(t * path.curve.zw))));
+  if (isTurning(path.curve)) return ivec2(round(vec2(texel) - complexQuotient(off, complexExp(t * path.curve.zw))));
 #endif
-  mat2 change = changeOf(layer, now, path, t);
-  if (abs(determinant(change)) >= 0.1) return ivec2(round(vec2(now) - inverse(change) * off));
+  mat2 change = changeOf(layer, texel, path, t);
+  if (abs(determinant(change)) >= 0.1) return ivec2(round(vec2(texel) - inverse(change) * off));
 #endif
   return nextTexel(pixel, path, t);
 }

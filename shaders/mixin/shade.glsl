@@ -178,9 +178,9 @@ vec3 shadowOrigin(Surface surface, float extent) {
 
 #ifdef STROBE_KEEPS_SHADOWS
 // Results of shadow rays, reused from earlier rays and kept for later rays by passes that define STROBE_KEEPS_SHADOWS. Bit i is
-// for light i of the first 32 lights. known_free, known_blocked: input; lights that are known to be visible or blocked and need
-// no ray. found_free, found_blocked: output; lights that rays found visible or blocked.
-uint known_free = 0u, known_blocked = 0u, found_free = 0u, found_blocked = 0u;
+// for light i of the first 32 lights. known_visible, known_blocked: input; lights that are known to be visible or blocked and
+// need no ray. found_visible, found_blocked: output; lights that rays found visible or blocked.
+uint known_visible = 0u, known_blocked = 0u, found_visible = 0u, found_blocked = 0u;
 
 // Bit of light `number`; 0 from light 32 on, which has no bit.
 uint bitOf(uint number) { return number < 32u ? 1u << number : 0u; }
@@ -200,10 +200,10 @@ bool isKnownBlocked(uint number) {
 bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
 #ifdef STROBE_KEEPS_SHADOWS
   uint bit = bitOf(number);
-  if ((known_free & bit) != 0u) return false;
+  if ((known_visible & bit) != 0u) return false;
   bool blocked = isBlocked(slice, ray, 0.0, t_max);
   if (blocked) found_blocked |= bit;
-  else found_free |= bit;
+  else found_visible |= bit;
   return blocked;
 #else
   return isBlocked(slice, ray, 0.0, t_max);
@@ -250,7 +250,7 @@ vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
 }
 
 #ifdef STROBE_KEEPS_SHADOWS
-// Trace the shadow rays that `shade` traces for a point, to set found_free and found_blocked without shading. The function
+// Trace the shadow rays that `shade` traces for a point, to set found_visible and found_blocked without shading. The function
 // ignores normal maps: where a map turns the normal towards or away from a light, `shade` traces rays to other lights.
 void findShadows(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);

@@ -276,8 +276,8 @@ TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray wor
       if (!(t > t_min) || t > found.t || t == t_max) continue;
       if (t == found.t && (instance > found.instance || (instance == found.instance && isBefore(nearest, triangle))))
         continue;
-      bool asks = (geometry & BVH_OPAQUE) == 0u || instance == skip_instance;
-      if (asks && !acceptsHit(instance, geometry & ~BVH_OPAQUE, scene_bvh.triangles.at[triangle].primitive, meeting.yz,
+      bool needs_test = (geometry & BVH_OPAQUE) == 0u || instance == skip_instance;
+      if (needs_test && !acceptsHit(instance, geometry & ~BVH_OPAQUE, scene_bvh.triangles.at[triangle].primitive, meeting.yz,
                               skip_instance, skip_geometry, !both_sides && isFromBack(ray.origin, triangle)))
         continue;
       found.instance = instance;

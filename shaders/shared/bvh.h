@@ -27,8 +27,8 @@ struct BvhNode {
   vec3 origin;
   uint steps;  // bytes from the lowest: exponent of the step (a power of two), plus 127, in x, y, z; number of children
   uvec3 low, high;
-  uint children[4];  // references
-  float reach;  // in a tree's first node: upper bound of the magnitudes of all coordinates of the tree's bounds
+  uint children[4];  // references to nodes or leaves
+  float reach;       // in a tree's first node: upper bound of the magnitudes of all coordinates of the tree's bounds
   uint unused;
 };
 

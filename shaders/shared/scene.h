@@ -10,8 +10,8 @@ STROBE_SHARED_BEGIN
 #define SLICE_RASTER 0u  // the raster time
 #define SLICE_SHUTTER_OPEN 1u
 #define SLICE_SHUTTER_CLOSE 2u
-#define SLICE_PREVIOUS 3u  // one frame before the raster time
-#define SLICE_SAMPLE 4u    // first sample time of a loop's iteration
+#define SLICE_PREVIOUS 3u        // one frame before the raster time
+#define SLICE_SAMPLE 4u          // first sample time of a loop's iteration
 #define NO_INSTANCE 0xffffffffu  // in place of an instance: a miss, or nothing to skip
 // Masks of a ray: the instances that the ray can hit. RAYS_TO_ONE + i is instance i alone, with the backend `bvh` only.
 #define RAYS_TO_ALL 0xffu
@@ -20,15 +20,15 @@ STROBE_SHARED_BEGIN
 
 // Properties of an instance's motion on the screen, within the exposure and since the previous frame. Conservative: a bit is
 // clear only if the property is proven false, with a tolerance of 0.05 px. All bits of a static instance are clear.
-#define PATH_CURVED 1u   // a point of the instance deviates from a straight path at constant speed
+#define PATH_CURVED 1u           // a point of the instance deviates from a straight path at constant speed
 #define PATH_MAY_BE_OCCLUDED 2u  // another object may be in front, or another part of the instance with another velocity
 
 // Vertex of a mesh in object space.
 struct SceneVertex {
   vec3 position;  // first member: acceleration structures read it
   vec3 normal;
-  vec2 uv0;  // first set of texture coordinates
-  vec2 uv1;  // second set
+  vec2 uv0;    // first set of texture coordinates
+  vec2 uv1;    // second set of texture coordinates
   uint color;  // rgba8 unorm, linear
 };
 
@@ -45,12 +45,12 @@ struct SceneVertex {
 struct SceneDeformedVertex {
   vec3 position;  // first member: acceleration structures read it
   vec3 normal;    // unit; 0: use the triangle's normal
-  uint tangent;   // packed; 0: derive it from the texture coordinates
+  uint tangent;   // packed tangent; 0: derive it from the texture coordinates
 };
 
 // Instance: one drawn object, a mesh at a node of the scene.
 struct SceneInstance {
-  uint first_geometry;  // index of its first geometry
+  uint first_geometry;  // index of the instance's first geometry
   uint geometry_count;
   uint moves;  // 0 if the instance is proven static within the exposure
   uint path;   // PATH_* bits
@@ -73,8 +73,8 @@ struct SceneDraw {
 
 // Texture slot of a material: the texture, and the transform of its coordinates.
 struct SceneTextureUse {
-  int texture;  // index; -1 for no texture
-  uint uv_set;  // set of texture coordinates: 0 or 1
+  int texture;        // index into scene_textures; -1: no texture
+  uint uv_set;        // set of texture coordinates: 0 or 1
   vec2 u, v, offset;  // transformed coordinates: u * uv.x + v * uv.y + offset
   uint most_taps;     // largest number of lookups along the longer axis of the footprint (anisotropic filtering)
 };
@@ -95,12 +95,12 @@ struct SceneTextureUse {
 struct SceneMaterial {
   vec4 base_color;
   vec3 mean_color;  // base_color times the mean of its texture over the whole texture
-  vec3 emissive;  // radiance
+  vec3 emissive;    // emitted radiance
   float metallic;
   float roughness;
   float alpha_cutoff;
   float normal_scale;
-  uint flags;  // MATERIAL_*
+  uint flags;               // MATERIAL_*
   SceneTextureUse uses[4];  // index: USE_*
 };
 
@@ -111,11 +111,11 @@ struct SceneMaterial {
 // Punctual light at one slice.
 struct SceneLight {
   vec3 position;
-  uint type;       // LIGHT_*
-  vec3 direction;  // unit, away from the light
-  float range;     // metres; 0: unlimited
-  vec3 intensity;  // colour times candela (point, spot) or lux (directional), in the renderer's units of radiance
-  uint shadow;     // 0: the light casts no shadows
+  uint type;                   // LIGHT_*
+  vec3 direction;              // unit, away from the light
+  float range;                 // metres; 0: unlimited
+  vec3 intensity;              // colour times candela (point, spot) or lux (directional), in the renderer's units of radiance
+  uint shadow;                 // 0: the light casts no shadows
   float cos_inner, cos_outer;  // spot: cosines of the half angles of full light and of no light
 };
 
@@ -130,9 +130,9 @@ struct SceneCamera {
   float near;               // view depth of the near plane, metres
   vec3 right, up, forward;  // unit
   vec2 half_extent;         // half size of the image: tangents of the half angles (perspective) or metres (orthographic)
-  uint orthographic;  // 1: orthographic, 0: perspective
-  float depth_range;  // orthographic: length of the visible range of depths behind the near plane, metres
-  ivec4 moving;       // rectangle of pixels [x, z) x [y, w) that may show a moving surface at this time; conservative
+  uint orthographic;        // 1: orthographic, 0: perspective
+  float depth_range;        // orthographic: length of the visible range of depths behind the near plane, metres
+  ivec4 moving;             // rectangle of pixels [x, z) x [y, w) that may show a moving surface at this time; conservative
 };
 
 STROBE_SHARED_END

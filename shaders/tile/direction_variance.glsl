@@ -11,18 +11,18 @@
 
 bool moves(vec2 d) { return lengthOf(d) > 0.5; }
 
-void run(ivec2 pixel) {
+void run(ivec2 tile) {
   ivec2 size = textureSize(longest_tex, 0);
-  vec2 own = vec2(texelFetch(longest_tex, pixel, 0));
-  if (!moves(own)) own = vec2(texelFetch(dominant_tex, pixel, 0));
+  vec2 own = vec2(texelFetch(longest_tex, tile, 0));
+  if (!moves(own)) own = vec2(texelFetch(dominant_tex, tile, 0));
   float aligned = 0.0, count = 0.0;
-  for (int y = max(pixel.y - 1, 0); y <= min(pixel.y + 1, size.y - 1); ++y) {
-    for (int x = max(pixel.x - 1, 0); x <= min(pixel.x + 1, size.x - 1); ++x) {
+  for (int y = max(tile.y - 1, 0); y <= min(tile.y + 1, size.y - 1); ++y) {
+    for (int x = max(tile.x - 1, 0); x <= min(tile.x + 1, size.x - 1); ++x) {
       vec2 d = vec2(texelFetch(longest_tex, ivec2(x, y), 0));
       if (!moves(d) || !moves(own)) continue;
       aligned += min(abs(dot(own / lengthOf(own), d / lengthOf(d))), 1.0);
       count += 1.0;
     }
   }
-  imageStore(variance_img, pixel, vec4(count > 0.0 ? 1.0 - aligned / count : 0.0, 0, 0, 0));
+  imageStore(variance_img, tile, vec4(count > 0.0 ? 1.0 - aligned / count : 0.0, 0, 0, 0));
 }

@@ -68,7 +68,7 @@ bool isCurved(ivec2 tile) {
 // True if the box of another tile, swept along its curved path, overlaps this tile within the exposure. `tile`: the other tile;
 // `offset`: its distance from this tile, in tiles; d: its displacement. The path is tested at 4 to 64 steps, four for each tile
 // of its reach.
-bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
+bool reachesOnCurve(ivec2 tile, ivec2 offset, vec2 d) {
   vec4 curve = curve_at(tile);
   vec2 at = vec2(offset * params.tile), side = vec2(params.tile);
   int steps = stepsAlong(d, curve, params.tile);
@@ -96,11 +96,11 @@ vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
   return accepts(offset, d) ? d : second;
 }
 
-void run(ivec2 pixel) {
+void run(ivec2 tile) {
   ivec2 size = textureSize(longest_tex, 0);
   int radius = tilesInReach(reachPx(), params.tile, frame.shutter, size);
-  ivec2 first = max(pixel - radius, ivec2(0));
-  ivec2 last = min(pixel + radius, size - 1);
+  ivec2 first = max(tile - radius, ivec2(0));
+  ivec2 last = min(tile + radius, size - 1);
 
   vec2 dominant = vec2(0);
   vec4 curve = vec4(0);
@@ -108,14 +108,14 @@ void run(ivec2 pixel) {
   float dominant_length = 0.0;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
-      vec2 d = vec2(longest_at(ivec2(x, y)));
-      ivec2 tile = ivec2(x, y);
-      float d_length = lengthAt(tile, d);
+      ivec2 other = ivec2(x, y);
+      vec2 d = vec2(longest_at(other));
+      float d_length = lengthAt(other, d);
       if (d_length <= dominant_length) continue;
-      if (!(isCurved(tile) ? comesHere(tile, tile - pixel, d) : accepts(tile - pixel, d))) continue;
+      if (!(isCurved(other) ? reachesOnCurve(other, other - tile, d) : accepts(other - tile, d))) continue;
       dominant = d;
-      curve = curve_at(tile);
-      place = vec2(place_at(tile));
+      curve = curve_at(other);
+      place = vec2(place_at(other));
       dominant_length = d_length;
     }
   }
@@ -123,15 +123,15 @@ void run(ivec2 pixel) {
   vec2 second = dominant;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
-      ivec2 offset = ivec2(x, y) - pixel;
+      ivec2 offset = ivec2(x, y) - tile;
       second = otherThan(dominant, second, vec2(longest_at(ivec2(x, y))), offset);
       vec4 pair = velocities_at(ivec2(x, y));
       second = otherThan(dominant, second, vec2(pair.x, pair.y), offset);
       second = otherThan(dominant, second, vec2(pair.z, pair.w), offset);
     }
   }
-  imageStore(dominant_img, pixel, vec4(dominant, 0, 0));
-  imageStore(dominant_curve_img, pixel, curve);
-  imageStore(dominant_place_img, pixel, vec4(place, 0, 0));
-  imageStore(second_img, pixel, vec4(second, 0, 0));
+  imageStore(dominant_img, tile, vec4(dominant, 0, 0));
+  imageStore(dominant_curve_img, tile, curve);
+  imageStore(dominant_place_img, tile, vec4(place, 0, 0));
+  imageStore(second_img, tile, vec4(second, 0, 0));
 }

@@ -9,14 +9,14 @@
 // Fails: one static pixel makes the whole neighbourhood count as static.
 #include "mixin/limit.glsl"
 
-void run(ivec2 pixel) {
+void run(ivec2 tile) {
   ivec2 size = textureSize(shortest_tex, 0);
   int radius = tilesInReach(reachPx(), params.tile, frame.shutter, size);
-  ivec2 first = max(pixel - radius, ivec2(0));
-  ivec2 last = min(pixel + radius, size - 1);
-  float slowest = texelFetch(shortest_tex, pixel, 0).x;
+  ivec2 first = max(tile - radius, ivec2(0));
+  ivec2 last = min(tile + radius, size - 1);
+  float slowest = texelFetch(shortest_tex, tile, 0).x;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) slowest = min(slowest, texelFetch(shortest_tex, ivec2(x, y), 0).x);
   }
-  imageStore(slowest_img, pixel, vec4(slowest, 0, 0, 0));
+  imageStore(slowest_img, tile, vec4(slowest, 0, 0, 0));
 }

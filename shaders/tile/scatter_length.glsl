@@ -9,11 +9,11 @@
 // Fails: the walk follows the path of the tile's centre, and one displacement represents the tile.
 #include "mixin/tile_walk.glsl"
 
-void run(ivec2 pixel) {
+void run(ivec2 tile) {
   ivec2 tiles = textureSize(longest_tex, 0);
-  float d_length = lengthOf(vec2(texelFetch(longest_tex, pixel, 0)));
+  float d_length = lengthOf(vec2(texelFetch(longest_tex, tile, 0)));
   if (d_length == 0.0) return;
-  Walk walk = walkOf(pixel, tiles);
+  Walk walk = walkOf(tile, tiles);
   for (int step = walk.first; step <= walk.last; ++step) {
     ivec2 at = placeOf(walk, step);
     if (isInside(at, tiles)) imageAtomicMax(length_img, at, floatBitsToUint(d_length));

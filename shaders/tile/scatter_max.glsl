@@ -10,13 +10,13 @@
 //   end.
 #include "lib/blur.glsl"
 
-void run(ivec2 pixel) {
+void run(ivec2 tile) {
   ivec2 tiles = textureSize(longest_tex, 0);
   vec2 dominant = vec2(0);
   float dominant_length = 0.0;
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
-      ivec2 at = pixel + ivec2(x, y);
+      ivec2 at = tile + ivec2(x, y);
       uint source = isInside(at, tiles) ? texelFetch(source_tex, at, 0).x : 0u;
       if (source == 0u) continue;
       int number = tiles.x * tiles.y - int(source);
@@ -28,5 +28,5 @@ void run(ivec2 pixel) {
       dominant_length = d_length;
     }
   }
-  imageStore(dominant_img, pixel, vec4(dominant, 0, 0));
+  imageStore(dominant_img, tile, vec4(dominant, 0, 0));
 }

@@ -11,12 +11,12 @@
 // Fails: if equally long displacements cross at a tile, only the one of the first tile is kept.
 #include "mixin/tile_walk.glsl"
 
-void run(ivec2 pixel) {
+void run(ivec2 tile) {
   ivec2 tiles = textureSize(longest_tex, 0);
-  float d_length = lengthOf(vec2(texelFetch(longest_tex, pixel, 0)));
+  float d_length = lengthOf(vec2(texelFetch(longest_tex, tile, 0)));
   if (d_length == 0.0) return;
-  uint own = uint(tiles.x * tiles.y - (pixel.y * tiles.x + pixel.x));
-  Walk walk = walkOf(pixel, tiles);
+  uint own = uint(tiles.x * tiles.y - (tile.y * tiles.x + tile.x));
+  Walk walk = walkOf(tile, tiles);
   for (int step = walk.first; step <= walk.last; ++step) {
     ivec2 at = placeOf(walk, step);
     if (isInside(at, tiles) && texelFetch(length_tex, at, 0).x == floatBitsToUint(d_length))

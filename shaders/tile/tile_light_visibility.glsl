@@ -75,20 +75,20 @@ TileHits hitsIn(ivec2 first, ivec2 end) {
 // Common result of all shadow rays from the tile to a light: kVisible (all reach the light), kBlocked (none does), or kMixed
 // (unknown). Also kMixed if all surfaces face away from the light: `shade` traces no ray then, so that a bit would save
 // nothing.
-uint restTowards(TileHits hits, SceneLight light) {
-  bool is_place = light.type != LIGHT_DIRECTIONAL;
+uint visibilityTowards(TileHits hits, SceneLight light) {
+  bool has_position = light.type != LIGHT_DIRECTIONAL;
   vec3 centre = 0.5 * (hits.low + hits.high), extent = 0.5 * (hits.high - hits.low);
   vec3 away = abs(light.position - centre);
   float reach = largest(max(abs(hits.low), abs(hits.high)));
-  if (is_place) reach = max(max(reach, largest(abs(light.position))), length(away + extent));
+  if (has_position) reach = max(max(reach, largest(abs(light.position))), length(away + extent));
   if (!(reach < kFarthest)) return kMixed;
-  vec4 at = is_place ? vec4(light.position, 1) : vec4(-light.direction * reach, 0);
+  vec4 at = has_position ? vec4(light.position, 1) : vec4(-light.direction * reach, 0);
 
   // `shadowOrigin` starts a shadow ray above the surface, at a height of kShadowLift times the larger of its largest coordinate
   // and the distance of the light. The bounds must contain these origins. The box is therefore enlarged by 2 % more than the
   // largest height. Each plane is raised by 10 % less than the least height. The normals of one plane differ by up to 1.8
   // degrees, which lowers an origin above the plane by 0.05 %; the rest of the margins covers rounding.
-  float least = max(hits.near, is_place ? length(max(away - extent, vec3(0))) : 0.0);
+  float least = max(hits.near, has_position ? length(max(away - extent, vec3(0))) : 0.0);
   RayVolumeStart start = RayVolumeStart(centre, extent + reach * (1.02 * kShadowLift), hits.one, hits.plane_count, 0u,
                                 0.9 * kShadowLift * least);
   bool is_lit = !hits.has_planes;
@@ -100,7 +100,7 @@ uint restTowards(TileHits hits, SceneLight light) {
     is_lit = is_lit || !turned_away;
   }
   if (!hits.has_planes) start.plane_count = 0u;
-  return is_lit ? restOf(SLICE_RASTER, start, at, reach) : kMixed;
+  return is_lit ? visibilityOf(SLICE_RASTER, start, at, reach) : kMixed;
 }
 
 void run(ivec2 tile) {
@@ -112,9 +112,9 @@ void run(ivec2 tile) {
   for (uint i = 0u; i < min(frame.light_count, kMostBits) && hits.any; ++i) {
     SceneLight light = scene_lights[SLICE_RASTER * frame.light_count + i];
     if (light.shadow == 0u) continue;
-    uint rest = restTowards(hits, light);
-    light_visibility |= uvec2(rest == kVisible ? 1u << i : 0u, rest == kBlocked ? 1u << i : 0u);
-    ++counts[rest];
+    uint visibility = visibilityTowards(hits, light);
+    light_visibility |= uvec2(visibility == kVisible ? 1u << i : 0u, visibility == kBlocked ? 1u << i : 0u);
+    ++counts[visibility];
   }
   if (counts[kVisible] > 0u) count_visible_lights(counts[kVisible]);
   if (counts[kBlocked] > 0u) count_blocked_lights(counts[kBlocked]);

@@ -6,8 +6,8 @@
 //      `id`: instance + 1, geometry + 1; 0 for the sky
 //      `hit`: instance + 1 (0 = sky), geometry, primitive
 //      `velocity`: displacement, px over the exposure
-//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, 1/4 if a ray refuted
-//                 this, otherwise 0
+//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, 1/4 if a validation ray
+//        refuted one of these, otherwise 0
 //      `longest`: per cell: longest displacement of the surfaces that reach the cell, px over the exposure
 // Out: `picture`: linear radiance, alpha 1
 //      `error`: estimated standard deviation of `picture`, linear radiance
@@ -34,7 +34,7 @@ struct Sample {
   vec3 color;
   uvec2 id;     // instance + 1, geometry + 1; 0 for the sky
   vec3 place;   // position of the hit point at the raster time: texel (xy), view depth (z)
-  float apart;  // largest difference of a channel from the raster texel at `place`; kFar if the texel does not show the point
+  float apart;  // largest difference of a channel from the raster texel at `place`; kFar if that texel does not show the point
 };
 
 // True if the raster texel `at` shows the surface `id` at the view depth `depth`. `color`: colour of the texel, multiplied by
@@ -51,7 +51,7 @@ bool isShownAt(ivec2 at, uvec2 id, float depth, out vec3 color) {
 vec2 clamped(vec3 place) { return clamp(vec2(place), vec2(-2), vec2(frame.size) + 1.0); }
 
 // True if the raster texel nearest to `place` (texel, view depth) shows the surface `id`. `color`: as for isShownAt.
-bool isKept(vec3 place, uvec2 id, out vec3 color) { return isShownAt(ivec2(round(clamped(place))), id, place.z, color); }
+bool isShown(vec3 place, uvec2 id, out vec3 color) { return isShownAt(ivec2(round(clamped(place))), id, place.z, color); }
 
 // Largest difference of two colours in a channel.
 float apart(vec3 a, vec3 b) {
@@ -59,7 +59,7 @@ float apart(vec3 a, vec3 b) {
   return max(by.r, max(by.g, by.b));
 }
 
-uint traced = 0u;
+uint traced_rays = 0u;
 float variance = 0.0;  // estimated variance of the pixel's mean, in the scale of sums, squared
 
 #if PARAM_hit_color == hit_color_blended
@@ -89,11 +89,11 @@ bool isBlended(vec3 place, uvec2 id, float share, out vec3 color) {
 }
 #endif
 
-// Traces a ray through the pixel at time `part` of the loop. The sample stands for the share `share` of the exposure. The ray
+// Traces a ray through the pixel at the loop's time `number`. The sample stands for the share `share` of the exposure. The ray
 // updates `static_background`, which later rays of the pixel reuse.
-Sample sampleAt(ivec2 pixel, int part, float share, inout StaticBackground static_background) {
-  ++traced;
-  uint slice = SLICE_SAMPLE + uint(part);
+Sample sampleAt(ivec2 pixel, int number, float share, inout StaticBackground static_background) {
+  ++traced_rays;
+  uint slice = SLICE_SAMPLE + uint(number);
   Ray ray = cameraRay(slice, samplePosition(pixel));
   Hit hit = nearestAt(slice, ray, static_background);
   bool is_static_background = isStaticBackground(hit);
@@ -102,9 +102,9 @@ Sample sampleAt(ivec2 pixel, int part, float share, inout StaticBackground stati
     result.color = toSum(static_background.color);
     return result;
   }
-  vec3 kept = vec3(0);
+  vec3 raster_color = vec3(0);
   bool is_placed = !is_static_background && isHit(hit) && placeInRaster(hit, result.place);
-  bool is_kept = is_placed && isKept(result.place, result.id, kept);
+  bool is_shown = is_placed && isShown(result.place, result.id, raster_color);
   bool is_blended = false;
 #if PARAM_hit_color == hit_color_blended
   is_blended = is_placed && isBlended(result.place, result.id, share, result.color);
@@ -115,42 +115,43 @@ Sample sampleAt(ivec2 pixel, int part, float share, inout StaticBackground stati
     result.color = toSum(color);
     if (isHit(hit)) count_shaded(1u);
   }
-  if (is_kept) result.apart = apart(kept, result.color);
+  if (is_shown) result.apart = apart(raster_color, result.color);
   return result;
 }
 
-// True if both samples hit one surface and the raster image shows both hit points.
-bool isTold(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
+// True if both samples hit one surface, and the raster image shows both hit points.
+bool isOneShownSurface(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
 
-// True if the raster image shows a third surface that is at the pixel at time `part` of `count`. The displacement d leads to
-// one texel of the raster image, and the displacement of that texel decides if its surface is at the pixel. a and b: ids of the
-// surfaces that the rays before and after this time hit; a third surface has another id. The tolerance is 3/4 px, because
+// True if the raster image shows a third surface that is at the pixel at the time `number` of `count`. The displacement d leads
+// to one texel of the raster image, and the displacement of that texel decides if its surface is at the pixel. a and b: ids of
+// the surfaces that the rays before and after this time hit; a third surface has another id. The tolerance is 3/4 px, because
 // rounding the position to a texel moves it by up to 1/2 px along each axis, and by 0.71 px diagonally.
-bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
-  float t = sampleTime(part, count, 0.0);
-  ivec2 now = pixel + roundSymmetric(tapOffset(d, t));
-  if (!isInside(now, ivec2(frame.size))) return false;
-  uvec2 id = texelFetch(id_tex, now, 0).xy;
+bool hasThirdSurface(ivec2 pixel, vec2 d, int number, int count, uvec2 a, uvec2 b) {
+  float t = sampleTime(number, count, 0.0);
+  ivec2 texel = pixel + roundSymmetric(tapOffset(d, t));
+  if (!isInside(texel, ivec2(frame.size))) return false;
+  uvec2 id = texelFetch(id_tex, texel, 0).xy;
   if (id == a || id == b) return false;
-  return isAt(pixel, now, finiteDisplacement(texelFetch(velocity_tex, now, 0)), t, 0.75);
+  return isAt(pixel, texel, finiteDisplacement(texelFetch(velocity_tex, texel, 0)), t, 0.75);
 }
 
 // True if the times between the samples a and b need no ray. `at` and `end` are the numbers of these samples among `count`
 // times, d is the longest displacement in the cell. `sum` is then the sum of the colours at the times between. The colours are
 // raster texels along the path if both samples hit one surface that the raster image shows, otherwise the mean of a and b.
 // `change`: difference of colours that remains unknown.
-bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum, out float change) {
-  bool told = isTold(a, b);
+bool needsNoRay(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum, out float change) {
+  bool one_shown_surface = isOneShownSurface(a, b);
   sum = 0.5 * float(end - at - 1) * (a.color + b.color);
-  float unknown = told ? max(a.apart, b.apart) : apart(a.color, b.color);
+  float unknown = one_shown_surface ? max(a.apart, b.apart) : apart(a.color, b.color);
   if (unknown * float(end - at) > params.allowance * kSumScale * float(count)) return false;
   change = unknown;
-  if (told) sum = vec3(0);
-  for (int part = at + 1; part < end; ++part) {
-    if (d != vec2(0) && comesAnother(pixel, d, part, count, a.id, b.id)) return false;
+  if (one_shown_surface) sum = vec3(0);
+  for (int number = at + 1; number < end; ++number) {
+    if (d != vec2(0) && hasThirdSurface(pixel, d, number, count, a.id, b.id)) return false;
+    if (!one_shown_surface) continue;
     vec3 color;
-    if (told && !isKept(mix(a.place, b.place, float(part - at) / float(end - at)), a.id, color)) return false;
-    if (told) sum += color;
+    if (!isShown(mix(a.place, b.place, float(number - at) / float(end - at)), a.id, color)) return false;
+    sum += color;
   }
   return true;
 }
@@ -185,7 +186,7 @@ vec3 meanOver(ivec2 pixel, vec2 d) {
       int end = ends[depth];
       vec3 between = vec3(0);
       float change = at < 0 ? 0.0 : apart(from.color, to.color);
-      if (end - at > 1 && !isKnown(pixel, d, from, to, at, end, count, between, change)) break;
+      if (end - at > 1 && !needsNoRay(pixel, d, from, to, at, end, count, between, change)) break;
       addChange(change, float(end - at) / float(count));
       sum += to.color + between;
       from = to;
@@ -214,9 +215,8 @@ vec3 gathered(ivec2 pixel) {
   return fromSum(sum / float(params.samples));
 }
 
-// Entry of `certain` for the pixel's cell; 0 beside a refuted cell, because the surface that refuted it may reach its
-// neighbours.
-// `longest`: displacement that the times of the first rays depend on, px over the exposure.
+// Entry of `certain` for the pixel's cell. It is 0 beside a refuted cell, because the surface that a ray found there may also
+// reach the neighbouring cells. `longest`: displacement that decides the times of the first rays, px over the exposure.
 float certainAt(ivec2 cell, out vec2 longest) {
   float certain = texelFetch(certain_tex, cell, 0).x;
   longest = vec2(texelFetch(longest_tex, cell, 0));
@@ -237,7 +237,7 @@ void run(ivec2 pixel) {
     float certain = certainAt(pixel / params.cell_side, longest);
     if (certain < 0.4) {
       color = meanOver(pixel, longest);
-      count_samples(traced);
+      count_samples(traced_rays);
     } else {
       count_gathered(1u);
       if (certain > 0.75) color = gathered(pixel);

@@ -19,14 +19,14 @@
 const int kPoses = 2;
 
 // True if the pose of the camera at `slice` equals its pose at the raster time.
-bool cameraStands(uint slice) {
+bool cameraHasRasterPose(uint slice) {
   SceneCamera then = scene_cameras[slice], now = scene_cameras[SLICE_RASTER];
   return then.position == now.position && then.forward == now.forward && then.right == now.right &&
          then.half_extent == now.half_extent;
 }
 
 // True if the pose of an instance (`id`: instance + 1) at `slice` equals its pose at the raster time.
-bool instanceStands(uint slice, uint id) {
+bool instanceHasRasterPose(uint slice, uint id) {
   if (id == 0u) return true;
   SceneTransform then = transformOf(slice, id - 1u), now = transformOf(SLICE_RASTER, id - 1u);
   return then.row_x == now.row_x && then.row_y == now.row_y && then.row_z == now.row_z;
@@ -37,8 +37,8 @@ bool instanceStands(uint slice, uint id) {
 // one does not.
 bool isSecondPoseCut(uint id) {
   uint slice = SLICE_SAMPLE + 1u;
-  bool camera_is_cut = cameraStands(slice) && !cameraStands(slice - 1u);
-  return camera_is_cut || (instanceStands(slice, id) && !instanceStands(slice - 1u, id));
+  bool camera_is_cut = cameraHasRasterPose(slice) && !cameraHasRasterPose(slice - 1u);
+  return camera_is_cut || (instanceHasRasterPose(slice, id) && !instanceHasRasterPose(slice - 1u, id));
 }
 
 // Backward differences D and D2 of the positions of a point.

@@ -22,10 +22,11 @@ float timeOfPose(int k) { return (float(k) + 0.5) / float(kPoses); }
 #if ON_ARCS
 // Limits of an arc. Beyond each limit the curve is a parabola.
 // kLeastDifference: shortest second difference that exceeds rounding errors, px; about four float spacings at 2048 to 4096 px.
-// kMaxStretch: largest logarithm of a growth factor over the exposure (e^4 = 55); not derived.
+// kMostGrowth: largest logarithm of a growth factor over the exposure. mixin/curve.glsl computes with numbers up to the growth
+// factor; e^80 = 6e34 is below the largest float, 3e38.
 // kMostTurn: largest turn, radians. The two second differences are 0.4 of the exposure apart, so turns are unique below pi /
 // 0.4 = 7.85. The value is 2 % less, so that rounding cannot reverse the sign.
-const float kLeastDifference = 1e-3, kMaxStretch = 4.0, kMostTurn = 7.7;
+const float kLeastDifference = 1e-3, kMostGrowth = 80.0, kMostTurn = 7.7;
 
 // Logarithm of the growth factor (x) and turn in radians (y) over the exposure, of a path that is an arc; 0 if the path is not
 // an arc. `places`: positions of the point at the five times, px.
@@ -34,7 +35,7 @@ vec2 turnOf(vec2 places[kPoses]) {
   if (min(lengthOf(early), lengthOf(late)) < kLeastDifference) return vec2(0);
   vec2 change = complexQuotient(late, early);
   vec2 turn = vec2(log(lengthOf(change)), atan(change.y, change.x)) / (timeOfPose(3) - timeOfPose(1));
-  return abs(turn.x) <= kMaxStretch && abs(turn.y) <= kMostTurn ? turn : vec2(0);
+  return abs(turn.x) <= kMostGrowth && abs(turn.y) <= kMostTurn ? turn : vec2(0);
 }
 #endif
 

@@ -6,8 +6,8 @@
 //        Both are 0 if a half has no sample in one of the pixels
 // Method: sum over a square block with a side of `block` px. Blocks at the right and bottom border may be partial.
 // Fails: never.
-void run(ivec2 pixel) {
-  ivec2 first = pixel * params.block;
+void run(ivec2 block) {
+  ivec2 first = block * params.block;
   ivec2 end = min(first + params.block, textureSize(mean_a_tex, 0));
   float sum = 0.0;
   float pixels = 0.0;
@@ -16,7 +16,7 @@ void run(ivec2 pixel) {
       vec4 a = texelFetch(mean_a_tex, ivec2(x, y), 0);
       vec4 b = texelFetch(mean_b_tex, ivec2(x, y), 0);
       if (a.w == 0.0 || b.w == 0.0) {
-        imageStore(half_difference_img, pixel, vec4(0));
+        imageStore(half_difference_img, block, vec4(0));
         return;
       }
       vec3 difference = a.rgb - b.rgb;
@@ -24,5 +24,5 @@ void run(ivec2 pixel) {
       pixels += 1.0;
     }
   }
-  imageStore(half_difference_img, pixel, vec4(sum, pixels, 0, 0));
+  imageStore(half_difference_img, block, vec4(sum, pixels, 0, 0));
 }

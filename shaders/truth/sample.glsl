@@ -37,7 +37,7 @@ bool sameTransform(SceneTransform a, SceneTransform b) {
 
 // True if the instance has the same pose at `slice` as at the raster time. False for deformed instances, because their vertices
 // are not compared.
-bool isPosedAlike(uint slice, uint instance) {
+bool hasRasterPose(uint slice, uint instance) {
   return !deforms(instance) && sameTransform(transformOf(slice, instance), transformOf(SLICE_RASTER, instance));
 }
 
@@ -56,7 +56,7 @@ uvec4 idsOf(Hit hit) {
 
 // True if the current sample contradicts the consensus: it hits another surface than the first samples agree on, or has other
 // shadows. Computed only for samples that trace all rays, for validation.
-bool misses = false;
+bool is_mismatch = false;
 
 // True if the camera is static and `ids`, a summary of the hits of several samples (lib/consensus.glsl), has a single surface,
 // which belongs to a moving instance. Later hits on static surfaces replace such a summary. Always false with a moving camera:
@@ -181,11 +181,11 @@ Hit hitOnConsensus(uint slice, Ray ray, uvec4 consensus, out float t) {
 
 // Surface on a sample's ray that is known from earlier samples, so that the ray need not test the whole scene.
 struct Known {
-  bool is_known, is_found;  // is_known: `hit` is valid; is_found: an earlier sample on the same ray hit this static surface
+  bool is_known, is_found;  // is_known: `hit` is valid; is_found: an earlier sample on this ray hit this static surface
   Hit hit;
   float t;                  // distance along the ray, as traversal computes it
   uvec4 consensus;          // surface that the first samples agree on (form of lib/consensus.glsl)
-  Hit taken;                // intersection of this ray with the surface `consensus`
+  Hit consensus_hit;        // intersection of this ray with the surface `consensus`
 };
 
 // Surface known on the ray. `one_ray`: all samples of the pixel have one ray, so an earlier hit on a static surface is valid
@@ -204,9 +204,10 @@ Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) 
   if (!isOneSurface(known.consensus)) return known;
   float t = kFar;
   bool is_sky = known.consensus.x == kSkySurface;
-  if (!is_sky && (spares_rays || isMoving(known.consensus))) known.taken = hitOnConsensus(slice, ray, known.consensus, t);
-  known.is_known = spares_rays && (is_sky || isHit(known.taken));
-  if (known.is_known) known.hit = known.taken;
+  if (!is_sky && (spares_rays || isMoving(known.consensus)))
+    known.consensus_hit = hitOnConsensus(slice, ray, known.consensus, t);
+  known.is_known = spares_rays && (is_sky || isHit(known.consensus_hit));
+  if (known.is_known) known.hit = known.consensus_hit;
   if (isHit(known.hit)) known.t = t;
   return known;
 }
@@ -215,7 +216,7 @@ Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) 
 bool contradicts(Known known, Hit hit) {
   if (!isOneSurface(known.consensus)) return false;
   uvec4 ids = idsOf(hit);
-  if (isMoving(known.consensus)) return isHit(known.taken) && idsOf(known.taken) != ids;
+  if (isMoving(known.consensus)) return isHit(known.consensus_hit) && idsOf(known.consensus_hit) != ids;
   if (!isOneTriangle(known.consensus)) ids.z = known.consensus.z;
   return isAtRest(hit) && known.consensus.xyz != ids.xyz;
 }
@@ -252,18 +253,18 @@ Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit static_backg
 }
 
 // Sets the lights that `shade` takes as visible (bits x) and as blocked (bits y) without a shadow ray.
-void takeAsKnown(uvec2 lights) {
-  known_free = found_free = lights.x;
+void setKnownLights(uvec2 lights) {
+  known_visible = found_visible = lights.x;
   known_blocked = found_blocked = lights.y;
 }
 
 // Linear radiance of a hit, or of the sky. `known`: bits of the lights assumed to be visible (x) and blocked (y). With
-// `spares_rays`, these lights get no shadow ray. Otherwise all shadow rays are traced, and a contradiction sets `misses`.
+// `spares_rays`, these lights get no shadow ray. Otherwise all shadow rays are traced, and a contradiction sets `is_mismatch`.
 vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   if (!isHit(hit)) return environment(ray.direction);
-  takeAsKnown(spares_rays ? known : uvec2(0u));
+  setKnownLights(spares_rays ? known : uvec2(0u));
   vec3 color = shade(kFrozen ? SLICE_RASTER : slice, hit);
-  misses = misses || ((known.x & found_blocked) | (known.y & found_free)) != 0u;
+  is_mismatch = is_mismatch || ((known.x & found_blocked) | (known.y & found_visible)) != 0u;
   return color;
 }
 
@@ -277,7 +278,7 @@ uvec4 withSurface(uvec4 before, uvec4 ids) {
 }
 
 // Records a moving surface in the summary of the pixel, unless an earlier sample has hit a static surface.
-void noteMoving(ivec2 pixel, Hit hit) {
+void recordMoving(ivec2 pixel, Hit hit) {
   uvec4 before = imageLoad(static_background_img, pixel);
   if (before.x == kNoSurface || isMoving(before)) imageStore(static_background_img, pixel, withSurface(before, idsOf(hit)));
 }
@@ -285,14 +286,14 @@ void noteMoving(ivec2 pixel, Hit hit) {
 // Records a surface and its shadows for the consensus and for later samples. The surface is a static hit, or the hit of a probe
 // at the raster time. `background_t`: distance of the hit along its ray. Returns true if an earlier sample of the pixel has
 // recorded such a surface.
-bool noteSurface(ivec2 pixel, Hit hit, float background_t) {
+bool recordSurface(ivec2 pixel, Hit hit, float background_t) {
   uvec4 before = imageLoad(static_background_img, pixel);
   bool is_first = before.x == kNoSurface || isMoving(before);
   if (is_first) before = uvec4(kNoSurface);
   imageStore(static_background_img, pixel, withSurface(before, uvec4(idsOf(hit).xyz, floatBitsToUint(background_t))));
 #if PARAM_writes_stats
   if (isHit(hit)) {
-    uint shadows = shadowsFrom(uvec2(found_free, found_blocked));
+    uint shadows = shadowsFrom(uvec2(found_visible, found_blocked));
     imageStore(shadows_img, pixel, withShadows(imageLoad(shadows_img, pixel), hit.instance, shadows));
   }
 #endif
@@ -300,8 +301,8 @@ bool noteSurface(ivec2 pixel, Hit hit, float background_t) {
 }
 
 // Records a static hit: surface, shadows, mean radiance and contrast.
-void note(ivec2 pixel, Hit hit, float background_t, vec3 color) {
-  bool was_static = noteSurface(pixel, hit, background_t);
+void recordStatic(ivec2 pixel, Hit hit, float background_t, vec3 color) {
+  bool was_static = recordSurface(pixel, hit, background_t);
   vec4 static_mean = imageLoad(static_mean_img, pixel);
   imageStore(static_mean_img, pixel, withSample(static_mean, color));
 #if PARAM_writes_stats
@@ -338,9 +339,9 @@ void probe(ivec2 pixel, vec2 position_px) {
   Ray ray = cameraRay(SLICE_RASTER, position_px);
   float t = kFar;
   Hit hit = nearestHit(pixel, SLICE_RASTER, ray, false, noHit(), t);
-  takeAsKnown(knownShadows(pixel, hit));
+  setKnownLights(knownShadows(pixel, hit));
   if (isHit(hit)) findShadows(SLICE_RASTER, hit);
-  noteSurface(pixel, hit, t);
+  recordSurface(pixel, hit, t);
 }
 #endif
 
@@ -366,7 +367,7 @@ void run(ivec2 pixel) {
   float t = known.t;
   Hit hit = nearestHit(pixel, slice, ray, known.is_known, known.hit, t);
   bool at_rest = isAtRest(hit);
-  misses = !spares_rays && contradicts(known, hit);
+  is_mismatch = !spares_rays && contradicts(known, hit);
 
   // Test if the hit point is occluded at the raster time. The test costs one ray, so it runs in two cases only. First, the
   // report regions need the result. Second, the camera moves, and the first samples give the shadows of more than one light:
@@ -377,24 +378,25 @@ void run(ivec2 pixel) {
 #if PARAM_mark_regions
   regions = regionsBefore(pixel);
   is_static = PARAM_pixel == pixel_centre && kFrozen && cameraIsStill(slice) &&
-             (at_rest || isPosedAlike(slice, hit.instance));
+             (at_rest || hasRasterPose(slice, hit.instance));
   if (!is_static) wanted = wantedRegions(pixel, hit, regions);
 #endif
   uint shadows = shadowsAt(pixel, hit, is_shown);
-  bool looks = !(is_shown && spares_rays) && (wanted != 0u || (frame.camera_rests == 0u && countLights(shadows) > 1));
-  bool is_hidden = looks && wasOccluded(pixel, hit);
-  misses = misses || (is_shown && is_hidden);
-  if (frame.camera_rests == 0u && (looks ? is_hidden : !is_shown)) shadows = 0u;
+  bool has_shadows = frame.camera_rests == 0u && countLights(shadows) > 1;
+  bool tests_occlusion = !(is_shown && spares_rays) && (wanted != 0u || has_shadows);
+  bool is_hidden = tests_occlusion && wasOccluded(pixel, hit);
+  is_mismatch = is_mismatch || (is_shown && is_hidden);
+  if (frame.camera_rests == 0u && (tests_occlusion ? is_hidden : !is_shown)) shadows = 0u;
 
-  bool is_sure = kFrozen && frame.camera_rests != 0u && at_rest && shadows == 0u;
+  bool uses_tile_lights = kFrozen && frame.camera_rests != 0u && at_rest && shadows == 0u;
   vec3 color;
   if (known.is_found && at_rest) color = staticMeanBefore(pixel).rgb;
   else if (is_even && at_rest) color = even.rgb;
-  else color = colorOf(slice, ray, hit, is_sure ? knownShadows(pixel, hit) : lightsOf(shadows), spares_rays);
+  else color = colorOf(slice, ray, hit, uses_tile_lights ? knownShadows(pixel, hit) : lightsOf(shadows), spares_rays);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   bool stats = frame.camera_rests != 0u && !known.is_known && (PARAM_writes_stats != 0 || one_ray);
-  if (stats && at_rest) note(pixel, hit, t, color);
-  else if (stats && PARAM_pixel == pixel_box) noteMoving(pixel, hit);
+  if (stats && at_rest) recordStatic(pixel, hit, t, color);
+  else if (stats && PARAM_pixel == pixel_box) recordMoving(pixel, hit);
 #if PARAM_static_once_per_loop
   if (isInMovingRect(pixel)) addSample(pixel, number, color);
   else setSamples(pixel, color);
@@ -408,7 +410,7 @@ void run(ivec2 pixel) {
 #endif
 #if HAS_known_hit
   if (validated) count_validated(1u);
-  if (validated && misses) count_mismatched(1u);
+  if (validated && is_mismatch) count_mismatched(1u);
 #endif
 #if PARAM_probes
   if (kFrozen && frame.camera_rests == 0u) probe(pixel, vec2(pixel) + stratified2(index, number));

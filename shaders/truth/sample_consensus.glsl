@@ -21,11 +21,11 @@
 #include "lib/consensus.glsl"
 
 // Shadows on an instance according to the samples of another pixel, in the form of lib/consensus.glsl. `kept`: shadows of two
-// instances that the other pixel has recorded. `whose`: instance + 2. All bits are set (no contradiction) if the other pixel's
+// instances that the other pixel has recorded. `id`: instance + 2. All bits are set (no contradiction) if the other pixel's
 // samples never hit the instance. No bit is set (unknown) if they hit more instances than `kept` holds.
-uint shadowsBeside(uvec4 kept, uint whose) {
-  if (kept.x == whose) return kept.y;
-  if (kept.z == whose) return kept.w;
+uint shadowsBeside(uvec4 kept, uint id) {
+  if (kept.x == id) return kept.y;
+  if (kept.z == id) return kept.w;
   return kept.z == kSeveralSurfaces ? 0u : 0xffffffffu;
 }
 
@@ -49,7 +49,7 @@ void run(ivec2 pixel) {
   vec4 static_mean = texelFetch(static_mean_tex, pixel, 0);
   bool is_even = one_surface && contrast <= params.even_within && static_mean.a > 0.0;
   imageStore(even_color_img, pixel, is_even ? vec4(static_mean.rgb, 1) : vec4(0));
-  bool stands = PARAM_one_shading != 0 && frame.camera_rests != 0u && !isInMovingRect(pixel);
-  bool is_enough = stands && is_even && !isValidated(pixel / kValidationBlock, params.validation_share);
+  bool is_static = PARAM_one_shading != 0 && frame.camera_rests != 0u && !isInMovingRect(pixel);
+  bool is_enough = is_static && is_even && !isValidated(pixel / kValidationBlock, params.validation_share);
   imageStore(more_img, pixel, vec4(is_enough ? 0.0 : 1.0));
 }

@@ -287,12 +287,12 @@ TEST_F(RenderCurves, AreRefusedWhereTheySayNothing) {
     }
     return "";
   };
-  EXPECT_NE(problemOf({"trajectory=arc", "range=split"}).find("needs range = whole"), std::string::npos);
+  EXPECT_NE(problemOf({"trajectory=arc", "range=split"}).find("set range = whole"), std::string::npos);
   EXPECT_NE(problemOf({"trajectory=arc", "displacement=extrapolated"})
                 .find("trajectory = arc: arcs need poses inside of the exposure"),
             std::string::npos);
   EXPECT_NE(
-      problemOf({"trajectory=arc", "composite=in_gather"}).find("composite = in_gather follows straight paths only"),
+      problemOf({"trajectory=arc", "composite=in_gather"}).find("composite = in_gather supports straight paths only"),
       std::string::npos);
 }
 

@@ -211,7 +211,7 @@ TEST(Demo, RefusesWhatIsNotMeasured) {
   };
   refused("measures =", "-- measures =", "demo.lua:5: a capture with 'background' needs `measures`");
   refused("\"flip\", \"ms\"", "\"flop\"", "did you mean 'flip'?");
-  refused("truth = \"truth\", ", "", "measures are against truth, and the capture has no 'truth' arm");
+  refused("truth = \"truth\", ", "", "measures compare pictures with truth, but the capture has no 'truth' arm");
   refused("role = \"floor\"", "role = \"flor\"", "demo.lua:9: the role of an arm is 'flor'");
   refused("return capture", "do return require \"strobe.experiment\" { title = \"x\" } end return capture",
           "is an experiment, no capture { ... }: `strobe sweep` runs it");

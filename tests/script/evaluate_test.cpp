@@ -581,7 +581,7 @@ TEST_F(PresetFile, IsRefusedAtTheLineOfTheMistake) {
             "tried/found.lua:5: " + named + ": 'tile' = 1 is below min 2 (range 2 to 64 px)");
   EXPECT_EQ(refused("  doc = \"x\",\n  sets = {},\n  set = {},\n"),
             "tried/found.lua:5: " + named + " has no field 'sets'; did you mean 'set'?");
-  EXPECT_EQ(refused("  set = {},\n"), "tried/found.lua:3: " + named + " has no 'doc' that says what it means");
+  EXPECT_EQ(refused("  set = {},\n"), "tried/found.lua:3: " + named + " has no 'doc', a text that describes it");
   home_.write("tried/found.lua", "return {}\n");
   EXPECT_EQ(failure({{"preset", "tried/found.lua"}}),
             "tried/found.lua: returns a table instead of preset { ... } of strobe.preset");

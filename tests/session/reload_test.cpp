@@ -330,7 +330,7 @@ TEST_F(ReloadTest, ARenamedOrRetypedBindingIsRefusedByTheNameOfItsPass) {
              "of_layer({ \"second\" }, { prevailing = { doc = \"x\" } })", "pass 'gather/mcguire2012' is not given"},
         Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\" }",
              "of_layer({ \"second\" }, { velocity = { uint = true, doc = \"x\" } })",
-             "read 'velocity' of pass 'gather/mcguire2012' wants unsigned integers"},
+             "read 'velocity' of pass 'gather/mcguire2012' takes unsigned integers"},
         Case{"passes/gather/mcguire2012.lua", "depth_extent = blur", "depth_range = blur", "gather/mcguire2012"},
         Case{"shaders/gather/mcguire2012.glsl", "dominant_tex", "prevailing_tex", "gather/mcguire2012"}}) {
     std::string good = home_.read(one.file);

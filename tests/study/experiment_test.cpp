@@ -134,17 +134,18 @@ TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
   expectRefusal(with("", "anchor = \"center\""), "did you mean 'centre'?");
   expectRefusal(with("", "camera = 3"), "'camera' of shot 1");
   expectRefusal(with("", "spin = { bar = { 0, 1, 0 } }"), "takes 4 numbers");
-  expectRefusal(with("role = \"truth\""), "the role of an arm is 'truth', none of method, floor");
+  expectRefusal(with("role = \"truth\""), "the role of an arm is 'truth', which is not one of method, floor");
   expectRefusal(with("", "", "scale = \"lgo\""), "none of log, linear, even; did you mean 'log'?");
   expectRefusal(with("", "", "region = \"iner\""), "did you mean 'inner'?");
   expectRefusal(with("", "", "benign = 5"), "benign is 5, which is not one of the values");
-  expectRefusal(with("", "", "scale = \"log\", values = { 4.7, 2 }"), "values grow; 2 follows 4.7");
-  expectRefusal(with("", "", "scale = \"log\", values = { -1, 4.7 }"), "-1 has no logarithm");
+  expectRefusal(with("", "", "scale = \"log\", values = { 4.7, 2 }"), "the values must increase, but 2 follows 4.7");
+  expectRefusal(with("", "", "scale = \"log\", values = { -1, 4.7 }"),
+                "-1 is negative and has no place on a logarithmic scale");
   expectRefusal(with("", "", "shots = { \"bra\" }"), "did you mean 'bar'?");
   expectRefusal(with("", "", "at = function(v) return v.at_all end"), "at(4.7) of axis 'speed' fails");
   expectRefusal(with("", "", "", "measures = { \"rsme\" }"), "did you mean 'rmse'?");
   expectRefusal(with("", "", "", "regions = { \"hiden\" }"), "did you mean 'hidden'?");
-  expectRefusal(with("", "", "", "skip = function() return true end"), "there are no points");
+  expectRefusal(with("", "", "", "skip = function() return true end"), "the experiment has no points");
   expectRefusal(with("", "", "", "expect = { { \"x\", function() end, axis = \"sped\" } }"), "did you mean 'speed'?");
   expectRefusal(with("", "", "", "layout = { tabel = {} }"), "did you mean 'table'?");
   expectRefusal("return {}", "does not return experiment { ... }");
@@ -188,10 +189,9 @@ TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
 
 TEST(Mistakes, OfLacksAreFound) {
   const std::string axis = "at = function() return { samples = 4 } end";
-  expectRefusal(
-      with("", "", axis, "", "lacks = { \"sample\" }"),
-      "x.lua:7: arm 'no blur' lacks 'sample', which is neither an axis nor a parameter that an axis sets; did "
-      "you mean 'samples'?");
+  expectRefusal(with("", "", axis, "", "lacks = { \"sample\" }"),
+                "x.lua:7: 'lacks' of arm 'no blur' names 'sample', which is neither an axis nor a parameter that an "
+                "axis sets; did you mean 'samples'?");
   for (const char* name : {"samples", "speed"}) {
     Experiment experiment = readText(with("", "", axis, "", fmt::format("lacks = {{ \"{}\" }}", name)), true);
     EXPECT_TRUE(shotOf(experiment, experiment.groups[0], experiment.arms[0]).sets.size() <
@@ -346,10 +346,10 @@ TEST(Vary, MistakesAreSaidAtTheirLine) {
                                             "zip pairs 2 values of 'samples' with 1 of 'exposure'"},
         {"experiment.grid { samples = {} }", "'samples' is empty instead of a list"},
         {"experiment.ablation({ samples = 8 }, { sample = { 4 } })", "not in the base; did you mean 'samples'?"},
-        {"experiment.sobol(0, { samples = { 1, 2 } })", "takes a whole number from 1"},
+        {"experiment.sobol(0, { samples = { 1, 2 } })", "the count is a whole number from 1"},
         {"experiment.random(3, 1.5, { samples = { 1, 2 } })", "the seed of random is a whole number"},
-        {"experiment.sobol(3, { samples = { 4, 2 } })", "the range of 'samples' does not grow: 4 to 2"},
-        {"experiment.sobol(3, { exposure = { 0.0, 2.0, log = true } })", "has no logarithm"}}) {
+        {"experiment.sobol(3, { samples = { 4, 2 } })", "the range of 'samples' is empty: 4 to 2"},
+        {"experiment.sobol(3, { exposure = { 0.0, 2.0, log = true } })", "must be two numbers above 0"}}) {
     try {
       pointsOf(vary);
       ADD_FAILURE() << vary;

@@ -6,7 +6,8 @@ return pass.compute {
   doc    = "Ridges of the gradient, one pixel wide (non-maximum suppression): pixels whose gradient exceeds the gradients " ..
            "of both neighbours across the edge",
   fails  = "At a junction of three edges, one edge may end a pixel early.",
-  breaks = { mirrored = "of two neighbours with equal gradients, the right or lower one is removed" },
+  breaks = { mirrored = "of two neighbouring pixels with equally strong gradients, the right or lower one is removed; in a " ..
+                       "mirrored scene this is the other pixel" },
   size   = { of = "gradient" },
   reads  = { gradient = {
     doc = "vector in the direction of the steepest change of depth and normal; its length is the strength of the edge, " ..

@@ -72,7 +72,7 @@ end
 -- message.
 function paths.require_segments(layer, filter, setting)
   if not layer.velocity_post or pass.reads(filter, "velocity_post") then return end
-  error(("range = split: %s follows one segment only; it needs range = whole"):format(setting), 0)
+  error(("range = split: %s supports only one displacement for the whole exposure; set range = whole"):format(setting), 0)
 end
 
 -- ---- curves
@@ -86,10 +86,10 @@ function paths.are_extrapolated(p) return paths.are_curved(p) and p.displacement
 function paths.require_curves(p, filter, setting)
   if not paths.are_curved(p) then return end
   if pass.reads(filter, "velocity_post") and paths.are_split(p) then
-    error(("trajectory = %s: range = split has straight paths; it needs range = whole"):format(p.trajectory()), 0)
+    error(("trajectory = %s: paths are straight with range = split; set range = whole"):format(p.trajectory()), 0)
   end
   if not pass.reads(filter, "curve") then
-    error(("trajectory = %s: %s follows straight paths only; it needs trajectory = line"):format(p.trajectory(), setting), 0)
+    error(("trajectory = %s: %s supports straight paths only; set trajectory = line"):format(p.trajectory(), setting), 0)
   end
 end
 
@@ -98,8 +98,7 @@ end
 local function poses_of(p)
   if not paths.are_extrapolated(p) then return p.trajectory() == "arc" and 5 or 3 end
   if p.trajectory() == "arc" then
-    error("trajectory = arc: arcs need poses inside of the exposure, displacement = window; poses of earlier frames make " ..
-          "a quadratic", 0)
+    error("trajectory = arc: arcs need poses inside of the exposure; set displacement = window, or trajectory = quadratic", 0)
   end
   return 2
 end

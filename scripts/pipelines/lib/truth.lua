@@ -92,8 +92,8 @@ function truth.everywhere(p, raster)
   local every_ray, count = valued(p.mode) == "brute", valued(p.samples)
   local stops = valued(p.tolerance) > 0
   local eighth = math.max(count // 8, 8)
-  local wanted = valued(p.first_samples)
-  local few = math.min(wanted > 0 and wanted or stops and math.min(eighth, 64) or eighth, count)
+  local given = valued(p.first_samples)
+  local few = math.min(given > 0 and given or stops and math.min(eighth, 64) or eighth, count)
   if few == count then
     return truth.shutter(p, raster, { name = "shutter", count = count, first = 0, parts = count, every_ray = every_ray })
   end

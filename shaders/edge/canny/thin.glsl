@@ -15,19 +15,19 @@
 const float kSector = 1.2071068;
 
 // Strength of the edge at a pixel: length of the gradient; 0 outside the image.
-float answerAt(ivec2 pixel) {
+float strengthAt(ivec2 pixel) {
   if (!isInside(pixel, textureSize(gradient_tex, 0))) return 0.0;
   return length(vec2(texelFetch(gradient_tex, pixel, 0)));
 }
 
 void run(ivec2 pixel) {
   vec2 gradient = vec2(texelFetch(gradient_tex, pixel, 0));
-  float answer = answerAt(pixel);
+  float strength = strengthAt(pixel);
   float ridge = 0.0;
-  if (answer > 1.0 / params.ratio) {
+  if (strength > 1.0 / params.ratio) {
     ivec2 across = roundSymmetric(kSector * gradient / max(abs(gradient.x), abs(gradient.y)));
-    bool is_ridge = answer > answerAt(pixel - across) && answer >= answerAt(pixel + across);
-    if (is_ridge) ridge = answer > 1.0 ? 1.0 : 0.5;
+    bool is_ridge = strength > strengthAt(pixel - across) && strength >= strengthAt(pixel + across);
+    if (is_ridge) ridge = strength > 1.0 ? 1.0 : 0.5;
   }
   imageStore(ridge_img, pixel, vec4(ridge));
 }
