@@ -85,6 +85,7 @@ std::vector<Case> cases() {
 const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
     {"mcguire2012", {{"weights=uniform", "range=split"}, {"color_format=fp16"}, {"displacement=extrapolated"}}},
     {"adaptive", {{"quality=0"}, {"quality=0.6"}, {"quality=0.8", "samples=4"}}},
+    {"ue5", {{"directions=two", "heavy_motion=1"}, {"half_resolution=false", "color_format=fp16"}}},
     {"guertin2014", {{"second_share=variance", "color_format=fp16"}, {"uniform_path=false"}}},
     {"jimenez2014", {{"color_format=fp16", "copy_below=0"}}},
     {"hybrid",

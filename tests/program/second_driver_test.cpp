@@ -24,6 +24,7 @@ return capture {
     { name = "none", pipeline = "none" },
     { name = "mcguire2012", pipeline = "mcguire2012" },
     { name = "ue4", pipeline = "ue4" },
+    { name = "ue5", pipeline = "ue5" },
     { name = "guertin2014", pipeline = "guertin2014" },
     { name = "jimenez2014", pipeline = "jimenez2014" },
     { name = "bevy", pipeline = "bevy" },
@@ -54,7 +55,7 @@ TEST(SecondDriver, GivesEveryPipelineItsPicture) {
   Json json = Json::parse(verified.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << verified.out << verified.err;
   EXPECT_FALSE(json.at("same_device").get<bool>());
-  ASSERT_EQ(json.at("pictures").size(), 15u) << verified.out;
+  ASSERT_EQ(json.at("pictures").size(), 16u) << verified.out;
   for (const Json& picture : json.at("pictures"))
     for (const Json& layer : picture.at("layers")) {
       std::string name = picture.at("name").get<std::string>() + " " + layer.at("image").get<std::string>();

@@ -87,6 +87,14 @@ const std::map<std::string, std::vector<Context>> kContexts = {
     {"accumulation", {{{"scene=solids"}, {}}, {{"scene=solids", "samples=64"}, {"contrast", "detail_below"}}}},
     {"oberberger2022", {{{}, {}}, {{"frame=1"}, {"jitter_frame"}}, kBent, {{"tile=8"}, {"tile_rule"}}}},
     {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
+    {"ue5",
+     {{{}, {}},
+      {{"jitter=hash", "frame=1"}, {"jitter_frame"}},
+      kBent,
+      {{"tile=8"}, {"tile_rule"}},
+      {{"anchor=centre"}, {"mirror"}},
+      {{"tile=8", "pan=10", "limit=1"}, {"heavy_motion", "half_resolution", "filter/jimenez2014_listed.cheap_ratio"}},
+      {{"tile=8", "pan=10", "limit=1", "gather.cheap_ratio=0.5"}, {"cheap"}}}},
     {"hybrid",
      {{{},
        {"edge", "own_edge", "mask_taps", "weights", "termination", "tolerance", "luminance_of", "advance", "max_layers",
@@ -354,6 +362,7 @@ TEST_F(Registry, McGuire2012) { walk("mcguire2012", 1); }
 TEST_F(Registry, Guertin2014) { walk("guertin2014", 2); }
 TEST_F(Registry, Jimenez2014) { walk("jimenez2014", 3); }
 TEST_F(Registry, Ue4) { walk("ue4", 4); }
+TEST_F(Registry, Ue5) { walk("ue5", 16); }
 TEST_F(Registry, Bevy) { walk("bevy", 7); }
 TEST_F(Registry, Eevee) { walk("eevee", 15); }
 TEST_F(Registry, Hdrp) { walk("hdrp", 9); }

@@ -1,0 +1,15 @@
+-- SPDX-License-Identifier: MIT
+-- Full picture from a filter that ran at half resolution in parts of the picture.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  doc    = "Picture whose missing pixels are the means of the surrounding pixels with even coordinates",
+  fails  = "Details of less than two pixels are lost in the missing pixels.",
+  size   = { of = "blurred" },
+  reads  = {
+    blurred = { doc = "blurred picture, linear radiance; alpha 1; pixels with even coordinates are never missing" },
+    mask    = { pointwise = true, doc = "mask, above 1/2 at pixels that are not missing" },
+  },
+  writes = { filled = { format = "rgba32f", doc = "blurred picture without missing pixels, linear radiance; alpha 1" } },
+  if_no  = { motion = { filled = "blurred" } },
+}
