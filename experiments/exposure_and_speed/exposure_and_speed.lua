@@ -59,8 +59,8 @@ arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role 
 
 return experiment {
   title    = "Exposure and speed",
-  question = "How large are the errors and the costs of post-process blurs, of the hybrid and of adaptive, over exposures " ..
-             "and speeds?",
+  question = "Over exposures and speeds, how large are the errors and the costs of post-process blurs, of the hybrid and " ..
+             "of adaptive?",
   note     = "The vase of the living room slides past the cushions, before a camera at rest and before a camera that " ..
              "follows it. Its displacement is speed times exposure, 3 to 52 px, and is not clamped. Every method has 16 " ..
              "samples. Times are ratios to McGuire 2012.",

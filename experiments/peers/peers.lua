@@ -29,8 +29,8 @@ end
 
 return experiment {
   title    = "Peers since 2020",
-  question = "How large are the errors of hybrid_layered, which traces rays at masked pixels, and of adaptive, which traces " ..
-             "rays at several times, compared with full layers drawn at every pixel, and with other blurs since 2020?",
+  question = "Compared with full layers drawn at every pixel, and with other blurs since 2020, how large are the errors of " ..
+             "hybrid_layered, which traces rays at masked pixels, and of adaptive, which traces rays at several times?",
   note     = "All methods have 16 samples, except oberberger2022 with one ray per pixel. Rays include shadow rays: one for " ..
              "each light and shaded texel, unless the light is visible or blocked in the whole tile.",
   size     = { 160, 90 },
