@@ -5,7 +5,7 @@
 local experiment = require "strobe.experiment"
 
 local height, displacement = 180, 16
-local seed, best = "hybrid", "hybrid_traced"
+local layered = "hybrid_layered"
 
 -- Returns a function that declares expected times. `how`: expected growth of the time with the varied quantity ("constant",
 -- "linear" or "logarithmic"). Arguments of the function: `parts`, names of passes or "frame", separated by spaces; `why`, the
@@ -73,7 +73,7 @@ local samples = axis {
   name = "samples", title = "Samples", unit = "sample", values = { 4, 8, 16, 32, 64 },
   costs = {
     linear(gathers, "a tap for each sample"),
-    linear("composite", "a tap for each sample", best),
+    linear("composite", "a tap for each sample", layered),
     constant("shade reveal", "independent of samples"),
   },
 }
@@ -122,8 +122,9 @@ return experiment {
   arms     = {
     { name = "no blur", pipeline = "none", lacks = { "samples" } },
     { name = "McGuire 2012", pipeline = "mcguire2012", published = published(295) },
-    { name = seed, pipeline = "hybrid", published = published(205) },
-    { name = best, pipeline = "hybrid_traced" },
+    { name = "hybrid", pipeline = "hybrid", published = published(205) },
+    { name = layered, pipeline = "hybrid_layered" },
+    { name = "adaptive", pipeline = "adaptive" },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 16 } },
   rounds   = 15,

@@ -22,9 +22,9 @@ local steps = "experiments/pipelines/hybrid_steps.lua"
 local arms = {}
 local function add(name, pipeline, set) arms[#arms + 1] = { name = name, pipeline = pipeline, set = set } end
 for _, curve in ipairs(curves) do
-  add(layers(curve), steps, { ["composite.taps"] = "linear", mask = "moving", trajectory = curve })
+  add(layers(curve), steps, { mask = "moving", trajectory = curve })
 end
-add("rays at the sample times", "hybrid_traced")
+add("adaptive", "adaptive")
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
   set = { samples = 16, times = "midpoint" } }
 
@@ -42,8 +42,8 @@ return experiment {
   title    = "Curved paths",
   question = "How much error do curved paths save where objects turn or approach?",
   note     = "The arms \"layers\" use layers at the raster time alone. They reveal a background behind all moving surfaces, " ..
-             "and each point moves along a line, a parabola or an arc. The arm \"rays at the sample times\" also traces " ..
-             "rays at the sample times.",
+             "and each point moves along a line, a parabola or an arc. The arm adaptive follows no path between the texels " ..
+             "of two layers: it traces rays at several times.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -81,9 +81,9 @@ return experiment {
       return ratio <= 0.75, ("%.2f of the error of parabolas, %.2f of the error of lines"):format(ratio,
         beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "line"))
     end },
-    { "rays at the sample times have a smaller error than arcs, in every shot", function(r)
+    { "adaptive has a smaller error than layers with arcs, in every shot", function(r)
       local most, where = largest(function(shot)
-        return at(r, shot, "rays at the sample times").rmse / at(r, shot, layers "arc").rmse
+        return at(r, shot, "adaptive").rmse / at(r, shot, layers "arc").rmse
       end)
       return most < 1, ("at most %.2f of the error (%s)"):format(most, where)
     end },

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Measures the errors of post-process blurs and of the hybrid at many pairs of exposure and speed.
+-- Measures the errors of post-process blurs, of the hybrid and of adaptive at many pairs of exposure and speed.
 local experiment = require "strobe.experiment"
 
 -- Reasons why some of the expectations below failed; reports print them.
-local all_moves = "in a tracking shot most of the picture is traced by rays at the sample times"
+local all_moves = "in a tracking shot nearly all pixels get rays at several times"
+local slow = "at 3 px truth needs few samples, and the error tolerance of its default quality bounds the error of adaptive"
 
-local best, published = "hybrid_traced", "hybrid"
+local best, published = "adaptive", "hybrid"
 local baselines = { "McGuire 2012", "Guertin 2014", "Jimenez 2014", "UE4-style" }
 local exposures, speeds = { 0.25, 0.5, 1 }, { 13, 26, 52 }
 
@@ -52,13 +53,14 @@ for i, pipeline in ipairs { "mcguire2012", "guertin2014", "jimenez2014", "ue4" }
   arms[#arms + 1] = { name = baselines[i], pipeline = pipeline, set = { limit = limit } }
 end
 arms[#arms + 1] = { name = published, pipeline = "hybrid", set = { limit = limit } }
-arms[#arms + 1] = { name = best, pipeline = "hybrid_traced", set = { limit = limit } }
+arms[#arms + 1] = { name = best, pipeline = "adaptive", set = { limit = limit } }
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
                     set = { samples = 16, times = "midpoint" } }
 
 return experiment {
   title    = "Exposure and speed",
-  question = "How large are the errors and the costs of post-process blurs and of the hybrid, over exposures and speeds?",
+  question = "Over exposures and speeds, how large are the errors and the costs of post-process blurs, of the hybrid and " ..
+             "of adaptive?",
   note     = "The vase of the living room slides past the cushions, before a camera at rest and before a camera that " ..
              "follows it. Its displacement is speed times exposure, 3 to 52 px, and is not clamped. Every method has 16 " ..
              "samples. Times are ratios to McGuire 2012.",
@@ -83,28 +85,19 @@ return experiment {
   measures = { "rmse", "flip", "ms_ratio", "displacement", "clamped" },
   expect   = {
     less(best, 0.5, { "object" },
-      "before a camera at rest, the inner error of hybrid_traced is less than half of that of the best post-process, at " ..
+      "before a camera at rest, the inner error of adaptive is less than half of that of the best post-process, at " ..
       "every speed and exposure"),
     less(best, 1, { "tracking" },
-      "in the tracking shot the inner error of hybrid_traced is below that of the best post-process, at every speed and " ..
+      "in the tracking shot the inner error of adaptive is below that of the best post-process, at every speed and " ..
       "exposure"),
     less(published, 1, { "object" },
       "as the paper claims, the inner error of the hybrid as published is below that of the best post-process"),
-    { "before a camera at rest, the inner error of hybrid_traced is at most twice the error of truth with 16 samples",
-      function(r)
+    { "before a camera at rest, the inner error of adaptive is at most twice the error of truth with 16 samples",
+      known = slow, function(r)
         local ratio, where = most({ "object" }, function(...)
           return at(r, best, ...).rmse / at(r, "truth, 16 samples", ...).rmse
         end)
         return ratio <= 2, ("at most %.2f times (%s)"):format(ratio, where)
-      end },
-    { "found afterwards: if the displacement is at least 6 px, the inner error of hybrid_traced is below that of the best " ..
-      "post-process in the tracking shot too",
-      function(r)
-        local ratio, where = most({ "tracking" }, function(shot, speed, exposure)
-          if speed * exposure < 6 then return 0 end
-          return at(r, best, shot, speed, exposure).rmse / best_baseline(r, shot, speed, exposure)
-        end)
-        return ratio < 1, ("at most %.2f times the error of the best post-process (%s)"):format(ratio, where)
       end },
     { "the error of post-process grows with the displacement: the smallest inner error of all post-processes at 52 px is at " ..
       "least twice that at 3 px", function(r)
@@ -120,7 +113,7 @@ return experiment {
         end
         return difference < 0.01, ("largest relative difference %.1g"):format(difference)
       end },
-    { "a frame of hybrid_traced takes at most twice the time of McGuire 2012 (the paper reports 1.44 times for its hybrid)",
+    { "a frame of adaptive takes at most twice the time of McGuire 2012 (the paper reports 1.44 times for its hybrid)",
       known = all_moves, function(r)
       local cost, where = most({ "object", "tracking" }, function(...) return at(r, best, ...).ms_ratio end)
       local mean = r.at { arm = best }.ms_ratio

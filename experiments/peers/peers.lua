@@ -1,15 +1,16 @@
 -- SPDX-License-Identifier: MIT
--- Compares the pipeline hybrid_traced with other methods since 2020. hybrid_traced traces rays at masked pixels and at sample
--- times. One of the other methods (Lee et al. 2024) draws several full layers by depth peeling instead.
+-- Compares the pipelines hybrid_layered and adaptive with other methods since 2020. hybrid_layered traces rays at masked
+-- pixels, and adaptive traces rays at several times. One of the other methods (Lee et al. 2024) draws several full layers by
+-- depth peeling instead.
 --   strobe sweep experiments/peers/peers.lua -o out/peers
 local experiment = require "strobe.experiment"
 
 -- Reasons why some of the expectations below failed; reports print them.
-local own_rays = "rasterised layers need rays only for light, while each traced time sample needs a ray. " ..
+local own_rays = "rasterised layers need rays only for light, while adaptive traces rays at several times. " ..
                  "Rasterised layers in turn draw the scene again for each layer"
 
 local shots = { "vase", "three", "enters", "tracking" }
-local layers, best = "layers 2024", "hybrid_traced"
+local layers, best = "layers 2024", "adaptive"
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region } end
 
@@ -28,8 +29,8 @@ end
 
 return experiment {
   title    = "Peers since 2020",
-  question = "How large are the errors of the hybrid, which traces rays at masked pixels, compared with full layers drawn " ..
-             "at every pixel, and with other blurs since 2020?",
+  question = "Compared with full layers drawn at every pixel, and with other blurs since 2020, how large are the errors of " ..
+             "hybrid_layered, which traces rays at masked pixels, and of adaptive, which traces rays at several times?",
   note     = "All methods have 16 samples, except oberberger2022 with one ray per pixel. Rays include shadow rays: one for " ..
              "each light and shaded texel, unless the light is visible or blocked in the whole tile.",
   size     = { 160, 90 },
@@ -46,7 +47,8 @@ return experiment {
     { name = "HDRP", pipeline = "hdrp" },
     { name = "oberberger2022", pipeline = "oberberger2022" },
     { name = layers, pipeline = "lee2024" },
-    { name = best, pipeline = "hybrid_traced" },
+    { name = "hybrid_layered", pipeline = "hybrid_layered" },
+    { name = best, pipeline = "adaptive" },
     { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor", set = { samples = 16, times = "midpoint" } },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
@@ -54,9 +56,9 @@ return experiment {
   measures = { "rmse", "flip", "rays" },
   expect   = {
     below(layers, "Jimenez 2014", "hidden", 1, "full layers have a smaller error than Jimenez 2014 in disoccluded regions"),
-    below(best, layers, "inner", 1, "hybrid_traced has a smaller error than full layers inside silhouettes"),
-    below(best, layers, "hidden", 1, "hybrid_traced has a smaller error than full layers in disoccluded regions"),
-    { "hybrid_traced traces fewer rays than full layers", known = own_rays, function(r)
+    below(best, layers, "inner", 1, "adaptive has a smaller error than full layers inside silhouettes"),
+    below(best, layers, "hidden", 1, "adaptive has a smaller error than full layers in disoccluded regions"),
+    { "adaptive traces fewer rays than full layers", known = own_rays, function(r)
       local most, where = 0, ""
       for _, shot in ipairs(shots) do
         local ratio = at(r, shot, best, "whole").rays / at(r, shot, layers, "whole").rays

@@ -4,7 +4,7 @@
 --   strobe sweep experiments/shading_under_motion/shading_under_motion.lua -o out/shading_under_motion
 local experiment = require "strobe.experiment"
 
-local none, mcguire, ue4, best = "no blur", "McGuire 2012", "UE4-style", "hybrid_traced"
+local none, mcguire, ue4, best = "no blur", "McGuire 2012", "UE4-style", "adaptive"
 local floor, moving = "truth, 16 samples", "truth, light in motion"
 local in_pictures = { lamp = true, shadow = true, gloss = true }
 
@@ -59,7 +59,7 @@ return experiment {
     { name = none, pipeline = "none" },
     { name = mcguire, pipeline = "mcguire2012" },
     { name = ue4, pipeline = "ue4" },
-    { name = best, pipeline = "hybrid_traced" },
+    { name = best, pipeline = "adaptive" },
     { name = floor, pipeline = "ground_truth", role = "floor", set = { samples = 16, times = "midpoint" } },
     { name = moving, pipeline = "ground_truth", role = "floor",
       set = { samples = 256, times = "stratified", shading = "full" } },
@@ -80,13 +80,13 @@ return experiment {
           "against full truth"):format(least, at(r, "lamp", none).rmse_full)
       end },
     of_shading(best, { "shadow", "gloss" }, 0.8, 1,
-      "if a shadow or a highlight moves, at least four fifths of the hybrid's squared error are frozen shading"),
+      "if a shadow or a highlight moves, at least four fifths of adaptive's squared error are frozen shading"),
     of_shading(mcguire, { "telescope", "vase", "car" }, -1, 0.5,
       "if objects move in constant light, at most half of McGuire's squared error is frozen shading"),
     of_shading(mcguire, { "telescope", "vase", "car" }, -1, 0.05, "found afterwards: if objects move in constant light, " ..
       "at most a twentieth of McGuire's squared error is frozen shading"),
     of_shading(best, { "telescope", "vase", "car" }, 0.25, 1,
-      "found afterwards: if objects move in constant light, at least a quarter of the hybrid's squared error is frozen " ..
+      "found afterwards: if objects move in constant light, at least a quarter of adaptive's squared error is frozen " ..
       "shading, because its visibility is correct and only the error of the light remains"),
     { "found afterwards: for the glazed vase that turns, the sharp picture has a smaller error than exact blur with " ..
       "frozen light",

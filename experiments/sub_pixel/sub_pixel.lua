@@ -6,7 +6,13 @@
 local experiment = require "strobe.experiment"
 
 local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
-local best, floor = "hybrid_traced", "truth, as many samples"
+local best, floor = "adaptive", "truth, as many samples"
+
+-- Reasons why some of the expectations below failed; reports print them.
+local tolerance = "at its default quality adaptive gathers surfaces whose displacements differ by at most 0.35 px. If they " ..
+                  "differ more, the error tolerance of the quality bounds the error, which more samples do not reduce"
+local many = "if a surface moves fast, adaptive traces the first rays of a pixel at many times, while truth traces moving " ..
+             "objects only where they are at the time of the sample"
 
 -- Returns the error of `arm` divided by the error of `other`: the largest ratio and the least ratio over all speeds and numbers
 -- of samples. After each ratio comes the name of its point (speed and number).
@@ -27,14 +33,14 @@ local function arm(name, pipeline, set) return { name = name, pipeline = pipelin
 
 return experiment {
   title    = "Sub-pixel motion",
-  question = "Is the hybrid as accurate as truth with as many samples, also under motion by less than a pixel?",
+  question = "Is adaptive as accurate as truth with as many samples, also under motion by less than a pixel?",
   note     = "A panel of cells passes a wall of cells along a line at 17 degrees to the rows of pixels. All methods sample " ..
              "the centres of pixels. Speeds are px over the exposure.",
   size     = { 240, 136 },
   shots    = { { name = "passage", title = "A panel passes a wall", scene = "stability/passage", ["scene.angle"] = 17 } },
   arms     = {
     arm("McGuire 2012", "mcguire2012", { limit = "auto" }),
-    arm(best, "hybrid_traced"),
+    arm(best, "adaptive"),
     { name = floor, pipeline = "ground_truth", role = "floor", set = { times = "midpoint" } },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 1024, times = "midpoint" } },
@@ -46,14 +52,13 @@ return experiment {
   regions  = { "whole", "inner", "outer" },
   measures = { "rmse", "flip", "rays", "pixels" },
   expect   = {
-    { "the error of hybrid_traced is at most 1.3 times the error of truth with as many samples, at every speed and number " ..
-      "of samples", function(r)
+    { "the error of adaptive is at most 1.3 times the error of truth with as many samples, at every speed and number " ..
+      "of samples", known = tolerance, function(r)
       local most, where = ratios(r, best, floor)
       return most <= 1.3, ("at most %.2f times the error (%s)"):format(most, where)
     end },
-    { "found afterwards: from 4 samples on hybrid_traced needs at most a tenth of the rays of truth with as many samples",
-      known = "truth now needs fewer rays than then: it traces moving objects only where they are at the time of the sample",
-        function(r)
+    { "from 4 samples on adaptive needs at most a tenth of the rays of truth with as many samples",
+      known = many, function(r)
       local most, where = 0, ""
       for _, speed in ipairs(speeds) do
         for _, count in ipairs { 4, 16, 64 } do

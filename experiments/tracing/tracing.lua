@@ -3,7 +3,7 @@
 local experiment = require "strobe.experiment"
 
 local list = experiment.list
-local blurred = { "no blur", "McGuire 2012", "hybrid_traced" }
+local blurred = { "no blur", "McGuire 2012", "adaptive" }
 local truths = { "truth" }
 
 local function at(r, shot, arm, wanted)
@@ -54,7 +54,7 @@ return experiment {
   arms     = {
     { name = "no blur", pipeline = "none" },
     { name = "McGuire 2012", pipeline = "mcguire2012" },
-    { name = "hybrid_traced", pipeline = "hybrid_traced" },
+    { name = "adaptive", pipeline = "adaptive" },
     { name = truths[1], pipeline = "ground_truth", set = { samples = 64, pixel = "box", times = "stratified" } },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 1024, pixel = "box", times = "stratified" } },

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Figure 1 of Tan, Cui and Bhojan 2020, with errors against ground truth. In the first shot, a vase slides past a cushion. In
 -- the second shot, a camera follows the vase. The capture checks one expectation, in the region inner (pixels of a moving
--- object that show its background at another time): the error of hybrid_traced is smaller than the errors of both baselines, by
+-- object that show its background at another time): the error of adaptive is smaller than the errors of both baselines, by
 -- more than two standard errors of truth. The noise of truth shifts each of the two compared errors by at most one standard
 -- error (triangle inequality).
 --   strobe demo
@@ -16,9 +16,9 @@ local baselines = { "McGuire 2012", "UE4-style" }
 local crop_size, colors = { 120, 68 }, { "#ffc208", "#1abff2" }
 
 local function less_than_baselines(shot)
-  return { "in the region inner the error of hybrid_traced is below that of either baseline", shot = shot, function(r)
+  return { "in the region inner the error of adaptive is below that of either baseline", shot = shot, function(r)
     local function error_of(arm) return r.at { shot = shot, arm = arm, region = "inner" }.rmse end
-    local own, best, noise = error_of "hybrid_traced", math.huge, error_of(truth)
+    local own, best, noise = error_of "adaptive", math.huge, error_of(truth)
     for _, name in ipairs(baselines) do best = math.min(best, error_of(name)) end
     return own + 2 * noise < best,
       ("RMSE %.5f, %.2f of the better baseline's; truth's standard error %.5f"):format(own, own / best, noise)
@@ -70,7 +70,7 @@ return capture {
     { name = "UE4-style", pipeline = "ue4" },
     { name = "hybrid (text)", pipeline = "hybrid", set = { preset = "text" } },
     { name = "hybrid", pipeline = "hybrid" },
-    { name = "hybrid_traced", pipeline = "hybrid_traced" },
+    { name = "adaptive", pipeline = "adaptive" },
     { name = "ray-traced, 16 samples", pipeline = "ground_truth", role = "floor", shown = false,
       set = { samples = 16, times = "midpoint" } },
     { name = truth, pipeline = "ground_truth", set = { times = "stratified" },
@@ -78,7 +78,7 @@ return capture {
   },
   truth = truth,
   measures = { "rmse", "flip", "ms" },
-  background = { arm = "hybrid_traced", front = "no blur", color = "revealed", valid = "revealed_valid" },
+  background = { arm = "hybrid", front = "no blur", color = "revealed", valid = "revealed_valid" },
   expect = { less_than_baselines "object", less_than_baselines "tracking" },
   layout = { pictures = { crop_size = crop_size, difference_gain = 4 } },
   figures = {
@@ -88,7 +88,7 @@ return capture {
       cell_width = 480, text_size = 24, gap = 10, margin = 28, rows = rows, cells = cells,
       columns = {
         { arm = "no blur" }, { arm = "McGuire 2012" }, { arm = "UE4-style" }, { arm = "hybrid (text)" },
-        { arm = "hybrid" }, { arm = "hybrid_traced" }, { arm = truth },
+        { arm = "hybrid" }, { arm = "adaptive" }, { arm = truth },
       },
     },
   },

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- A film that shows longer and longer exposures of one moment, from 1/12 of a frame to a whole frame. The pipeline
--- hybrid_traced is beside ground truth. The vase has the same speed in all pictures.
+-- adaptive is beside ground truth. The vase has the same speed in all pictures.
 --   strobe capture scripts/captures/exposure.lua -o out/exposure
 local capture = require "strobe.capture"
 
@@ -14,14 +14,14 @@ return capture {
     { name = "vase", scene = "living_room", camera = "main", ["scene.exposure"] = 0.5, vary = { exposure = exposures } },
   },
   arms = {
-    { name = "hybrid_traced", pipeline = "hybrid_traced" },
+    { name = "adaptive", pipeline = "adaptive" },
     { name = "truth", pipeline = "ground_truth", set = { samples = 32 } },
   },
   truth = "truth",
   films = {
     {
       name = "exposure", fps = 4, caption = "exposure {exposure %.3f} of a frame, FLIP {flip %.4f}",
-      columns = { { arm = "hybrid_traced" }, { arm = "truth", label = "ground truth", caption = "" } },
+      columns = { { arm = "adaptive" }, { arm = "truth", label = "ground truth", caption = "" } },
     },
   },
 }

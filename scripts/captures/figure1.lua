@@ -22,7 +22,7 @@ return capture {
     { name = "original", pipeline = "none" },
     { name = "McGuire", pipeline = "mcguire2012" },
     { name = "UE4", pipeline = "ue4" },
-    { name = "hybrid_traced", pipeline = "hybrid_traced" },
+    { name = "adaptive", pipeline = "adaptive" },
     { name = "hybrid", pipeline = "hybrid" },
     { name = "letter", pipeline = "hybrid", set = { preset = "text" } },
     { name = "truth", pipeline = "ground_truth", set = { samples = 64, times = "stratified" },
@@ -36,7 +36,7 @@ return capture {
         { arm = "original", label = "original scene" },
         { arm = "McGuire", label = "McGuire et al., adapted" },
         { arm = "UE4", label = "UE4-style" },
-        { arm = "hybrid_traced" },
+        { arm = "adaptive" },
         { arm = "truth", label = "ray-traced" },
       },
       rows = {
@@ -45,7 +45,7 @@ return capture {
       },
       cells = {
         { row = 1, column = "UE4-style", arrows = { { to = { 446, 257 }, by = { 26, -9 } } } },
-        { row = 1, column = "hybrid_traced", arrows = true_edge },
+        { row = 1, column = "adaptive", arrows = true_edge },
         { row = 1, column = "ray-traced", arrows = true_edge, caption = "standard error {standard_error inner %.3f}" },
         { row = 2, column = "ray-traced", empty = true },
       },
@@ -58,7 +58,7 @@ return capture {
       caption = "inner RMSE {rmse inner %.3f}",
       columns = {
         { arm = "letter", label = "hybrid (text)" }, { arm = "hybrid" },
-        { arm = "hybrid_traced" }, { arm = "truth", label = "ray-traced", caption = "" },
+        { arm = "adaptive" }, { arm = "truth", label = "ray-traced", caption = "" },
       },
     },
   },

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The output of each pass of the pipeline hybrid_traced, for the vase in front of the cushion.
+-- The output of each pass of the pipeline hybrid_layered, for the vase in front of the cushion.
 --   strobe capture scripts/captures/hybrid_passes.lua -o out/hybrid_passes
 local capture = require "strobe.capture"
 
@@ -31,7 +31,7 @@ return capture {
   title = "The hybrid, pass by pass",
   size = { 480, 270 },
   shots = { { name = "vase", scene = "living_room", camera = "main" } },
-  arms = { { name = "hybrid_traced", pipeline = "hybrid_traced", set = { tile = 20 } } },
+  arms = { { name = "hybrid_layered", pipeline = "hybrid_layered", set = { tile = 20 } } },
   figures = {
     { name = "hybrid_passes", letters = true, width_mm = 178, text_size = 18, rows = rows,
       columns = { { label = "" }, { label = "" }, { label = "" } }, cells = cells },

@@ -13,7 +13,7 @@ return capture {
   arms = {
     { name = "McGuire 2012", pipeline = "mcguire2012", shots = { "moment" } },
     { name = "UE4-style", pipeline = "ue4", shots = { "moment" } },
-    { name = "hybrid_traced", pipeline = "hybrid_traced" },
+    { name = "adaptive", pipeline = "adaptive" },
     { name = "truth", pipeline = "ground_truth", set = { samples = 64, times = "stratified" }, shots = { "moment" } },
   },
   truth = "truth",
@@ -21,7 +21,7 @@ return capture {
     {
       name = "tracking", shot = "moment", letters = true, width_mm = 178, text_size = 22,
       columns = {
-        { arm = "McGuire 2012" }, { arm = "UE4-style" }, { arm = "hybrid_traced" }, { arm = "truth", label = "ground truth" },
+        { arm = "McGuire 2012" }, { arm = "UE4-style" }, { arm = "adaptive" }, { arm = "truth", label = "ground truth" },
       },
       rows = {
         { caption = "FLIP {flip %.4f}, inner RMSE {rmse inner %.4f}" },
@@ -30,5 +30,5 @@ return capture {
       cells = { { row = 1, column = "ground truth", caption = "" }, { row = 2, column = "ground truth", empty = true } },
     },
   },
-  films = { { name = "ride", shot = "ride", arm = "hybrid_traced", fps = 12, margin = 0 } },
+  films = { { name = "ride", shot = "ride", arm = "adaptive", fps = 12, margin = 0 } },
 }

@@ -10,6 +10,6 @@ return capture {
     { name = "turn", scene = "living_room", ["scene.pixels"] = 0, frames = { 0, 47, 1 },
       path = capture.orbit { target = { 0.1, 0.7, -0.35 }, radius = 1.6, height = 0.75, first = 0, last = 48 } },
   },
-  arms = { { name = "hybrid_traced", pipeline = "hybrid_traced" } },
+  arms = { { name = "adaptive", pipeline = "adaptive" } },
   films = { { name = "turntable", fps = 24, margin = 0, columns = { { label = "" } } } },
 }

@@ -39,7 +39,6 @@ EXPERIMENTS = [
     experiment("curves", "shot=pendulum", 30, 60),
     experiment("sub_pixel", "speed=3,samples=16", 20, 60),
     experiment("peers", "shot=enters", 40, 60),
-    experiment("ray_budget", "shot=enters", 40, 240),
     experiment("exhibits", "shot=jump", 40, 400),
     experiment("shading_under_motion", "shot=lamp", 50, 240),
     experiment("adaptive", "shot=enters", 60, 360),
@@ -56,12 +55,11 @@ EXPERIMENTS = [
     experiment("hits_tried", "shot=cells_9,cap=8", 50, 600),
     experiment("tracing", "shot=cells,backend=bvh", 60, 650),
     experiment("truth", "shot=plain,samples=16", 100, 1100),
-    experiment("knobs", "shot=panel", 60, 400),
     experiment("sampling_range", "shot=thin,anchor=end", 50, 900),
     experiment("termination", "shot=plain", 50, 900),
 ]
 
-TUNE = ["hybrid", "--scene", "living_room", "--size", "320x180", "--anchor", "end", "--budget-ratio", "0.5", "--cost", "own"]
+TUNE = ["adaptive", "--scene", "living_room", "--size", "320x180", "--anchor", "end", "--budget-ratio", "0.5", "--cost", "own"]
 EXPERIMENTS.append(Experiment(
     "experiment_tune_living_room", "./strobe tune " + " ".join(TUNE) + " -o FILE", 900,
     OTHER_DEVICE + "; points are chosen by their times: those of both runs are compared", name="tune/living_room",
@@ -117,9 +115,9 @@ OF_A_MACHINE = [
     Numbers("reload_added", "./strobe bench reload hybrid", 90, TIMES, read=read.reload_added, asserted=False),
     Numbers("pass_shares", "docs/pictures/make passes", 40, TIMES, read=read.pass_shares, asserted=False),
     Numbers("tile_pass_share", "docs/pictures/make passes", 40, TIMES, read=read.tile_pass_share, asserted=False),
-    Numbers("frames_at_rest", "./strobe bench frames hybrid_traced accumulation mcguire2012 --size 960x540", 60, TIMES,
+    Numbers("frames_at_rest", "./strobe bench frames adaptive accumulation mcguire2012 --size 960x540", 60, TIMES,
             read=read.frames_at_rest, asserted=False),
-    Numbers("live_rate", "xvfb-run ./strobe live hybrid_traced --size WxH --drive FILE", 50, TIMES, read=read.live_rate,
+    Numbers("live_rate", "xvfb-run ./strobe live adaptive --size WxH --drive FILE", 50, TIMES, read=read.live_rate,
             asserted=False),
     Numbers("sweep_seconds", "./strobe sweep tools/reproduce/thousand.lua -o FOLDER", 100, TIMES,
             read=read.thousand_points, asserted=False),

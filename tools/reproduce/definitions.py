@@ -81,7 +81,6 @@ FRAGMENTS = [
     ("docs/writing-experiments.md", "at 67 pixels per degree", "a definition"),
     ("docs/writing-experiments.md", "aims at 8 MB at most", "a limit"),
     ("docs/writing-experiments.md", "Intervals are 95 % of Student's t", "a definition"),
-    ("experiments/README.md", "With rays for at most 15 % of the pixels", "a setting"),
     ("experiments/README.md", "with at most 1.1 times its error?", "a question"),
     ("experiments/README.md", "threshold 0.05", "a setting"),
     ("experiments/README.md", "at most 1.3 times the error of truth", "an expectation that the experiment checks"),

@@ -96,7 +96,7 @@ def front(bench):
 
 def exhibits():
     """Of each complaint what goes wrong, what mends it, and truth."""
-    plain = [("wheel", "layers, straight paths", "hybrid_traced"), ("silhouette", "Bevy", BEST),
+    plain = [("wheel", "layers, straight paths", BEST), ("silhouette", "Bevy", BEST),
              ("halo", "McGuire 2012", BEST), ("glass", "McGuire 2012", BEST), ("sky", "no vectors", BEST),
              ("short", "UE4-style, limit 0.05", BEST), ("shadow", "McGuire 2012", BEST), ("chase", "McGuire 2012", BEST),
              ("drive", "McGuire 2012", BEST), ("skin", "no vectors", BEST)]
@@ -111,7 +111,7 @@ def exhibits():
     return [rows[name] for name in order]
 
 
-BEST = "hybrid_traced"
+BEST = "adaptive"
 EXHIBITS_REGIONS = [(x, y, 144, 81) for x, y in ((90, 64), (100, 62), (60, 70), (100, 30), (60, 20), (90, 70), (150, 60), (60, 70),
                                                  (60, 70), (50, 50), (85, 80), (20, 60), (85, 15))]
 ROOM, ROOM_WIDE, CARD = (148, 72, 72, 64), (120, 60, 100, 90), (164, 48, 72, 64)
@@ -121,8 +121,8 @@ MASKS = ("no rays", "paper", "relative", "moving", "ground truth")
 EDGES = ("no rays", "sobel", "laplacian", "canny", "plane", "silhouette", "id", "ground truth")
 READINGS = ("McGuire 2012", "UE4-style", "as written", "+ passes over its own instance", "+ even weights",
             "+ instance ends the ray", "ground truth")
-SPEEDS = ("no blur", "McGuire 2012", "UE4-style", "hybrid", "hybrid_traced", "ground truth")
-RANGES = ("no blur", "McGuire 2012", "Jimenez 2014", "hybrid", "hybrid_traced", "hybrid_traced, split",
+SPEEDS = ("no blur", "McGuire 2012", "UE4-style", "hybrid", BEST, "ground truth")
+RANGES = ("no blur", "McGuire 2012", "Jimenez 2014", "hybrid", "hybrid_layered", "hybrid_layered, split", BEST,
           "ground truth")
 
 SHEETS = [
@@ -146,7 +146,7 @@ SHEETS = [
           [(180, 70, 130, 110), (80, 62, 130, 110), (100, 20, 130, 110)]),
     crops("samples", [[{"shot": "vase", "arm": arm, "samples": samples, "tile": 20} for samples in (4, 16, 64)] +
                       [{"shot": "vase", "arm": "ground truth", "samples": 64, "tile": 20}]
-                      for arm in ("McGuire 2012", "UE4-style", "hybrid_traced")], [ROOM_WIDE] * 3, 4),
+                      for arm in ("McGuire 2012", "UE4-style", BEST)], [ROOM_WIDE] * 3, 4),
 ]
 
 FIGURES = [

@@ -22,7 +22,7 @@ def values_of(experiment, wanted):
 # --- real scenes
 
 REAL_SHOTS = ("living_room", "pot", "mug", "lamp", "bowl")
-REAL_ARMS = ("no blur", "McGuire 2012", "UE4-style", "hybrid (text)", "hybrid", "hybrid_traced")
+REAL_ARMS = ("no blur", "McGuire 2012", "UE4-style", "hybrid (text)", "hybrid", "adaptive")
 
 
 def real_inner(results, shot, arm):
@@ -43,17 +43,17 @@ def real_rows(with_ratios):
 
 
 def frame_ratios(bench):
-    """The least and the largest time of a hybrid frame as a multiple of one of McGuire 2012, over the scenes."""
+    """The least and the largest time of a frame of adaptive as a multiple of one of McGuire 2012, over the scenes."""
     results = bench.results("real_scenes")
-    ratios = [results.value("ms", shot=shot, arm="hybrid_traced", anchor="end") /
+    ratios = [results.value("ms", shot=shot, arm="adaptive", anchor="end") /
               results.value("ms", shot=shot, arm="McGuire 2012", anchor="end") for shot in REAL_SHOTS]
     return [min(ratios), max(ratios)]
 
 
 def moving_camera_ratios(bench):
-    """The least and the largest time of a hybrid frame as a multiple of one of McGuire 2012, before moving cameras."""
+    """The least and the largest time of a frame of adaptive as a multiple of one of McGuire 2012, before moving cameras."""
     results = bench.results("all_moves")
-    ratios = [results.value("ms_ratio", shot=shot, arm="hybrid_traced") for shot in ("tracking", "parallax", "chase")]
+    ratios = [results.value("ms_ratio", shot=shot, arm="adaptive, quality 0.4") for shot in ("tracking", "parallax", "chase")]
     return [min(ratios), max(ratios)]
 
 
@@ -305,12 +305,10 @@ def shares(bench):
 
 def pass_shares(bench):
     share = shares(bench)
-    alone = ("shade", "visibility", "composite", "trace_time_samples", "tile_light_visibility", "gbuffer", "ray_reveal",
-             "shutter_open_visibility", "raster_deviation", "mask", "mask_bounds", "tile_velocities", "disoccluded_at_open",
-             "moving_silhouettes", "tile_max")
-    alike = (("mask_ids", "revealed_bounds", "revealed_deviation"),
-             ("cull_candidates", "gather_candidates", "raster_deviation_bounds", "revealed_deviation_bounds",
-              "open_disoccluded_bounds", "classify_cells", "classify_time_samples", "neighbour_max"))
+    alone = ("shade", "visibility", "composite", "tile_light_visibility", "gbuffer", "ray_reveal", "mask", "tile_velocities",
+             "tile_max")
+    alike = (("mask_ids", "revealed_bounds"),
+             ("mask_bounds", "cull_candidates", "gather_candidates", "classify_cells", "neighbour_max"))
     return [share[node] for node in alone] + [max(share[node] for node in nodes) for nodes in alike]
 
 
@@ -320,15 +318,15 @@ def tile_pass_share(bench):
 
 
 def frames_at_rest(bench):
-    """A frame's time as a multiple of one of McGuire 2012, the median over rounds: of the hybrid and of the accumulation
+    """A frame's time as a multiple of one of McGuire 2012, the median over rounds: of adaptive and of the accumulation
     buffer where a pot moves in the country kitchen, then where the vase does in the living room."""
     pot = ["--scene", bench.shared_scenes() / "country_kitchen/country_kitchen.glb", "--move", "Mesh080_SteelPot=0.4,0,-0.195"]
     ratios = []
     for shot in pot, ["--scene", "living_room"]:
-        bench_of = json.loads(bench.run(bench.program, "bench", "frames", "hybrid_traced", "accumulation", "mcguire2012", *shot,
+        bench_of = json.loads(bench.run(bench.program, "bench", "frames", "adaptive", "accumulation", "mcguire2012", *shot,
                                         "--size", "960x540", "--rounds", "9", "--json"))
         ms = {one["method"]: one["ms"] for one in bench_of["shots"]}
-        for method in "hybrid_traced", "accumulation":
+        for method in "adaptive", "accumulation":
             ratios.append(statistics.median(a / b for a, b in zip(ms[method], ms["mcguire2012"])))
     return ratios
 
@@ -352,7 +350,7 @@ def live_rate(bench):
         for frames in (10, 50):
             drive = bench.folder("live") / f"{frames}.drive"
             drive.write_text(f"wait 5\nplay on\nwait {frames}\nquit\n")
-            spent.append(timed(bench, "xvfb-run", "-a", "-s", "-screen 0 1400x900x24 -noreset", bench.program, "live", "hybrid_traced",
+            spent.append(timed(bench, "xvfb-run", "-a", "-s", "-screen 0 1400x900x24 -noreset", bench.program, "live", "adaptive",
                                "--scene", "living_room", "--size", size, "--drive", drive, "--out", bench.folder("live")))
         rates.append(40 / (spent[1] - spent[0]))
     return rates

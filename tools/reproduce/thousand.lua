@@ -6,8 +6,8 @@ return experiment {
   title = "A thousand points",
   size = { 160, 90 },
   shots = { { name = "living_room", scene = "living_room" } },
-  arms = { { name = "hybrid_traced", pipeline = "hybrid_traced" } },
+  arms = { { name = "adaptive", pipeline = "adaptive" } },
   truth = { pipeline = "ground_truth", set = { samples = 64 } },
-  vary = { experiment.list { name = "trace_time_samples.same_depth", values = experiment.linear(0.001, 0.1, 1000) } },
+  vary = { experiment.list { name = "adaptive_times.same_depth", values = experiment.linear(0.001, 0.1, 1000) } },
   measures = { "rmse" },
 }

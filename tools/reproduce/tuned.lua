@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Compares the preset of experiments/tune with hybrid_traced, and also the second setting that docs/tuning.md describes.
+-- Compares the preset of experiments/tune, and the preset few_rays, with the pipeline adaptive.
 local experiment = require "strobe.experiment"
 
 return experiment {
@@ -7,10 +7,9 @@ return experiment {
   size = { 320, 180 },
   shots = { { name = "living_room", scene = "living_room" } },
   arms = {
-    { name = "as given", pipeline = "hybrid_traced" },
-    { name = "preset", pipeline = "experiments/pipelines/hybrid_steps.lua",
-      set = { preset = "experiments/tune/living_room.lua" } },
-    { name = "other", pipeline = "hybrid_layered", set = { ["composite.taps"] = "linear" } },
+    { name = "as given", pipeline = "adaptive" },
+    { name = "preset", pipeline = "adaptive", set = { preset = "experiments/tune/living_room.lua" } },
+    { name = "other", pipeline = "adaptive", set = { preset = "few_rays" } },
   },
   truth = { pipeline = "ground_truth", set = { samples = 256 } },
   regions = { "whole", "inner" },
