@@ -17,7 +17,7 @@
 ---Role of a parameter. Commands find a parameter by its role instead of its name. A pipeline has each role at most once.
 ---@alias strobe.Role
 ---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
----| "static_once"
+---| "static_once" | "quality"
 
 ---@class strobe.Param A declared parameter.
 

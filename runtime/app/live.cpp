@@ -14,12 +14,13 @@ struct LiveCommandOptions {
   ShotOptions shot;
   std::string versus, truth, out = "out/live", window = "1400x900", drive, tev;
   std::vector<std::string> versus_sets;
-  double time_limit_s = 10;
+  double time_limit_s = 10, budget_ms = 0;
 };
 
 // What cannot run is refused before a window is opened.
 void checkPipelines(const Home& home, const live::DeskOptions& desk) {
-  script::evaluatePipeline(home, {desk.shot.pipeline, desk.shot.sets});
+  plan::PipelineDesc pipeline = script::evaluatePipeline(home, {desk.shot.pipeline, desk.shot.sets});
+  if (desk.budget_ms > 0) lab::budgetedParam(pipeline);
   if (!desk.versus.empty()) script::evaluatePipeline(home, {desk.versus, desk.versus_sets});
 }
 
@@ -32,6 +33,7 @@ void live(const Home& home, const LiveCommandOptions& options) {
   if (options.versus.empty() && !options.versus_sets.empty()) throw Error("--vs-set needs --vs", {}, 2);
   wanted.desk.truth = options.truth;
   wanted.desk.out = options.out;
+  wanted.desk.budget_ms = options.budget_ms;
   auto [width, height] = lab::parseSize(options.window, "--window");
   wanted.width = width;
   wanted.height = height;
@@ -60,6 +62,7 @@ void registerLive(CLI::App& program, const Home& home) {
   command->add_option("--window", options->window, "WIDTHxHEIGHT of the window in pixels")->capture_default_str();
   command->add_option("-o,--out", options->out, "folder for what is saved")->capture_default_str();
   command->add_option("--drive", options->drive, "a file of commands that drives the window");
+  addBudget(*command, options->budget_ms);
   addTimeLimit(*command, options->time_limit_s);
   addTev(*command, options->tev);
   command->callback([options, &home] { live(home, *options); });

@@ -31,8 +31,16 @@ static int report(const std::string& text, int exit_code) {
   return exit_code;
 }
 
+// Names of the commands that have the option.
+static std::vector<std::string> commandsWith(const std::string& option, const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({}))
+    if (command->get_option_no_throw(option)) names.push_back(command->get_name());
+  return names;
+}
+
 // What is said of the first argument that looks like an option of the command and is none, or "".
-static std::string unknownOption(const CLI::App& command, int argc, char** argv) {
+static std::string unknownOption(const CLI::App& program, const CLI::App& command, int argc, char** argv) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -44,6 +52,10 @@ static std::string unknownOption(const CLI::App& command, int argc, char** argv)
                          ? name.size() > 2
                          : name.size() > 1 && name[0] == '-' && !std::isdigit(static_cast<unsigned char>(name[1]));
     if (!is_option || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::vector<std::string> others = commandsWith(name, program);
+    if (!others.empty())
+      return fmt::format("'{}' has no option '{}'; it is an option of {}", command.get_name(), name,
+                         fmt::join(others, ", "));
     const std::string nearest = name.size() > 2 ? strobe::didYouMean(name, names) : "";
     return fmt::format("there is no option '{}'{}", name, nearest);
   }
@@ -66,7 +78,7 @@ static std::string usageText(const CLI::App& program, const CLI::ParseError& err
     at = at->get_subcommands({})[size_t(known - names.begin())];
     called += " " + at->get_name();
   }
-  std::string text = dynamic_cast<const CLI::ExtrasError*>(&error) ? unknownOption(*at, argc, argv) : "";
+  std::string text = dynamic_cast<const CLI::ExtrasError*>(&error) ? unknownOption(program, *at, argc, argv) : "";
   if (text.empty()) text = error.what();
   return text.ends_with('?') ? text : fmt::format("{}; {} --help lists what it takes", text, called);
 }

@@ -4,13 +4,16 @@
 #include <cstdio>
 #include <future>
 #include <memory>
+#include <set>
 
 #include "app/files.h"
 #include "app/shot_options.h"
 #include "base/leftovers.h"
 #include "base/log.h"
 #include "image/png.h"
+#include "lab/budget.h"
 #include "lab/capture.h"
+#include "lab/session.h"
 #include "lab/tev.h"
 #include "lab/trail.h"
 #include "lab/views.h"
@@ -28,7 +31,7 @@ struct RenderOptions {
   std::string out, pixel, tev, views, mitsuba;
   lab::ExrOptions exr;
   bool json = false, verbose = false;
-  double time_limit_s = gpu::kTimeLimit_s;
+  double time_limit_s = gpu::kTimeLimit_s, budget_ms = 0;
 
   bool asksForPicture() const { return !out.empty() || !pixel.empty() || !tev.empty() || !views.empty(); }
   bool asksForExr() const { return exr.half || exr.multipart || exr.cryptomatte; }
@@ -60,6 +63,29 @@ void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
     throw Error("--tap needs an .exr file or --views: a .png holds the color alone", {}, 2);
   if (options.asksForExr() && Path(options.out).extension() != ".exr")
     throw Error("--half, --multipart and --cryptomatte are of .exr files; name one with -o", {}, 2);
+}
+
+// Draws frames until their times decide the pipeline's quality. Sets it in `shot`, as if it had been set by hand.
+void settle(lab::Workbench& bench, double budget_ms, lab::Shot& shot) {
+  constexpr int kMostFrames = 200;  // where times never come to rest
+  static const std::set<std::string> kNoOutputs;
+  lab::Session session(bench, shot);
+  const plan::PipelineDesc& pipeline = session.running().evaluation().pipeline;
+  const std::string name = lab::budgetedParam(pipeline).name;
+  lab::Budget budget = lab::budgetOf(pipeline, budget_ms);
+  auto line = std::make_unique<StatusLine>();
+  int frames = 0;
+  for (bool changed = true; frames < kMostFrames && !budget.isSettled(); ++frames) {
+    line->show([&] { return fmt::format("{} {:g}, frame {}", name, budget.value(), frames + 1); });
+    if (changed) session.set(name, budget.value(), "budget");
+    changed = budget.add(session.draw(&kNoOutputs).gpu_ms);
+  }
+  line.reset();
+  lab::putSetting(shot.sets, name, budget.value());
+  const double cost_ms = budget.cost().value_or(0);
+  std::string text = fmt::format("{}={:g}: a frame takes {:.4g} ms", name, budget.value(), cost_ms);
+  if (budget.isMet()) note(fmt::format("{} of {:g} ms (chosen in {} frames)", text, budget_ms, frames));
+  else warn(fmt::format("{}, more than the budget of {:g} ms", text, budget_ms));
 }
 
 // The picture; with `--pixel` also what every pass left there.
@@ -140,6 +166,7 @@ void render(const Home& home, RenderOptions options) {
   std::future<void> started = std::async(std::launch::async, shader::startCompiler, std::cref(home));
   lab::Workbench bench(home, shot.device, validationWanted());
   bench.device().setTimeLimit(options.time_limit_s);
+  if (options.budget_ms > 0) settle(bench, options.budget_ms, shot);
   lab::Trail trail;
   lab::Picture picture = renderedBy(bench, options, shot, trail);
   bench.device().refuseMessages();
@@ -176,6 +203,7 @@ void registerRender(CLI::App& program, const Home& home) {
                     "print the run record (with --pixel: the trail) instead of the files written");
   command->add_flag("-v,--verbose", options->verbose,
                     "print the counters of the passes; the run record has them always");
+  addBudget(*command, options->budget_ms);
   addTimeLimit(*command, options->time_limit_s);
   options->shot.addWithPipeline(*command);
   command->callback([options, &home] { render(home, *options); });

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "app/numbers.h"
 #include "base/log.h"
 
 namespace strobe::app {
@@ -114,6 +115,16 @@ void addTimeLimit(CLI::App& command, double& seconds) {
       ->type_name("S")
       ->check(CLI::Range(0.0, 86400.0))
       ->capture_default_str();
+}
+
+void addBudget(CLI::App& command, double& ms) {
+  command
+      .add_option(
+          "--budget-ms", ms,
+          "most milliseconds of a frame: the times of drawn frames choose the parameter with the role 'quality'; "
+          "--set with the chosen value draws the same picture")
+      ->type_name("B")
+      ->check(aboveZero());
 }
 
 bool validationWanted() {

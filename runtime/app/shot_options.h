@@ -38,6 +38,9 @@ void addTev(CLI::App& command, std::string& address);
 // `--time-limit S`: after how long work on the device ends the program (gpu::Device::setTimeLimit).
 void addTimeLimit(CLI::App& command, double& seconds);
 
+// `--budget-ms B`: longest time of a frame, which the pipeline's parameter of the role Quality is set for; 0: none.
+void addBudget(CLI::App& command, double& ms);
+
 // Validation is on when STROBE_VALIDATION is set to anything but 0.
 bool validationWanted();
 

@@ -9,7 +9,11 @@
 namespace strobe::live {
 
 Desk::Desk(lab::Workbench& bench, const DeskOptions& options)
-    : options_(options), sides_(bench, options.shot, options.versus_sets), truth_(bench, options.truth), pixel_(bench) {
+    : options_(options),
+      sides_(bench, options.shot, options.versus_sets),
+      budget_(options.budget_ms),
+      truth_(bench, options.truth),
+      pixel_(bench) {
   if (options.versus.empty()) return;
   sides_.usePipeline(options.versus, true);
   look_.mode = Mode::Wipe;
@@ -62,8 +66,10 @@ bool Desk::turn(const std::function<bool()>& felt) {
   if (looked.swapped) truth_.forget();
   if (playing && !a().stale) goToFrame(shot().frame >= sides_.lastFrame() ? sides_.firstFrame() : shot().frame + 1);
   bool redrawn = a().stale;
+  const int drawn = a().frames_drawn;
   if (sides_.draw(look_.port)) news = picture_stale_ = true;
   if (redrawn) pixel_.follow(shot());
+  budget_.follow(sides_, a().frames_drawn > drawn, redrawn);
   bool gathered = gathersTruth() && truth_.gather(shot(), felt);
   if (gathered && look_.mode == Mode::Error) picture_stale_ = true;
   return news || gathered;

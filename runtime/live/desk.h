@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "live/budget_keeper.h"
 #include "live/pinned_pixel.h"
 #include "live/shown.h"
 #include "live/widgets.h"
@@ -18,6 +19,7 @@ struct DeskOptions {
   script::Settings versus_sets;  // of B
   std::string truth;             // what errors are measured against; "" for the pipeline that declares kind = "truth"
   Path out;                      // pictures are saved here
+  double budget_ms = 0;          // of a frame of A; 0: none
 };
 
 class Desk {
@@ -33,6 +35,7 @@ class Desk {
   Look& look() { return look_; }
   const Look& look() const { return look_; }
   PinnedPixel& pixel() { return pixel_; }
+  BudgetKeeper& budget() { return budget_; }
   const DeskOptions& options() const { return options_; }
   const lab::Shot& shot() const { return sides_.a().session->shot(); }  // of A
 
@@ -77,6 +80,7 @@ class Desk {
 
   DeskOptions options_;
   Sides sides_;
+  BudgetKeeper budget_;
   GatheredTruth truth_;
   int truth_wanted_ = 0, truth_of_sweep_ = 0;
   PinnedPixel pixel_;

@@ -348,7 +348,7 @@ void Live::turn() {
   bool news = desk_.turn([this] { return window_.takeEvents(0), window_.stirred(); });
   if (std::string message = desk_.sides().takeMessage(); !message.empty()) state_.say(message);
   if (news) sendToTev();
-  if (recording_) recording_->look(desk_, ImGui::IsAnyMouseDown() || desk_.playing);
+  if (recording_) recording_->look(desk_, ImGui::IsAnyMouseDown() || desk_.playing || desk_.a().more > 0);
   state_.recorded.reset();
   if (recording_) state_.recorded = recording_->moments();
   // A drag comes first.

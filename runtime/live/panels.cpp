@@ -306,6 +306,25 @@ void timesPart(const Fonts& fonts, Desk& desk) {
   ImGui::EndTable();
 }
 
+// ---- right: budget
+
+void budgetPart(const Fonts& fonts, Desk& desk) {
+  const plan::ParamDesc* param = BudgetKeeper::param(desk.a());
+  if (!param) return;
+  heading(fonts, "Budget");
+  float ms = float(desk.budget().ms());
+  row("a frame of A");
+  if (ImGui::DragFloat("##budget", &ms, 0.2f, 0, 10000, ms > 0 ? "%.1f ms" : "none", ImGuiSliderFlags_AlwaysClamp))
+    desk.budget().set(double(ms));
+  tooltip(fmt::format(
+      "GPU time of a frame of A at most; 0: none\n{} is set by the times of the last frames, until it is set by hand",
+      param->name));
+  const lab::Budget* budget = desk.budget().budget();
+  if (!budget) return;
+  textIn(fonts.small, budget->isMet() ? colours::kDim : colours::kBad,
+         fmt::format("{} {:g}: {} of {:.1f} ms", param->name, budget->value(), msText(budget->cost()), budget->ms()));
+}
+
 // ---- right: limits that the frame met
 
 void limitsPart(const Fonts& fonts, const char* title, const Side& side) {
@@ -356,6 +375,7 @@ void rightPanel(const Fonts& fonts, Desk& desk, PanelState& state, float x, floa
   trailPart(fonts, desk, state);
   limitsPart(fonts, desk.b() ? "Limits met by A" : "Limits met", desk.a());
   if (desk.b()) limitsPart(fonts, "Limits met by B", *desk.b());
+  budgetPart(fonts, desk);
   timesPart(fonts, desk);
   ImGui::End();
 }

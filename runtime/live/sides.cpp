@@ -225,6 +225,7 @@ bool Sides::draw(const std::string& port) {
 void Sides::draw(Side& side, const std::string& port) {
   static const std::string kColor = "color";
   side.stale = false;
+  side.more -= side.more > 0;
   try {
     const auto& outputs = side.session->plan().outputs;
     bool output = std::any_of(outputs.begin(), outputs.end(), [&](const auto& one) { return one.first == port; });

@@ -22,9 +22,10 @@ struct Side {
   TimeHistory times;
   bool stale = true;  // values changed since the frame was drawn
   int frames_drawn = 0;
+  size_t more = 0;  // frames to draw without a change, so that their times are known
 
   // Whether it has to be drawn: also once more without a change, so that its times are known.
-  bool isDue() const { return session && (stale || (problem.empty() && times.lastIsVoid())); }
+  bool isDue() const { return session && (stale || (problem.empty() && (more > 0 || times.lastIsVoid()))); }
   // The image that is looked at as it was read back, or null.
   const graph::ReadImage* image() const;
   // Linear view depth at a pixel, metres; empty for the sky, and without an output "depth".

@@ -30,7 +30,7 @@ const std::vector<std::string>& invariantNames() {
 
 const std::vector<std::string>& roleNames() {
   static const std::vector<std::string> names = {"tile",    "sample_count", "reach",   "depth_tolerance", "jitter",
-                                                 "shading", "sample_times", "regions", "static_once"};
+                                                 "shading", "sample_times", "regions", "static_once",     "quality"};
   return names;
 }
 

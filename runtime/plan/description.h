@@ -42,6 +42,7 @@ enum class Role {
   SampleTimes,     // where in the exposure samples are: "midpoint" or "stratified"
   Regions,         // bool: find the regions in which errors are measured
   StillOnce,       // bool of a pass: iterations of a loop after the first do only what something in motion reaches
+  Quality,         // float: from the cheapest picture to the best; a budget of time chooses it
 };
 
 // Their names, but for None, in that order.

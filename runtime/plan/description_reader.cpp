@@ -89,6 +89,9 @@ ParamDesc readParam(const Json& json) {
   bool may_have = param.type == ParamDesc::Type::Float && param.min && *param.min > kAuto;
   if (param.has_auto && !may_have)
     reader.fail(fmt::format("'auto' of '{}' needs a float that is never negative", param.name));
+  bool is_range = param.type == ParamDesc::Type::Float && param.min && param.max && !param.has_auto;
+  if (param.role == Role::Quality && !is_range)
+    reader.fail(fmt::format("'{}' has the role 'quality', which needs a float with a range", param.name));
   param.wired = reader.boolean("wired", false);
   param.variant = reader.boolean("variant", false);
   param.variant = isCompiledIn(param);

@@ -57,9 +57,10 @@ return pipeline {
   doc = "Blur of adjustable quality, from post-process to ground truth: rays at several times where a gather is not reliable",
   params = {
     options.blur(16),
-    quality = pipeline.float { 0.4, min = 0, max = 1,
+    quality = pipeline.float { 0.4, min = 0, max = 1, role = "quality",
       doc = "work per picture. 0, or any value if limit = 0: the gather of ue4. Above 0 and below 0.75: rays at several " ..
-            "times where the gather is not reliable. From 0.75: ground truth; at 1, with 16 times `samples` time samples" },
+            "times where the gather is not reliable. From 0.75: ground truth; at 1, with 16 times `samples` time samples. " ..
+            "The option --budget-ms of render and live chooses the value by the times of frames" },
   },
   presets = {
     post_process = { doc = "a post-process blur without rays", set = { quality = 0 } },

@@ -103,6 +103,39 @@ TEST_F(DeskTest, LegendsAreThoseOfThePicture) {
   EXPECT_GT(lab::pictureOf(desk.legends()[0]).width, 100);
 }
 
+// Frames are drawn until the value has settled, without any change of the shot. A value set by hand ends the budget.
+TEST_F(DeskTest, ABudgetSetsTheQuality) {
+  DeskOptions options;
+  options.shot = oracle::with(oracle::shotOf("bar", 32, 16), "adaptive");
+  options.budget_ms = 1e6;
+  Desk desk(bench(), options);
+  auto settled = [&] {
+    for (int i = 0; i < 100 && desk.busy(); ++i) desk.turn();
+    EXPECT_FALSE(desk.busy());
+    const plan::PipelineDesc& pipeline = desk.a().session->running().evaluation().pipeline;
+    return std::get<double>(*plan::valueOf(pipeline, BudgetKeeper::param(desk.a())->name));
+  };
+  EXPECT_EQ(settled(), 1);
+  EXPECT_TRUE(desk.budget().budget()->isMet());
+  const int drawn = desk.a().frames_drawn;
+  EXPECT_LT(drawn, 50);
+  desk.turn();
+  EXPECT_EQ(desk.a().frames_drawn, drawn) << "a picture at rest is not drawn again";
+  desk.budget().set(1e-6);
+  desk.turn();
+  EXPECT_EQ(settled(), 0);
+  EXPECT_FALSE(desk.budget().budget()->isMet());
+  desk.sides().set("quality", "0.5", "window");
+  EXPECT_EQ(settled(), 0.5);
+  EXPECT_EQ(desk.budget().ms(), 0);
+  desk.budget().set(1e6);
+  desk.sides().usePipeline("none");
+  while (desk.busy()) desk.turn();
+  EXPECT_EQ(BudgetKeeper::param(desk.a()), nullptr);
+  desk.sides().usePipeline("adaptive");
+  EXPECT_EQ(settled(), 1) << "the budget holds for the next pipeline that has a quality";
+}
+
 // Going round what is under the pointer: it is as far away afterwards, in the same pixel.
 TEST_F(DeskTest, AnOrbitKeepsTheDepthUnderThePointer) {
   DeskOptions options;

@@ -155,6 +155,7 @@ TEST(Description, ReferencesAndRangesAreChecked) {
       {"/values/m", 1, "p.lua: there are values of unknown parameters"},
       {"/params/0/default", "c", "p.lua:3: 'mode' = 'c' is not one of a, b"},
       {"/params/1/min", 20, "p.lua:4: parameter: min of 'n' is above max"},
+      {"/params/1/role", "quality", "p.lua:4: parameter: 'n' has the role 'quality', which needs a float with a range"},
       {"/passes/1/name", "source", "p.lua: pipeline: two passes are named 'source'"},
       {"/passes/1/shader", "../../etc/passwd", "b.lua:1: pass: '../../etc/passwd' is not a path below shaders/"},
       {"/passes/1/shader", "/etc/passwd", "b.lua:1: pass: '/etc/passwd' is not a path below shaders/"},

@@ -51,6 +51,13 @@ TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
   expectRefusal("render none" + kScene + " --tap gbuffer", 2,
                 "'gbuffer', which is a node: 'gbuffer.NAME' is an image of it; it writes ");
   expectRefusal("tune hybrid" + kScene + " --budget-ratio x", 2, "--budget-ratio: 'x' is not a number above 0");
+  expectRefusal("render adaptive" + kScene + " --budget-ms -1", 2, "--budget-ms: '-1' is not a number above 0");
+  for (const char* command : {"render none", "live none"})
+    expectRefusal(command + kScene + " --budget-ms 5", 2,
+                  "--budget-ms needs a parameter with the role 'quality', which 'none' does not have");
+  expectRefusal("capture x.lua --budget-ms 5", 2,
+                "'capture' has no option '--budget-ms'; it is an option of render, live, tune");
+  expectRefusal("sweep x.lua --budget-ms=5", 2, "'sweep' has no option '--budget-ms'; it is an option of");
   expectRefusal("render none" + kScene + " --spin bar=0,0,0,1", 2, "--spin 'bar=0,0,0,1': the axis is 0,0,0");
 }
 

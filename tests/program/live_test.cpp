@@ -280,6 +280,16 @@ TEST_F(Live, WhatIsRecordedGivesTheSavedPicturesAgain) {
     EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
 }
 
+TEST_F(Live, ABudgetChoosesTheQuality) {
+  const std::string shot = picture("budget.png");
+  Outcome outcome = drive("wait 60\nexpect quality 1\nscreenshot " + shot +
+                              "\nset quality 0.5\nwait 20\nexpect quality 0.5\nproblems no\nquit\n",
+                          "adaptive --budget-ms 1000000");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  outcome = drive("wait 60\nexpect quality 0\nquit\n", "adaptive --budget-ms 0.000001");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
 TEST_F(Live, ClosingTheWindowKeepsWhatWasRecorded) {
   Outcome outcome = drive("wait 2\nrecord\nset samples 8\nwait 2\nquit\n");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
