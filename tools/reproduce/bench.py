@@ -98,10 +98,12 @@ class Bench:
     def swept(self, file, name, only=""):
         """Runs an experiment, or some points of it; continues what an earlier run left in the folder."""
         folder = self.out / (name + ("_quick" if only else ""))
-        words = ["strobe", "sweep", file, "-o", folder] + (["--only", only] if only else [])
-        self.run(*words, codes=(0, 1))  # 1: an expectation that does not hold, known ones too
+        home = (self.root / file).parent
+        cwd = home if (home / "strobe.project.lua").exists() else None  # of a project
+        words = ["strobe", "sweep", Path(file).name if cwd else file, "-o", folder] + (["--only", only] if only else [])
+        self.run(*words, cwd=cwd, codes=(0, 1))  # 1: an expectation that does not hold, known ones too
         if not (folder / "result.json").exists():
-            self.run(*words)  # says why
+            self.run(*words, cwd=cwd)  # says why
         if not only:
             self.fresh[name] = folder
         return Results(folder / "result.json", fresh=True)

@@ -5,6 +5,8 @@ what the command gives, the tolerance with its reason, and about how many second
 Numbers that a page takes from an experiment are compared with its results, those that lie beside it or, without --quick,
 those of the run just made; the claims `experiment_...` make the results again.
 """
+from pathlib import Path
+
 import readers as read
 from derived import DERIVED
 from figures import FIGURES
@@ -15,7 +17,10 @@ TIMES = "times of one machine: reported beside those of this one"
 
 
 def sweep(name):
-    return f"./strobe sweep experiments/{name}/{name}.lua -o FOLDER"
+    folder = f"experiments/{name}"
+    if (Path(__file__).parents[2] / folder / "strobe.project.lua").exists():
+        return f"cd {folder}; strobe sweep {name}.lua -o FOLDER"
+    return f"./strobe sweep {folder}/{name}.lua -o FOLDER"
 
 
 def experiment(name, quick, seconds, full_seconds, **more):
@@ -42,6 +47,7 @@ EXPERIMENTS = [
     experiment("exhibits", "shot=jump", 40, 400),
     experiment("shading_under_motion", "shot=lamp", 50, 240),
     experiment("adaptive", "shot=enters", 60, 360),
+    experiment("adaptive_design", "shot=enters", 60, 720),
     experiment("samples", "samples=4", 50, 400),
     experiment("composites", "shot=still,samples=16", 50, 1200),
     experiment("edge_detectors", "shot=near,depth=0.05", 50, 1200),
