@@ -8,6 +8,8 @@ local experiment = require "strobe.experiment"
 local sides = "the card's left edge is lighter than its right edge, and the anchor decides which of the two edges lies " ..
               "inside the region: the errors of truth with 16 samples differ by the same factor"
 
+local twice = "the passes for tiles and for the mask run twice, once for each side of the raster time, and these passes take " ..
+              "most of the time that hybrid_layered needs beyond a post-process"
 local regions = "the region inside the silhouette has other pixels with another anchor: the errors of truth with 16 samples " ..
                 "differ by a larger factor"
 
@@ -138,7 +140,7 @@ return experiment {
       end
       return most <= 0.05, ("at most %.1f %%"):format(100 * most)
     end },
-    { "with the anchor centre, two displacements take at most 1.5 times the time of one", function(r)
+    { "with the anchor centre, two displacements take at most 1.5 times the time of one", known = twice, function(r)
       local one, two = r.at { arm = layered, anchor = "centre" }.ms_ratio, r.at { arm = split, anchor = "centre" }.ms_ratio
       return two <= 1.5 * one, ("%.2f and %.2f times the time of McGuire 2012"):format(one, two)
     end },

@@ -53,7 +53,6 @@ FRAGMENTS = [
     ("docs/figures.md", "96 pixels are an inch", "a unit"),
     ("docs/glossary.md", "0.5 is a shutter of 180 degrees", "a unit"),
     ("docs/how-a-pass-travels.md", "5 s of processor time, 10 s of wall clock and 256 MB", "limits"),
-    ("docs/hybrid-pass-by-pass.md", "at each of 16 times", "a default"),
     ("docs/installing.md", "of more than 256 MiB of either", "a limit"),
     ("docs/invariants.md", "A tap of weight 0.00001", "a setting of a test"),
     ("docs/live.md", "ends the program (10 s)", "a limit"),
@@ -84,11 +83,6 @@ FRAGMENTS = [
     ("experiments/README.md", "with at most 1.1 times its error?", "a question"),
     ("experiments/README.md", "threshold 0.05", "a setting"),
     ("experiments/README.md", "at most 1.3 times the error of truth", "an expectation that the experiment checks"),
-    ("docs/any-object.md", "posed at 33 times", "a constant of the program"),
-    ("docs/any-object.md", "(2 % of their colour)", "a default"),
-    ("docs/any-object.md", "(0.75 px)", "a default"),
-    ("docs/any-object.md", "(from 0.02 px over the exposure)", "a constant of the pipeline"),
-    ("docs/any-object.md", "from 0.3 px on and from 1 to 64", "settings of the experiment"),
 ] + [("docs/how-a-pass-travels.md", f"| {step} | `{folder}", "the number of a step") for step, folder in enumerate(
     ("passes/", "runtime/script", "runtime/script", "runtime/plan", "runtime/shader", "runtime/shader", "runtime/gpu",
      "runtime/graph", "runtime/lab"), 1)]
