@@ -8,8 +8,8 @@ local experiment = require "strobe.experiment"
 local sides = "the card's left edge is lighter than its right edge, and the anchor decides which of the two edges lies " ..
               "inside the region: the errors of truth with 16 samples differ by the same factor"
 
-local twice = "the passes for tiles and for the mask run twice, once for each side of the raster time, and these passes take " ..
-              "most of the time that hybrid_layered needs beyond a post-process"
+local twice = "the passes for tiles and for the mask run twice, once for each side of the raster time, and these passes " ..
+              "take most of the time that hybrid_layered needs beyond a post-process"
 local regions = "the region inside the silhouette has other pixels with another anchor: the errors of truth with 16 samples " ..
                 "differ by a larger factor"
 

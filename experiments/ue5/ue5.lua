@@ -18,8 +18,8 @@ local parameters = {
 -- Reasons why some of the expectations below failed; reports print them.
 local across = "half resolution blurs edges that are parallel to the motion; in the tracking shot, nine tenths of the added " ..
                "squared error are at the edge of a bright lamp"
-local small_part = "on the software device the gather is a small part of the frame, and the passes that prepare its parameter " ..
-                   "take as long as the parameter saves, or nearly so"
+local small_part = "on the software device the gather is a small part of the frame, and the passes that prepare its " ..
+                   "parameter take as long as the parameter saves, or nearly so"
 local mixed = "where two motions meet, half of each surface's blur is along the motion of the other surface"
 
 local arms = {

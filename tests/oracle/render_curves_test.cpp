@@ -115,7 +115,7 @@ TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
     lab::Shot shot = with(wedge(), "hybrid_layered", {"trajectory=quadratic"}, anchor.name);
     shot.taps = {"raster_curve.curve"};
     lab::Picture picture = render(shot);
-    const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats;
+    const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
     int seen = 0;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -210,7 +210,7 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
             with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "hybrid_layered", {"trajectory=arc"}, anchor.name);
         shot.taps = {"raster_curve.curve"};
         const lab::Picture picture = render(shot);
-        const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats;
+        const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
         int seen = 0;
         for (int y = 0; y < kSide; ++y)
           for (int x = 0; x < kSide; ++x) {

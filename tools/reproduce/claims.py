@@ -80,7 +80,6 @@ MEASURED = [
     of_results("frame_time", "real_scenes", read.frame_ratios, tolerance=0.25),
     of_results("readme_moving_camera", "all_moves", read.moving_camera_ratios, tolerance=0.25),
     of_results("moving_camera", "all_moves", read.moving_camera_ratios, tolerance=0.25),
-    of_results("methods_table", "methods", read.methods_table, tolerance=0.25),
     of_results("precision_room", "precision", read.precision_room),
     of_results("precision_oracles", "precision", read.precision_oracles),
     of_results("precision_color", "precision", read.precision_color),

@@ -50,6 +50,7 @@ FRAGMENTS = [
     ("docs/gltf.md", "A file may need 1 GiB and 1000 times its own bytes", "a limit"),
     ("docs/external-truth.md", "sampled at 257 times", "a definition"),
     ("docs/external-truth.md", "Blender (3.4, the package", "a version"),
+    ("docs/methods.md", "(version 5.4)", "a version"),
     ("docs/figures.md", "96 pixels are an inch", "a unit"),
     ("docs/glossary.md", "0.5 is a shutter of 180 degrees", "a unit"),
     ("docs/how-a-pass-travels.md", "5 s of processor time, 10 s of wall clock and 256 MB", "limits"),
