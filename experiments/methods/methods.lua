@@ -36,7 +36,7 @@ local shots = {
 }
 
 -- Sizes of the pictures. The displacement over the exposure is a twentieth of the width.
-local measured = "1280x720"  -- size at which errors are measured
+local measured = "1280x720"  -- errors are read at this size
 local sizes = { ["1280x720"] = { 1280, 720 }, ["1920x1080"] = { 1920, 1080 } }
 
 local function error_of(r, shot_name, arm) return r.at { shot = shot_name, arm = arm, picture = measured }.flip end
