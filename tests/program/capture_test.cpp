@@ -137,8 +137,8 @@ TEST_F(Capture, VerifyNamesThePassThatDiffersFirst) {
     const std::string whole = contentOf(path(file));
     // Of floats one more in the first place; of ids, and what raster writes, another constant.
     std::string edited = whole;
-    size_t at = edited.find("imageStore(", edited.find("void run("));
-    if (at != std::string::npos) {
+    size_t at = edited.rfind("imageStore(");
+    if (at != std::string::npos && at > edited.find("void run(")) {
       size_t end = edited.find(");\n", at);
       edited.insert(end, edited.find("uvec4", at) < end ? " + 1u" : " + 0.0625");
     } else {

@@ -34,7 +34,7 @@ return capture {
     { name = "oberberger2022", pipeline = "oberberger2022" },
     { name = "adaptive", pipeline = "adaptive" },
     { name = "accumulation", pipeline = "accumulation" },
-    { name = "adaptive", pipeline = "adaptive" },
+    { name = "hybrid_layered", pipeline = "hybrid_layered" },
     { name = "paper", pipeline = "hybrid" },
     { name = "truth", pipeline = "ground_truth", set = { samples = 8, pixel = "box" } },
   },

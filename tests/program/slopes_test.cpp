@@ -77,7 +77,7 @@ TEST_F(BenchSlopes, RefusesMisuse) {
   expectRefusal(fileWith() + " --bandwidth 0", 2, "'0' is not a number above 0");
   expectRefusal(fileWith() + " --size 32", 2, "--size '32' is not WIDTHxHEIGHT");
   expectRefusal(fileWith("\"linear\"", "\"liner\""), 1, "did you mean 'linear'?");
-  expectRefusal(fileWith("\"masked\"", "\"mask\""), 1, "none of masked, displacement; did you mean 'masked'?");
+  expectRefusal(fileWith("\"masked\"", "\"mask\""), 1, "not one of masked, displacement; did you mean 'masked'?");
   expectRefusal(fileWith("part = \"frame\"", "part = \"fame\""), 2, "no frame has the part 'fame'");
   expectRefusal(fileWith("fps = 205, ", ""), 1, "'fps'");
   expectRefusal(fileWith("shot = \"cards\"", "shot = \"card\""), 1, "did you mean 'cards'?");

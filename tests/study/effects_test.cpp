@@ -161,7 +161,7 @@ TEST(EffectsOfResults, OfWhatShipsAreThoseOfScipy) {
   Results results = resultsFrom(Json::parse(readText(file)), file.string());
   compare(results);
   Effects effects = effectsOf(results, "vase", "rmse", "inner");
-  EXPECT_EQ(effects.points, 45u);
+  EXPECT_EQ(effects.points, 60u);
   EXPECT_EQ(effects.factors.size(), 3u);
   EXPECT_EQ(effects.pairs.size(), 3u);
 }

@@ -135,7 +135,7 @@ TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
   expectRefusal(with("", "camera = 3"), "'camera' of shot 1");
   expectRefusal(with("", "spin = { bar = { 0, 1, 0 } }"), "takes 4 numbers");
   expectRefusal(with("role = \"truth\""), "the role of an arm is 'truth', which is not one of method, floor");
-  expectRefusal(with("", "", "scale = \"lgo\""), "none of log, linear, even; did you mean 'log'?");
+  expectRefusal(with("", "", "scale = \"lgo\""), "not one of log, linear, even; did you mean 'log'?");
   expectRefusal(with("", "", "region = \"iner\""), "did you mean 'inner'?");
   expectRefusal(with("", "", "benign = 5"), "benign is 5, which is not one of the values");
   expectRefusal(with("", "", "scale = \"log\", values = { 4.7, 2 }"), "the values must increase, but 2 follows 4.7");
@@ -345,7 +345,7 @@ TEST(Vary, MistakesAreSaidAtTheirLine) {
        {std::pair<std::string, std::string>{"experiment.zip { samples = { 8, 16 }, exposure = { 0.5 } }",
                                             "zip pairs 2 values of 'samples' with 1 of 'exposure'"},
         {"experiment.grid { samples = {} }", "'samples' is empty instead of a list"},
-        {"experiment.ablation({ samples = 8 }, { sample = { 4 } })", "not in the base; did you mean 'samples'?"},
+        {"experiment.ablation({ samples = 8 }, { sample = { 4 } })", "not in the base of the ablation; did you mean 'samples'?"},
         {"experiment.sobol(0, { samples = { 1, 2 } })", "the count is a whole number from 1"},
         {"experiment.random(3, 1.5, { samples = { 1, 2 } })", "the seed of random is a whole number"},
         {"experiment.sobol(3, { samples = { 4, 2 } })", "the range of 'samples' is empty: 4 to 2"},
