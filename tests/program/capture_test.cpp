@@ -120,7 +120,7 @@ TEST_F(Capture, AnEditedCommentChangesHashesOfFilesAlone) {
       << verified.out;
 }
 
-// One constant in a shader of each pass: what each writes, moved a little.
+// All that a pass writes, moved a little, in each pass.
 TEST_F(Capture, VerifyNamesThePassThatDiffersFirst) {
   const std::string home = copiedHome();
   ASSERT_EQ(capture("out", "--only card.hybrid", home).exit_code, 0);
@@ -137,10 +137,12 @@ TEST_F(Capture, VerifyNamesThePassThatDiffersFirst) {
     const std::string whole = contentOf(path(file));
     // Of floats one more in the first place; of ids, and what raster writes, another constant.
     std::string edited = whole;
-    size_t at = edited.rfind("imageStore(");
-    if (at != std::string::npos && at > edited.find("void run(")) {
-      size_t end = edited.find(");\n", at);
-      edited.insert(end, edited.find("uvec4", at) < end ? " + 1u" : " + 0.0625");
+    size_t at = edited.find("imageStore(", edited.find("void run("));
+    if (at != std::string::npos) {
+      for (size_t store = at; store != std::string::npos; store = edited.find("imageStore(", store + 1)) {
+        const size_t end = edited.find(");\n", store);
+        edited.insert(end, edited.find("uvec4", store) < end ? " + 1u" : " + 0.0625");
+      }
     } else {
       at = edited.rfind(" = ", edited.rfind(";\n"));
       edited.insert(edited.find(";\n", at), " + 1u");
