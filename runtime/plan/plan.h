@@ -86,7 +86,7 @@ struct PlanLoop {
   int until = -1;            // image read back after each iteration, non-zero to stop; or -1
 
   // True if each iteration is an exposure of its own. Its nodes then run on all pixels and instances, because
-  // the moving rectangle and the moving instances are those of the whole frame.
+  // the moving rectangle and the moving instances apply to the whole frame.
   bool drawsParts() const { return times == kPartTimes; }
 };
 
