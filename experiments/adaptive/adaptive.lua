@@ -3,43 +3,9 @@
 -- leads from a post-process blur to ground truth, so its settings form a curve.
 --   strobe sweep experiments/adaptive/adaptive.lua -o out/adaptive
 local experiment = require "strobe.experiment"
+local all_shots  = require "scripts.scenes.lib.all_shots"
 
-local width, height = 160, 90
-
-local function shot(name, title, scene, more)
-  local one = { name = name, title = title, scene = scene }
-  if scene ~= "cards" then one["scene.width"], one["scene.height"] = width, height end
-  for key, value in pairs(more or {}) do one[key] = value end
-  return one
-end
-
-local shots = {
-  shot("room", "Living room", "living_room", { camera = "main", ["scene.pixels"] = 14 }),
-  shot("room_tracking", "Living room, tracking", "living_room", { camera = "tracking", ["scene.pixels"] = 14 }),
-  shot("vase", "Vase and cushion", "vase_and_cushion", { ["scene.pixels"] = 12 }),
-  shot("turns_back", "Turns back", "turns_back", { anchor = "centre", frame = 1 }),
-  shot("behind", "Behind", "behind"),
-  shot("cards", "Cards", "cards"),
-}
--- Scenes and their displacements, px; none: as the scene's file has it. In this smaller picture, a displacement is the same
--- share of the picture as in the scene at 480x270.
-local objects = { { "caged_fan", 27 }, { "car_and_road", 33 }, { "door", 33 }, { "enters", 33 }, { "leaves", 20 }, { "nearer" },
-  { "pendulum", 33 }, { "spoked_wheel", 20 }, { "stacked", 27 }, { "telescope", 33 }, { "tracking_parallax", 17 } }
-local oracles = { "bar", "half_plane", "hidden_white", "quad_2d", "textured_bar", "wedge" }
-local properties = { "crowd", "extreme", "grazing", "passage" }
-local function add(folder, names)
-  for _, of in ipairs(names) do
-    local name, pixels = of, nil
-    if type(of) == "table" then name, pixels = of[1], of[2] end
-    local title = name:gsub("_", " "):gsub("^%l", string.upper)
-    shots[#shots + 1] = shot(name, title, folder .. "/" .. name, { ["scene.pixels"] = pixels })
-  end
-end
-add("objects", objects)
-add("oracles", oracles)
-add("stability", properties)
-shots[#shots + 1] = shot("planes", "Planes", "stability/planes", { ["scene.kind"] = 2, ["scene.velocity_x"] = 0.83 })
-
+local shots, width, height = all_shots.list(), 160, 90
 local arms, others, own = {}, {}, {}  -- all; names of arms with other pipelines, with adaptive
 local base = "McGuire 2012"
 local postprocess = "UE4-style"  -- equals adaptive with quality = 0

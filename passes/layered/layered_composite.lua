@@ -44,6 +44,6 @@ return pass.compute {
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },
-  counters = { fallback = "time samples at which neither layer has a surface at the pixel; the surface that the pixel shows " ..
-                          "at the raster time is used instead" },
+  counters = { fallback = "time samples without a surface at the pixel in any layer; their colour is the colour of the pixel " ..
+                          "at the raster time" },
 }

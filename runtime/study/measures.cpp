@@ -132,16 +132,13 @@ double rays(const Sight& sight, const std::string&, const Image&) {
   return double(std::accumulate(counts.begin(), counts.end(), uint64_t{0}));
 }
 
-// Pixels that an output marks.
-double marked(const Sight& sight, const std::string& output) {
-  auto mask = sight.picture->frame.outputs.find(output);
+// Number of pixels that the output `mask` marks.
+double masked(const Sight& sight, const std::string&, const Image&) {
+  auto mask = sight.picture->frame.outputs.find("mask");
   if (mask == sight.picture->frame.outputs.end()) return kNothing;
   const std::vector<float>& values = mask->second.floats.values;
   return double(std::count_if(values.begin(), values.end(), [](float value) { return value >= 0.5f; }));
 }
-
-double masked(const Sight& sight, const std::string&, const Image&) { return marked(sight, "mask"); }
-double traced(const Sight& sight, const std::string&, const Image&) { return marked(sight, "traced"); }
 
 double displacement(const Sight& sight, const std::string&, const Image&) {
   return lab::displacementOf(*sight.picture);
@@ -267,9 +264,6 @@ const std::vector<Measure>& measures() {
       ofAny({"rays", "rays", "", kLower, false, "rays launched for the picture: revealing, shadows, truth", rays}),
       ofAny({"masked", "masked", "px", kLower, false, "pixels of the output `mask`: behind which something is sought",
              masked}),
-      ofAny({"traced", "traced", "px", kLower, false,
-             "pixels of the output `traced`: all that have rays of the method's own, where their number is limited",
-             traced}),
       ofAny(
           {"clamped", "clamped", "px", kLower, false, "pixels whose displacement was shortened to the limit", clamped}),
       ofAny({"broken", "not finite", "px", kLower, false, "pixels with a colour that is not a finite number", broken}),

@@ -19,8 +19,9 @@
 //      surface and the raster image shows both points, the times between take that surface's texels along its path, and the
 //      error is the larger difference between a ray and its texel. Otherwise the times between take the mean of both rays, and
 //      the error is the difference of their colours. The channel with the largest error counts.
-//   3. Trace a ray half-way between if error * (b - a)/n > `allowance`, or if the raster image shows a third surface that
-//      arrives between the two times. Then repeat steps 2 and 3 for both halves.
+//   3. If the raster image shows a surface that is at the pixel at a time between, add to the error the difference of that
+//      texel from the more similar ray, divided by b - a.
+//   4. Trace a ray half-way between if error * (b - a)/n > `allowance`. Then repeat steps 2 to 4 for both halves.
 // Fails: misses a surface that appears and disappears between two rays of equal colour, unless the raster image shows it.
 #include "lib/blur.glsl"
 #include "lib/moving_rect.glsl"
@@ -122,38 +123,37 @@ Sample sampleAt(ivec2 pixel, int number, float share, inout StaticBackground sta
 // True if both samples hit one surface, and the raster image shows both hit points.
 bool isOneShownSurface(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
 
-// True if the raster image shows a third surface that is at the pixel at the time `number` of `count`. The displacement d leads
-// to one texel of the raster image, and the displacement of that texel decides if its surface is at the pixel. a and b: ids of
-// the surfaces that the rays before and after this time hit; a third surface has another id. The tolerance is 3/4 px, because
-// rounding the position to a texel moves it by up to 1/2 px along each axis, and by 0.71 px diagonally.
-bool hasThirdSurface(ivec2 pixel, vec2 d, int number, int count, uvec2 a, uvec2 b) {
+// Difference of the samples a and b from the surface that the raster image shows at the pixel at the time `number` of `count`:
+// the smaller of the two largest differences of a channel; 0 if it shows no surface there. The displacement d leads to one
+// texel of the raster image, and the displacement of that texel decides if its surface is at the pixel. The tolerance is 3/4
+// px, because rounding the position to a texel moves it by up to 1/2 px along each axis, and by 0.71 px diagonally.
+float apartFromShown(ivec2 pixel, vec2 d, int number, int count, Sample a, Sample b) {
   float t = sampleTime(number, count, 0.0);
   ivec2 texel = pixel + roundSymmetric(tapOffset(d, t));
-  if (!isInside(texel, ivec2(frame.size))) return false;
-  uvec2 id = texelFetch(id_tex, texel, 0).xy;
-  if (id == a || id == b) return false;
-  return isAt(pixel, texel, finiteDisplacement(texelFetch(velocity_tex, texel, 0)), t, 0.75);
+  if (d == vec2(0) || !isInside(texel, ivec2(frame.size))) return 0.0;
+  if (!isAt(pixel, texel, finiteDisplacement(texelFetch(velocity_tex, texel, 0)), t, 0.75)) return 0.0;
+  vec3 color = toSum(finiteColor(texelFetch(color_tex, texel, 0)));
+  return min(apart(color, a.color), apart(color, b.color));
 }
 
 // True if the times between the samples a and b need no ray. `at` and `end` are the numbers of these samples among `count`
 // times, d is the longest displacement in the cell. `sum` is then the sum of the colours at the times between. The colours are
 // raster texels along the path if both samples hit one surface that the raster image shows, otherwise the mean of a and b.
-// `change`: difference of colours that remains unknown.
+// `change`: estimated difference of the colours from the truth, mean over the interval.
 bool needsNoRay(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum, out float change) {
   bool one_shown_surface = isOneShownSurface(a, b);
-  sum = 0.5 * float(end - at - 1) * (a.color + b.color);
-  float unknown = one_shown_surface ? max(a.apart, b.apart) : apart(a.color, b.color);
-  if (unknown * float(end - at) > params.allowance * kSumScale * float(count)) return false;
-  change = unknown;
-  if (one_shown_surface) sum = vec3(0);
+  float length = float(end - at);
+  sum = one_shown_surface ? vec3(0) : 0.5 * (length - 1.0) * (a.color + b.color);
+  change = one_shown_surface ? max(a.apart, b.apart) : apart(a.color, b.color);
   for (int number = at + 1; number < end; ++number) {
-    if (d != vec2(0) && hasThirdSurface(pixel, d, number, count, a.id, b.id)) return false;
+    if (change * length > params.allowance * kSumScale * float(count)) return false;
+    change += apartFromShown(pixel, d, number, count, a, b) / length;
     if (!one_shown_surface) continue;
     vec3 color;
-    if (!isShown(mix(a.place, b.place, float(number - at) / float(end - at)), a.id, color)) return false;
+    if (!isShown(mix(a.place, b.place, float(number - at) / length), a.id, color)) return false;
     sum += color;
   }
-  return true;
+  return change * length <= params.allowance * kSumScale * float(count);
 }
 
 // Adds the variance of an interval that lasts the share `share` of the exposure. If the colour changes by `change` at a

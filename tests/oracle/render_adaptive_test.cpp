@@ -124,6 +124,30 @@ TEST_F(RenderAdaptive, APanelBetweenTwoAgreeingRaysIsFound) {
     }
 }
 
+// A bar has a stripe in the colour of the background and a dark stripe. A pixel between two rays that hit the first
+// stripe and the background still shows the dark stripe: each pixel is exact to within the shortest interval.
+TEST_F(RenderAdaptive, AStripeBetweenTwoAgreeingSurfacesIsFound) {
+  constexpr double kLeft = 120, kStripe = 12, kMoved = 64, kLight = .9, kDark = .1;
+  const lab::Shot passes = shotOf("textured_bar", 384, 12,
+                                  {{"left", kLeft},
+                                   {"right", kLeft + 2 * kStripe},
+                                   {"d_f", kMoved},
+                                   {"period_f", kStripe},
+                                   {"f_light", kLight},
+                                   {"f_dark", kDark},
+                                   {"b_light", kLight},
+                                   {"b_dark", kLight}});
+  const Strips exact = {{kLeft, kLeft + 2 * kStripe, kMoved, {kLight, kDark, kStripe, kLeft}},
+                        {-kInfinity, kInfinity, 0, {kLight}}};
+  for (const Anchor& anchor : anchors())
+    for (double quality : {.1, .3, .5}) {
+      SCOPED_TRACE(fmt::format("{}, quality {}", anchor.name, quality));
+      const image::Image color = colorOf(at(passes, quality, {}, anchor.name));
+      for (int x = 0; x < 384; ++x)
+        EXPECT_NEAR(color.at(x, 6, 0), exposeCentre(exact, anchor.window, x).colour, (kLight - kDark) / 16 + 1e-4) << x;
+    }
+}
+
 // Something that no displacement of the capture tells of comes before what rests or moves alike: rays of the cells see
 // it.
 TEST_F(RenderAdaptive, RaysRefuteCellsThatSeemCertain) {
