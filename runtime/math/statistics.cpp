@@ -63,6 +63,31 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
+// Ranks of the values, from 0. Equal values share the mean of their ranks.
+static std::vector<double> ranksOf(const std::vector<double>& values) {
+  std::vector<size_t> order(values.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return values[a] < values[b]; });
+  std::vector<double> ranks(values.size());
+  for (size_t first = 0, last; first < order.size(); first = last) {
+    for (last = first; last < order.size() && values[order[last]] == values[order[first]];) ++last;
+    for (size_t i = first; i < last; ++i) ranks[order[i]] = 0.5 * double(first + last - 1);
+  }
+  return ranks;
+}
+
+double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size() || a.empty()) return kNone;
+  const std::vector<double> ranks_a = ranksOf(a), ranks_b = ranksOf(b);
+  const double middle = 0.5 * double(a.size() - 1);  // mean of all ranks
+  double products = 0, squares_a = 0, squares_b = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    const double from_a = ranks_a[i] - middle, from_b = ranks_b[i] - middle;
+    products += from_a * from_b, squares_a += from_a * from_a, squares_b += from_b * from_b;
+  }
+  return squares_a > 0 && squares_b > 0 ? products / std::sqrt(squares_a * squares_b) : kNone;
+}
+
 double variance(const std::vector<double>& values) {
   if (values.size() < 2) return kNone;
   double middle = mean(values), sum = 0;

@@ -40,6 +40,10 @@ Estimate ratioOfMedians(const std::vector<double>& values, const std::vector<dou
 
 double mean(const std::vector<double>& values);
 
+// Spearman's rank correlation of two lists of equal length: the correlation of the ranks, where equal values share the
+// mean of their ranks. NaN if the lengths differ, or if all values of a list are equal.
+double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b);
+
 // Sum of squared deviations from the mean, divided by n - 1. At least two values.
 double variance(const std::vector<double>& values);
 

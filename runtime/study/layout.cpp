@@ -33,6 +33,7 @@ std::optional<FrontLayout> frontOf(const Json& layout) {
   result.title = json.value("title", ""), result.note = json.value("note", "");
   result.x = json.value("x", result.x), result.y = json.value("y", result.y);
   result.region = json.value("region", result.region);
+  result.together = json.value("together", result.together);
   return result;
 }
 

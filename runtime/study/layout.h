@@ -29,10 +29,12 @@ struct TableLayout {
   bool share = false;              // errors as a share of the contrast of truth
 };
 
-// A measure against another, a point for each method and value, a chart for each shot.
+// The measure y against the measure x, with a mark for each method and value, in one chart for each shot. `together`:
+// in one chart for all shots, with the line y = x in place of the Pareto front.
 struct FrontLayout {
   std::string title, note;
   std::string x = "ms", y = "rmse", region = "whole";
+  bool together = false;
 };
 
 std::optional<PicturesLayout> picturesLayoutOf(const Json& layout);

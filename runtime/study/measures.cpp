@@ -67,17 +67,45 @@ double ssim(const Sight& sight, const std::string&, const Image& mask) {
   return image::ssim(sight.color, sight.truth->color, mask).value_or(kNothing);
 }
 
-double p999(const Sight& sight, const std::string&, const Image& mask) {
+// Calls `of(x, y)` for each pixel of `mask`; an empty mask has every pixel.
+template <typename Of>
+void forEachPixel(const Image& color, const Image& mask, Of of) {
+  for (int y = 0; y < color.height; ++y)
+    for (int x = 0; x < color.width; ++x)
+      if (mask.empty() || mask.at(x, y, 0) >= 0.5f) of(x, y);
+}
+
+// Error of each pixel of `mask`: the root mean square over its channels of the difference from truth.
+std::vector<double> errorsOf(const Sight& sight, const Image& mask) {
   std::vector<double> errors;
-  for (int y = 0; y < sight.color.height; ++y)
-    for (int x = 0; x < sight.color.width; ++x) {
-      if (!mask.empty() && mask.at(x, y, 0) < 0.5f) continue;
-      double squares = 0;
-      for (int c = 0; c < 3; ++c)
-        squares += std::pow(double(sight.color.at(x, y, c)) - sight.truth->color.at(x, y, c), 2);
-      errors.push_back(std::sqrt(squares / 3));
-    }
-  return quantile(std::move(errors), 0.999);
+  forEachPixel(sight.color, mask, [&](int x, int y) {
+    double squares = 0;
+    for (int c = 0; c < 3; ++c)
+      squares += std::pow(double(sight.color.at(x, y, c)) - sight.truth->color.at(x, y, c), 2);
+    errors.push_back(std::sqrt(squares / 3));
+  });
+  return errors;
+}
+
+// Output `error` at each pixel of `mask`, the method's own estimate of its error; empty without this output.
+std::vector<double> estimatesOf(const Sight& sight, const Image& mask) {
+  std::vector<double> estimates;
+  auto output = sight.picture->frame.outputs.find("error");
+  if (output == sight.picture->frame.outputs.end()) return estimates;
+  forEachPixel(sight.color, mask, [&](int x, int y) { estimates.push_back(output->second.floats.at(x, y, 0)); });
+  return estimates;
+}
+
+double p999(const Sight& sight, const std::string&, const Image& mask) {
+  return quantile(errorsOf(sight, mask), 0.999);
+}
+
+double errorMean(const Sight& sight, const std::string&, const Image& mask) { return mean(errorsOf(sight, mask)); }
+double errorEstimate(const Sight& sight, const std::string&, const Image& mask) {
+  return mean(estimatesOf(sight, mask));
+}
+double estimateRank(const Sight& sight, const std::string&, const Image& mask) {
+  return rankCorrelation(estimatesOf(sight, mask), errorsOf(sight, mask));
 }
 
 double flicker(const Sight& sight, const std::string&, const Image& mask) {
@@ -227,6 +255,15 @@ const std::vector<Measure>& measures() {
       {"rmse_full", "RMSE, full shading", "", kLower, true, "RMSE against the second truth (`full`)", rmseFull},
       {"p999", "99.9th percentile", "", kLower, true,
        "error that one pixel in a thousand exceeds: root of the mean square over its channels", p999},
+      {"error_mean", "mean error", "", kLower, true,
+       "mean over the pixels of the root of the mean square over their channels of the difference from truth",
+       errorMean},
+      {"error_estimate", "estimated error", "", kNeither, true,
+       "mean of the output `error`, the method's own estimate of its error; only for methods with this output",
+       errorEstimate},
+      {"estimate_rank", "rank correlation", "", Better::higher, true,
+       "Spearman's rank correlation, over the pixels, of the output `error` with the error against truth",
+       estimateRank},
       {"relmse", "relMSE", "", kLower, true, "mean of squared differences over squared truth + 0.01", relmse},
       {"relmse_trimmed", "relMSE, trimmed", "", kLower, true, "the same without the worst thousandth of the pixels",
        relmseTrimmed},

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-// A method at a point of a shot.
+// Measures of a method at a point of a shot.
 struct Candidate {
   const PointGroup* group;
   const Point* point;
@@ -28,16 +28,12 @@ std::string titleOf(const Measure& measure, const std::string& region) {
   return measure.per_region ? headOf(measure) + ", " + region : headOf(measure);
 }
 
+// Points of `shots`, and the Pareto front of these points.
 class Front {
  public:
-  Front(const Results& results, const ShotSummary& shot, const FrontLayout& layout)
-      : results_(results), shot_(shot), layout_(layout), x_(measureNamed(layout.x)), y_(measureNamed(layout.y)) {
-    for (const PointGroup* group : groupsOf(results, shot))
-      for (const Point& point : group->points) {
-        if (point.role != Role::method) continue;
-        double x = point.value(layout.x, layout.region), y = point.value(layout.y, layout.region);
-        if (std::isfinite(x) && std::isfinite(y)) all_.push_back({group, &point, x, y});
-      }
+  Front(const Results& results, const std::vector<ShotSummary>& shots, const FrontLayout& layout)
+      : results_(results), shots_(shots), layout_(layout), x_(measureNamed(layout.x)), y_(measureNamed(layout.y)) {
+    for (const ShotSummary& shot : shots) add(groupsOf(results, shot));
     std::vector<std::pair<double, double>> costs;
     for (const Candidate& one : all_) costs.emplace_back(cost(x_, one.x), cost(y_, one.y));
     for (size_t i : paretoFront(costs)) front_.push_back(&all_[i]);
@@ -52,6 +48,16 @@ class Front {
   }
 
  private:
+  void add(const std::vector<const PointGroup*>& groups) {
+    for (const PointGroup* group : groups)
+      for (const Point& point : group->points) {
+        if (point.role != Role::method) continue;
+        double x = point.value(layout_.x, layout_.region), y = point.value(layout_.y, layout_.region);
+        if (std::isfinite(x) && std::isfinite(y)) all_.push_back({group, &point, x, y});
+      }
+  }
+  // The Pareto front as steps; of all shots together, y = x over the range of x.
+  page::Series line() const;
   static double cost(const Measure& measure, double value) { return measure.better == Better::higher ? -value : value; }
   page::Axis axis(const Measure& measure) const {
     page::Axis axis;
@@ -68,7 +74,7 @@ class Front {
   }
 
   const Results& results_;
-  const ShotSummary& shot_;
+  const std::vector<ShotSummary>& shots_;
   const FrontLayout& layout_;
   const Measure& x_;
   const Measure& y_;
@@ -76,15 +82,29 @@ class Front {
   std::vector<const Candidate*> front_;
 };
 
+page::Series Front::line() const {
+  page::Series line;
+  line.style = page::kFrontStyle;
+  if (layout_.together) {
+    auto [least, most] =
+        std::minmax_element(all_.begin(), all_.end(), [](const Candidate& a, const Candidate& b) { return a.x < b.x; });
+    line.label = "y = x";
+    for (double x : {least->x, most->x}) line.points.push_back({x, x});
+  } else {
+    line.label = "front", line.stepped = true;
+    for (const Candidate* one : front_) line.points.push_back({one->x, one->y});
+  }
+  return line;
+}
+
 page::Chart Front::chart() const {
   page::Chart chart;
   chart.x = axis(x_), chart.y = axis(y_);
-  chart.about = fmt::format("{}: {} against {} of every method and value; the front is in the table below", shot_.title,
-                            chart.y.title, chart.x.title);
-  page::Series border;
-  border.label = "front", border.style = page::kFrontStyle, border.stepped = true;
-  for (const Candidate* one : front_) border.points.push_back({one->x, one->y});
-  chart.series.push_back(border);
+  chart.about = layout_.together
+                    ? fmt::format("{} against {} of every shot, method and value", chart.y.title, chart.x.title)
+                    : fmt::format("{}: {} against {} of every method and value; the front is in the table below",
+                                  shots_.front().title, chart.y.title, chart.x.title);
+  chart.series.push_back(line());
   int style = 0;
   for (const ArmSummary& arm : results_.arms) {
     if (arm.role != Role::method) continue;
@@ -93,8 +113,8 @@ page::Chart Front::chart() const {
     for (const Candidate& one : all_) {
       if (one.point->arm != arm.name) continue;
       page::Point point{one.x, one.y};
-      point.tip =
-          fmt::format("{}, {}: {}, {}", arm.name, describe(*one.group), shownValue(x_, one.x), shownValue(y_, one.y));
+      point.tip = fmt::format("{}{}, {}: {}, {}", layout_.together ? one.group->shot + ", " : "", arm.name,
+                              describe(*one.group), shownValue(x_, one.x), shownValue(y_, one.y));
       point.hollow = !one.point->limits.empty();
       series.points.push_back(point);
     }
@@ -118,15 +138,24 @@ Parts frontParts(const Results& results) {
   FrontLayout layout = frontOf(results.layout).value();
   Parts parts = {heading(layout.title.empty() ? "Front" : layout.title, 2, "front", Part::kRead),
                  text(layout.note, Tone::plain, Part::kRead)};
+  auto figure = [&](const Front& front, const std::string& name) {
+    page::Chart chart = front.chart();
+    parts.push_back(
+        {page::Figure{page::svgOf(chart), "Hollow marks: a limit was met.", lab::fileNameOf(name), chart.about},
+         Part::kRead});
+  };
+  if (layout.together) {
+    Front front(results, results.shots, layout);
+    if (!front.empty()) figure(front, "front");
+    return parts;
+  }
   for (const ShotSummary& shot : results.shots) {
-    Front front(results, shot, layout);
+    std::vector<ShotSummary> alone = {shot};
+    Front front(results, alone, layout);
     if (front.empty()) continue;
     parts.push_back(heading(shot.title, 3, "front-" + lab::fileNameOf(shot.name)));
     parts.push_back(text(front.text(), Tone::finding));
-    page::Chart chart = front.chart();
-    std::string name = lab::fileNameOf("front " + shot.name);
-    parts.push_back(
-        {page::Figure{page::svgOf(chart), "Hollow marks: a limit was met.", name, chart.about}, Part::kRead});
+    figure(front, "front " + shot.name);
     parts.push_back({front.table()});
     std::string commands;
     for (const PointGroup* group : groupsOf(results, shot))

@@ -105,10 +105,11 @@ experiment.fields = {
   -- `factor` times the floor, the error of the arm with the role "floor".
   curves = { factor = { number, optional = true } },
   -- The Pareto front of each shot, as a chart. x, y: names of the measures on the axes of the chart. region: error region of
-  -- the measure y, and of x if x is measured by region.
+  -- the measure y, and of x if x is measured by region. together: true for one chart with the points of all shots, without the
+  -- front but with the line y = x, to compare two measures of one quantity.
   front = {
     x = { text, optional = true }, y = { text, optional = true }, region = { text, optional = true },
-    title = { text, optional = true }, note = { text, optional = true },
+    title = { text, optional = true }, note = { text, optional = true }, together = { bool, optional = true },
   },
   -- Fields of the layout `table`, tables with one row per arm and value of an axis:
   -- axes   names of axes; each gets a table. Without this field there is one table, with one row per point

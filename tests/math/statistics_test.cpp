@@ -73,7 +73,18 @@ TEST(Statistics, MeanVarianceAndStandardError) {
   EXPECT_NEAR(standardError(values), std::sqrt(32.0 / 7 / 8), 1e-12);
 }
 
+// Expected values: scipy.stats.spearmanr.
+TEST(Statistics, RanksAreCorrelated) {
+  EXPECT_NEAR(rankCorrelation({3, 1, 4, 1, 5, 9, 2, 6, 5, 3}, {2, 7, 1, 8, 2, 8, 1, 8, 2, 8}), 0.13471506281091267,
+              1e-14);
+  EXPECT_NEAR(rankCorrelation({1, 2, 3, 4}, {10, 20, 40, 30}), 0.8, 1e-14);
+  EXPECT_NEAR(rankCorrelation({1, 2, 3}, {-1, -100, -1e9}), -1, 1e-14) << "only the order counts";
+  EXPECT_TRUE(std::isnan(rankCorrelation({1, 2, 3}, {5, 5, 5})));
+}
+
 TEST(Statistics, TooFewValuesGiveNoNumber) {
+  EXPECT_TRUE(std::isnan(rankCorrelation({}, {})));
+  EXPECT_TRUE(std::isnan(rankCorrelation({1, 2}, {1})));
   EXPECT_TRUE(std::isnan(median({})));
   EXPECT_TRUE(std::isnan(mean({})));
   EXPECT_TRUE(std::isnan(variance({1})));

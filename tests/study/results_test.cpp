@@ -324,6 +324,33 @@ TEST(Measures, OfColoursThatAreNotFiniteHaveNoValue) {
   }
 }
 
+// The output `error` is compared with the error of each pixel, in the pixels of the region.
+TEST(Measures, AnEstimatedErrorIsComparedWithTheError) {
+  TruthPicture truth;
+  truth.color = image::Image(3, 1, 3, 0.5f);
+  truth.masks["whole"] = {};
+  truth.masks["moving"] = image::Image(3, 1, 1, 1.0f);
+  truth.masks["moving"].at(2, 0, 0) = 0;
+  lab::Picture picture;
+  Sight sight;
+  sight.truth = &truth, sight.picture = &picture;
+  sight.color = truth.color;
+  for (int c = 0; c < 3; ++c) sight.color.at(0, 0, c) = 0.75f, sight.color.at(1, 0, c) = 0.375f;
+  const std::vector<std::string> names = {"error_mean", "error_estimate", "estimate_rank"};
+  Values without = measured(sight, names, {"whole"});
+  EXPECT_NEAR(without["error_mean"]["whole"], 0.125, 1e-7);
+  EXPECT_EQ(without.count("error_estimate") + without.count("estimate_rank"), 0u) << "no output `error`";
+
+  image::Image estimate(3, 1, 1);
+  estimate.at(0, 0, 0) = 0.25f, estimate.at(1, 0, 0) = 0.5f, estimate.at(2, 0, 0) = 3.0f;
+  picture.frame.outputs["error"].floats = estimate;
+  Values values = measured(sight, names, {"whole", "moving"});
+  EXPECT_NEAR(values["error_mean"]["moving"], 0.1875, 1e-7);
+  EXPECT_NEAR(values["error_estimate"]["moving"], 0.375, 1e-7);
+  EXPECT_NEAR(values["error_estimate"]["whole"], 1.25, 1e-6);
+  EXPECT_NEAR(values["estimate_rank"]["moving"], -1, 1e-12);
+}
+
 // ---- what ships
 
 Results committed(const std::string& question) {
