@@ -77,7 +77,6 @@ double sigmaOf(const Picture& truth, const image::Image& mask) {
   return image::rootMeanSquaredError(error, image::Image(error.width, error.height, 3), mask);
 }
 
-// Counters named "clamped" count the same pixels in several passes: the largest stands for all.
 std::vector<uint64_t> countsOf(const Json& record, const std::string& counter) {
   std::vector<uint64_t> counts;
   if (!record.contains("counters")) return counts;

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
-// What a picture of truth says about others: its regions, its own standard error; and what their records say of limits.
+// Regions of a truth picture, its standard error, and the counts in a record.
 #pragma once
 
 #include "lab/workbench.h"
 
 namespace strobe::lab {
 
-// Pixels of a region: an output of the truth by that name; empty for "whole"; "moving" and "edge" as below.
+// Mask of a region: "moving" and "edge" as below, otherwise the truth output named `region`. Empty for "whole". Throws
+// `Error` for an output that the truth lacks.
 image::Image maskOf(const Picture& truth, const std::string& region);
 
-// By a picture's outputs `velocity` and `id`, empty where it has none: pixels of instances that move by half a pixel or
-// more anywhere in the picture, and pixels at most 2 px from one of another instance.
+// Masks from the outputs `velocity` and `id`; empty if an output is missing. Moving: pixels of instances with a
+// displacement of at least 0.5 px at any pixel. Edge: pixels at most 2 px (per axis) from a pixel of another instance.
 image::Image movingMask(const Picture& picture);
 image::Image edgeMask(const Picture& picture);
 
-// The median displacement of the pixels of what moves, px over the exposure; 0 where nothing does, NaN without
-// `velocity` and `id`.
+// Median displacement of the moving pixels, px over the exposure. 0 without moving pixels, NaN without `velocity` and
+// `id`.
 double displacementOf(const Picture& picture);
 
-// Truth's standard error over a region: root mean square of its output `error`, 0 where it has none.
+// Standard error of the truth over a region: root mean square of its output `error`; 0 without this output.
 double sigmaOf(const Picture& truth, const image::Image& mask);
 
-// Counts of the nodes' counters whose names begin so ("clamped", "rays_"), by a picture's record; by node.
+// Values of the counters in a record whose names begin with `counter` ("clamped", "rays_"), one per node and counter.
 std::vector<uint64_t> countsOf(const Json& record, const std::string& counter);
 
 }  // namespace strobe::lab

@@ -41,7 +41,8 @@ Evaluated Batch::byScripts(const std::string& pipeline, const script::Settings& 
   return found->second;
 }
 
-// The scripts run with the settings that decide the graph, until none is left that does.
+// Runs the scripts with the settings that decide the graph, until no other setting decides the graph. Null if a setting
+// is refused.
 std::shared_ptr<const Evaluation> Batch::derived(const std::string& pipeline, const script::Settings& sets) {
   script::Settings deciding, rest = sets;
   Evaluated base;
@@ -60,7 +61,7 @@ std::shared_ptr<const Evaluation> Batch::derived(const std::string& pipeline, co
     return std::make_shared<Evaluation>(Evaluation{plan::withSettings(*base.pipeline, rest), base.evaluation->scripts,
                                                    base.evaluation->texts, base.evaluation->described});
   } catch (const Error&) {
-    return nullptr;  // the scripts say better what is wrong
+    return nullptr;  // the caller runs the scripts, whose message is better
   }
 }
 
@@ -87,7 +88,7 @@ Shot Batch::filled(const Shot& shot) {
   return filled;
 }
 
-// ---- plans and what they are drawn with
+// ---- plans and drawings
 
 const Batch::KnownPlan& Batch::known(const Shot& shot, const HeldScene& scene, const Outputs& outputs) {
   constexpr size_t kMost = 512;
@@ -150,7 +151,7 @@ Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scen
   return *drawings_.front();
 }
 
-// Forgets drawings before another one is made, so that no more memory is taken than is kept.
+// Evicts drawings before a new one is made, so that memory stays within the limits.
 void Batch::makeRoom(const plan::Plan& plan) {
   size_t bytes = plan::bytesAliased(plan), count = 1;
   for (auto it = drawings_.begin(); it != drawings_.end(); ++count) {
@@ -224,13 +225,14 @@ static bool isKnown(const Timing& timing, double within) {
   return middle.value - middle.low <= within * middle.value && middle.high - middle.value <= within * middle.value;
 }
 
-// A frame, and the time from the one before to it.
+// A frame, and the wall time since the frame before.
 struct Timed {
   graph::FrameResult frame;
   double interval_ms = 0;
 };
 
-// Where several frames can be under way, the interval is the mean over as many, while as many are.
+// Draws and times one frame. With several frames in flight, the interval is the mean over the maximum number in flight,
+// and this number stays in flight during the measurement.
 static Timed timed(Drawing& drawing, const Shot& shot) {
   graph::Graph& graph = drawing.graph();
   graph.drop();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Many pictures in one process. Scripts run once for every graph they make, not for every value; plans, scenes,
-// pipelines and images are kept; what would come out the same is drawn once. What files held when they were first read
-// counts as long as the batch keeps what was made of them.
+// Many pictures in one process. The batch caches plans, scenes, pipelines and images. Scripts run once per graph, not
+// once per value, and equal pictures are drawn once. The batch does not read a file again while it holds results from
+// this file.
 #pragma once
 
 #include <functional>
@@ -15,35 +15,35 @@
 
 namespace strobe::lab {
 
-// A pipeline evaluated with some settings, or why it cannot be.
+// Evaluation of a pipeline with settings, or the reason of a refusal.
 struct Evaluated {
   std::shared_ptr<const Evaluation> evaluation;        // null if refused
-  std::shared_ptr<const plan::PipelineDesc> pipeline;  // its description, or null
+  std::shared_ptr<const plan::PipelineDesc> pipeline;  // description of the pipeline; null if refused
   std::string refusal;
 };
 
-// A pipeline does not take the settings; any other error is one of the scene or the program.
+// Thrown if a pipeline does not accept the settings. Other errors come from the scene or the program.
 struct Refusal : Error {
   using Error::Error;
 };
 
-// What decides which pictures a plan makes: the plan without the names of the pipeline and of values that no pass uses.
+// Identity of the pictures of a plan: the plan without the pipeline name and without values that no pass uses.
 std::string identityOf(const plan::Plan& plan);
 
-// Milliseconds of a shot's frames, each a frame of every shot in turn.
+// Frame times of a shot, milliseconds. A round draws one frame of every shot.
 struct Timing {
-  std::vector<double> ms;                                           // by round
-  std::vector<double> interval_ms;                                  // by round, by the clock: from frame to frame
-  std::vector<std::pair<std::string, std::vector<double>>> passes;  // of each node in the order of execution, by round
+  std::vector<double> ms;                                           // GPU time by round
+  std::vector<double> interval_ms;                                  // by round: wall clock from frame to frame
+  std::vector<std::pair<std::string, std::vector<double>>> passes;  // by node in execution order, then by round
   double median = 0;
   double low = 0, high = 0;  // quartiles
-  // Of the last round.
-  std::vector<int> executions;                             // of each node, as `passes`
+  // From the last round.
+  std::vector<int> executions;                             // by node, in the order of `passes`
   std::vector<std::pair<std::string, uint64_t>> counters;  // "node.counter"
 };
 
-// How often: `least` rounds, and more, up to `most`, until the 95 % interval of each median is at most `within` of it
-// to either side.
+// Number of rounds: at least `least`, then more until the 95 % interval of each median lies within the fraction
+// `within` of the median on both sides, at most `most`.
 struct Rounds {
   int least = 1, most = 1;
   double within = 0;
@@ -55,49 +55,49 @@ class Batch {
   using Outputs = std::set<std::string>;
   using Progress = std::function<void(int done, int of)>;
 
-  // The bench must outlive it.
+  // The bench must outlive the batch.
   explicit Batch(Workbench& bench) : bench_(bench) {}
 
   Workbench& bench() { return bench_; }
 
-  // A pipeline with those of `sets` that are not the scene's. Settings that decide nothing but numbers are put into the
+  // Evaluates a pipeline with `sets`; ignores scene settings. Settings that change only numbers are applied to the
   // description without running scripts.
   Evaluated evaluate(const std::string& pipeline, const script::Settings& sets);
-  // The pipeline of the registry that declares this kind: the raster image without blur, or truth.
+  // Name of the pipeline in the registry that declares this kind: the raster image without blur, or truth.
   const std::string& nameOf(plan::PipelineDesc::Kind kind);
-  // The shot with what its scene suggests.
+  // The shot, with unset options filled in from its scene.
   Shot filled(const Shot& shot);
-  // Throws `Refusal`, or `Error` for what cannot be loaded or built; so do the following.
+  // Throws `Refusal`, or `Error` if something cannot be loaded or built. The functions below throw likewise.
   std::shared_ptr<const plan::Plan> planOf(const Shot& shot);
 
-  // Identity of a picture before it is drawn: equal where scripts, shaders, settings and the scene's content, wherever
-  // its file lies, lead to the same images on one device by one program.
+  // Identity of a picture before it is drawn. Pictures of equal identity are equal on one device with one program. The
+  // identity covers scripts, shaders, settings and the content of the scene, but not the path of the scene.
   std::string contentOf(const Shot& shot);
-  // The files behind every content so far: scripts, shaders, files of scenes.
+  // Input files of all `contentOf` calls so far: scripts, shaders and scene files.
   const std::set<Path>& inputs() const { return inputs_; }
 
-  // What `Workbench::render` gives. Pictures are kept (by canonical(shot) and outputs) until they fill
-  // `kept_picture_bytes`, those used last longest.
+  // Same picture as from `Workbench::render`. Cached by canonical(shot) and outputs up to `kept_picture_bytes`; the
+  // least recently used picture is evicted first.
   std::shared_ptr<const Picture> picture(const Shot& shot, const Outputs& outputs = {}, const Progress& progress = {});
-  // Asked first for a picture with all outputs that is not kept, by its content (contentOf); gives null where it does
-  // not draw it.
+  // Optional other source of pictures, called with `contentOf` for pictures that are not cached and have all outputs.
+  // Null result: the batch draws the picture.
   std::function<std::shared_ptr<const Picture>(const std::string& content, const Progress& progress)> source;
-  // Four channels of a single sample in the pixel's centre; equal plans and frames are drawn once, whatever names and
-  // settings led to them.
+  // Colour image of a shot: four channels, one sample at the pixel centre. Shots of one pipeline with equal plan, frame
+  // and scene share one image.
   std::shared_ptr<const image::Image> color(const Shot& shot);
-  // Forgets colours drawn by a pipeline; evaluations, scenes and pictures by other pipelines stay.
+  // Drops the colour images of a pipeline. Evaluations, scenes and pictures stay cached.
   void forgetColorsOf(const std::string& pipeline);
 
-  // Draws a frame of each shot in turn, round after round, of which the colour alone is asked for and nothing is read
-  // back; a first frame of each, which may pay for compiling, does not count. Where several can be under way at once
-  // (`frames_in_flight` of the bench) it is several frames, one behind the other, of which the last is timed. On a
-  // software device times are only comparable within one call.
+  // Draws one frame of each shot per round, with the colour as its only output and no readback. The first frame of each
+  // shot may include compilation and is not counted. If the bench allows several frames in flight (`frames_in_flight`),
+  // a round draws several frames of a shot in sequence and times the last one. On a software device, times are
+  // comparable only within one call.
   std::vector<Timing> timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds);
 
-  int drawn() const { return drawn_; }  // pictures and colours, without frames that were timed
+  int drawn() const { return drawn_; }  // number of pictures and colour images, without timed frames
 
   size_t kept_picture_bytes = size_t{256} << 20;
-  // Of the graphs that are kept to be drawn again: their images, and how many there are.
+  // Limits for cached graphs: bytes of their images, and number of graphs.
   size_t kept_image_bytes = size_t{512} << 20;
   size_t kept_graphs = 32;
 
@@ -123,11 +123,11 @@ class Batch {
   std::map<std::string, Evaluated> by_scripts_, derived_;
   std::map<plan::PipelineDesc::Kind, std::string> names_;
   std::map<std::string, KnownPlan> plans_;
-  std::map<std::string, std::string> shaders_;  // hashes of the files of a pass, by its shader and the backend
+  std::map<std::string, std::string> shaders_;  // hashes of the files of a pass, by shader and backend
   std::set<Path> inputs_;
-  std::list<std::unique_ptr<Drawing>> drawings_;  // used last first
+  std::list<std::unique_ptr<Drawing>> drawings_;  // most recently used first
   std::map<std::string, std::shared_ptr<const image::Image>> colors_;
-  std::list<Kept> pictures_;  // used last first
+  std::list<Kept> pictures_;  // most recently used first
   size_t pictures_bytes_ = 0;
   int drawn_ = 0;
 };

@@ -11,7 +11,7 @@
 namespace strobe::lab {
 
 // Smallest and largest number of frames in a median. The median of three ignores a single slow frame. More frames
-// average the noise, and delay the answer to a change of the scene.
+// average the noise, but delay the response to a change of the scene.
 static constexpr size_t kFewest = 3, kMost = 9;
 // Largest change of the value at once: a quarter of the range. Smaller changes come first, unless a frame takes more
 // than kFar times the budget.
@@ -36,7 +36,7 @@ std::optional<double> Budget::cost() const {
   return median(frames_);
 }
 
-// Without a value that is too expensive: up by the stride. Otherwise half the way to the lowest such value.
+// Next higher step: half way to the lowest step known as too expensive, otherwise up by the stride.
 int Budget::higher() const {
   auto is_expensive = [this](const auto& cost) { return cost && *cost > budget_ms_; };
   int expensive = int(std::find_if(known_.begin() + step_ + 1, known_.end(), is_expensive) - known_.begin());
@@ -44,7 +44,7 @@ int Budget::higher() const {
   return step_ + std::min((expensive - step_) / 2, stride_);
 }
 
-// Without a lower value that is cheap enough: down by the stride. Otherwise half the way to the highest such value.
+// Next lower step: half way to the highest step known as cheap enough, otherwise down by the stride.
 int Budget::lower() const {
   for (int cheap = step_ - 1; cheap >= 0; --cheap) {
     const std::optional<double>& cost = known_[size_t(cheap)];
@@ -53,8 +53,8 @@ int Budget::lower() const {
   return std::max(step_ - stride_, 0);
 }
 
-// Stores the cost of the present value. A large change of this cost means that the scene changed: then the costs of all
-// other values are forgotten.
+// Stores the cost of the present value. A large change of this cost means that the scene changed; the costs of all
+// other values are then dropped.
 void Budget::learn(double cost_ms) {
   std::optional<double>& known = known_[size_t(step_)];
   if (known && !isSettled()) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chooses the value of a pipeline's parameter of the role Quality from the times of the last frames.
+// Chooses the value of the pipeline parameter with the role Quality from the times of the last frames.
 #pragma once
 
 #include <array>
@@ -11,28 +11,28 @@
 namespace strobe::lab {
 
 // Searches the highest of a few values whose frames take at most `budget_ms`. Each step waits for the median of some
-// frames. Values that were too expensive are not tried again until the cost of the present value changes, as it does if
-// the scene changes; so the search ends, whatever the cost of a value is.
+// frames. Values that were too expensive are not tried again until the cost of the present value changes, for example
+// after a change of the scene. The search therefore ends for every relation between value and cost.
 class Budget {
  public:
-  static constexpr int kSteps = 20;       // from the lowest value of the parameter to the highest
-  static constexpr size_t kEnough = 5;    // frames of one value after which the search has settled
+  static constexpr int kSteps = 20;       // steps from the lowest value to the highest
+  static constexpr size_t kEnough = 5;    // number of frames of one value after which the search has settled
   static constexpr double kSpare = 0.85;  // share of the budget below which a higher value is tried
 
-  // Values lie between `lowest` and `highest`, both included. The search begins at the one next to `start`.
+  // Values lie in [`lowest`, `highest`]. The search begins at the value nearest to `start`.
   Budget(double budget_ms, double lowest, double highest, double start);
 
-  // The value to draw with, rounded to six digits so that a command line states it exactly.
+  // Value for the next frame, rounded to six digits so that a command line states it exactly.
   double value() const;
-  // Adds the time of a frame drawn with `value()`. Returns true if `value()` changed. The first frame after a change is
-  // not counted, because it prepares images and shaders. NaN: the time is not known.
+  // Adds the time of a frame drawn with `value()`, ms; NaN if unknown. Returns true if `value()` changed. The first
+  // frame after a change is not counted, because it prepares images and shaders.
   bool add(double frame_ms);
 
   double ms() const { return budget_ms_; }
-  // Median time of the last frames with this value; empty for fewer than three frames.
+  // Median time of the last frames with this value, ms; empty for fewer than three frames.
   std::optional<double> cost() const;
   bool isSettled() const { return frames_.size() >= kEnough; }
-  // False if a frame takes longer than the budget, even at the lowest value once the search has settled.
+  // True if the median time is within the budget, or still unknown. The lowest value may exceed the budget.
   bool isMet() const { return cost().value_or(0) <= budget_ms_; }
 
  private:
@@ -41,17 +41,17 @@ class Budget {
   int lower() const;
 
   double budget_ms_, lowest_, highest_;
-  int step_ = 0;                // of the present value
-  int stride_ = 1;              // largest number of steps at once
-  int direction_ = 0;           // 1: a higher value is wanted, -1: a lower one, 0: neither
-  bool is_first_ = true;        // the next frame is not counted
-  std::vector<double> frames_;  // last times of the present value, ms
-  std::array<std::optional<double>, kSteps + 1> known_ = {};  // cost of each step, while the scene is alike, ms
+  int step_ = 0;                                              // step of the present value
+  int stride_ = 1;                                            // largest number of steps at once
+  int direction_ = 0;                                         // 1: search higher values, -1: lower values, 0: neither
+  bool is_first_ = true;                                      // the next frame is not counted
+  std::vector<double> frames_;                                // last frame times of the present value, ms
+  std::array<std::optional<double>, kSteps + 1> known_ = {};  // cost of each step for the present scene, ms
 };
 
-// The parameter that a budget chooses. Throws `Error` (exit code 2) for a pipeline without the role.
+// Parameter that a budget chooses. Throws `Error` (exit code 2) for a pipeline without the role.
 const plan::ParamDesc& budgetedParam(const plan::PipelineDesc& pipeline);
-// Begins at the present value of that parameter.
+// Budget that begins at the present value of the parameter.
 Budget budgetOf(const plan::PipelineDesc& pipeline, double budget_ms);
 
 }  // namespace strobe::lab

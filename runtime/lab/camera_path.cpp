@@ -37,7 +37,7 @@ std::vector<CameraKey> cameraKeys(const std::vector<std::string>& texts) {
   return keys;
 }
 
-// Per frame.
+// Rate of change per frame at key i.
 static PathView rateAt(const std::vector<CameraKey>& keys, size_t i) {
   const CameraKey &before = keys[i == 0 ? 0 : i - 1], &after = keys[std::min(i + 1, keys.size() - 1)];
   PathView rate{};

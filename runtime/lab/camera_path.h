@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A camera that moves through points, as captures and films have it.
+// Camera path through key views, for captures and films.
 #pragma once
 
 #include <array>
@@ -8,18 +8,18 @@
 
 namespace strobe::lab {
 
-// Where the camera is at a frame (the first three, metres) and a point it looks at (the last three).
+// Camera position (first three numbers) and target point (last three) at a frame, metres.
 struct CameraKey {
   double frame = 0;
   std::array<double, 6> view{};
 };
 
-// Keys of texts "FRAME=EX,EY,EZ,TX,TY,TZ", by frame. Throws `Error` (exit code 2) for a text of another form, a camera
-// that looks nowhere, and two keys of one frame.
+// Parses keys "FRAME=EX,EY,EZ,TX,TY,TZ"; returns them sorted by frame. Throws `Error` (exit code 2) for malformed text,
+// a target equal to the position, and two keys of one frame.
 std::vector<CameraKey> cameraKeys(const std::vector<std::string>& texts);
 
-// Between the keys the cubic through them whose rate at a key is that from the key before to the one after (Catmull and
-// Rom 1974, with frames as knots); before the first and after the last as fast as there. One key: a camera at rest.
+// View at a frame. Between keys: Catmull-Rom spline (1974) with the frames as knots; the rate at a key is the mean rate
+// from the previous key to the next one. Outside the keys: linear extrapolation. One key: static camera.
 std::array<double, 6> viewAt(const std::vector<CameraKey>& keys, double frame);
 
 }  // namespace strobe::lab

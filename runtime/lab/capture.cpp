@@ -14,7 +14,7 @@ namespace strobe::lab {
 
 image::Image colorOf(const Picture& picture) { return image::threeChannels(picture.frame.outputs.at("color").floats); }
 
-// How an output is called in a file: layer and components.
+// Layer and channel names of an output in a file.
 struct LayerName {
   std::string layer;
   std::vector<std::string> components;
@@ -50,7 +50,7 @@ static void addLayer(image::ExrPart& part, const std::string& output, const grap
   else part.add(name.layer, name.components, read.floats, kind);
 }
 
-// String attribute of a part: the format that an image had on the device.
+// String attribute of a part: format of the image on the device.
 static const char* const kFormat = "strobeFormat";
 
 static image::ExrPart partOf(const std::string& output, const graph::ReadImage& read, image::ExrKind kind) {
@@ -63,7 +63,7 @@ static image::ExrPart partOf(const std::string& output, const graph::ReadImage& 
 
 using Named = std::pair<std::string, const graph::ReadImage*>;
 
-// The color first, then the others that are requested, outputs before taps.
+// Color first, then the other requested images, outputs before taps.
 static std::vector<Named> chosen(const Picture& picture, const std::vector<std::string>& layers) {
   std::vector<Named> images = {{"color", &picture.frame.outputs.at("color")}};
   std::vector<std::string> known;
@@ -104,7 +104,7 @@ static std::vector<image::CryptomatteLayer> mattesOf(const std::vector<IdName>& 
            [&ids](image::IdShare seen) { return materialOf(ids, seen.instance, seen.geometry); }}};
 }
 
-// A part of its own for the layers of `name`, or the first.
+// Part for the layers of `name`: a new part if `multipart`, otherwise the first part.
 static image::ExrPart& placeFor(image::ExrFile& file, const std::string& name, bool multipart) {
   if (!multipart) return file;
   file.further.emplace_back().name = name;
@@ -128,14 +128,14 @@ static void addMattes(image::ExrFile& file, const Picture& picture, bool multipa
 
 // ---- files
 
-// "" where 16-bit floats hold all values.
+// Warning about values beyond the range of 16-bit floats, or "".
 static std::string clampedWarning(const image::ExrFile& file) {
   size_t clamped = 0;
   for (const image::ExrPart* part : file.parts()) clamped += part->clamped;
   return clamped == 0 ? "" : kHalfClampedLimit.text(fmt::format("{} values are beyond 65504", clamped));
 }
 
-// The record of the picture with the warnings of its file.
+// Record of the picture, with the warnings of its file.
 static Json recordIn(const image::ExrFile& file, const Picture& picture) {
   Json record = picture.record;
   if (std::string warning = clampedWarning(file); !warning.empty()) record["warnings"].push_back(warning);
@@ -155,8 +155,8 @@ static void describe(image::ExrFile& file, const Picture& picture) {
   if (!picture.id_names.empty()) file.texts["strobeIds"] = toJson(picture.id_names).dump();
 }
 
-// Those as large as the color first, integers after them, others last: Blender reads no further than a part of
-// integers. Returns the first that is not both whole and of floats.
+// Sorts the images: float images of the color's size first, integer images of this size next, others last. Blender
+// stops reading at a part with integers. Returns the first image outside the first group.
 static std::vector<Named>::iterator sortedForReaders(std::vector<Named>& images, const Picture& picture) {
   const image::Image& color = picture.frame.outputs.at("color").floats;
   auto whole = [&](const Named& image) {

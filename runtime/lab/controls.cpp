@@ -20,7 +20,7 @@ plan::ParamDesc declarationOf(const ShotField& field, const scene::Scene& scene)
   return declared;
 }
 
-// Presets as one choice, which is how they are set.
+// Presets as one choice parameter.
 static plan::ParamDesc declarationOf(const std::vector<plan::PresetDesc>& presets) {
   plan::ParamDesc declared;
   declared.name = plan::kPresetSetting;
@@ -40,7 +40,7 @@ class Collector {
  public:
   explicit Collector(const std::map<std::string, std::string>& origins) : origins_(origins) {}
 
-  // `otherwise`: the origin of a value that was not set.
+  // `otherwise`: origin of a value that was not set.
   void add(plan::ParamDesc declaration, const plan::Value& value, const std::string& group, const std::string& place,
            const std::string& otherwise) {
     auto set = origins_.find(declaration.name);
@@ -69,7 +69,7 @@ void addShot(Collector& into, const Shot& shot, const scene::Scene& scene, const
   }
 }
 
-// Nodes that follow a parameter of the pipeline, and are in the plan or not.
+// Names of the nodes that follow a pipeline parameter; `in_plan`: nodes in the plan, otherwise nodes not in the plan.
 std::vector<std::string> followers(const plan::Plan& plan, const std::string& param, bool in_plan) {
   std::vector<std::string> names;
   for (size_t i = 0; i < plan.pipeline.nodes.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values of a shot that can be changed while it is drawn, as panels show them.
+// Values of a shot that can change while it is drawn, for panels.
 #pragma once
 
 #include "lab/drawing.h"
@@ -8,21 +8,21 @@
 namespace strobe::lab {
 
 struct Control {
-  plan::ParamDesc declaration;  // `name` as `Session::set` takes it: "exposure", "samples", "edge.depth_threshold"
+  plan::ParamDesc declaration;  // `name` for `Session::set`: "exposure", "samples", "edge.depth_threshold"
   plan::Value value;
   std::string group;   // "shot", "pipeline", or the name of a node
-  std::string origin;  // who set it: "default", "preset best", "scene", "follows samples", "window", ...
-  std::string place;   // where it is declared, "file:line", or ""
-  bool set = false;    // `origin` is one of those given
-  std::string idle;    // why its value changes nothing as the plan stands, or ""
+  std::string origin;  // source of the value: "default", "preset best", "scene", "follows samples", "window", ...
+  std::string place;   // place of the declaration, "file:line", or ""
+  bool set = false;    // true if `origin` comes from the given origins
+  std::string idle;    // reason why the value has no effect in the present plan, or ""
 };
 
-// Every value of a shot that is drawn: the shot's first, then the pipeline's, then the nodes' own. `origins` are those
-// of values that were set, by name; `given_by` gave the shot.
+// All values of a drawn shot: shot options first, then pipeline parameters, then node parameters. `origins`: origin by
+// name of each value that was set. `given_by`: origin of the shot.
 std::vector<Control> controlsOf(const Shot& shot, const Drawing& drawing,
                                 const std::map<std::string, std::string>& origins, const std::string& given_by);
 
-// The declaration of a value of a shot with the choices that a scene gives it.
+// Declaration of a shot value, with the choices that the scene offers.
 plan::ParamDesc declarationOf(const ShotField& field, const scene::Scene& scene);
 
 }  // namespace strobe::lab

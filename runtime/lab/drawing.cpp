@@ -22,7 +22,7 @@
 
 namespace strobe::lab {
 
-// A camera that looks from one point at another, y up (z where it looks along y).
+// Camera at the first point, looking at the second; y is up, or z if the view is along y.
 static dmat4 worldFromView(const std::array<double, 6>& view) {
   dvec3 eye(view[0], view[1], view[2]), target(view[3], view[4], view[5]);
   dvec3 back = glm::normalize(eye - target);
@@ -31,8 +31,8 @@ static dmat4 worldFromView(const std::array<double, 6>& view) {
   return dmat4(dvec4(right, 0), dvec4(glm::cross(back, right), 0), dvec4(back, 0), dvec4(eye, 1));
 }
 
-// Widened to whole groups of invocations. In passes of the picture's size pixels then run beside the same ones wherever
-// the area lies, as some devices filter textures to the last bit by what runs beside.
+// Area widened to whole workgroups. In full-size passes each pixel then has the same neighbours in its workgroup,
+// wherever the area lies. On some devices the last bit of a filtered texture depends on these neighbours.
 static scene::PixelArea inWholeGroups(const scene::PixelArea& area, int width, int height) {
   if (area.empty()) return area;
   const int group = int(shader::kGroupSize);
@@ -52,7 +52,7 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
     return pose;
   };
   setup.capture_s = shot.captureTime();
-  std::vector<double> shares;  // of their motion that instances keep; empty: all of it
+  std::vector<double> shares;  // share of its motion that each instance keeps; empty: all keep their whole motion
   if (!shot.motion_depths.empty()) {
     shares = scene::motionShares(scene, setup.pose_at(setup.capture_s), scene::DepthBounds::from(shot.motion_depths));
     setup.pose_at = [true_pose = setup.pose_at, shares, capture_s = setup.capture_s](double time_s) {
@@ -78,22 +78,22 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
   if (shot.model_everything) return setup;
   scene::Facts facts = factsOf(shot, scene, earlier_frames);
   setup.moves = facts.moves;
-  // What keeps less than its motion goes along with the camera.
+  // An instance that keeps less than its whole motion follows the camera.
   for (size_t i = 0; i < shares.size() && i < setup.moves.size(); ++i)
     if (shares[i] < 1) setup.moves[i] = facts.camera_moves || (setup.moves[i] && shares[i] > 0);
   setup.camera_rests = !facts.camera_moves;
   return setup;
 }
 
-// ---- what is drawn
+// ---- plans
 
 const std::string& Planned::shape() const {
   if (shape_.empty()) shape_ = plan::shapeOf(*plan);
   return shape_;
 }
 
-// `absent` yields the facts that do not hold. What a record names the plan by, which is the same whatever a frame
-// requires, is found meanwhile.
+// `absent` returns the facts that do not hold. The hash for the record does not depend on these facts, so another
+// thread computes it meanwhile.
 static Planned plannedFor(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline,
                           const std::function<std::vector<std::string>()>& absent,
                           const std::set<std::string>& outputs) {
@@ -120,7 +120,7 @@ Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::Pipeline
 
 // ---- memory
 
-// Bytes of a drawing, before the first allocation.
+// Bytes of a drawing, estimated before the first allocation.
 struct DrawingBytes {
   uint64_t scene = 0;
   graph::ImageBytes images;
@@ -142,7 +142,7 @@ static DrawingBytes drawingBytes(const HeldScene& held, const Planned& planned, 
   return bytes;
 }
 
-// Images of a frame of the same size are taken over from the drawing before, as far as they are alike.
+// Bytes without the images reused from the previous drawing. Images are reused only if the frame sizes are equal.
 static graph::ImageBytes withoutTaken(graph::ImageBytes bytes, const plan::Plan& plan, const plan::Plan& previous,
                                       size_t frames) {
   if (plan.width != previous.width || plan.height != previous.height) return bytes;
@@ -160,7 +160,8 @@ static void requireBytes(const plan::Plan& plan, const std::string& of, uint64_t
                                          plan.width, plan.height, bytesText(bytes), of, bytesText(available), where)));
 }
 
-// Before the first allocation: where memory is the machine's, the system ends a program that takes too much.
+// Throws `Error` before the first allocation. If the device shares the memory of the machine, the system would kill a
+// program that takes too much.
 static void requireBytes(const gpu::Device& device, const plan::Plan& plan, const DrawingBytes& bytes, uint64_t most) {
   const gpu::DeviceLimits limits = gpu::limitsOf(device);
   const std::string on_device = fmt::format("on device '{}'", device.info().name);
@@ -186,7 +187,7 @@ Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned pla
     graph_->setParams(plan());
     return;
   }
-  std::vector<std::string> known;  // reported when they were found
+  std::vector<std::string> known;  // dropped: these problems were reported earlier
   if (!problems) problems = &known;
   graph_ = std::make_unique<graph::Graph>(device, bench.pipelines(), plan(), *on_device_, planned_.backend,
                                           bench.frames_in_flight, previous ? previous->graph_.get() : nullptr,
@@ -204,7 +205,8 @@ void Drawing::become(Planned planned, std::shared_ptr<const Evaluation> evaluati
   evaluation_ = std::move(evaluation);
 }
 
-// The output "id" (instance + 1, geometry, triangle) names triangles as the scene's file does.
+// Replaces the triangle indices of the output "id" (instance + 1, geometry, triangle) with the indices in the scene
+// file.
 static void nameTriangles(graph::FrameResult& frame, const scene::Scene& scene) {
   auto found = frame.outputs.find("id");
   if (found == frame.outputs.end() || found->second.uints.channels < 3) return;
@@ -246,7 +248,7 @@ std::vector<std::string> Drawing::limitsMet(const Shot& shot, const graph::Frame
 
 // ---- a picture
 
-// Offset of sub-pixel sample i of n from the pixel's centre: a rank-1 lattice, one sample is the centre.
+// Offset of sub-pixel sample i of n from the pixel centre, px (rank-1 lattice). One sample lies at the centre.
 static vec2 subpixelOffset(int i, int n) {
   if (n == 1) return vec2(0);
   double x = (i + 0.5) / n - 0.5;
@@ -254,7 +256,8 @@ static vec2 subpixelOffset(int i, int n) {
   return vec2(x, y - std::floor(y) - 0.5);
 }
 
-// The projection a compositing program wants to know: near plane at 0, infinitely far at 1.
+// Projection for compositing programs. Depth: 0 at the near plane; at infinity 1 (perspective) or unbounded
+// (orthographic).
 static dmat4 ndcFromCamera(const scene::Camera& camera, double aspect) {
   double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
   dmat4 m(0);
@@ -294,7 +297,7 @@ static void divide(graph::FrameResult& sum, int n) {
       for (float& value : read.floats.values) value /= float(n);
 }
 
-// What a picture says of itself, of the frame in it.
+// Fills in the camera matrices, id names, warnings and record of a picture.
 static void describe(const Home& home, Picture& picture, const Drawing& drawing, const Shot& shot,
                      const graph::FrameSetup& setup, const gpu::DeviceInfo& device) {
   scene::Pose pose = setup.pose_at(setup.capture_s);
