@@ -23,6 +23,7 @@ double displacementOf(const Picture& picture);
 double sigmaOf(const Picture& truth, const image::Image& mask);
 
 // Values of the counters in a record whose names begin with `counter` ("clamped", "rays_"), one per node and counter.
+// Counters named "clamped" count the same pixels in several passes, so the largest value stands for all.
 std::vector<uint64_t> countsOf(const Json& record, const std::string& counter);
 
 }  // namespace strobe::lab

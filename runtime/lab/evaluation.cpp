@@ -9,8 +9,8 @@
 
 namespace strobe::lab {
 
-// Files that changed since they were evaluated are left out: the next look at them finds out. Those in `given` have
-// their text there; `known` are texts of earlier, which need not be read again.
+// Texts of `files`. A text comes from `given`, from `known` if its hash matches, or from the file. A file that changed
+// since the evaluation is left out; the next check for changes reports it.
 static script::Texts textsOf(const std::vector<script::Dependency>& files, const script::Texts& given,
                              const script::Texts& known) {
   script::Texts texts;
@@ -56,7 +56,7 @@ bool isCurrent(const std::vector<script::Dependency>& files) {
                      [](const auto& file) { return script::hashOfPath(file.path) == file.hash; });
 }
 
-// The files, and the folders of all roots in which one may appear that takes the place of another.
+// Stamps of the files and of the folders of all roots. A new file in such a folder may take precedence over another.
 static Stamps stampsOfPlaces(const Home& home, const std::vector<script::Dependency>& files) {
   Stamps stamps = stampsOf(files);
   std::set<Path> folders;
@@ -104,14 +104,14 @@ Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, 
         script::evaluatePipeline(home, request, &tried.good.scripts, limits, dropped, &tried.good.described);
     tried.good.texts = textsOf(tried.good.scripts, texts, before.texts);
     tried.usable = true;
-  } catch (const std::exception& error) {  // an `Error`, or a folder that goes while it is listed
+  } catch (const std::exception& error) {  // an `Error`, or a folder removed while it is listed
     tried.problems.push_back(error.what());
   }
   tried.ms = 1000 * (clockSeconds() - started_s);
   return tried;
 }
 
-// Of the files with a good text, those that say something else now.
+// Good texts of the files that have changed since.
 static script::Texts changedTexts(const script::Texts& good) {
   script::Texts changed;
   for (const auto& [file, text] : good)
@@ -119,8 +119,6 @@ static script::Texts changedTexts(const script::Texts& good) {
   return changed;
 }
 
-// The newest files; where they fail, as many of them as work: files are put back to their last good text, those an
-// error names first.
 Attempt attemptAround(const Home& home, const Shot& shot, const Evaluation& good, const script::Limits& limits) {
   Attempt newest = attempt(home, shot, {}, limits, true, good);
   if (newest.usable || good.texts.empty()) return newest;
@@ -132,7 +130,7 @@ Attempt attemptAround(const Home& home, const Shot& shot, const Evaluation& good
     for (const auto& [file, text] : changed)
       if (problems.back().find(home.shown(file)) != std::string::npos) put_back[file] = text;
     if (put_back.size() == before) put_back = changed;
-    if (put_back.size() == changed.size()) break;  // nothing new is left to try
+    if (put_back.size() == changed.size()) break;  // no other combination is left
     Attempt around = attempt(home, shot, put_back, limits, true, good);
     ms += around.ms;
     problems.insert(problems.end(), around.problems.begin(), around.problems.end());

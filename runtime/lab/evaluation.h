@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the scripts of a pipeline give with some settings, and how to go on where the newest of them fail.
+// Evaluation of a pipeline's scripts with settings, and recovery if the newest scripts fail.
 #pragma once
 
 #include <map>
@@ -12,26 +12,26 @@ namespace strobe::lab {
 
 struct Evaluation {
   plan::PipelineDesc pipeline;
-  std::vector<script::Dependency> scripts;                  // that were read
-  script::Texts texts;                                      // of the scripts, where files still hold them
-  std::shared_ptr<const script::Described> described = {};  // for the next evaluation
+  std::vector<script::Dependency> scripts;  // files that the scripts read
+  script::Texts texts;                      // texts of the scripts, for files that have not changed since
+  std::shared_ptr<const script::Described> described = {};  // input of the next evaluation
 };
 
-// Throws `Error`, with the places of the user's lines.
+// Evaluates a pipeline. Throws `Error` with the places of the user's lines.
 Evaluation evaluated(const Home& home, const std::string& pipeline, const script::Settings& sets,
                      const script::Limits& limits);
 
-// Evaluations of the same pipelines with many settings, each as `evaluated` gives it: all but the first of a pipeline
-// fork from a process that has loaded its scripts, as long as none of these changes and no file comes beside them.
-// Not thread-safe.
+// Evaluates the same pipelines with many settings, with the results of `evaluated`. The first evaluation of a pipeline
+// loads its scripts; later evaluations fork from a process that has loaded them, until a script changes or a file
+// appears beside them. Not thread-safe.
 class Evaluator {
  public:
-  // Both must outlive it.
+  // Both arguments must outlive the evaluator.
   Evaluator(const Home& home, const script::Limits& limits) : home_(home), limits_(limits) {}
   Evaluation evaluate(const std::string& pipeline, const script::Settings& sets);
 
  private:
-  // Of a pipeline, when it was evaluated first.
+  // Files and texts of a pipeline at its first evaluation.
   struct Loaded {
     Stamps files;
     script::Texts texts;
@@ -40,31 +40,31 @@ class Evaluator {
   const Home& home_;
   const script::Limits& limits_;
   std::map<std::string, Loaded> loaded_;
-  script::Limits within_;  // those of `evaluator_`
+  script::Limits within_;  // limits of `evaluator_`
   std::unique_ptr<script::PipelineEvaluator> evaluator_;
 };
 
-// Whether files still hold what they held when they were evaluated.
+// True if the content of all files is unchanged since the evaluation.
 bool isCurrent(const std::vector<script::Dependency>& files);
 Stamps stampsOf(const std::vector<script::Dependency>& files);
 
-// An evaluation that may have failed; the following two never throw.
+// An evaluation that may have failed. `attempt` and `attemptAround` never throw.
 struct Attempt {
-  Evaluation good;                          // after a failure, the scripts it read until then
-  std::vector<script::Dependency> refused;  // newest files that failed, where older texts took their place
+  Evaluation good;                          // after a failure: the scripts read before it
+  std::vector<script::Dependency> refused;  // newest files that failed and were replaced by older texts
   std::vector<script::DroppedSetting> dropped;
   std::vector<std::string> problems;
   bool usable = false;
   double ms = 0;
 };
 
-// With these texts in the place of what their files hold now. `lenient`: settings that do not fit are dropped.
-// `before`: an earlier evaluation, which saves reading files that say still what they said.
+// Evaluates with `texts` instead of the contents of their files. `lenient`: drops settings that do not fit. `before`:
+// an earlier evaluation; its texts are reused for unchanged files.
 Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
                 bool lenient, const Evaluation& before = {});
 
-// The newest files; where they fail, as many of them as work: files are put back to their last text that was `good`,
-// those an error names first. Lenient.
+// Evaluates the newest files. If they fail, changed files are replaced by their text in `good` until the evaluation
+// works, starting with the files that the error names. Lenient.
 Attempt attemptAround(const Home& home, const Shot& shot, const Evaluation& good, const script::Limits& limits);
 
 }  // namespace strobe::lab

@@ -8,7 +8,7 @@
 
 namespace strobe::lab {
 
-// Longest time between the steps of saving one file.
+// Longest time between the steps of saving one file, seconds.
 static constexpr double kMoment_s = 0.1;
 
 void ChangedFiles::note(const Path& path, const std::string& hash) {
@@ -31,13 +31,13 @@ void ChangedFiles::remember(const Drawing& running, const std::vector<script::De
       try {
         shader::textWithIncludes(bench_.home(), file, &reached);
       } catch (const Error&) {
-        // Reported where it is compiled.
+        // The compilation reports this error.
       }
       for (const Path& one : reached) note_as_it_is(one);
     }
   for (const auto& [node, pipeline] : running.graph().pipelines())
     for (const Path& file : pipeline->files) note_as_it_is(file);
-  // What files lie in that came, or came again, is watched from the next look on: the picture comes first.
+  // New folders are watched from the next look on, because drawing the picture comes first.
   if (!tried.empty() || noted_.size() > noted_before) watches_all_ = false;
 }
 
@@ -51,14 +51,15 @@ void ChangedFiles::watchFolders(const Drawing& running) {
   for (const auto& [path, noted] : noted_) watch_->addBehind(path);
 }
 
-// Editors that keep a copy of the old text put it away first: for a moment the file is not there.
+// True if the file is missing only for a moment. Editors that keep a backup rename the old file before they write the
+// new one.
 bool ChangedFiles::isBeingSaved(Noted& noted, const std::string& now) {
   if (!now.empty() || noted.hash.empty()) return noted.gone_at_s = 0, false;
   if (noted.gone_at_s == 0) noted.gone_at_s = clockSeconds();
   return clockSeconds() < noted.gone_at_s + kMoment_s;
 }
 
-// With `wait`, what is gone counts as deleted at once.
+// Files that changed since they were recorded. With `wait`, a missing file counts as deleted at once.
 FileChanges ChangedFiles::changedSince(const Drawing& running, bool wait) {
   FileChanges changes;
   double started_s = clockSeconds();
@@ -78,7 +79,7 @@ FileChanges ChangedFiles::changedSince(const Drawing& running, bool wait) {
     if (now == noted.hash) continue;
     noted = {now, noted.stamps};
     changes.files.push_back(bench_.home().shown(path));
-    // The library is of both; what is of neither was part of an attempt that failed.
+    // Library files are in both lists. A file in neither list was part of a failed attempt.
     bool scene = is_among(running.scene().dependencies, path);
     bool shader = path.extension() == ".glsl" || path.extension() == ".h";
     changes.scene |= scene;
@@ -102,7 +103,7 @@ std::optional<FileChanges> ChangedFiles::failureAtItsTime(bool wait) {
   return std::exchange(failed_, {});
 }
 
-// Adds earlier changes that failed to those since.
+// Merges earlier failed changes into newer changes.
 static void add(FileChanges& changes, const FileChanges& failed) {
   if (changes.files.empty()) changes.show_failure_at_s = failed.show_failure_at_s;
   std::vector<std::string> files = failed.files;
@@ -118,7 +119,7 @@ std::optional<FileChanges> ChangedFiles::newChanges(const Running& running, bool
   const bool event = watch_->changed();
   FileChanges changes;
   if (event || first || wait || looks_again_) changes = changedSince(running.drawing, wait);
-  // After a failure a file that nothing could name yet may have appeared.
+  // After a failure, retry at every event: a file may have appeared that was not known before.
   const bool retry = event && (running.failed || failed_);
   if (changes.files.empty() && !retry) return failureAtItsTime(wait);
   changes.scripts |= running.scripts_failed;
@@ -132,7 +133,7 @@ std::optional<FileChanges> ChangedFiles::look(const Running& running, bool wait)
   if (first) watchFolders(running.drawing);
   std::optional<FileChanges> changes = pending_ ? evaluatedInBackground(wait) : newChanges(running, first, wait);
   if (!changes) return {};
-  // The evaluation lacks values that were set in the meantime.
+  // The evaluation is outdated if values were set in the meantime.
   const bool current =
       changes->shot && running.shot.pipeline == changes->shot->pipeline && running.shot.sets == changes->shot->sets;
   if (!current) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files that something running was made of: which of them changed, and what their scripts give now.
+// Detection of changes in the files of a running session, and evaluation of the changed scripts.
 #pragma once
 
 #include <future>
@@ -10,17 +10,16 @@
 
 namespace strobe::lab {
 
-// Files that differ from what was tried last, and the evaluation with them; where no script is among them, that of what
-// runs.
+// Changed files since the last attempt, and their evaluation. If no script changed, the evaluation is the running one.
 struct FileChanges {
-  std::vector<std::string> files;  // as people know them
+  std::vector<std::string> files;  // file names for display
   bool scripts = false, scene = false;
-  double ms = 0;  // hashing the files to see which changed
+  double ms = 0;  // time to hash the files
   Attempt evaluated;
-  std::optional<Shot> shot;      // as it was when the evaluation began; empty before that
-  double show_failure_at_s = 0;  // of a failure that was held back
+  std::optional<Shot> shot;      // shot at the start of the evaluation; empty before the evaluation
+  double show_failure_at_s = 0;  // time from which a held failure is shown
 
-  // True if the file may be saved only in part: its failure is younger than a tenth of a second.
+  // True if the file may be only partly saved: the failure is less than 0.1 s old.
   bool mayBeUnfinished() const;
 };
 
@@ -28,35 +27,36 @@ class ChangedFiles {
  public:
   explicit ChangedFiles(Workbench& bench) : bench_(bench) {}
 
-  // Notes the state of all files of what runs, so that the next change is seen. Files that are known already stay as
-  // they were noted: they may have changed since. Those `tried` last count as they were then. `sound`: what runs is all
-  // that was tried; else shaders that it keeps the last good version of are looked at too.
+  // Records the state of all files of the running version, so that the next change is detected. Files that are already
+  // recorded keep their state, because they may have changed since. `tried`: files of the last attempt, recorded with
+  // their state at that time. `sound`: the running version is the last version tried. If false, shaders that run in an
+  // older version are watched too.
   void remember(const Drawing& running, const std::vector<script::Dependency>& tried, bool sound);
 
-  // What runs, and whether its newest files (its scripts) failed when they were tried last.
+  // The running version. `failed`: the last attempt failed; `scripts_failed`: it failed in its scripts.
   struct Running {
     const Shot& shot;
     const Drawing& drawing;
     bool failed, scripts_failed;
   };
-  // Looks for changes. Without `wait`, scripts are evaluated in the background: nothing is returned until a later call
-  // finds them done, on the settings as they are then. From the first call on, folders are watched.
+  // Checks for changes. Without `wait`, scripts are evaluated in the background, and a later call returns the result
+  // for the settings at that time. Folders are watched from the first call on.
   std::optional<FileChanges> look(const Running& running, bool wait);
-  // Keeps changes that failed back: a later look returns them again, or with the next changes in their place.
+  // Holds failed changes back. A later `look` returns them again, or merges them into newer changes.
   void holdBack(FileChanges failed);
-  // True if scripts are evaluated in the background, or a failure is held back.
+  // True if an evaluation runs in the background or a failure is held back.
   bool evaluates() const { return pending_ || failed_; }
 
  private:
-  // A file or folder.
+  // State of a file or folder.
   struct Noted {
     std::string hash;
-    std::optional<Stamps> stamps;  // from before it was read
-    double gone_at_s = 0;          // since when it is missed; 0: it is not
+    std::optional<Stamps> stamps;  // stamps taken before reading
+    double gone_at_s = 0;          // time when it disappeared, seconds; 0: present
   };
   struct Pending {
     FileChanges changes;
-    std::future<Attempt> evaluated;  // its destructor waits
+    std::future<Attempt> evaluated;  // the destructor waits for the evaluation
   };
   void note(const Path& path, const std::string& hash);
   bool isBeingSaved(Noted& noted, const std::string& now);
@@ -69,8 +69,8 @@ class ChangedFiles {
   Workbench& bench_;
   std::map<Path, Noted> noted_;
   std::unique_ptr<Watch> watch_;
-  bool watches_all_ = false;  // the folders of all files that are noted
-  bool looks_again_ = false;  // even if no event of a folder comes
+  bool watches_all_ = false;  // true if the folders of all recorded files are watched
+  bool looks_again_ = false;  // check files even without a folder event
   std::optional<Pending> pending_;
   std::optional<FileChanges> failed_;
 };

@@ -10,7 +10,7 @@
 
 namespace strobe::lab {
 
-// Whether what stands in a shot instead of the scene's camera moves; nothing where that is not so.
+// True if the camera of `view` or `path` moves; empty if the shot uses the scene's camera.
 static std::optional<bool> movesOfItself(const Shot& shot) {
   if (shot.view) return false;
   if (shot.path.empty()) return std::nullopt;
@@ -39,7 +39,8 @@ scene::Facts factsOf(const Shot& shot, const scene::Scene& scene, int earlier_fr
   return scene::factsOf(scene, view);
 }
 
-// A part of the exposure has a raster time and a previous frame of its own: nothing about its motion is proven.
+// True for facts about motion. A part of the exposure has its own raster time and previous frame, so no fact about its
+// motion is proven.
 static bool isOfMotion(const std::string& name) {
   const plan::Fact* fact = plan::findFact(name);
   return !fact->compiled_in && !fact->compiled_into_all;

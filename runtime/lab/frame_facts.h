@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which facts of plan/facts.h hold in the frame of a shot.
+// Facts (plan/facts.h) that hold in the frame of a shot.
 #pragma once
 
 #include "lab/shot.h"
@@ -7,19 +7,20 @@
 
 namespace strobe::lab {
 
-// When the frame of a shot poses the scene.
+// Times at which the frame of a shot poses the scene.
 scene::FrameTimes frameTimesOf(const Shot& shot, const scene::Scene& scene);
 
-// The time before the capture that the frame looks at too, seconds; of a pipeline that looks back at `earlier_frames`
-// (plan::earlierFrames) the latest. The capture itself where the exposure has no length: displacements that are
-// extrapolated are as long as it is.
+// Previous time that the frame uses, seconds: one frame interval before the raster time. For a pipeline with several
+// `earlier_frames` (plan::earlierFrames) it is the latest of these frames. Equals the raster time if the exposure has
+// no length and the pipeline uses no earlier frames, because extrapolated displacements then have no length.
 double previousTime(const Shot& shot, int earlier_frames);
 
-// Of a shot whose gaps are filled. Throws `Error` for an unknown camera or animation.
+// Facts of the frame of a shot without unset options. Throws `Error` for an unknown camera or animation.
 scene::Facts factsOf(const Shot& shot, const scene::Scene& scene, int earlier_frames);
 
-// Those that do not hold, in the order of plan::facts(); none with --model-everything. For a pipeline that looks back
-// at earlier frames paths are those since them; for one that draws parts of the exposure all facts of motion hold.
+// Facts that do not hold, in the order of plan::facts(); empty with --model-everything. For a pipeline that uses
+// earlier frames, paths include these frames. For a pipeline that draws parts of the exposure, all facts about motion
+// hold.
 std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene,
                                      const plan::PipelineDesc& pipeline = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the ids in a picture stand for.
+// Names of the ids in a picture.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace strobe::lab {
 
-// The drawables of one node: one, or as many as `EXT_mesh_gpu_instancing` makes. In images an id is the index of the
-// drawable + 1, and that of a geometry its index in the mesh + 1; 0 is the sky.
+// Drawables of one node: one, or several with `EXT_mesh_gpu_instancing`. An id in an image is the index of the drawable
+// + 1; 0 is the sky. A geometry id is the index of the geometry in its mesh + 1.
 struct IdName {
   uint32_t first = 1, last = 1;        // ids of the drawables, inclusive
-  std::string node;                    // its name, "node 7" where it has none
-  std::vector<std::string> materials;  // of each geometry; "material 7" where it has no name
+  std::string node;                    // name of the node, "node 7" without a name
+  std::vector<std::string> materials;  // material name of each geometry, "material 7" without a name
 };
 
-// In the order of ids, without gaps.
+// Names in the order of ids, without gaps.
 std::vector<IdName> idNamesOf(const scene::Scene& scene);
 
 // [{"first": 1, "last": 1, "node": "vase", "materials": ["clay"]}, ...]
 Json toJson(const std::vector<IdName>& names);
 
-// Names of ids as they stand in images, a geometry's in its instance; "instance 7", "geometry 7" where there is none.
+// Node of an image id, and material of a geometry id in its instance. Unknown ids: "instance 7", "geometry 7".
 std::string nodeOf(const std::vector<IdName>& names, uint32_t id);
 std::string materialOf(const std::vector<IdName>& names, uint32_t id, uint32_t geometry);
 

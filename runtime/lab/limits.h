@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a shot may not ask of its scene, or not exactly; and the limits of all rooms together.
+// Limits of shots and pictures, and the list of the limits of all rooms.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline constexpr Limit kHalfClampedLimit{
 inline constexpr std::array kLimits = {kBeforeClipLimit, kSharedTargetLimit, kClipSeamLimit,
                                        kNotFiniteLimit,  kHalfClampedLimit,  kOutsideLimit};
 
-// Those of devices, of scenes and of shots, in this order.
+// Limits of devices, scenes, worlds and shots, in this order.
 std::vector<Limit> allLimits();
 
 }  // namespace strobe::lab

@@ -20,7 +20,7 @@ std::string hashOf(const graph::ReadImage& read) {
   return hashText(head + floats + uints);
 }
 
-// Shader files of all nodes, with what they include, as they were when they were compiled.
+// Hashes of the shader files of all nodes and their includes, at the time of compilation.
 static Json shaderHashes(const Home& home, const graph::Graph& graph) {
   std::map<std::string, std::string> hashes;
   for (const auto& [node, pipeline] : graph.pipelines())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The run record: what it takes to make a picture again, and the hash of each image it gave. Timings stand apart.
+// Run record: the inputs that reproduce a picture, and the hash of each image. Timings are kept separately.
 #pragma once
 
 #include "lab/drawing.h"
@@ -15,18 +15,18 @@ struct RecordContext {
 
 Json makeRecord(const RecordContext& context, const graph::FrameResult& frame);
 
-// Milliseconds per pass and for the frame (GPU), seconds (wall clock) of loading the scene, of preparation and of
-// drawing, and the most memory that the process has held so far.
+// Timings: GPU milliseconds per pass and per frame; wall-clock seconds of loading the scene, preparation and drawing;
+// peak memory of the process, bytes.
 Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, const HeldScene& scene,
                  double prepare_s, double draw_s);
 
-// What the scene of a record says of its author: its copyright, else the first line of the text beside it; or "".
+// Attribution of the scene in a record: its copyright, otherwise the first line of the text beside it, or "".
 std::string attributionOf(const Json& record);
 
-// The revision of the program: the hash of its own file.
+// Revision of the program: hash of the executable file.
 const std::string& programHash();
 
-// Hash of an image's format, size and texels.
+// Hash of the format, size and texels of an image.
 std::string hashOf(const graph::ReadImage& image);
 
 }  // namespace strobe::lab

@@ -33,13 +33,13 @@ const char* const kNote =
 
 std::string code(const std::string& text) { return "`" + text + "`"; }
 
-// Without the columns that are empty in every row; nothing where there are no rows.
+// Markdown table without columns that are empty in every row. Empty for a table without rows.
 std::string tableText(const Table& table) {
   std::string text = page::markdownOf(page::withoutEmptyColumns(table));
   return text.empty() ? "" : text + "\n";
 }
 
-// A row for each entry of a list.
+// Table with one row per list entry.
 template <class List, class RowOf>
 std::string tableText(std::vector<page::Column> columns, const List& list, RowOf rowOf) {
   Table table{"", std::move(columns)};
@@ -47,7 +47,7 @@ std::string tableText(std::vector<page::Column> columns, const List& list, RowOf
   return tableText(table);
 }
 
-// Begins with a capital and ends in a full stop.
+// Text with an initial capital and a full stop.
 std::string sentence(std::string text) {
   bool word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]));
   if (word) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -95,7 +95,8 @@ std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
                    });
 }
 
-// The described choices, in the order of the choices. `link` gives the page of a choice that is a pass, or "".
+// Choices that have a description or a page, in the order of the choices. `link` returns the page of a choice that is a
+// pass, or "".
 template <class Link>
 std::string valueTable(const ParamDesc& param, const Link& link) {
   Table table{"", {"value", "what it does and where it fails"}};
@@ -110,7 +111,7 @@ std::string valueTable(const ParamDesc& param, const Link& link) {
   return tableText(table);
 }
 
-// Which of the properties that every blur should have do not hold, by parameter and value where it has some.
+// Invariants of a blur that do not hold, by parameter and value if they depend on one.
 std::string breaksText(const plan::Breaks& own, const std::vector<ParamDesc>& params) {
   Table table{"", {"with", "invariant", "why it does not hold"}};
   for (const auto& [invariant, reason] : own) table.add({"", invariant, reason});
@@ -120,7 +121,7 @@ std::string breaksText(const plan::Breaks& own, const std::vector<ParamDesc>& pa
   return tableText(table);
 }
 
-// What stands in for its writes where a frame does not require it.
+// Stand-ins for the writes of a pass, for frames that do not require the pass.
 std::string withoutText(const PassDesc& pass) {
   Table table{"", {"where there is no", "write", "is"}};
   for (const plan::WithoutDesc& without : pass.without)
@@ -221,7 +222,7 @@ std::string countersText(const PassDesc& pass) {
                    });
 }
 
-// "tile/largest" of passes/tile/largest.lua.
+// Folder and file of a pass: "tile/largest" for passes/tile/largest.lua.
 std::string memberOf(const PassDesc& pass) {
   Path file = Path(Home::withoutRoot(pass.place.file)).lexically_relative("passes").replace_extension();
   return file.generic_string();
@@ -251,7 +252,7 @@ Presets presetsOf(const Home& home, const PipelineDesc& pipeline) {
   return presets;
 }
 
-// What each preset is for.
+// Table of the presets and their purpose.
 std::string presetList(const PipelineDesc& pipeline) {
   return tableText({"`--set preset=`", "what it is", ""}, pipeline.presets,
                    [](const plan::PresetDesc& preset) -> page::Row {
@@ -259,7 +260,7 @@ std::string presetList(const PipelineDesc& pipeline) {
                    });
 }
 
-// What the presets set: parameters of which any preset has another value than the declared default.
+// Parameters that differ from the declared default in at least one preset.
 std::string presetsText(const PipelineDesc& pipeline, const Presets& presets) {
   Table table{"", {"parameter", "default"}};
   for (const auto& [name, preset] : presets) table.columns.push_back(code(name));
@@ -275,7 +276,7 @@ std::string presetsText(const PipelineDesc& pipeline, const Presets& presets) {
   return presetList(pipeline) + tableText(table);
 }
 
-// Parameters of a node that follow none of the pipeline: only `--set node.param=...` changes them.
+// Node parameters that follow no pipeline parameter. Only `--set node.param=...` changes them.
 std::string ownParams(const plan::NodeDesc& node) {
   std::vector<std::string> names;
   for (const auto& [name, binding] : node.params)
@@ -300,7 +301,8 @@ std::string outputsText(const PipelineDesc& pipeline) {
   });
 }
 
-// The folder of passes that the choices are files of: called like the parameter, or one that has all of them.
+// Folder of the passes that the choices name: the folder named like the parameter, otherwise a folder with a file for
+// every choice, or "".
 std::string familyOf(const ParamDesc& param, const std::vector<PassDesc>& passes) {
   std::map<std::string, size_t> found;
   for (const PassDesc& pass : passes)
@@ -311,7 +313,7 @@ std::string familyOf(const ParamDesc& param, const std::vector<PassDesc>& passes
   return "";
 }
 
-// The page of the pass that a choice stands for.
+// Page of the pass that a choice stands for.
 auto linkToMembers(const std::vector<PassDesc>& passes) {
   return [&passes](const ParamDesc& param, const std::string& choice) -> std::string {
     std::string member = familyOf(param, passes) + "/" + choice;
@@ -338,7 +340,7 @@ std::map<std::string, std::vector<const PassDesc*>> families(const std::vector<P
   return result;
 }
 
-// Of a pass or a pipeline.
+// Markdown link to the page of a pass or pipeline.
 template <class Described>
 std::string linkOf(const Described& described) {
   return fmt::format("[`{}`]({})", described.name, pathOf(described));
@@ -406,7 +408,7 @@ const ParamDesc* findParam(const std::vector<ParamDesc>& params, const std::stri
   return found == params.end() ? nullptr : &*found;
 }
 
-// By its name, its folder and file, or its file alone where that is the only one of the name.
+// Finds a pass by its name, by folder and file, or by file name alone if it is unique; null if not found.
 const PassDesc* findPass(const std::vector<PassDesc>& passes, const std::string& name) {
   std::vector<const PassDesc*> alike;
   for (const PassDesc& pass : passes) {
@@ -455,7 +457,7 @@ std::string passPage(const PassDesc& pass) {
   return text;
 }
 
-// `presets` are the same pipeline for each of its presets, by name. `passes` are all there are.
+// `presets`: the pipeline evaluated with each of its presets, by name. `passes`: all passes.
 static std::string pipelinePage(const PipelineDesc& pipeline, const Presets& presets,
                                 const std::vector<PassDesc>& passes) {
   std::string text = fmt::format("# {}\n\n{}\n\nFile: `{}`.\n\n", pipeline.name, sentence(pipeline.doc), pipeline.file);
@@ -519,7 +521,7 @@ std::string helpTopics(const Home& home) {
   return text + "\nOptions of commands: strobe COMMAND --help\n";
 }
 
-// A bare parameter, `edge`: what it means in each pipeline that has it; empty where none has.
+// Help on a parameter name alone, such as `edge`, in each pipeline that has it; empty without such a pipeline.
 static std::string helpOnParamOfPipelines(const Home& home, const std::string& name) {
   std::string text;
   for (const PipelineDesc& pipeline : allPipelines(home))

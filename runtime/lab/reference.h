@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reference pages, in Markdown, from what passes and pipelines declare: the files below docs/reference and what
-// `strobe help` prints.
+// Reference pages in Markdown, from the declarations of passes and pipelines: the files below docs/reference and the
+// output of `strobe help`.
 #pragma once
 
 #include <string>
@@ -13,27 +13,28 @@
 namespace strobe::lab {
 
 struct ReferencePage {
-  std::string path;  // "passes/tile/largest.md", relative to the folder of the pages
+  std::string path;  // relative to the folder of the pages: "passes/tile/largest.md"
   std::string text;
 };
 
-// The page of a pass: what it computes, where it fails, what it reads and writes, its parameters, names in GLSL.
+// Page of a pass: description, failures, inputs, outputs, parameters, names in GLSL.
 std::string passPage(const plan::PassDesc& pass);
 
-// Every pass, every pipeline and the index, of the home folder as it is. Throws `Error` for what is unsound.
+// Pages of every pass and pipeline of the home folder, and the index. Throws `Error` for an invalid declaration.
 std::vector<ReferencePage> referencePages(const Home& home);
 
-// Writes them below `folder`; removes pages there whose pass or pipeline is gone.
+// Writes the reference pages below `folder`. Removes pages whose pass or pipeline no longer exists.
 void writeReference(const Home& home, const Path& folder);
 
-// The command that brings the pages that ship up to date.
+// Command that updates the shipped pages.
 inline const char* const kReferenceCommand = "strobe help --write docs/reference";
 
-// All topics, a line each.
+// All topics, one line each.
 std::string helpTopics(const Home& home);
 
-// On a pass ("tile_largest", "tile/largest" or "largest"), a pipeline, or a parameter of either ("tile_largest.tile").
-// Throws `Error` with exit code 2 and the nearest topic for anything else.
+// Help on a pass ("tile_largest", "tile/largest" or "largest"), a pipeline, or a parameter of either
+// ("tile_largest.tile"). A parameter name alone selects all pipelines that have it. Throws `Error` (exit code 2) with
+// the nearest topic for any other topic.
 std::string helpOn(const Home& home, const std::string& topic);
 
 }  // namespace strobe::lab

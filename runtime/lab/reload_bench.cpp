@@ -14,16 +14,17 @@ namespace strobe::lab {
 
 namespace {
 
-// Puts a number that is new into a file.
+// An edit that puts a new number into a file.
 struct Kind {
   std::string what;
   std::string file;
-  std::string line;   // {} is the number
-  std::string after;  // what it is put behind, "" for the end of the file
+  std::string line;   // inserted line; {} is the number
+  std::string after;  // text before the inserted line; "" for the end of the file
 };
 
 std::vector<Kind> kindsFor(const Session& session) {
-  // The last pass of the plan, the library that most of its shaders share, the script of that pass and of the pipeline.
+  // Edits: the shader of the last pass in the plan, the library that most shaders share, the script of that pass, and
+  // the script of the pipeline.
   const plan::Plan& plan = session.plan();
   const Home& home = session.bench().home();
   const plan::PassDesc& last = plan.pipeline.passes[size_t(plan.nodes.back().pass)];
@@ -42,7 +43,8 @@ std::vector<Kind> kindsFor(const Session& session) {
                      "\nconst int kTouched = {};\n", "#define"});
   kinds.push_back({"declaration of a pass", last.place.file, "\n-- {}\n", ""});
   kinds.push_back({"pipeline", plan.pipeline.file, "\n-- {}\n", ""});
-  std::erase_if(kinds, [&](const Kind& kind) { return !home.nameOf(home.fileShown(kind.file)); });  // not of the copy
+  std::erase_if(kinds,
+                [&](const Kind& kind) { return !home.nameOf(home.fileShown(kind.file)); });  // outside the copied home
   return kinds;
 }
 
@@ -50,11 +52,11 @@ ReloadTiming once(Session& session, const Kind& kind, int number) {
   Path file = session.bench().home().fileShown(kind.file);
   std::string good = readText(file);
   std::string line = fmt::format(fmt::runtime(kind.line), number);
-  // The last function of a shader is its `run`; of a library the line behind the first #define.
+  // The edited function `run` is the last function of a shader. In a library the line follows the first #define.
   size_t at = kind.after.empty()        ? good.size()
               : kind.after == "#define" ? good.find('\n', good.find(kind.after))
                                         : good.find(kind.after, good.rfind("void run(")) + 3;
-  // As a window does between edits, some time before the next.
+  // Draw and wait, as a window does between two edits.
   std::set<std::string> wanted = {"color"};
   session.reload(false);
   session.draw(&wanted);
@@ -102,7 +104,7 @@ std::vector<ReloadTiming> benchReload(Workbench& bench, const Shot& shot, int re
   session.reload(true);
   session.draw();
   std::vector<ReloadTiming> timings;
-  // Numbers that another run did not use: what a driver kept on disk from it would make the first frame too short.
+  // The number differs from other runs. Otherwise the shader cache of the driver on disk would shorten the first frame.
   int number = int(::getpid()) * 1000;
   for (const Kind& kind : kindsFor(session)) {
     std::vector<ReloadTiming> all;
