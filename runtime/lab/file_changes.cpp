@@ -37,7 +37,7 @@ void ChangedFiles::remember(const Drawing& running, const std::vector<script::De
     }
   for (const auto& [node, pipeline] : running.graph().pipelines())
     for (const Path& file : pipeline->files) note_as_it_is(file);
-  // New folders are watched from the next look on, because drawing the picture comes first.
+  // Folders of new files are watched from the next look on, because the picture comes first.
   if (!tried.empty() || noted_.size() > noted_before) watches_all_ = false;
 }
 
@@ -79,7 +79,7 @@ FileChanges ChangedFiles::changedSince(const Drawing& running, bool wait) {
     if (now == noted.hash) continue;
     noted = {now, noted.stamps};
     changes.files.push_back(bench_.home().shown(path));
-    // Library files are in both lists. A file in neither list was part of a failed attempt.
+    // The Lua library is in both lists. A file in neither list was part of a failed attempt.
     bool scene = is_among(running.scene().dependencies, path);
     bool shader = path.extension() == ".glsl" || path.extension() == ".h";
     changes.scene |= scene;

@@ -10,7 +10,8 @@
 
 namespace strobe::lab {
 
-// Changed files since the last attempt, and their evaluation. If no script changed, the evaluation is the running one.
+// Files that changed since the last attempt, and the evaluation of their scripts. If no script changed, it is the
+// evaluation of the running version.
 struct FileChanges {
   std::vector<std::string> files;  // file names for display
   bool scripts = false, scene = false;

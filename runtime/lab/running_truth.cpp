@@ -10,7 +10,7 @@
 
 namespace strobe::lab {
 
-// Seeds of steps lie far apart: a pipeline may use the seeds next to its own as well.
+// Distance between the seeds of two steps. Large, because a pipeline may also use the seeds next to its own.
 constexpr uint32_t kSeedStride = 0x9e3779b9u;
 
 RunningTruth::RunningTruth(Workbench& bench, std::string pipeline, const Steps& steps)
@@ -20,7 +20,7 @@ RunningTruth::RunningTruth(Workbench& bench, std::string pipeline, const Steps& 
 
 RunningTruth::~RunningTruth() = default;
 
-// Samples at random times, no regions.
+// Settings of the truth pipeline: stratified sample times, no regions.
 const script::Settings& RunningTruth::settings() {
   if (!settings_.empty()) return settings_;
   plan::PipelineDesc pipeline = script::evaluatePipeline(bench_.home(), {pipeline_, {}}, nullptr, bench_.limits);
@@ -83,7 +83,7 @@ bool RunningTruth::step(int most, const std::function<bool()>& goes_on) {
   return true;
 }
 
-// Welford's sums, weighted by samples: no difference of large numbers.
+// Welford's algorithm, weighted by samples. It avoids differences of large numbers.
 void RunningTruth::add(const image::Image& color, int samples) {
   if (taken_ == 0) {
     mean_ = image::Image(color.width, color.height, color.channels);

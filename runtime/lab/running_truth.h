@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Truth that gets better while one looks: steps of a few samples each, averaged in double precision. A step takes as
-// many samples as all before it while it is short enough: what a step does once, where things rest, is done for more of
-// them then, and their times lie more evenly.
+// Progressive truth: steps of a few samples each, averaged in double precision. A step takes as many samples as all
+// steps before it, while steps are short enough. Larger steps repeat the once-per-step work on static surfaces less
+// often, and their sample times are more even.
 #pragma once
 
 #include <functional>
@@ -19,33 +19,34 @@ class Session;
 class RunningTruth {
  public:
   struct Steps {
-    int first = 4, most = 64;  // samples
-    double longest_s = 0.5;  // a step that took longer is not followed by a larger one; infinite: the same steps always
+    int first = 4, most = 64;  // samples per step
+    double longest_s = 0.5;    // seconds; no larger step follows a longer step; infinite: growth ignores time
   };
 
-  // `pipeline`: "" for the one that declares kind = "truth". It has a parameter of the role sample_count, and may have
-  // those of the roles sample_times and regions; its output is "color". The bench must outlive this.
+  // `pipeline`: needs a parameter with the role sample_count and the output "color"; may have parameters with the roles
+  // sample_times and regions. "": the pipeline that declares kind = "truth". The bench must outlive this object.
   explicit RunningTruth(Workbench& bench, std::string pipeline, const Steps& steps);
   explicit RunningTruth(Workbench& bench, std::string pipeline = "") : RunningTruth(bench, std::move(pipeline), {}) {}
   ~RunningTruth();
 
-  // Forgets everything and starts on another shot (its pipeline's settings are not taken, the scene's are).
-  // Throws `Error` where the pipeline cannot be drawn.
+  // Discards all samples and starts on another shot. Takes the scene settings of the shot, but not its pipeline
+  // settings. Throws `Error` if the pipeline cannot be drawn.
   void restart(const Shot& shot);
 
-  // Takes one step of at most `most` samples, with random numbers of its own that depend on the shot's seed and the
-  // number of the step alone. `goes_on` (may be empty) is called between samples: where it is false, the step is
-  // dropped and the next one has half as many. False before a shot is given, and where `most` is 0.
+  // Takes one step of at most `most` samples. Its random numbers depend only on the seed of the shot and the number of
+  // the step. `goes_on` (may be empty) is called between samples; if it returns false, the step is dropped and the next
+  // step has half as many samples. Returns false before the first `restart`, and for `most` = 0.
   bool step(int most = std::numeric_limits<int>::max(), const std::function<bool()>& goes_on = {});
 
-  // "" where it was not given and nothing was started yet.
+  // Name of the pipeline; "" if it was not given and `restart` has not run.
   const std::string& pipeline() const { return pipeline_; }
-  // Linear colour of three channels; empty before the first step.
+  // Mean of all samples: linear colour, three channels; empty before the first step.
   const image::Image& mean() const { return mean_; }
   int samples() const { return samples_; }
   int interrupted() const { return interrupted_; }  // steps dropped since the last restart
 
-  // Of the mean: root mean square over pixels and channels, from how the steps differ; infinite before the second.
+  // Standard error of the mean, estimated from the differences between steps: root mean square over pixels and
+  // channels. Infinite before the second step.
   double standardError() const;
 
  private:
@@ -55,13 +56,13 @@ class RunningTruth {
   Workbench& bench_;
   std::string pipeline_;
   Steps steps_;
-  script::Settings settings_;  // of the first step; empty until they are needed
-  std::string count_;          // the parameter of the role sample_count
+  script::Settings settings_;  // settings of the first step; empty until needed
+  std::string count_;          // name of the parameter with the role sample_count
   std::unique_ptr<Session> session_;
   uint32_t seed_ = 0;
-  int taken_ = 0, samples_ = 0, next_ = 0;     // steps, samples of all, samples of the next
-  int set_ = 0, interrupted_ = 0;              // samples that the session is set to; steps dropped
-  std::vector<double> mean_so_far_, squares_;  // of colours by samples, and of the steps' differences from it
+  int taken_ = 0, samples_ = 0, next_ = 0;     // steps, samples in total, samples of the next step
+  int set_ = 0, interrupted_ = 0;              // samples set in the session; steps dropped
+  std::vector<double> mean_so_far_, squares_;  // mean colour; sums of squared step differences
   image::Image mean_;
 };
 

@@ -34,7 +34,8 @@ Session::Session(Workbench& bench, const Shot& shot, const std::string& origin)
 
 // ---- values
 
-// The option that has a value of this name, or is called so itself; or null. `field` (may be null) is the value.
+// Option with a field of this name, or with this name itself; null if not found. `field`: the field of this name, or
+// null.
 static const ShotOption* findOption(const std::string& name, const ShotField** field) {
   *field = nullptr;
   for (const ShotOption& option : shotOptions())
@@ -46,7 +47,7 @@ static const ShotOption* findOption(const std::string& name, const ShotField** f
   return nullptr;
 }
 
-// What a node writes and updates; nothing of one that is not there.
+// Names of the writes and updates of a node; empty for an unknown node.
 static std::vector<std::string> portsOf(const plan::PipelineDesc& pipeline, const std::string& name) {
   auto node = std::find_if(pipeline.nodes.begin(), pipeline.nodes.end(), [&](const auto& n) { return n.name == name; });
   if (node == pipeline.nodes.end()) return {};
@@ -70,7 +71,8 @@ static void dropLostTaps(Shot& shot, const plan::PipelineDesc& pipeline) {
   std::erase_if(shot.taps, [&](const std::string& tap) { return !hasPort(pipeline, tap); });
 }
 
-// The pipeline's settings of `to` that `from` has not or has otherwise; nothing where `to` lacks one that `from` has.
+// Pipeline settings in `to` that `from` lacks or that differ from `from`. No value if `to` lacks a pipeline setting of
+// `from`.
 static std::optional<script::Settings> added(const script::Settings& from, const script::Settings& to) {
   auto valueIn = [](const script::Settings& sets, const std::string& name) {
     const plan::Value* value = nullptr;
@@ -88,8 +90,8 @@ static std::optional<script::Settings> added(const script::Settings& from, const
   return changed;
 }
 
-// What the scripts give for `shot`, as they were when they were last good: a value has nothing to do with edits. They
-// run where a value may decide the graph.
+// Evaluation of `shot` with the last good scripts, independent of later edits. The scripts run only if a value may
+// decide the graph.
 std::shared_ptr<const Evaluation> Session::evaluationOf(const Shot& shot) const {
   const Evaluation& now = running_->evaluation();
   std::optional<script::Settings> changed = added(shot_.sets, shot.sets);
@@ -98,7 +100,7 @@ std::shared_ptr<const Evaluation> Session::evaluationOf(const Shot& shot) const 
       return std::make_shared<Evaluation>(
           Evaluation{plan::withSettings(now.pipeline, *changed), now.scripts, now.texts, now.described});
     } catch (const Error&) {
-      // The scripts say better what is wrong.
+      // Run the scripts, whose message is better.
     }
   Attempt evaluated = attempt(bench_.home(), shot, now.texts, bench_.limits, false);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
@@ -127,7 +129,7 @@ void Session::set(const std::string& name, const plan::Value& value, const std::
     return;
   }
   if (option->is(ShotOption::kNoPicture)) throw Error(fmt::format("'{}' cannot be changed here", name));
-  // Nodes that the shot moves stay at rest where they were.
+  // Keep the rest frame of nodes that the shot moves.
   bool moves = !shot.moves.empty() || !shot.spins.empty();
   if (name == "frame" && moves && shot.rest_frame < 0) shot.rest_frame = shot.frame;
   if (field) {
@@ -137,7 +139,7 @@ void Session::set(const std::string& name, const plan::Value& value, const std::
   } else {
     setFromTexts(*option, shot, {plan::textOf(value)});
   }
-  // Drawn anew if that concerns the frame alone, and requires nothing else of the plan.
+  // A change of the frame alone needs no new plan if the facts stay equal.
   bool frame_alone = option->concern == Concern::Frame || option->concern == Concern::Motion;
   frame_alone = frame_alone && sceneIdentity(shot) == sceneIdentity(shot_);
   if (frame_alone && absentFacts(shot, scene(), plan().pipeline) == plan().absent) shot_ = shot;
@@ -153,7 +155,7 @@ void Session::unset(const std::string& name) {
   const ShotOption* option = findOption(name, &field);
   std::erase_if(shot.sets, [&](const auto& set) { return set.first == name; });
   if (option) {
-    // What the scene suggests, else the default.
+    // Value that the scene suggests, otherwise the default.
     fillShot(fresh, running_->scene().description);
     fresh.scene = shot.scene;
     if (field) field->set(shot, field->get(fresh));
@@ -237,8 +239,8 @@ static std::vector<std::string> addedChoices(const plan::PipelineDesc& before, c
   return added;
 }
 
-// Replaces the running version by the sound parts of a new version; with `whole`, only if the new version is all sound.
-// Reports kept and reset values and histories.
+// Replaces the running version by the valid parts of a new version; with `whole`, only if all parts are valid. Reports
+// kept and reset values and histories.
 void Session::replace(Shot shot, const std::shared_ptr<const Evaluation>& evaluation, bool scene, bool whole,
                       Reload& result) {
   int compiled_before = bench_.compilations();
@@ -248,7 +250,7 @@ void Session::replace(Shot shot, const std::shared_ptr<const Evaluation>& evalua
   for (const auto& image : running_->plan().images)
     if (image.history) histories.push_back(image.name);
   try {
-    // Where the files of the scene fail, the bench goes on holding the one that runs.
+    // If a scene file is invalid, the bench keeps the running scene.
     if (scene) try {
         bench_.scene(shot, true);
       } catch (const Error& error) {

@@ -78,7 +78,7 @@ std::string settingsIdentity(const script::Settings& sets, bool of_scene) {
   return Json(last).dump();
 }
 
-// What is at rest is so at some frame; where nothing is moved by options, that is no matter.
+// Shot with the rest frame resolved: `frame` if unset and options move nodes; unset without such options.
 static Shot rested(Shot shot) {
   bool moved = !shot.moves.empty() || !shot.spins.empty();
   if (!moved) shot.rest_frame = -1;
@@ -98,7 +98,7 @@ static std::string identityOf(const Shot& shot, std::initializer_list<Concern> c
 std::string sceneIdentity(const Shot& shot) {
   bool moved = !shot.moves.empty() || !shot.spins.empty();
   std::string key = identityOf(shot, {Concern::Scene}) + settingsIdentity(shot.sets, true);
-  // Rates are per frame.
+  // Moves and spins have rates per frame, so fps and the rest time count.
   return moved ? key + fmt::format("|{}|{}", shot.fps, shot.restTime()) : key;
 }
 
@@ -129,7 +129,7 @@ static Shot shotOf(const Json& json) {
   for (const ShotOption& option : shotOptions()) {
     if (option.is(ShotOption::kNoPicture)) continue;
     known.push_back(option.name);
-    // What is newer than a record is not in it; what a scene suggests was resolved before it was written.
+    // A record may lack newer options. It has all suggested options, because they were resolved before it was written.
     bool required = option.is(ShotOption::kSuggested) || option.name == "scene";
     if (required || json.contains(option.name)) setFromJson(option, shot, json.at(option.name));
   }
@@ -147,7 +147,7 @@ Shot shotFromRecord(const Path& record) {
   if (!json.is_object() || !json.contains("shot")) refuse("is no run record: it has no 'shot'");
   try {
     return shotOf(json["shot"]);
-  } catch (const std::exception& error) {  // an `Error`, or one of the JSON library
+  } catch (const std::exception& error) {  // an `Error`, or an exception of the JSON library
     refuse(fmt::format("the shot of this record cannot be read: {}", error.what()));
   }
   return {};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shots and settings as experiments and captures have them, checked by scripts (scripts/strobe/shots.lua) and read
-// here.
+// Shots and settings of experiments and captures. scripts/strobe/shots.lua checks them before they are read here.
 #pragma once
 
 #include "base/home.h"
@@ -9,30 +8,31 @@
 
 namespace strobe::lab {
 
-// json[name], a list of { name, value }, `prefix` before each name; nothing where there is none.
+// Settings in json[name], a list of { name, value }, with `prefix` before each name. Empty if the list is missing.
 script::Settings settingsFrom(const Json& json, const char* name, const std::string& prefix = "");
 
-// A list of { name, value } of options; throws `Error` (exit code 2) for a value that an option does not take.
+// Sets options from a list of { name, value }; skips unknown names. Throws `Error` (exit code 2) for a value that an
+// option does not accept.
 void setOptions(Shot& shot, const Json& options);
 
-// A file that a script names lies beside it, if there is one there; else the name as it is.
+// Path of a .lua, .glb or .gltf file that a script names: beside the script if it exists there, otherwise `name`.
 std::string besideScript(const Path& script, const std::string& name);
 
-// A scene "shared:FILE" is one of the shared data.
+// File of a scene; "shared:FILE" is in the shared data.
 struct SceneFile {
-  std::string scene;    // as a shot has it
-  std::string shared;   // FILE, or ""
-  std::string missing;  // why it is not there, or ""
+  std::string scene;    // value for `Shot::scene`
+  std::string shared;   // FILE of "shared:FILE", or ""
+  std::string missing;  // reason if the file is missing, or ""
 };
 SceneFile sceneFile(const Home& home, const std::string& scene);
 
-// `stops` and `curve` of a shot.
+// Tone map from `stops` and `curve` of a shot.
 image::ToneMap toneFrom(const Json& json);
 
-// { from, to, step }: the frames of a sequence; none where json has no `frames`.
+// Frames of a sequence from `frames`: { from, to, step }, both ends inclusive. Empty without `frames`.
 std::vector<int> framesFrom(const Json& json);
 
-// As much of `label` as makes a good file name: "Half-split" becomes "half_split".
+// File name for a label, in lower case with "_" for other characters: "Half-split" becomes "half_split".
 std::string fileNameOf(const std::string& label);
 
 }  // namespace strobe::lab

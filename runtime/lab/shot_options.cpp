@@ -17,7 +17,7 @@ using plan::ParamDesc;
 using plan::Value;
 using Type = ParamDesc::Type;
 
-constexpr double kMostFrames = 1000;  // of an exposure
+constexpr double kMostFrames = 1000;  // longest exposure, frame intervals
 
 // ---- the table
 
@@ -42,7 +42,7 @@ static ShotField real(const char* name, ShotMember member, double otherwise, dou
   return number(name, member, Type::Float, otherwise, min, max, unit);
 }
 
-// One of some choices; of none, any text.
+// A choice; any text if `choices` is empty.
 static ShotField text(const char* name, ShotMember member, const char* otherwise,
                       const std::vector<std::string>& choices = {}) {
   ShotField field{{}, member};
@@ -87,7 +87,7 @@ static std::string backendDoc() {
   return text + "auto: query on a device that is not software and has it, else bvh";
 }
 
-// An option of one value, which is called like it.
+// Option with one field of the same name.
 static ShotOption one(const ShotField& field, const std::string& doc, Concern concern, uint32_t uses = 0) {
   return {field.declaration.name, doc, concern, {field}, uses};
 }
@@ -198,8 +198,8 @@ Value ShotField::get(const Shot& shot) const {
   return shot.*std::get<std::string Shot::*>(member);
 }
 
-// Exposures in frames and in seconds exclude one another: the later stands, and that in frames follows from that in
-// seconds.
+// Keeps `exposure` and `exposure_time` consistent. Setting `exposure` unsets `exposure_time`. While `exposure_time` is
+// set, `exposure` is computed from it.
 static void settleExposure(const ShotMember& member, Shot& shot) {
   const auto* set = std::get_if<double Shot::*>(&member);
   if (!set || (*set != &Shot::exposure && *set != &Shot::exposure_time && *set != &Shot::fps)) return;
@@ -269,7 +269,7 @@ std::string spelled(const ShotOption& option) {
   return name;
 }
 
-// Its mistakes name the option as the command line does.
+// Sets a field. Error messages spell the option as on the command line.
 static void setField(const ShotOption& option, const ShotField& field, Shot& shot, const Value& value) {
   ShotField named = field;
   named.declaration.name = spelled(option);
@@ -287,7 +287,7 @@ static std::array<double, 6> viewFrom(const std::array<double, 6>& view, const s
 }
 
 static void setList(std::vector<std::string> Shot::*list, Shot& shot, const std::vector<std::string>& texts) {
-  if (list == &Shot::path) cameraKeys(texts);  // throws for a wrong one
+  if (list == &Shot::path) cameraKeys(texts);  // throws for an invalid key
   shot.*list = texts;
 }
 
@@ -326,7 +326,7 @@ std::vector<std::string> textsOf(const ShotOption& option, const Shot& shot) {
   return {fmt::format("{}", fmt::join(texts, "x"))};
 }
 
-// "ex,ey,ez,tx,ty,tz", of two different points.
+// Parses "ex,ey,ez,tx,ty,tz" with two different points.
 static std::array<double, 6> parseView(const std::string& text) {
   return viewFrom(numbersIn<double, 6>(text, ',').value_or(std::array<double, 6>{}), text);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The options of a shot as one table. Command line, run record, command text, a scene's suggestion, an experiment's
-// fields, the window's controls, identity and what a change makes anew are derived from it: adding an option is one row
-// and its use.
+// Table of the options of a shot. Command line, run record, command text, scene suggestions, experiment fields, window
+// controls, identity and invalidation derive from it. A new option needs one row and its use.
 #pragma once
 
 #include <variant>
@@ -11,70 +10,71 @@
 
 namespace strobe::lab {
 
-// What a change of an option makes anew. `Motion`: the frame, and the scene where options move its nodes.
+// Part that a change of an option invalidates. `Motion`: the frame, and also the scene if options move its nodes.
 enum class Concern { Frame, Motion, Plan, Scene, Device };
 
-// Where a value stands in a shot.
+// Member of `Shot` that holds a value.
 using View = std::optional<std::array<double, 6>>;
 using ShotMember = std::variant<bool Shot::*, int Shot::*, uint32_t Shot::*, double Shot::*, std::string Shot::*,
                                 View Shot::*, std::vector<std::string> Shot::*>;
 
-// A value of an option: what it is, and where it stands. A choice without choices takes any text.
+// A value of an option: its declaration and its member of `Shot`. A choice without choices accepts any text.
 struct ShotField {
-  plan::ParamDesc declaration;  // default_value: what holds where neither the shot nor its scene says one
+  plan::ParamDesc declaration;  // default_value: used if neither the shot nor its scene sets a value
   ShotMember member;
-  void (*check)(const std::string& text) = nullptr;  // of a text: throws `Error` (exit code 2) for a wrong one
+  void (*check)(const std::string& text) = nullptr;  // throws `Error` (exit code 2) for an invalid text
 
-  // Of numbers, choices and texts alone: as a value. `set` throws `Error` for another type or one out of range.
+  // True if the field is a single value, not a view or a list. `get` and `set` are valid only for such fields. `set`
+  // throws `Error` for a wrong type or a value out of range.
   bool isValue() const;
   plan::Value get(const Shot& shot) const;
   void set(Shot& shot, const plan::Value& value) const;
-  // A number outside of its range, or a view that is not given.
+  // True if unset: a number that still has the initial value of `Shot` below its range, or an empty view.
   bool isOpen(const Shot& shot) const;
 };
 
 struct ShotOption {
-  std::string name;  // with "_"; the command line writes "-"
+  std::string name;  // with "_"; "-" on the command line
   std::string doc;
   Concern concern = Concern::Frame;
-  std::vector<ShotField> fields;  // one; of `size` two
-  // What it takes part in.
+  std::vector<ShotField> fields;  // one field; two for `size`
+  // Uses of an option, bits of `uses`.
   enum Use : uint32_t {
-    kSuggested = 1,  // a scene may say it
-    kSpelled = 2,    // the command has it even where it is the default
-    kControl = 4,    // the window has controls for it
-    kNoPicture = 8,  // decides no picture: no part of record, command and identity
+    kSuggested = 1,  // a scene may suggest it
+    kSpelled = 2,    // the command contains it even with its default
+    kControl = 4,    // the window has a control for it
+    kNoPicture = 8,  // does not affect the picture; excluded from record, command and identity
   };
   uint32_t uses = 0;
 
   bool is(Use use) const { return uses & use; }
-  bool isGiven(const Shot& shot) const;  // differs from what a shot is without it
+  bool isGiven(const Shot& shot) const;  // true if it differs from the default
 };
 
 const std::vector<ShotOption>& shotOptions();
 std::string spelled(const ShotOption& option);              // "--rest-frame"
-const ShotOption* findShotOption(const std::string& name);  // or null
+const ShotOption* findShotOption(const std::string& name);  // null if unknown
 
-// What a scene may suggest, for reading its description.
+// Options that a scene may suggest, to parse its description.
 std::vector<scene::Suggestion> suggestions();
 
-// The value as a record and an experiment have it: a number, a text, [width, height], six numbers, a list of texts.
+// Value in the format of records and experiments: number, text, [width, height], six numbers, or list of texts.
 Json jsonOf(const ShotOption& option, const Shot& shot);
-// Throws `Error` (exit code 2) naming option and range.
+// Sets an option. Throws `Error` (exit code 2) with option and range for an invalid value.
 void setFromJson(const ShotOption& option, Shot& shot, const Json& value);
 
-// As on the command line: one text, of lists any number, none where the value is the default.
+// Texts in the format of the command line: one text, any number for a list, empty for the default.
 std::vector<std::string> textsOf(const ShotOption& option, const Shot& shot);
 void setFromTexts(const ShotOption& option, Shot& shot, const std::vector<std::string>& texts);
 
-// The table for scripts that name options (`native.known.shot_options`): { name, type, min, max, choices, doc }, `type`
-// one of "bool", "number", "integer", "choice", "text", "size", "view", "texts".
+// Table for scripts that name options (`native.known.shot_options`): { name, type, min, max, choices, doc }, `type` one
+// of "bool", "number", "integer", "choice", "text", "size", "view", "texts".
 Json shotOptionsJson();
 
-// "ex,ey,ez,tx,ty,tz".
+// Text of a view: "ex,ey,ez,tx,ty,tz".
 std::string viewText(const std::array<double, 6>& view);
 
-// "WxH" in pixels, each 1 to 16384.
+// Parses "WxH", pixels, each 1 to 16384. Throws `Error` (exit code 2) with `option`.
 std::array<int, 2> parseSize(const std::string& text, const std::string& option = "--size");
 
 }  // namespace strobe::lab
