@@ -57,14 +57,14 @@ image::Image asFloats(const graph::ReadImage& read) {
   return image;
 }
 
-// Waits until the socket takes bytes (which is also when a connection is made or has failed).
+// Waits until the socket accepts bytes or a connection attempt ends. True if the socket is writable without an error.
 bool writable(int socket, double until_s) {
   double left_s = until_s - clockSeconds();
   pollfd wait = {socket, POLLOUT, 0};
   return left_s > 0 && poll(&wait, 1, int(left_s * 1000) + 1) == 1 && !(wait.revents & (POLLERR | POLLHUP | POLLNVAL));
 }
 
-// A connected socket that does not block, or -1.
+// A connected, non-blocking socket, or -1.
 int connected(const addrinfo& to, double until_s) {
   int made = socket(to.ai_family, to.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, to.ai_protocol);
   if (made < 0) return -1;
@@ -137,7 +137,7 @@ bool Tev::connect() {
   return socket_ >= 0;
 }
 
-// Gives up when the viewer takes nothing for as long as our patience lasts.
+// Sends all bytes. False if the connection fails or the viewer accepts nothing for `patience_s`.
 bool Tev::write(const std::string& bytes) {
   for (size_t sent = 0; sent < bytes.size();) {
     ssize_t took = ::send(socket_, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);

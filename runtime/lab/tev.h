@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sends images to the viewer tev (https://github.com/Tom94/tev), or to anything that speaks its protocol: TCP, little
-// endian, packets of uint32 length (its own four bytes included), uint8 type, payload; strings end in a zero byte.
+// Sends images to the viewer tev (https://github.com/Tom94/tev) or another program with its protocol. Protocol: TCP,
+// little endian; a packet has uint32 length (including its own four bytes), uint8 type, payload; strings end in a zero
+// byte.
 #pragma once
 
 #include <map>
@@ -16,18 +17,19 @@ struct TevAddress {
   int port = 14158;
 };
 
-// "HOST:PORT", "[ADDRESS]:PORT" for one with colons. Throws `Error` with exit code 2 for anything else.
+// Parses "HOST:PORT", or "[ADDRESS]:PORT" for an address with colons. Throws `Error` (exit code 2) for other text.
 TevAddress parseTevAddress(const std::string& text);
 
-// The packets themselves. Type 4: bool grab focus, name, int32 width, height, channels, their names.
+// Packet of type 4: bool grab focus, name, int32 width, height, channels, channel names.
 std::string tevCreatePacket(const std::string& name, int width, int height, const std::vector<std::string>& channels);
 
-// Type 6: bool grab focus, name, int32 channels, their names, int32 x, y, width, height, int64 offset of each channel,
-// int64 stride of each channel (both in floats), floats as they lie in the image.
+// Packet of type 6: bool grab focus, name, int32 channels, channel names, int32 x, y, width, height, int64 offset of
+// each channel, int64 stride of each channel (both in floats), floats in image order.
 std::string tevUpdatePacket(const std::string& name, const std::vector<std::string>& channels,
                             const image::Image& image);
 
-// No viewer is required: one that is not there, closes or is too slow is no error, and costs at most `patience_s`.
+// Connection to a viewer. A missing, closed or slow viewer is not an error. Each wait for the viewer ends after
+// `patience_s` seconds.
 class Tev {
  public:
   explicit Tev(TevAddress address = {}, double patience_s = 0.25);
@@ -35,7 +37,8 @@ class Tev {
   Tev(const Tev&) = delete;
   Tev& operator=(const Tev&) = delete;
 
-  // Shows or updates "strobe: <output>". Integers are sent as numbers (exact up to 2^24). False without a viewer.
+  // Shows or updates "strobe: <output>". Integers are sent as floats (exact up to 2^24). Returns false without a
+  // viewer.
   bool send(const std::string& output, const graph::ReadImage& image);
 
  private:
@@ -46,7 +49,7 @@ class Tev {
   TevAddress address_;
   double patience_s_;
   int socket_ = -1;
-  std::map<std::string, std::string> created_;  // the packet that made each image the viewer has
+  std::map<std::string, std::string> created_;  // create packet of each image in the viewer, by name
 };
 
 }  // namespace strobe::lab

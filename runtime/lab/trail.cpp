@@ -26,7 +26,7 @@ std::string joined(const Numbers& numbers, const char* between = "  ") {
 
 std::string joined(const vec3& v) { return joined(std::vector<double>{v.x, v.y, v.z}, " "); }
 
-// The port called `name` of a pass.
+// Port `name` of a pass.
 const plan::PortDesc& portOf(const plan::PassDesc& pass, const std::string& name) {
   for (const auto* ports : {&pass.writes, &pass.updates})
     for (const plan::PortDesc& port : *ports)
@@ -55,7 +55,7 @@ TrailRow rowOf(const plan::PassDesc& pass, const plan::VirtualImage& image, cons
   return row;
 }
 
-// What `render` would have given: without the taps that only the trail asked for.
+// Removes the taps that only the trail requested, so that the picture equals the result of `render`.
 void forget(Picture& picture, const std::vector<std::string>& wanted) {
   std::erase_if(picture.frame.taps,
                 [&](const auto& tap) { return std::find(wanted.begin(), wanted.end(), tap.first) == wanted.end(); });
@@ -103,7 +103,7 @@ page::Table hitsOf(const Trail& trail) {
   return table;
 }
 
-// The shortest text of the float as a number: what reads back to the same float.
+// JSON number with the shortest text that reads back to the same float; a text if not finite.
 Json numberJson(double value) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
   return std::strtod(shortest(value).c_str(), nullptr);
@@ -139,7 +139,7 @@ Json toJson(const TrailHit& hit) {
   return json;
 }
 
-// The rows alone, of a frame in which all ports of the plan are tapped.
+// Trail without hits, from a frame with taps on all ports of the plan.
 Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, int y) {
   STROBE_ASSERT(x >= 0 && y >= 0 && x < plan.width && y < plan.height, "{},{} of {}x{}", x, y, plan.width, plan.height);
   Trail trail = {plan.pipeline.name, x, y, plan.width, plan.height, {}, {}};
@@ -151,7 +151,7 @@ Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, in
   return trail;
 }
 
-// The hits in a frame of scripts/inspect/hits.lua.
+// Hits in a frame of scripts/inspect/hits.lua.
 std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult& frame) {
   const auto& ids = frame.outputs.at("hit").uints;
   const auto& where = frame.outputs.at("where").floats;
@@ -176,7 +176,7 @@ std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult
   return hits;
 }
 
-// What the ray of a pixel's centre meets in the scene that a session draws, as it stands.
+// Hits of the ray through a pixel centre in the present scene of a session.
 std::vector<TrailHit> hitsAt(const Session& looked_at, int x, int y) {
   Shot shot = looked_at.shot();
   shot.sets = sceneSettings(shot.sets);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr Colour kTint = {1.0f, 0.50f, 0.08f};
 
-// What "auto" needs to know of a port: its own name, without the node's.
+// Name of a port, without its node.
 std::string nameOf(const std::string& port) { return port.substr(port.rfind('.') + 1); }
 
 bool has(const std::string& name, const char* part) { return name.find(part) != std::string::npos; }
@@ -29,7 +29,7 @@ bool isUint(const ReadImage& image) { return !image.uints.values.empty(); }
 
 int channelsOf(const ReadImage& image) { return isUint(image) ? image.uints.channels : image.floats.channels; }
 
-// The smallest and largest finite value of `valueAt(i)` for all texels.
+// Smallest and largest finite value of an image.
 struct Range {
   float low = INFINITY, high = -INFINITY;
 };
@@ -45,7 +45,7 @@ Range rangeOf(const Image& image, ValueAt valueAt) {
   return range;
 }
 
-// Texel of the image for each pixel of the frame, along one axis; -1 outside of an image of fixed size.
+// Texel for each pixel of the frame, along one axis; -1 outside an image of fixed size.
 std::vector<int> texelsAlong(int texels, int divide, int pixels, double scale) {
   std::vector<int> at(size_t(pixels), -1);
   int offset = divide > 0 ? 0 : int((pixels - texels * scale) / 2);
@@ -56,7 +56,7 @@ std::vector<int> texelsAlong(int texels, int divide, int pixels, double scale) {
   return at;
 }
 
-// Each pixel of the frame looks up the texel it lies in.
+// Image scaled to the frame, by nearest texel.
 Image placed(const Image& image, int divide, int width, int height) {
   if (image.width == width && image.height == height && divide <= 1) return image;
   double fit = std::min(double(width) / image.width, double(height) / image.height);
@@ -71,7 +71,8 @@ Image placed(const Image& image, int divide, int width, int height) {
   return result;
 }
 
-// Paints what is not finite, judged by the first `channels` channels of the data.
+// Paints non-finite pixels. Tests the first `channels` channels of the data. `sky`: +infinity is background and is not
+// painted.
 void shout(Image& display, const Image& data, int channels, bool sky = false) {
   for (size_t i = 0; i < display.values.size() / 3; ++i) {
     const float* value = &data.values[i * size_t(data.channels)];
@@ -85,7 +86,8 @@ void shout(Image& display, const Image& data, int channels, bool sky = false) {
   }
 }
 
-// Three channels of any number. A sum of samples (alpha: how many) is shown as their mean.
+// RGB of an image with any number of channels. `sum`: the image is a sum of samples, divided by alpha, the number of
+// samples.
 Image threeChannels(const Image& image, bool sum) {
   Image rgb(image.width, image.height, 3);
   for (size_t i = 0; i < rgb.values.size() / 3; ++i) {
@@ -96,7 +98,7 @@ Image threeChannels(const Image& image, bool sum) {
   return rgb;
 }
 
-// The exact curve at 4096 points per unit of the square root, where its rounding is far below one of 256 levels.
+// sRGB encoding by table, 4096 entries per unit of the square root. The rounding error is far below one of 256 levels.
 float encodeFast(float linear) {
   static const std::vector<float> table = [] {
     std::vector<float> made(4097);
@@ -125,7 +127,8 @@ Image normalView(const Image& image) {
   return display;
 }
 
-// A round length that all but one in 200 of the displacements stay below, so that few outliers do not darken the rest.
+// Full scale of displacements, px: `wanted`, or a round length that 99.5 % of the displacements do not exceed, so that
+// few outliers do not darken the rest.
 double fullLength(const Image& image, double wanted) {
   if (wanted > 0) return wanted;
   std::vector<float> lengths;
@@ -139,7 +142,7 @@ double fullLength(const Image& image, double wanted) {
   return image::niceCeiling(*chosen);
 }
 
-// One value of a texel: the length of a displacement, the mean of a colour.
+// Scalar of a texel: length for two channels, mean for three.
 float scalarOf(const float* texel, int channels) {
   if (channels == 1) return texel[0];
   return channels == 2 ? std::hypot(texel[0], texel[1]) : (texel[0] + texel[1] + texel[2]) / 3;
@@ -176,13 +179,13 @@ Image depthView(const Image& image, Range range) {
 
 float luminance(const Colour& c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
 
-// The colour beneath, as displayed; black without one.
+// Colour beneath a mask or arrows, display-encoded; black without a colour.
 Image beneath(const Image* under, int width, int height, const ViewOptions& options) {
   if (!under || !options.over) return Image(width, height, 3);
   return placed(colourView(*under, false, options.exposure_stops), 1, width, height);
 }
 
-// A dimmed, greyish picture; where the mask is set, orange that keeps the picture's light and dark.
+// Dimmed, desaturated picture. Masked pixels are orange and keep the luminance contrast of the picture.
 Image maskView(const Image& mask, Image display, bool over) {
   for (size_t i = 0; i < display.values.size() / 3; ++i) {
     float* pixel = &display.values[3 * i];
@@ -198,7 +201,7 @@ Image maskView(const Image& mask, Image display, bool over) {
   return display;
 }
 
-// Arrows are true to length where that can be read, else to a power of two.
+// Scale of the arrows: 1 if their true length is readable, otherwise a power of two.
 double arrowScale(double longest_px, double step) {
   double scale = 1;
   while (longest_px * scale > 3 * step) scale /= 2;
@@ -222,7 +225,8 @@ Image arrowView(const Image& vectors, Image display, const ViewOptions& options,
   for (float& value : display.values) value *= 0.55f;
   double full = fullLength(vectors, options.high);
   double fine = std::clamp(display.width / 40, 10, 40), scale = arrowScale(full, fine);
-  // Wide enough that one arrow ends before the next begins, rows staggered so that thin things are met too.
+  // Grid wide enough that an arrow ends before the next begins. Rows are staggered, so that the grid also hits thin
+  // objects.
   int step = int(std::clamp(1.15 * full * scale, 1.4 * fine, 2 * fine)), pitch = step / 2, row = 0;
   for (int y = pitch / 2; y < display.height; y += pitch, ++row)
     for (int x = row % 2 ? step : step / 2; x < display.width; x += step) {
@@ -335,7 +339,7 @@ Image shown(const ReadImage& image, const std::string& port, int divide, int wid
 
 Image pictureOf(const Legend& legend) {
   if (legend.kind == Legend::Kind::none) return {};
-  // A canvas of this size has letters of 13 px. Cut it to the legend.
+  // Text on a canvas of this size is 13 px high. The canvas is then cropped to the legend.
   Image canvas(728, 442, 3);
   draw(canvas, legend);
   int left = canvas.width, top = canvas.height, right = 0, bottom = 0;

@@ -41,10 +41,11 @@ std::vector<std::string> limitsMet(const graph::FrameResult& frame) {
                                            found.x, found.y, found.value))};
 }
 
-// Warnings about clips that do not play since an earlier one drives a target of theirs.
+// Warnings about clips that do not play because an earlier clip drives the same target.
 static std::vector<std::string> sharedTargets(const scene::Scene& scene) {
   constexpr size_t kMostNames = 12;
-  std::map<std::pair<int, std::string>, std::vector<std::string>> yielding;  // names, by what plays and the target
+  std::map<std::pair<int, std::string>, std::vector<std::string>>
+      yielding;  // names of silent clips, by playing clip and target
   for (const scene::Animation& clip : scene.animations)
     if (clip.yields_to >= 0) yielding[{clip.yields_to, clip.shared_target}].push_back(clip.name);
   std::vector<std::string> met;
@@ -58,14 +59,15 @@ static std::vector<std::string> sharedTargets(const scene::Scene& scene) {
   return met;
 }
 
-// True if all of the scene stands still within the exposure, or all that the clip drives.
+// True if a cut of the scene, the clip or the shot lies in the exposure. The scene or the clip is then static during
+// the exposure.
 static bool isCut(const Shot& shot, const scene::Scene& scene, const scene::Animation& clip, double open_s,
                   double close_s) {
   return scene::comesToACut(scene.cuts, open_s, close_s) || scene::comesToACut(clip, open_s, close_s) ||
          scene::comesToACut(scene::cutsFromOption(shot.cuts), open_s, close_s);
 }
 
-// The first key that blurs; without one the end of the clip.
+// Time of the first key without STEP interpolation, seconds; the end of the clip without such a key.
 static double firstKey(const scene::Animation& clip) {
   double first_s = clip.duration;
   for (const scene::Track* track : scene::tracksOf(clip))

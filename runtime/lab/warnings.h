@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which limits a picture has met: those of its passes by their counts, those of the program (lab/limits.h) by its
-// shot.
+// Limits that a picture met: limits of its passes by counters, limits of the program (lab/limits.h) by its shot and
+// colours.
 #pragma once
 
 #include <string>
@@ -12,13 +12,14 @@
 
 namespace strobe::lab {
 
-// "NODE: COUNT WHAT; what was done and what to do about it" for every count of a frame that is declared as a limit.
+// Warnings "NODE: COUNT WHAT; RESULT", one for each nonzero counter that is declared as a limit. RESULT: the
+// consequence and a remedy.
 std::vector<std::string> limitsMet(const plan::Plan& plan, const graph::FrameResult& frame);
 
-// Warnings about the colours of a frame, if its colour is read back.
+// Warnings about non-finite colours of a frame, if its colour is read back.
 std::vector<std::string> limitsMet(const graph::FrameResult& frame);
 
-// Of the times a shot asks of its scene.
+// Warnings about the exposure of a shot and the clips of its scene.
 std::vector<std::string> limitsMet(const Shot& shot, const scene::Scene& scene);
 
 }  // namespace strobe::lab

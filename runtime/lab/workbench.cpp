@@ -22,7 +22,7 @@ namespace strobe::lab {
 
 bool isGltf(const std::string& scene) { return hasExtension(scene, ".glb") || hasExtension(scene, ".gltf"); }
 
-// Identity of meshes and textures, wherever a file keeps them.
+// Hash of meshes and textures, independent of their files.
 static std::string contentHash(const scene::Scene& scene) {
   std::string hashes;
   auto add = [&](const auto& values) {
@@ -58,7 +58,7 @@ static uint64_t bytesOf(const scene::Scene& scene) {
   return bytes;
 }
 
-// A file that a scene names, as it would be written beside the scene's own name.
+// Display path of a file that a scene names, relative in the same way as the path of the scene.
 static std::string shownBeside(const std::string& scene, const Path& file) {
   Path own = std::filesystem::absolute(scene).lexically_normal();
   return (Path(scene).parent_path() / file.lexically_relative(own.parent_path())).lexically_normal().string();
@@ -81,7 +81,7 @@ static void requirePart(const std::string& option, const std::string& name, cons
   }
 }
 
-// Default camera and light, and a check of the parts that the shot names.
+// Supplies the default camera and light. Checks the parts that the shot names.
 static void completeScene(scene::Scene& scene, const Shot& shot) {
   requirePart("camera", shot.camera, [&] {
     scene::supplyDefaults(scene, shot.camera);
@@ -134,7 +134,8 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
   return loaded;
 }
 
-// A copy is as large as the scene: a dragged slider that asks for one number after the other must not leave them all.
+// Evicts unused copies. A copy is as large as the scene, and a dragged slider may request many numbers of poses in
+// sequence.
 std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, uint32_t slices,
                                                      shader::StructureKind structures) {
   std::shared_ptr<world::GpuScene>& held = on_device[{slices, structures}];
@@ -195,7 +196,7 @@ std::shared_ptr<const Evaluation> Workbench::evaluate(const std::string& pipelin
   if (evaluated_.size() >= kMost) evaluated_.clear();
   ++evaluations_;
   auto evaluation = std::make_shared<Evaluation>(evaluator_.evaluate(pipeline, sets));
-  // Stamps first, contents after: a change in between makes them differ.
+  // Stamps before contents: a change in between then makes them differ.
   Stamps files = stampsOf(evaluation->scripts);
   if (isCurrent(evaluation->scripts)) evaluated_[key] = {std::move(files), evaluation};
   return evaluation;

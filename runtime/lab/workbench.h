@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A device, the scenes it holds and the pipelines made on it: the object every command drives.
+// A device with its scenes and pipelines. Every command uses a workbench.
 #pragma once
 
 #include <functional>
@@ -17,32 +17,34 @@
 
 namespace strobe::lab {
 
-// A scene with the moves of a shot applied and what it lacked supplied.
+// A scene, with the moves of a shot applied and missing parts supplied.
 struct LoadedScene {
   scene::Scene scene;
-  Json description;                // what identifies it: the Lua data, or the name and hash of the file
-  std::string hash;                // of the description
-  uint64_t bytes = 0;              // of meshes and textures
-  double read_s = 0, order_s = 0;  // what it took to read it, to order its triangles
+  Json description;                // identity: the Lua data, or the name and hash of the file
+  std::string hash;                // hash of the description
+  uint64_t bytes = 0;              // bytes of meshes and textures
+  double read_s = 0, order_s = 0;  // time to read the scene, to order its triangles
   std::vector<script::Dependency> dependencies;
 };
 
-// Not a script, by the ending of its name.
+// True for a glTF file, by extension; other scenes are scripts.
 bool isGltf(const std::string& scene);
 
-// Places of the files that a Lua scene names. Names are relative to the scene's file. Files lie in the root that has
-// the scene (the project or the shipped folder), without such a root in the scene's folder.
+// Places of the files that a Lua scene names. Names are relative to the file of the scene. Files must lie in the root
+// that has the scene (the project or the shipped folder), without such a root in the folder of the scene, unless
+// `allow_outside`.
 scene::FilePlaces filePlaces(const Home& home, const std::string& scene, bool allow_outside = false);
 
-// Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
+// Reads the scene of a shot. Fills in unset options of the shot (size, fps, frame, exposure). Applies --move and
+// --spin.
 LoadedScene loadScene(const Home& home, Shot& shot);
 
-// A loaded scene and its copies on the device, by how many times they can be posed at once and by what rays traverse in
-// them. A copy must not outlive it.
+// A loaded scene and its copies on the device, by number of simultaneous poses and by acceleration structure. A copy
+// must not outlive the scene.
 struct HeldScene {
   LoadedScene loaded;
-  std::shared_ptr<world::UnposedScene> unposed;  // of all copies
-  double device_s = 0;                           // what it took to bring it to the device, the first time
+  std::shared_ptr<world::UnposedScene> unposed;  // shared by all copies
+  double device_s = 0;                           // time of the first upload to the device
   std::map<std::pair<uint32_t, shader::StructureKind>, std::shared_ptr<world::GpuScene>> on_device;
 
   // Copy of the scene for `slices` poses, made if it is missing. Evicts unused copies, keeping one.
@@ -52,14 +54,14 @@ struct HeldScene {
 
 // One picture, its record and its timings.
 struct Picture {
-  graph::FrameResult frame;  // of several sub-pixel samples: floats averaged, integers of the first
+  graph::FrameResult frame;  // with several sub-pixel samples: floats averaged, integers of the first
   Json record;
   Json timings;
-  std::vector<std::string> warnings;                     // of the scene, and the limits that were met
+  std::vector<std::string> warnings;                     // warnings of the scene and of the limits met
   mat4 camera_from_world = mat4(1);                      // at the raster time; the camera looks along -z, y up
   mat4 ndc_from_world = mat4(1);                         // x and y in [-1, 1], y up
-  std::vector<IdName> id_names;                          // what its ids stand for; empty if it was read from a file
-  std::shared_ptr<const image::IdCoverage> id_coverage;  // of the output "id", where it was requested
+  std::vector<IdName> id_names;                          // names of the ids; empty for a picture read from a file
+  std::shared_ptr<const image::IdCoverage> id_coverage;  // coverage of the output "id", if requested
 };
 
 class Workbench {
@@ -68,7 +70,7 @@ class Workbench {
   Workbench(const Home& home, const gpu::DeviceOptions& device);
   Workbench(const Home& home, const std::string& device, bool validation)
       : Workbench(home, gpu::DeviceOptions{device, validation}) {}
-  // On the device of another, with files from elsewhere.
+  // Shares the device of `other`; files come from another home folder.
   Workbench(const Home& home, const Workbench& other);
   ~Workbench();
 
@@ -77,39 +79,37 @@ class Workbench {
   const gpu::Device& device() const { return *device_; }
   graph::PipelineCache& pipelines() { return cache_; }
 
-  // Renders. Scripts run, and scene and shaders are read, unless that was done before and no file changed since; so a
-  // picture is always that of the files as they are. `progress` (may be empty): iterations done, of. `id_coverage`: as
-  // `Drawing::capture`.
+  // Renders a picture from the present files. Scripts, scene and shaders are reused only while no file has changed.
+  // `progress` (may be empty): iterations done, total. `id_coverage`: see `Drawing::capture`.
   Picture render(const Shot& shot, const std::function<void(int, int)>& progress = {}, bool id_coverage = false);
 
-  // What the pipeline's scripts give, run unless they were with the same settings and no file of theirs changed since.
-  // Throws `Error`.
+  // Evaluation of a pipeline with settings. Reused for equal settings while no script has changed. Throws `Error`.
   std::shared_ptr<const Evaluation> evaluate(const std::string& pipeline, const script::Settings& sets);
 
-  // The scene of a shot, whose gaps it fills. It is loaded unless it is held already; with `fresh` also if a file it
-  // was made of changed. Those used last are held, others as long as they are in use.
+  // Scene of a shot; fills in unset options of the shot. Loads the scene if it is not cached; with `fresh`, also if a
+  // file has changed. The cache keeps the most recently used scenes; other scenes live as long as they are in use.
   std::shared_ptr<HeldScene> scene(Shot& shot, bool fresh = false);
 
-  // How rays are traced; throws `Error` where the device cannot do what is asked for.
+  // Ray-tracing backend. Throws `Error` if the device lacks the requested backend.
   graph::Backend chooseBackend(const std::string& asked) const;
 
-  // What scripts may use.
+  // Resource limits of scripts.
   script::Limits limits;
-  // Frames that are under way at once where several are drawn one after the other: at least 1, which it is on a
-  // software device unless it is set, since that has no clock for its passes (graph/submission.cpp).
+  // Number of frames in flight when several are drawn in sequence, at least 1. Initially 1 on a software device, which
+  // has no clock for its passes (graph/submission.cpp).
   size_t frames_in_flight = 2;
 
-  // Bytes that a frame and its scene may take at most, where more is free.
+  // Limit for the bytes of a frame and its scene, in addition to the free memory.
   uint64_t most_bytes = UINT64_MAX;
 
-  // Pipelines compiled, and scripts run for pipelines, since the workbench exists.
+  // Number of compiled pipelines, and of script evaluations for pipelines, since construction.
   int compilations() const { return cache_.compilations(); }
   int evaluations() const { return evaluations_; }
 
  private:
   struct KnownScene {
     std::string identity;
-    std::string source;  // the file and its settings
+    std::string source;  // scene name and scene settings
     Stamps files;
     std::shared_ptr<HeldScene> held;
   };
@@ -122,18 +122,17 @@ class Workbench {
   const Home home_;
   std::shared_ptr<gpu::Device> device_;
   graph::PipelineCache cache_;
-  std::list<KnownScene> scenes_;  // used last first
+  std::list<KnownScene> scenes_;  // most recently used first
   Evaluator evaluator_{home_, limits};
   std::map<std::string, KnownEvaluation> evaluated_;
   int evaluations_ = 0;
 };
 
-// How the frame of a shot sees the scene, which must outlive what is returned; paths are those since `earlier_frames`
-// before it (plan::earlierFrames), at least since one.
+// Setup of the frame of a shot: poses, times and screen motion. The scene must outlive the result. Paths begin
+// `earlier_frames` frames (plan::earlierFrames), but at least one frame, before the frame.
 graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int earlier_frames = 1);
 
-// The plan of a shot's pipeline at its size, for a frame that lacks the facts `absent` and is asked for `outputs`
-// (empty: all).
+// Plan of a pipeline at the size of the shot, for a frame without the facts `absent` and with `outputs` (empty: all).
 plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend,
                   const std::vector<std::string>& absent = {}, const std::set<std::string>& outputs = {});
 
