@@ -61,7 +61,7 @@ std::shared_ptr<const Evaluation> Batch::derived(const std::string& pipeline, co
     return std::make_shared<Evaluation>(Evaluation{plan::withSettings(*base.pipeline, rest), base.evaluation->scripts,
                                                    base.evaluation->texts, base.evaluation->described});
   } catch (const Error&) {
-    return nullptr;  // the caller runs the scripts, whose message is better
+    return nullptr;  // the caller then runs the scripts, for a better message
   }
 }
 

@@ -79,8 +79,8 @@ class Batch {
   // Same picture as from `Workbench::render`. Cached by canonical(shot) and outputs up to `kept_picture_bytes`; the
   // least recently used picture is evicted first.
   std::shared_ptr<const Picture> picture(const Shot& shot, const Outputs& outputs = {}, const Progress& progress = {});
-  // Optional other source of pictures, called with `contentOf` for pictures that are not cached and have all outputs.
-  // Null result: the batch draws the picture.
+  // Optional other source of pictures, for pictures that are not cached and have all outputs. `content` is the value of
+  // `contentOf`. Null result: the batch draws the picture.
   std::function<std::shared_ptr<const Picture>(const std::string& content, const Progress& progress)> source;
   // Colour image of a shot: four channels, one sample at the pixel centre. Shots of one pipeline with equal plan, frame
   // and scene share one image.

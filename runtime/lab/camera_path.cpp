@@ -61,7 +61,7 @@ PathView viewAt(const std::vector<CameraKey>& keys, double frame) {
   const PathView rate_a = rateAt(keys, next - 1), rate_b = rateAt(keys, next);
   double length = b.frame - a.frame, t = (frame - a.frame) / length, s = 1 - t;
   PathView view{};
-  for (size_t c = 0; c < 6; ++c)  // Hermite's form
+  for (size_t c = 0; c < 6; ++c)  // cubic Hermite form
     view[c] = s * s * (1 + 2 * t) * a.view[c] + t * t * (3 - 2 * t) * b.view[c] +
               length * s * t * (s * rate_a[c] - t * rate_b[c]);
   return view;

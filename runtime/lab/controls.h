@@ -13,7 +13,7 @@ struct Control {
   std::string group;   // "shot", "pipeline", or the name of a node
   std::string origin;  // source of the value: "default", "preset best", "scene", "follows samples", "window", ...
   std::string place;   // place of the declaration, "file:line", or ""
-  bool set = false;    // true if `origin` comes from the given origins
+  bool set = false;    // true if `origins` has the value
   std::string idle;    // reason why the value has no effect in the present plan, or ""
 };
 

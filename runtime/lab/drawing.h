@@ -29,9 +29,9 @@ Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::Pipeline
 class Drawing {
  public:
   // Makes images and finds pipelines. Throws `Error` on failure. The bench must outlive the drawing.
-  // `previous`: gives its images and histories to this drawing if their descriptions are equal; gives all if the shape
-  // is equal. Unless the constructor throws, it must not be used afterwards. A shader that does not compile keeps its
-  // previous pipeline.
+  // `previous`: images and histories with equal descriptions are taken from this drawing, all of them if the shape is
+  // equal. A shader that does not compile keeps its previous pipeline. `previous` must not be used afterwards, unless
+  // the constructor throws.
   // `problems`: receives the compile errors. Null: errors are not reported, and shaders are not checked if the shape is
   // equal.
   // `whole`: throws `Error` if a shader does not compile.
@@ -52,12 +52,12 @@ class Drawing {
   // Continues with a plan of the same shape. Only parameters change.
   void become(Planned planned, std::shared_ptr<const Evaluation> evaluation);
 
-  // Draws the frame of `shot`. The pipeline, settings, size and scene of `shot` must be those of this drawing. Reads
-  // back `outputs`, which names outputs ("color") and taps ("node.port"); null: all.
+  // Draws the frame of `shot`, which must have the pipeline, settings, size and scene of this drawing. Reads back the
+  // named outputs ("color") and taps ("node.port"); null: all.
   graph::FrameResult draw(const Shot& shot, const std::set<std::string>* outputs = nullptr,
                           const std::function<void(int done, int of)>& progress = {});
-  // `draw` in two steps, to keep several frames in flight, at most graph::Graph::mostUnderWay. Frames finish in the
-  // order in which they began.
+  // `draw` in two steps, to keep several frames in flight, at most graph::Graph::mostUnderWay. Frames finish in their
+  // order of `begin`.
   void begin(const Shot& shot, const std::set<std::string>* outputs = nullptr);
   graph::FrameResult finish();
   // Draws the frame with sub-pixel samples, run record and timings; resets histories. `id_coverage`: counts the ids of

@@ -12,7 +12,7 @@ namespace strobe::lab {
 
 struct Evaluation {
   plan::PipelineDesc pipeline;
-  std::vector<script::Dependency> scripts;  // files that the scripts read
+  std::vector<script::Dependency> scripts;  // files and folders that the evaluation read
   script::Texts texts;                      // texts of the scripts, for files that have not changed since
   std::shared_ptr<const script::Described> described = {};  // input of the next evaluation
 };
@@ -59,7 +59,7 @@ struct Attempt {
 };
 
 // Evaluates with `texts` instead of the contents of their files. `lenient`: drops settings that do not fit. `before`:
-// an earlier evaluation; its texts are reused for unchanged files.
+// an earlier evaluation, reused for unchanged files.
 Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
                 bool lenient, const Evaluation& before = {});
 

@@ -18,7 +18,7 @@ struct FileChanges {
   double ms = 0;  // time to hash the files
   Attempt evaluated;
   std::optional<Shot> shot;      // shot at the start of the evaluation; empty before the evaluation
-  double show_failure_at_s = 0;  // time from which a held failure is shown
+  double show_failure_at_s = 0;  // time to show a held failure
 
   // True if the file may be only partly saved: the failure is less than 0.1 s old.
   bool mayBeUnfinished() const;

@@ -7,7 +7,7 @@
 
 namespace strobe::lab {
 
-// Times at which the frame of a shot poses the scene.
+// Times of the poses of the frame of a shot.
 scene::FrameTimes frameTimesOf(const Shot& shot, const scene::Scene& scene);
 
 // Previous time that the frame uses, seconds: one frame interval before the raster time. For a pipeline with several

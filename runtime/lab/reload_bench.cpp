@@ -43,8 +43,7 @@ std::vector<Kind> kindsFor(const Session& session) {
                      "\nconst int kTouched = {};\n", "#define"});
   kinds.push_back({"declaration of a pass", last.place.file, "\n-- {}\n", ""});
   kinds.push_back({"pipeline", plan.pipeline.file, "\n-- {}\n", ""});
-  std::erase_if(kinds,
-                [&](const Kind& kind) { return !home.nameOf(home.fileShown(kind.file)); });  // outside the copied home
+  std::erase_if(kinds, [&](const Kind& kind) { return !home.nameOf(home.fileShown(kind.file)); });  // not in the copy
   return kinds;
 }
 

@@ -20,7 +20,7 @@ class RunningTruth {
  public:
   struct Steps {
     int first = 4, most = 64;  // samples per step
-    double longest_s = 0.5;    // seconds; no larger step follows a longer step; infinite: growth ignores time
+    double longest_s = 0.5;    // seconds; the step after a longer step does not grow; infinite: no time limit
   };
 
   // `pipeline`: needs a parameter with the role sample_count and the output "color"; may have parameters with the roles

@@ -100,7 +100,7 @@ std::shared_ptr<const Evaluation> Session::evaluationOf(const Shot& shot) const 
       return std::make_shared<Evaluation>(
           Evaluation{plan::withSettings(now.pipeline, *changed), now.scripts, now.texts, now.described});
     } catch (const Error&) {
-      // Run the scripts, whose message is better.
+      // Run the scripts below, for a better message.
     }
   Attempt evaluated = attempt(bench_.home(), shot, now.texts, bench_.limits, false);
   if (!evaluated.usable) throw Error(evaluated.problems.front());

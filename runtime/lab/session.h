@@ -48,7 +48,7 @@ class Session {
   const scene::Scene& scene() const { return running_->scene().scene; }
   // All values that can be changed.
   std::vector<Control> controls() const { return controlsOf(shot_, *running_, origins_, given_by_); }
-  // Errors in the newest files; empty if all of them run.
+  // Errors in the newest files; empty without errors.
   const std::vector<std::string>& problems() const { return problems_; }
 
   // Changes a value: an option of the shot, PARAM of the pipeline, NODE.PARAM or scene.PARAM. A text is converted to a
@@ -102,8 +102,7 @@ class Session {
   std::string given_by_;
   std::map<std::string, std::string> origins_;  // origin of settings and options, by name
   std::unique_ptr<Drawing> running_;
-  std::unique_ptr<Drawing>
-      replaced_;  // destroyed after the first picture of the new version, so that the picture comes first
+  std::unique_ptr<Drawing> replaced_;  // destroyed after the first picture of `running_`
   std::vector<std::string> problems_;
   bool script_problem_ = false;  // one problem is in Lua: evaluate again at the next change of any file
   ChangedFiles files_;

@@ -62,7 +62,7 @@ image::Colour barColour(Legend::Kind kind, float t);
 image::Image shown(const graph::ReadImage& image, const std::string& port, int divide, int width, int height,
                    const ViewOptions& options, const image::Image* under, Legend* legend = nullptr);
 
-// `a` left of the fraction `at` of the width, `b` right of it, and a line between.
+// `a` left of the fraction `at` of the width, `b` to the right, and a line between.
 image::Image wiped(const image::Image& a, const image::Image& b, double at);
 // First column of `b` in a wipe of this width, px.
 int wipedFrom(double at, int width);

@@ -44,8 +44,7 @@ std::vector<std::string> limitsMet(const graph::FrameResult& frame) {
 // Warnings about clips that do not play because an earlier clip drives the same target.
 static std::vector<std::string> sharedTargets(const scene::Scene& scene) {
   constexpr size_t kMostNames = 12;
-  std::map<std::pair<int, std::string>, std::vector<std::string>>
-      yielding;  // names of silent clips, by playing clip and target
+  std::map<std::pair<int, std::string>, std::vector<std::string>> yielding;  // names, by playing clip and target
   for (const scene::Animation& clip : scene.animations)
     if (clip.yields_to >= 0) yielding[{clip.yields_to, clip.shared_target}].push_back(clip.name);
   std::vector<std::string> met;

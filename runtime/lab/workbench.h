@@ -31,8 +31,8 @@ struct LoadedScene {
 bool isGltf(const std::string& scene);
 
 // Places of the files that a Lua scene names. Names are relative to the file of the scene. Files must lie in the root
-// that has the scene (the project or the shipped folder), without such a root in the folder of the scene, unless
-// `allow_outside`.
+// of the scene (the project or the shipped folder), or in the folder of the scene if it has no root. `allow_outside`
+// lifts this restriction.
 scene::FilePlaces filePlaces(const Home& home, const std::string& scene, bool allow_outside = false);
 
 // Reads the scene of a shot. Fills in unset options of the shot (size, fps, frame, exposure). Applies --move and
@@ -129,7 +129,7 @@ class Workbench {
 };
 
 // Setup of the frame of a shot: poses, times and screen motion. The scene must outlive the result. Paths begin
-// `earlier_frames` frames (plan::earlierFrames), but at least one frame, before the frame.
+// `earlier_frames` frames before the frame (plan::earlierFrames), at least one.
 graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int earlier_frames = 1);
 
 // Plan of a pipeline at the size of the shot, for a frame without the facts `absent` and with `outputs` (empty: all).
