@@ -29,9 +29,9 @@ Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::Pipeline
 class Drawing {
  public:
   // Makes images and finds pipelines. Throws `Error` on failure. The bench must outlive the drawing.
-  // `previous`: images and histories with equal descriptions are taken from this drawing, all of them if the shape is
-  // equal. A shader that does not compile keeps its previous pipeline. `previous` must not be used afterwards, unless
-  // the constructor throws.
+  // `previous`: gives images and histories with equal descriptions to the new drawing, or its whole graph if the shape
+  // is equal and `problems` is null. A shader that does not compile keeps its previous pipeline. `previous` must not be
+  // used afterwards, unless the constructor throws.
   // `problems`: receives the compile errors. Null: errors are not reported, and shaders are not checked if the shape is
   // equal.
   // `whole`: throws `Error` if a shader does not compile.
