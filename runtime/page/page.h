@@ -27,7 +27,7 @@ struct Paragraph {
   Kind kind = Kind::plain;
 };
 
-// Inline SVG of svgOf.
+// Inline SVG from `svgOf`.
 struct Figure {
   std::string svg;
   std::string caption;

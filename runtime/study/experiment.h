@@ -18,7 +18,7 @@ std::string nameOf(Role role);
 
 // Hashes (base/inputs.h) of the files that results depend on, by the names of the files in run records.
 using Inputs = std::map<std::string, std::string>;
-// Adds a file unless it is present. Ignores folders, because scripts read only the names in a folder.
+// Adds a file unless it is present. Ignores folders; a script may have read the names in a folder.
 void addInput(Inputs& inputs, const Home& home, const Path& file);
 // Replaces absolute paths by the names that `home` records. A sweep reads a copy of the home, and the copy has no names
 // for files of the original.
@@ -33,7 +33,7 @@ struct Written {
 // Published frame rate of an arm in a shot.
 struct Published {
   double fps = 0;
-  std::string shot, by;
+  std::string shot, by;  // `by`: authors of the measurement
 };
 
 struct Arm {
@@ -85,8 +85,8 @@ struct Axis {
   std::string name, title, unit, scale, region, fixed, note, reading;
   std::string against;  // measure on the x axis of times; "": the values
   std::vector<Cost> costs;
-  std::optional<size_t> benign;  // index of the value where nothing is extreme
-  bool same_picture = false;     // the scene's appearance does not depend on the value
+  std::optional<size_t> benign;  // index of the reference value, where the quantity causes no error
+  bool same_picture = false;     // the exact picture does not depend on the value
   std::vector<AxisValue> values;
 };
 
