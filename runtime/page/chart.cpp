@@ -10,11 +10,12 @@ namespace strobe::page {
 
 namespace {
 
-// From the plot's border to the swatch of a label, from there to its text; between lines of labels.
+// Pixels: from the plot to a label's swatch, width of the swatch, from the swatch's start to the text, distance of
+// labels.
 constexpr double kSwatchAt = 30, kSwatch = 26, kTextAt = 31, kLabelStep = 17;
-constexpr double kNear = 30;        // of the right border
-constexpr double kWhisker = 4;      // half the width of an error bar's ends
-constexpr double kBarsShare = 0.7;  // of a slot that its bars take
+constexpr double kNear = 30;        // pixels; a line with its end nearer to the right border has its label there
+constexpr double kWhisker = 4;      // half the width of an error bar's ends, pixels
+constexpr double kBarsShare = 0.7;  // share of a slot for its bars
 
 class Drawing {
  public:
@@ -31,7 +32,7 @@ class Drawing {
   struct Label {
     const Series* series;
     double wanted, y;
-    bool leads;  // from the line's end
+    bool leads;  // draws a connection from the line's end
   };
   struct Box {
     double left, top, right, bottom;
@@ -54,10 +55,10 @@ class Drawing {
   const Chart& chart_;
   Frame frame_;
   Svg svg_;
-  std::vector<Box> taken_;  // by names and marks
+  std::vector<Box> taken_;  // boxes of names and marks
 };
 
-// How each kind is drawn.
+// Draw function of each kind, in drawing order.
 struct DrawnAs {
   Series::Kind kind;
   void (Drawing::*draw)(const Series&);
@@ -99,7 +100,7 @@ void Drawing::marks(const Series& series) {
   }
 }
 
-// Runs of points that are trusted or not, each with the step that leads to it.
+// Draws segments beside a faint point as a path of their own.
 void Drawing::line(const Series& series) {
   std::string solid, faint;
   for (size_t i = 0; i + 1 < series.points.size(); ++i) {
@@ -127,7 +128,8 @@ void Drawing::band(const Series& series) {
   if (!there.empty()) svg_.path("band", there + back + "Z");
 }
 
-// A name stands beside its mark where nothing else is: at the right, above, below or at the left.
+// Writes a name beside its mark: at the right, above, below or at the left, in the first place without overlap; at the
+// right if all overlap.
 void Drawing::name(const Series& series, const Point& point) {
   if (point.name.empty()) return;
   double x = frame_.px(point.x), y = frame_.py(point.y), wide = estimatedWidth(point.name);
@@ -155,7 +157,7 @@ void Drawing::name(const Series& series, const Point& point) {
   svg_.text("name " + classOf(series.style), x + place->dx, y + place->dy, point.name, place->anchor);
 }
 
-// What a mark and its error bars take.
+// Adds the boxes of a mark and its error bars to `taken_`.
 void Drawing::take(const Point& point) {
   double x = frame_.px(point.x), y = frame_.py(point.y);
   taken_.push_back({x - 5, y - 5, x + 5, y + 5});
@@ -176,7 +178,7 @@ void Drawing::names() {
 
 void Drawing::scatter(const Series& series) { marks(series); }
 
-// Side by side in their slots, on 0 or on the lower border.
+// Bars side by side in their slots, from 0 or from the lower border.
 void Drawing::bars(const Series& series) {
   size_t index = 0, count = 0;
   for (const Series& other : chart_.series) {
@@ -195,7 +197,8 @@ void Drawing::bars(const Series& series) {
   }
 }
 
-// Lines that reach the right border have theirs at the height of the last value, others from the top; moved apart.
+// Labels from top to bottom, moved apart. A line that reaches the right border has its label at the height of its last
+// value; other labels start at the top.
 std::vector<Drawing::Label> Drawing::placedLabels() const {
   std::vector<Label> labels;
   for (const Series& series : chart_.series) {
@@ -268,7 +271,7 @@ std::vector<double> xValues(const Chart& chart) {
   return values;
 }
 
-// Those of bands count where nothing else does: a band may reach over the border.
+// Values that the y axis covers. Bands count only without other values, because a band may extend over the border.
 std::vector<double> yValues(const Chart& chart) {
   std::vector<double> values, of_bands;
   for (const Series& series : chart.series)
@@ -284,7 +287,7 @@ std::vector<double> yValues(const Chart& chart) {
   return any ? values : of_bands;
 }
 
-// Pixels at the right that the labels take.
+// Width of the labels at the right, pixels.
 double labelsWidth(const Chart& chart) {
   double widest = 0;
   for (const Series& series : chart.series) widest = std::max(widest, estimatedWidth(series.label));

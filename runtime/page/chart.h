@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Charts as inline SVG (svg.h). A chart is two axes and what is drawn between them, one `Series` over another: lines
-// with marks, bands, scattered marks, bars, each with error bars where points have them. heat_map.h draws a value over
-// two axes. What a series is can be seen without colour: by its dashes, marks or hatch, and by its label at the right.
+// Charts as inline SVG (svg.h): two axes and series drawn between them. A series is a line with marks, a band,
+// scattered marks or bars; its points may have error bars. heat_map.h draws a value over two axes. Series differ
+// without colour: by dashes, marks or hatch, and by a label at the right.
 //
-// Another kind of series is a value of `Series::Kind` and a row of `kDrawings` in chart.cpp.
+// To add a kind of series, add a value to `Series::Kind` and a row to `kDrawings` in chart.cpp.
 #pragma once
 
 #include <limits>
@@ -16,7 +16,7 @@ namespace strobe::page {
 
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// From one value to another; NaN: there is none.
+// Values from `low` to `high`; NaN: not given.
 struct Interval {
   double low = kNone, high = kNone;
   bool given() const { return low == low && high == high; }
@@ -24,42 +24,42 @@ struct Interval {
 
 struct Point {
   double x = 0, y = 0;        // y: NaN leaves a gap
-  std::string tip;            // shown where the pointer rests
-  bool hollow = false;        // a mark without filling: a limit was met, say
-  bool faint = false;         // not to be trusted, nor the step that leads to it
-  Interval y_range, x_range;  // error bars; the extent of a band, where -infinity is the lower border of the chart
-  std::string name;           // of scattered points: beside the mark
+  std::string tip;            // tooltip
+  bool hollow = false;        // mark without filling, for example if a limit was met
+  bool faint = false;         // unreliable; the line segments at both sides are drawn faint
+  Interval y_range, x_range;  // error bars; extent of a band; -infinity: lower border of the chart
+  std::string name;           // label beside the mark; scattered points only
 };
 
 struct Series {
   enum class Kind { line, band, scatter, bar };
-  std::string label;  // "": none
-  int style = 0;      // svg.h
+  std::string label;  // "": no label
+  int style = 0;      // style of svg.h
   std::vector<Point> points;
   Kind kind = Kind::line;
-  bool stepped = false;  // of a line: along x, then along y: the border of what is dominated by its points
+  bool stepped = false;  // line as a staircase, first along x, then along y (Pareto front)
 };
 
-// Across the chart where an axis has a value: a budget, a value that other charts keep.
+// Line across the chart at one value of an axis, for example a budget.
 struct Guide {
   double at = 0;
   std::string tip;
-  bool horizontal = false;  // at a value of y
+  bool horizontal = false;  // at a value of y, not of x
 };
 
-// Bars need slots along x; bars of the same slot stand side by side in the order of their series. They stand on 0, or
-// on the lower border of a logarithmic axis.
+// Bars need slots along x; bars of one slot stand side by side in the order of their series. Bars start at 0, or at the
+// lower border of a logarithmic axis.
 struct Chart {
-  std::string about;  // for people who cannot see it
+  std::string about;  // alternative text
   Axis x, y;
   std::vector<Series> series;
   std::vector<Guide> guides;
 };
 
-// `width` x `height` in pixels of the page.
+// Chart as inline SVG; `width` and `height` in pixels of the page.
 std::string svgOf(const Chart& chart, int width = 940, int height = 430);
 
-// Where the values of a chart lie in it.
+// Frame of the chart, which maps values to pixels.
 Frame frameOf(const Chart& chart, int width = 940, int height = 430);
 
 }  // namespace strobe::page

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of runtime/page/assets/, as the build found them (runtime/page/embed.cmake writes the table).
+// Files of runtime/page/assets/, embedded at build time (runtime/page/embed.cmake writes the table).
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frame of a chart: its axes, where values lie between them, ticks and titles.
+// Frame of a chart: axes, mapping of values to pixels, ticks and titles.
 #pragma once
 
 #include <string>
@@ -13,30 +13,30 @@ namespace strobe::page {
 struct Axis {
   std::string title;
   Scale::Kind kind = Scale::Kind::linear;
-  std::string unit;      // behind the label of each tick: " %"
-  bool rounded = false;  // reaches to round numbers
-  double decades = 0;    // of a logarithmic axis: so many below its largest value; what is smaller, 0 included,
-                         // lies on its border. 0: as many as the values need, and 0 has a place of its own
-  std::vector<std::string> names;  // of slots: of the values 0, 1, 2 ...
-  std::vector<double> ends;        // values that it reaches in any case
+  std::string unit;      // follows the label of each tick: " %"
+  bool rounded = false;  // ends at round numbers
+  double decades = 0;    // range of a logarithmic axis below its largest value; smaller values, with 0, lie on the
+                         // border. 0: all values are in the range, and the value 0 has its own place
+  std::vector<std::string> names;  // slots only: names of the values 0, 1, 2 ...
+  std::vector<double> ends;        // values that the axis always includes
 
   Scale scaleOf(std::vector<double> values) const;
-  // What a tick says, the `index`-th of the scale's.
+  // Label of `tick`, which has number `index` on the scale; "" for a small tick.
   std::string labelOf(const Tick& tick, size_t index) const;
 };
 
-// One of slots, with these names.
+// Axis of slots with these names.
 Axis slotAxis(const std::string& title, std::vector<std::string> names);
 
-// Pixels of the picture, x right and y down.
+// Maps the values of two axes to pixels of the chart, x right and y down.
 class Frame {
  public:
-  // `left` and `right`: pixels beside the plot, for labels.
+  // `left`, `right`: margins for labels, pixels.
   Frame(Scale x, Scale y, int width, int height, double left, double right);
 
   double px(double value) const { return xAt(x_.at(value)); }
   double py(double value) const { return yAt(y_.at(value)); }
-  // At 0 to 1 along an axis.
+  // Pixel at `share`, 0 to 1 along an axis.
   double xAt(double share) const { return left_ + inset(x_) + share * (right_ - left_ - 2 * inset(x_)); }
   double yAt(double share) const { return bottom_ - inset(y_) - share * (bottom_ - top_ - 2 * inset(y_)); }
 
@@ -47,11 +47,11 @@ class Frame {
   const Scale& x() const { return x_; }
   const Scale& y() const { return y_; }
 
-  // Grid, ticks, titles and, where an axis has a 0 before a gap, the break.
+  // Draws grid, ticks and titles, and a break mark on an axis with a gap after 0.
   void draw(Svg& svg, const Axis& x, const Axis& y) const;
 
  private:
-  static constexpr double kInset = 12;  // between the border and the first value
+  static constexpr double kInset = 12;  // pixels between the border and the first value
   static double inset(const Scale& scale) { return scale.slot() > 0 ? 0 : kInset; }
   void drawX(Svg& svg, const Axis& axis) const;
   void drawY(Svg& svg, const Axis& axis) const;
@@ -60,7 +60,7 @@ class Frame {
   double left_, right_, top_, bottom_;
 };
 
-// Pixels at the left of a plot that labels of the vertical axis take.
+// Width of the left margin for the labels of a vertical axis, pixels.
 double leftOf(const Axis& axis, const Scale& scale);
 
 }  // namespace strobe::page

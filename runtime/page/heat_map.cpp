@@ -91,7 +91,7 @@ class HeatDrawing {
     if (std::isfinite(least)) rectangle("smallest", best, 1, "");
   }
 
-  // From the largest step at the top; the ticks of the values stand beside it.
+  // Legend: shades with the largest at the top, and ticks of the values beside them.
   void legend() {
     double x = frame_.right() + 40, top = frame_.top() + 26, height = frame_.bottom() - top;
     svg_.text("title", frame_.right() + 24, frame_.top() + 10, map_.value_title);

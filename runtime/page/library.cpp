@@ -5,7 +5,7 @@
 
 namespace strobe::page {
 
-// The interactive part uses what version 5 to 7 have alike; node-d3 of Debian 12 and 13 is 5.16.
+// The explorer uses only functions common to d3 5, 6 and 7; node-d3 of Debian 12 and 13 is 5.16.
 Library findLibrary() {
   Library library;
   for (const char* file : {"/usr/share/nodejs/d3/dist/d3.min.js", "/usr/share/javascript/d3/d3.min.js"}) {

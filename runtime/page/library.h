@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The chart library of pages to click through: Debian's package node-d3, read where it is installed.
+// Chart library of interactive pages: Debian's package node-d3, read from its installed files.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 namespace strobe::page {
 
 struct Library {
-  std::string code;     // "": it is not installed
-  std::string name;     // and copyright, as its first line says: "d3 v5.16.0 Copyright 2022 Mike Bostock"
-  std::string licence;  // conditions under which it may be passed on; "": the package's file is not here
+  std::string code;     // "": not installed
+  std::string name;     // from the first line: "d3 v5.16.0 Copyright 2022 Mike Bostock"
+  std::string licence;  // text of the licence; "": the package's copyright file is missing
 
   bool found() const { return !code.empty(); }
 };

@@ -22,7 +22,7 @@ std::string escaped(std::string_view text) {
 
 namespace {
 
-// One piece of a text: what kind it is, what it holds and where it ends.
+// Marked piece of a text: kind, content, address of a link, and index after the piece.
 struct Piece {
   enum class Kind { code, strong, link } kind;
   std::string_view inside, address;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text in a small part of Markdown's inline notation, `code`, **strong** and [text](address), so that one text serves
-// terminal, documents and pages. Everything else stands for itself.
+// Text in a subset of Markdown's inline notation: `code`, **strong** and [text](address). One text serves terminal,
+// documents and pages. All other characters stand for themselves.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace strobe::page {
 
-// <, >, &, " and ' as entities: safe as text and as the value of an attribute.
+// Replaces <, >, &, " and ' by entities; the result is safe as text and as the value of an attribute.
 std::string escaped(std::string_view text);
 
-// With <code>, <strong> and <a>, all else escaped. Addresses lead to a place in the page (#x), a file beside it or the
-// web (http, https, mailto); others (javascript:) stay text.
+// Converts to HTML with <code>, <strong> and <a>, and escapes all else. A link leads to a place in the page (#x), a
+// file beside the page or the web (http, https, mailto); links to other addresses (javascript:) stay text.
 std::string inlineHtml(std::string_view text);
 
-// As a terminal shows it: `code` as it is written, **strong** and [text](address) without their marks and address.
+// Text for a terminal: keeps `code` as written, and drops the marks of **strong** and the address of [text](address).
 std::string inlinePlain(std::string_view text);
 
 }  // namespace strobe::page

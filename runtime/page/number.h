@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Numbers as people read them: in tables, beside marks, along axes.
+// Numbers as text, for tables, marks and axes.
 #pragma once
 
 #include <string>
 
 namespace strobe::page {
 
-// Shown where nothing was measured.
+// Text for a value that was not measured.
 inline constexpr const char* kNotMeasured = "–";
 
-// An error of linear values (RMSE, FLIP): five decimals, so that columns line up; two digits below 0.0001, "0.000012";
-// an exponent below a millionth, "1.2e-07"; NaN as kNotMeasured.
+// Error of linear values (RMSE, FLIP): five decimals, so that columns line up; two significant digits below 0.0001,
+// "0.000012"; an exponent below a millionth, "1.2e-07"; NaN: kNotMeasured.
 std::string shownError(double value);
 
-// A share of 1 as a percentage of three significant digits; NaN as kNotMeasured.
+// Fraction of 1 as a percentage with three significant digits; NaN: kNotMeasured.
 std::string shownShare(double share);
 
-// A number of pixels, rounded to an integer; NaN as kNotMeasured.
+// Number of pixels, rounded to an integer; NaN: kNotMeasured.
 std::string shownCount(double count);
 
-// "9.12 ms", "12 ms"; NaN as kNotMeasured.
+// Milliseconds: "9.12 ms", "12 ms"; NaN: kNotMeasured.
 std::string shownMs(double ms);
 
-// A length or a count that need not be whole: one decimal below 1000.
+// Length or fractional count: one decimal below 1000, no decimals above.
 std::string shownPixels(double pixels);
 
-// A round number, as along an axis: "0.01", "1000", "3·10⁻⁶".
+// Round number, for example of a tick: "0.01", "1000", "3·10⁻⁶".
 std::string shownNumber(double value);
 
 }  // namespace strobe::page

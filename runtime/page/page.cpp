@@ -25,7 +25,7 @@ std::string base64(std::string_view bytes) {
 
 namespace {
 
-// Makes HTML of blocks, each by the template of its kind.
+// Writes blocks as HTML, each with the template of its kind.
 class Writer {
  public:
   std::string blocks(const std::vector<Block>& blocks) {
@@ -111,12 +111,12 @@ class Writer {
     return inlinePlain(found->second);
   }
 
-  std::map<std::string, std::string> captions_;  // of pictures, by name
+  std::map<std::string, std::string> captions_;  // by name of the picture
   bool compares_ = false;
   const Explorer* explorer_ = nullptr;
 };
 
-// Inside of <script> and of a comment nothing may end either.
+// Replaces every `what`. Used for text inside a <script> element or a comment, which must not end there.
 std::string replacedAll(std::string text, const std::string& what, const std::string& with) {
   for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
     text.replace(at, what.size(), with);

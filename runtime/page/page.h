@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A self-contained page as a value: what it shows, in order. `htmlOf` makes one HTML file of it that opens from disk,
-// without a network, in light and dark, on screen and in print; pictures are inside. Texts are in the inline notation
-// of markup.h.
+// Self-contained page as a value: a list of blocks. `htmlOf` converts the page to one HTML file with its pictures
+// inside. The file opens from disk without a network, in light and dark, on screen and in print. Texts use the inline
+// notation of markup.h.
 #pragma once
 
 #include <string>
@@ -18,59 +18,59 @@ namespace strobe::page {
 struct Heading {
   std::string text;
   int level = 2;   // 2 to 4; the page's title is 1
-  std::string id;  // of links (#id); one of level 2 that has it is in the page's navigation
+  std::string id;  // target of links (#id); the navigation lists headings of level 2 with an id
 };
 
 struct Paragraph {
-  enum class Kind { plain, soft, finding, failure };  // soft: aside; finding and failure: what was found, in a frame
+  enum class Kind { plain, soft, finding, failure };  // soft: aside; finding, failure: result in a frame
   std::string text;
   Kind kind = Kind::plain;
 };
 
-// Inline SVG of svgOf.
+// Inline SVG from `svgOf`.
 struct Figure {
   std::string svg;
   std::string caption;
-  std::string name;  // of its file beside a document (standalone.h), without ".svg"; "": it is shown on pages alone
-  std::string alt;   // for people who cannot see it, in a document; on pages the SVG says it
+  std::string name;  // file name beside a document (standalone.h), without ".svg"; "": only on pages
+  std::string alt;   // alternative text in documents; on pages, the SVG has its own
 };
 
 struct Picture {
-  std::string file;  // the bytes of a PNG or JPEG
+  std::string file;  // bytes of a PNG or JPEG
   int width = 0, height = 0;
   std::string caption;
-  std::string alt;   // for people who cannot see it; "": the caption
-  std::string name;  // by which a comparison refers to it, once on the page
+  std::string alt;   // alternative text; "": the caption
+  std::string name;  // used by comparisons, unique on the page
 };
 
-// Beside each other, in as many columns as there is room for.
+// Pictures side by side, in as many columns as fit.
 struct Pictures {
   std::vector<Picture> pictures;
-  bool pixels = false;  // shown as squares: magnified crops
+  bool pixels = false;  // enlarged without interpolation, for crops
 };
 
-// Pictures of the page laid over a reference and wiped away by the pointer, or shown in turn. The pictures have the
-// same size and are on the page by their names; where there is no script, the comparison is left out.
+// Pictures of the page over a reference. The pointer wipes between the two, or they alternate. The pictures have the
+// same size and are on the page under these names. Without scripts, the page leaves out the comparison.
 struct Comparison {
   std::string reference;            // name of a picture
-  std::vector<std::string> others;  // names; their captions are on the buttons
-  std::string chosen;               // the one shown first; "": the first
+  std::vector<std::string> others;  // names of pictures; their captions label the buttons
+  std::string chosen;               // picture shown first; "": the first of `others`
 };
 
-// Lines to copy: commands, files.
+// Text to copy: commands, files.
 struct Code {
   std::string text;
 };
 
-// Points to click through: charts, table, pictures (assets/explorer_*.js), once on a page. Without a script it is left
-// out.
+// Interactive charts, table and pictures of points (assets/explorer_*.js), at most once on a page. Without scripts, the
+// page leaves out the explorer.
 struct Explorer {
-  Json data;        // assets/explorer_model.js reads it
-  Library library;  // of charts, that is found; it is put into the page whole
+  Json data;        // input of assets/explorer_model.js
+  Library library;  // chart library, not empty; embedded completely
 };
 
-struct Details;  // blocks behind a line that unfolds them
-struct Still;    // blocks that an explorer takes the place of where scripts run
+struct Details;  // blocks that a click on the summary unfolds
+struct Still;    // blocks that an explorer replaces if scripts run
 
 using Block = std::variant<Heading, Paragraph, Table, Figure, Pictures, Comparison, Code, Explorer, Details, Still>;
 
@@ -90,7 +90,7 @@ struct Page {
   std::vector<std::string> footer;  // paragraphs
 };
 
-// Asserts that comparisons name pictures of the page.
+// HTML file of the page. Asserts that comparisons name pictures of the page.
 std::string htmlOf(const Page& page);
 
 std::string base64(std::string_view bytes);

@@ -13,9 +13,9 @@ namespace strobe::page {
 
 namespace {
 
-constexpr double kZeroShare = 0.07;  // of a logarithmic axis that has a 0: its place and the gap behind it
+constexpr double kZeroShare = 0.07;  // share of a logarithmic axis for the value 0 and the gap after it
 
-// To 1, 3 or 10 times a power of ten.
+// Round an exponent to 1, 3 or 10 times a power of ten.
 double roundedDown(double power) {
   double whole = std::floor(power + 1e-9);
   return power - whole >= std::log10(3.0) - 1e-9 ? whole + std::log10(3.0) : whole;
@@ -66,7 +66,8 @@ double Scale::at(double value) const {
   return gap() + (1 - gap()) * std::clamp((std::log10(value) - low_) / (high_ - low_), 0.0, 1.0);
 }
 
-// Powers of ten; 2 and 5 times them where there are few; small ticks in between.
+// Labels at powers of ten, also at 2 and 5 times them if the scale has less than 2.2 decades. Small ticks between the
+// labels, up to 8 decades.
 std::vector<Tick> Scale::logTicks() const {
   std::vector<Tick> ticks;
   if (zero_) ticks.push_back({0, "0"});
@@ -83,7 +84,7 @@ std::vector<Tick> Scale::logTicks() const {
   return ticks;
 }
 
-// 1, 1.5, 2, 3 or 5 times a power of ten, for some eight steps.
+// Step of about an eighth of the range: 1, 1.5, 2, 3, 5 or 10 times a power of ten.
 double Scale::niceStep() const {
   double raw = (high_ - low_) / 8, power = std::pow(10.0, std::floor(std::log10(raw)));
   for (double factor : {1.0, 1.5, 2.0, 3.0, 5.0})

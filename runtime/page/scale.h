@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a value lies along an axis, and where its ticks are.
+// Scale of an axis: positions of values and ticks.
 #pragma once
 
 #include <string>
@@ -8,28 +8,28 @@
 namespace strobe::page {
 
 struct Tick {
-  double at = 0;      // 0 to 1 along the axis
+  double at = 0;      // position, 0 to 1 along the axis
   std::string label;  // "" for a small tick
 };
 
-// On a logarithmic scale 0 has a place of its own, before a gap, where any of the values is 0. On an even one each
-// value is as far from the next, from one end to the other; on one of slots each has a slot of the same width and lies
-// in its middle.
+// A logarithmic scale with a value of 0 shows 0 first, then a gap. An even scale has equal distances between
+// neighbouring values, from one end to the other. A scale of slots gives each value a slot of the same width, with the
+// value in the middle.
 class Scale {
  public:
   enum class Kind { log, linear, even, slots };
 
-  // Reaches from the smallest to the largest of `values`; numbers that are not finite count for nothing, and nor do
-  // those below 0 on a logarithmic scale. With `rounded`, a logarithmic scale reaches to 1, 3 or 10 times a power of
-  // ten on both sides, a linear one to ticks.
+  // Covers the smallest to the largest of `values`. Ignores values that are not finite and, on a logarithmic scale,
+  // negative values. With `rounded`, a logarithmic scale ends at 1, 3 or 10 times a power of ten, a linear scale at
+  // ticks.
   Scale(Kind kind, const std::vector<double>& values, bool rounded = false);
 
   double at(double value) const;  // 0 to 1, clamped to the axis
   std::vector<Tick> ticks() const;
   bool hasZero() const { return zero_; }
-  // Where what is above zero begins.
+  // Start of the positive values, 0 to 1 along the axis.
   double gap() const;
-  // Of slots: the width of one. 0 otherwise.
+  // Width of a slot, 0 to 1 along the axis; 0 for other kinds.
   double slot() const;
 
  private:
@@ -39,9 +39,9 @@ class Scale {
   std::vector<Tick> linearTicks() const;
 
   Kind kind_;
-  std::vector<double> values_;  // of an even scale and of slots: ascending, each once
-  double low_ = 0, high_ = 1;   // powers of ten of a logarithmic scale
-  double step_ = 1;             // between ticks of a linear scale
+  std::vector<double> values_;  // of an even scale and of slots: ascending, without duplicates
+  double low_ = 0, high_ = 1;   // base-10 exponents for a logarithmic scale
+  double step_ = 1;             // distance of the ticks of a linear scale
   bool zero_ = false;
 };
 

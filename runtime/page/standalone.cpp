@@ -23,7 +23,7 @@ std::map<std::string, std::string> lightColours() {
   return colours;
 }
 
-// Style in which every var(--NAME) is its value, which programs without custom properties read too.
+// Replaces every var(--NAME) by its value, because some programs do not read custom properties.
 std::string resolved(const std::string& style) {
   static const std::regex use(R"(var\((--[a-z0-9-]+)\))");
   std::map<std::string, std::string> colours = lightColours();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Figures as files, for documents that show pictures but no inline SVG.
+// Figures as SVG files, for documents that cannot show inline SVG.
 #pragma once
 
 #include <string>
 
 namespace strobe::page {
 
-// The SVG file of what `svgOf` makes: its style is inside, with the colours of light pages on their background, and it
-// has the size that it was drawn for.
+// Converts inline SVG of `svgOf` to an SVG file. The file has its style inside, with the colours of light pages and
+// their background, and the size of the drawing.
 std::string standaloneSvg(const std::string& svg);
 
 }  // namespace strobe::page

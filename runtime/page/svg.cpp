@@ -14,7 +14,7 @@ namespace strobe::page {
 
 namespace {
 
-// Corners (0: a circle), radius in pixels, turn in degrees.
+// Shape of a mark: corners (0: circle), radius in pixels, rotation in degrees.
 struct Shape {
   int corners;
   double radius, turn;
@@ -22,7 +22,7 @@ struct Shape {
 constexpr Shape kShapes[kStyles] = {{0, 4.2, 0},   {4, 5, 45}, {3, 5.4, 0}, {4, 5.2, 0},
                                     {3, 5.4, 180}, {5, 5, 0},  {6, 5, 0},   {3, 5.4, 90}};
 
-// Lines of a hatch: direction in degrees and distance in pixels; two where they cross. Distance 0: none.
+// Lines of a hatch: direction in degrees, distance in pixels, direction of crossing lines. Distance 0: no lines.
 struct Hatch {
   double angle, distance, second_angle;
 };
@@ -43,7 +43,7 @@ std::string cornersOf(const Shape& shape, double x, double y) {
   return points;
 }
 
-// Parallel lines at `angle` through a rectangle, each cut where it leaves it.
+// Path of parallel lines at `angle` (degrees) and `distance` (pixels), clipped to a rectangle.
 std::string linesAcross(double angle, double distance, double x, double y, double width, double height) {
   double dx = std::cos(angle * kPi / 180), dy = -std::sin(angle * kPi / 180);
   double reach = (std::abs(dy) * width + std::abs(dx) * height) / 2;

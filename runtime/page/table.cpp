@@ -24,7 +24,7 @@ void requireSound(const Table& table) {
     STROBE_ASSERT(row.size() <= table.columns.size(), "{} cells in {} columns", row.size(), table.columns.size());
 }
 
-// A line of aligned text, without blanks at its end.
+// Line of aligned text, without trailing blanks.
 std::string alignedLine(const Table& table, const std::vector<std::string>& cells, const std::vector<size_t>& widths) {
   std::string line;
   for (size_t c = 0; c < cells.size(); ++c) {
@@ -34,7 +34,7 @@ std::string alignedLine(const Table& table, const std::vector<std::string>& cell
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
-// A bar or a line's end would end the cell.
+// Escapes bars and replaces line ends, because both would end the cell.
 std::string markdownCell(const std::string& text) {
   std::string result;
   for (char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c == '\n' ? ' ' : c);

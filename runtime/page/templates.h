@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mustache templates filled from JSON, and the files of runtime/page/assets/, which are part of the program.
+// Mustache templates filled from JSON, and the embedded files of runtime/page/assets/.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace strobe::page {
 
-// The content of a file of assets/. Asserts that there is one of this name.
+// Content of a file of assets/. Asserts that the file exists.
 std::string_view asset(std::string_view name);
 
-// The template filled with `values`, which is an object. False in a section are null, false, "" and empty lists;
-// numbers are written by fmt.
+// Template `name`, filled with `values`, an object. Sections are off for null, false, "" and empty lists; numbers are
+// written by fmt.
 std::string rendered(std::string_view name, const Json& values);
 
 }  // namespace strobe::page

@@ -9,12 +9,12 @@ namespace strobe::page {
 
 namespace {
 
-constexpr int kRow = 24, kAround = 68;  // pixels of a bar with its gap; above and below the plot
-constexpr double kBarShare = 0.68;      // of its row
-constexpr double kBeside = 90;          // right of the plot, for a text that begins at its border
-constexpr double kWhisker = 4;          // half the height of an error bar's ends
+constexpr int kRow = 24, kAround = 68;  // pixels: height of a bar with its gap; space above and below the plot
+constexpr double kBarShare = 0.68;      // height of a bar as a share of its row
+constexpr double kBeside = 90;          // pixels right of the plot, for text that starts at its border
+constexpr double kWhisker = 4;          // half the height of an error bar's ends, pixels
 
-// From the top: slots count from the bottom.
+// Vertical axis with the names of the bars. Reversed, because slots count from the bottom.
 Axis rowsOf(const Waterfall& waterfall) {
   std::vector<std::string> names;
   for (auto bar = waterfall.bars.rbegin(); bar != waterfall.bars.rend(); ++bar) names.push_back(bar->name);

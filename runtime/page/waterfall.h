@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What follows one another, as a bar each: from the top, where it begins and how long it takes.
+// Waterfall chart: consecutive steps as bars from the top, each from its start over its length.
 #pragma once
 
 #include <string>
@@ -13,21 +13,21 @@ struct Waterfall {
   struct Bar {
     std::string name;
     double start = 0, length = 0;
-    Interval end_range;   // error bar about the end
-    std::string text;     // at the right of the bar
-    std::string tip;      // shown where the pointer rests
-    bool hollow = false;  // of no step, but of what is between them
+    Interval end_range;   // error bar at the end
+    std::string text;     // right of the bar
+    std::string tip;      // tooltip
+    bool hollow = false;  // time between steps, not a step
   };
-  std::string about;  // for people who cannot see it
-  Axis x;             // reaches from 0
-  double left = 0;    // pixels beside the plot that names have at least
+  std::string about;  // alternative text
+  Axis x;             // starts at 0
+  double left = 0;    // minimum width of the names beside the plot, pixels
   std::vector<Bar> bars;
 };
 
-// Gives all the same extent and place, so that bars can be compared from one to another.
+// Gives all waterfalls the same x range and left margin, so that their bars are comparable.
 void align(std::vector<Waterfall>& waterfalls);
 
-// As high as its bars need.
+// Waterfall as inline SVG, as high as its bars need.
 std::string svgOf(const Waterfall& waterfall, int width = 940);
 
 }  // namespace strobe::page

@@ -26,7 +26,7 @@ const char* wordOf(Doubt doubt) {
   return "";
 }
 
-// Groups whose only coordinate is this axis, of the first shot that has any.
+// Groups on this axis and no other, from the first shot with such groups.
 std::vector<const PointGroup*> groupsAlong(const Results& results, const std::string& axis) {
   std::vector<const PointGroup*> groups;
   for (const PointGroup& group : results.groups) {
@@ -77,7 +77,8 @@ double Curve::sigma(size_t i, const std::string& region) const {
   return shareOf(&groups_[i]->truth(), region.empty() ? axis_.region : region, contrast());
 }
 
-// A region without pixels is no reason for doubt: fmax knows no NaN.
+// A region without pixels gives `Doubt::none`: its errors are NaN, fmax ignores NaN, and comparisons with NaN are
+// false.
 Doubt Curve::doubt(const std::string& arm, size_t i, Against against) const {
   const Point* point = groups_[i]->find(arm);
   if (!point) return Doubt::none;
@@ -146,7 +147,7 @@ std::string Curve::replacement(const std::string& inside) const {
     return require(arm) ? shownShare(error(arm, i)) : page::kNotMeasured;
   }
   bool is_value = std::find(axis_.labels.begin(), axis_.labels.end(), wanted) != axis_.labels.end();
-  if (is_value) return page::kNotMeasured;  // of the axis, not among the points that were asked for
+  if (is_value) return page::kNotMeasured;  // value of the axis without a point in these results
   throw Error(fmt::format("the reading of axis '{}' names no value: '{}'", axis_.name, wanted));
 }
 

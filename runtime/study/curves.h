@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// An axis of an experiment's results as curves: errors of each arm as a share of the picture's contrast, and where an
-// arm is as good as its samples allow.
+// Curves along one axis of an experiment: error of each arm as a share of the picture's contrast, and the range where
+// the arm is trusted.
 #pragma once
 
 #include "study/results.h"
 
 namespace strobe::study {
 
-// Why an arm is not to be trusted at a value.
+// Reason for not trusting an arm at a value: error too large, limit met, or colours that are not finite.
 enum class Doubt { none, error, limit, broken };
 
-// What an error is held against: `factor` times the floor; or that or `factor` times the arm's own at the benign value,
-// whichever is larger. Three standard errors of truth are always allowed.
+// Largest allowed error. `floor`: `factor` times the floor. `own`: `factor` times the floor or the arm's own error at
+// the benign value, whichever is larger. Both add three standard errors of truth.
 enum class Against { floor, own };
 
-// The values about the benign one at which an arm is trusted; empty where it is not trusted there.
+// Range of values around the benign value where an arm is trusted; empty if the benign value is not trusted.
 struct Trusted {
   size_t first = 0, count = 0;
-  Doubt below = Doubt::none, above = Doubt::none;  // what ends it on either side
+  Doubt below = Doubt::none, above = Doubt::none;  // reason for the end on either side
 
   bool holds(size_t value) const { return value >= first && value < first + count; }
 };
 
-// One axis; the results must outlive it. Values that were not measured are left out.
+// One axis; values that were not measured are left out. The results must outlive the curve.
 class Curve {
  public:
   Curve(const Results& results, const AxisSummary& axis, double factor);
@@ -36,18 +36,20 @@ class Curve {
   std::vector<std::string> arms() const;  // methods, in order
   double contrast() const;                // of truth at the benign value
 
-  // Shares of the contrast in the axis' own region (or another).
+  // Error of an arm, error of the floor and standard error of truth, as shares of the contrast. `region` "": the region
+  // of the axis.
   double error(const std::string& arm, size_t i, const std::string& region = "") const;
   double floor(size_t i, const std::string& region = "") const;
   double sigma(size_t i, const std::string& region = "") const;
 
   Doubt doubt(const std::string& arm, size_t i, Against against) const;
   Trusted trusted(const std::string& arm, Against against) const;
-  // "everywhere", "2 (error below) to 31 (limit above)", "nowhere".
+  // Trusted range as text: "everywhere", "2 (error below) to 31 (limit above)", "nowhere".
   std::string range(const std::string& arm, Against against) const;
 
-  // `text` with {ARM @ VALUE} replaced by the error of that arm, the floor or truth's standard error ("truth") there,
-  // {from ARM} and {to ARM} by the ends of where it keeps its usual error. Throws `Error` for anything else in braces.
+  // Replaces {ARM @ VALUE} in `text` by the error of the arm at the value. ARM "floor" gives the floor, "truth" the
+  // standard error of truth. {from ARM} and {to ARM} give the ends of the range trusted by `Against::own`. Throws
+  // `Error` for other text in braces.
   std::string filled(const std::string& text) const;
 
  private:
@@ -57,14 +59,14 @@ class Curve {
   const AxisSummary& axis_;
   double factor_;
   std::vector<const PointGroup*> groups_;
-  std::vector<size_t> values_;  // of the axis, by number
+  std::vector<size_t> values_;  // indices of values of the axis
   size_t benign_ = 0;
 };
 
-// The axes that have curves and were measured at their benign value.
+// Curves of all axes that have curves and were measured at their benign value.
 std::vector<Curve> curvesIn(const Results& results, double factor);
 
-// `text` with what is in braces replaced.
+// Replaces each {...} in `text` by the result of `replace` for the text in braces.
 template <class Replace>
 std::string replaced(const std::string& text, const Replace& replace) {
   std::string result;

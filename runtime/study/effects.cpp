@@ -15,7 +15,7 @@ const char* const kHowToReadEffects =
 
 namespace {
 
-// A point with the level of every factor that there may be; below 0: it has none.
+// Point with a finite value, and its group.
 struct Levelled {
   const PointGroup* group;
   const Point* point;
@@ -34,13 +34,13 @@ std::vector<Levelled> pointsOf(const Results& results, const std::string& shot, 
   return points;
 }
 
-// A factor that all points might have, and how a point says its level.
+// Possible factor, with the level of each point; -1: the point does not have the factor.
 struct Candidate {
   Factor factor;
-  std::vector<int> levels;  // of the points
+  std::vector<int> levels;  // one per point
 };
 
-// Levels in the order of `labels`, those alone that occur.
+// Numbers the levels that occur, in the order of `labels`.
 Candidate candidate(const std::string& name, const std::vector<std::string>& labels, const std::vector<double>& numbers,
                     const std::vector<int>& raw) {
   Candidate result{{name, {}, {}}, raw};
@@ -95,7 +95,7 @@ bool byDoubling(const std::vector<double>& numbers) {
   return *least > 0 && *most >= 5 * *least;
 }
 
-// Points that are alike in every factor but those of numbers share a stratum.
+// Points with equal levels of all factors without numbers form a stratum.
 Slope slopeOf(const Effects& effects, const Observations& observations, size_t factor, bool doubling) {
   std::map<std::vector<int>, int> strata;
   std::vector<double> x, y;

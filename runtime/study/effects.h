@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What arms, shots and axes do to a measure: math/effects.h on the points of an experiment.
+// Effects of arms, shots and axes on a measure: math/effects.h for the points of an experiment.
 #pragma once
 
 #include <string>
@@ -10,46 +10,46 @@
 
 namespace strobe::study {
 
-// What varies among the points: "arm", "shot" or the name of an axis.
+// Variable of the points: "arm", "shot" or the name of an axis.
 struct Factor {
   std::string name;
-  std::vector<std::string> labels;  // of its levels
-  std::vector<double> numbers;      // of its levels, where all of them are numbers
+  std::vector<std::string> labels;  // names of the levels
+  std::vector<double> numbers;      // numbers of the levels; empty unless all levels are numbers
 
   size_t levels() const { return labels.size(); }
 };
 
-// How one factor is compared.
+// Method of comparison between the levels of a factor.
 enum class Comparison {
   paired,    // within complete blocks
-  unpaired,  // no block is complete: its levels never stand beside each other under the same conditions
-  slope,     // none is, and its levels are three numbers or more: a straight line, a height for each arm, shot and text
+  unpaired,  // no block is complete: no conditions have measurements of all levels
+  slope,     // no block is complete, three or more numeric levels: line with an offset per stratum
 };
 
 struct FactorEffect {
   size_t factor = 0;
   Comparison comparison = Comparison::paired;
-  MainEffect effect;  // by level, unless it is a slope
+  MainEffect effect;  // by level; unused for a slope
   Slope slope;
   bool doubling = false;  // the slope is per doubling, not per unit
 };
 
 struct PairEffect {
   size_t first = 0, second = 0;
-  Interaction interaction;  // of at least one complete block
+  Interaction interaction;  // has at least one complete block
 };
 
 struct Effects {
-  size_t points = 0;            // that have the value
+  size_t points = 0;            // number of points with a finite value
   std::vector<Factor> factors;  // with two levels or more
   std::vector<FactorEffect> main;
   std::vector<PairEffect> pairs;
 };
 
-// For the pages that show effects.
+// Explanation for pages that show effects.
 extern const char* const kHowToReadEffects;
 
-// Of the methods of one shot, or of all shots (""), that have a finite value.
+// Effects on a measure over the methods of one shot, or of all shots (""), at points with a finite value.
 Effects effectsOf(const Results& results, const std::string& shot, const std::string& measure,
                   const std::string& region);
 

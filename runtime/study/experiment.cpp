@@ -25,7 +25,7 @@ void take(const Json& from, const char* name, Value& into) {
 
 Place placeFrom(const Json& json) { return {json.at("file").get<std::string>(), json.at("line").get<int>()}; }
 
-// Places of an entry and of the settings in these lists; settings of a scene get the prefix "scene.".
+// Places of an entry and of the settings in these lists. Settings of a scene get the prefix "scene.".
 Written writtenIn(const Json& json, const std::vector<const char*>& lists) {
   Written written;
   if (json.contains("place")) written.place = placeFrom(json["place"]);
@@ -160,8 +160,8 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
 
 // ---- checks
 
-// What decides whether settings are accepted: their names, and values that are no numbers. Numbers out of range are
-// found when their point is drawn.
+// Text that decides whether settings are accepted: names, and values that are texts. Numbers out of range are found
+// later, when their point is drawn.
 std::string formOf(const lab::Shot& shot, bool of_scene) {
   std::string form = of_scene ? shot.scene : shot.pipeline;
   if (of_scene)
@@ -175,7 +175,7 @@ std::string formOf(const lab::Shot& shot, bool of_scene) {
   return form;
 }
 
-// Entries of an experiment that one picture follows from, later ones on top.
+// Entries of an experiment that determine one picture; later entries take precedence.
 class Origin {
  public:
   void add(const Written& written, const std::string& what) { entries_.push_back({&written, what, false}); }
@@ -186,8 +186,8 @@ class Origin {
     }
   }
 
-  // The lines of an error. One about an option, or without a place, gets the place of its setting, or of the first
-  // entry.
+  // Lines of an error message. A line about an option, or without a place, gets the place of its setting, or of the
+  // first entry.
   std::vector<std::string> placed(const Error& error) const {
     const std::string& file = error.place().file;
     if (!file.empty() && !file.starts_with("--")) return {error.what()};
@@ -206,7 +206,7 @@ class Origin {
     bool of_axis;
   };
 
-  // "tap" of "--set tap=4: ...", "camera" of "--camera x: ...", else "".
+  // Name of the setting in a message: "tap" for "--set tap=4: ...", "camera" for "--camera x: ...", else "".
   static std::string settingIn(const std::string& message) {
     size_t start = message.starts_with("--set ") ? 6 : 2;
     return message.starts_with("--") ? message.substr(start, message.find_first_of(" =", start) - start) : "";
@@ -250,7 +250,7 @@ class Evaluation {
     if (!known_.insert("scene " + formOf(shot, true)).second) return;
     collect(problems_, origin, [&] { lab::loadScene(home_, shot); });
   }
-  // Of pipelines after those of scenes.
+  // Evaluates the pipelines; their problems follow the problems of scenes.
   void finish() {
     auto outcomes = script::PipelineEvaluator(home_).evaluate(pipelines_);
     for (size_t i = 0; i < outcomes.size(); ++i) collect(problems_, origins_[i], [&] { outcomes[i].take(); });
@@ -315,10 +315,10 @@ void check(const Home& home, const Experiment& experiment, const std::string& fi
   throwIfAny(problems);
 }
 
-// Thousands of points are listed and judged in one evaluation.
+// Large enough to list and judge thousands of points in one evaluation.
 const script::Limits kLimits = {.cpu_s = 60, .wall_s = 240, .memory_mb = 1024};
 
-// What the names of a file are checked against.
+// Known names, to check the names in a file.
 Json given() {
   return {{"options", lab::shotOptionsJson()},
           {"regions", regionNames()},
@@ -355,7 +355,7 @@ std::string commandOf(const StudiedShot& studied, const lab::Shot& shot) {
   return at == std::string::npos ? command : command.replace(at, shot.scene.size(), "$STROBE_DATA/" + studied.shared);
 }
 
-// What every picture of a group has.
+// Shot with the settings that all pictures of a group share.
 static lab::Shot bareShot(const Experiment& experiment, const Group& group) {
   const StudiedShot& studied = experiment.shots[group.shot];
   lab::Shot shot = studied.shot;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an experiment file asks for (docs/writing-experiments.md says what each field means): shots, the arms that draw
-// them, axes, and the points that follow. Which pipelines the arms are is no business of this code.
+// Experiment file (docs/writing-experiments.md describes each field): shots, arms, axes, and the points that follow
+// from them. This code does not depend on particular pipelines.
 #pragma once
 
 #include <map>
@@ -16,81 +16,81 @@ namespace strobe::study {
 enum class Role { method, floor, truth };
 std::string nameOf(Role role);
 
-// Files that results depend on: their hashes (base/inputs.h) by their names in run records.
+// Hashes (base/inputs.h) of the files that results depend on, by the names of the files in run records.
 using Inputs = std::map<std::string, std::string>;
-// Adds a file that is not among them. Folders, of which a script read the names, are left out.
+// Adds a file unless it is present. Ignores folders; a script may have read the names in a folder.
 void addInput(Inputs& inputs, const Home& home, const Path& file);
-// Renames inputs that are absolute paths to the names that `home` records. A sweep reads a copy of the home, which does
-// not have names for files of the original.
+// Replaces absolute paths by the names that `home` records. A sweep reads a copy of the home, and the copy has no names
+// for files of the original.
 void nameInputs(Inputs& inputs, const Home& home);
 
-// Lines of the experiment: of an entry, and of the settings in it by name.
+// Source lines of an entry of the experiment, and of its settings by name.
 struct Written {
   Place place;
   std::map<std::string, Place> settings;
 };
 
-// What somebody else measured of an arm in a shot.
+// Published frame rate of an arm in a shot.
 struct Published {
   double fps = 0;
-  std::string shot, by;
+  std::string shot, by;  // `by`: authors of the measurement
 };
 
 struct Arm {
   std::string name, pipeline;
   Role role = Role::method;
   script::Settings sets;
-  script::Settings box;            // on top of `sets` in a picture of several samples per pixel
-  std::vector<std::string> lacks;  // axes, or parameters that they set, which are not given to it
+  script::Settings box;            // added to `sets` for a picture with several samples per pixel
+  std::vector<std::string> lacks;  // axes, or parameters set by axes, that do not apply to the arm
   bool shown = true;               // on sheet and page; tables have every arm
-  std::optional<bool> timed;       // where times are measured; without it every method is, and no truth
+  std::optional<bool> timed;       // times are measured; empty: true for all pipelines except truth
   std::optional<Published> published;
   Written written;
 };
 
-// A crop in pixels at the experiment's size, or the densest part of the inner blur.
+// Crop in pixels at the size in the file; empty: the densest part of the region inner.
 using Crop = std::optional<image::Rectangle>;
 
 struct StudiedShot {
   std::string name, title, note, attribution;
-  lab::Shot shot;          // everything but pipeline and its settings
-  script::Settings truth;  // on top of the settings of truth
+  lab::Shot shot;          // without pipeline and settings of the pipeline
+  script::Settings truth;  // added to the settings of truth
   std::vector<Crop> crops;
-  std::vector<int> frames;  // of a sequence, in their order; empty: the shot's own alone
-  int picture_aa = 1;       // sub-pixel samples of what is shown; what is measured has one
+  std::vector<int> frames;  // frames of a sequence, in order; empty: the frame of `shot`
+  int picture_aa = 1;       // samples per pixel of shown pictures; measured pictures have one
   image::ToneMap tone;
-  std::string shared;   // the scene's file in the shared data; "": it is none of it
-  std::string missing;  // why it cannot be rendered here; "": it can
+  std::string shared;   // scene file in the shared data; "": not in the shared data
+  std::string missing;  // reason why the shot cannot be rendered here; "": none
   Written written;
 };
 
-// What one value of an axis sets.
+// Settings of one value of an axis.
 struct AxisValue {
   Json value;
-  std::string label;             // the value as Lua writes it
-  Json options = Json::array();  // of the shot: { name, value }
-  script::Settings scene;        // parameters of the scene, as "scene.NAME"
+  std::string label;             // the value in Lua syntax
+  Json options = Json::array();  // options of the shot: { name, value }
+  script::Settings scene;        // parameters of the scene, named "scene.NAME"
   script::Settings sets;         // parameters of every arm that does not lack them
   script::Settings truth;
-  Written written;  // settings alone
+  Written written;  // settings only
 };
 
-// How the time of a part of a frame is expected to grow along an axis (strobe bench slopes).
+// Expected growth of the time of a part of a frame along an axis (strobe bench slopes).
 struct Cost {
-  std::string part, arm;  // arm "": of each
+  std::string part, arm;  // arm "": every arm
   std::string grows, why;
 };
 
 struct Axis {
   std::string name, title, unit, scale, region, fixed, note, reading;
-  std::string against;  // the measure that times are drawn against; "": the values
+  std::string against;  // measure on the x axis of times; "": the values
   std::vector<Cost> costs;
-  std::optional<size_t> benign;  // the value at which nothing is extreme
-  bool same_picture = false;     // what is seen does not depend on the value
+  std::optional<size_t> benign;  // index of the reference value, where the quantity causes no error
+  bool same_picture = false;     // the exact picture does not depend on the value
   std::vector<AxisValue> values;
 };
 
-// A value of an axis, both by number.
+// Value of an axis, both as indices.
 struct At {
   size_t axis = 0, value = 0;
   bool operator==(const At&) const = default;
@@ -103,59 +103,59 @@ struct Group {
   std::vector<size_t> arms;
 };
 
-// Arm and outputs that provide the background, and the arm that shows the foreground.
+// Arm and outputs that provide the background, and the arm that renders the foreground.
 struct Background {
   std::string arm, color, valid, front;
 };
 
 struct Experiment {
   std::string file, title, question, note;
-  int width = 960, height = 540;            // as they are asked for now
-  int file_width = 960, file_height = 540;  // as the file has them: crops follow
-  std::vector<std::string> size_params;     // of the scenes: width, height
+  int width = 960, height = 540;            // size of the pictures
+  int file_width = 960, file_height = 540;  // size in the file; crops are in its pixels
+  std::vector<std::string> size_params;     // scene parameters for width and height
   std::vector<StudiedShot> shots;
   std::vector<Arm> arms;
   Arm truth;
-  double truth_error = 0;                      // truth has more samples until its standard error is that; 0: as given
+  double truth_error = 0;                      // upper bound of truth's standard error, met by more samples; 0: none
   std::optional<script::Settings> full_truth;  // settings of a second truth (measure rmse_full)
   std::vector<Axis> axes;
   std::vector<Group> groups;  // in the order of their points
-  bool partial = false;       // not all points of the file are among them
+  bool partial = false;       // only some points of the file
   std::vector<std::string> regions, measures;
-  lab::Rounds rounds;    // of frames that are timed
-  bool is_step = false;  // of a search: a shot's points are timed in the same rounds, progress is left to the caller
-  std::string base;      // the arm that times are ratios to; "": the first that is timed
+  lab::Rounds rounds;    // rounds of timed frames
+  bool is_step = false;  // search step: points of a shot are timed in the same rounds; the caller reports progress
+  std::string base;      // base arm of time ratios; "": the first timed arm
   std::optional<Background> background;
   Json layout;
   size_t expectations = 0;
-  Inputs inputs;  // scripts that it was read from
+  Inputs inputs;  // scripts that define the experiment
 
   void setSize(int width, int height);
   size_t points() const;
-  // Distinct ones: values of an axis that set nothing of truth share one.
+  // Number of distinct truths. Values of an axis that do not affect truth share one truth.
   size_t truths() const;
 };
 
-// An experiment's file, or that of a capture with `measures`, checked without a device; with `evaluate` pipelines,
-// settings and scenes too. A scene "shared:FILE" is looked for in the shared data; where it is missing the shot says
-// so. Throws `Error`, all mistakes at once.
+// Reads an experiment file, or a capture file with `measures`. Checks it without a device, and with `evaluate` also
+// pipelines, settings and scenes. A scene "shared:FILE" is read from the shared data; if the scene is missing, the
+// shot's `missing` has the reason. Throws one `Error` with all mistakes.
 Experiment readExperiment(const Home& home, const std::string& file, bool evaluate = true);
 
-// What became of the expectations of `file`, given finished results as JSON: a list of { text, outcome, detail, shot,
-// axis }.
+// Outcomes of the expectations of `file` for finished results as JSON: a list of { text, outcome, detail, shot, axis }.
 Json judge(const Home& home, const std::string& file, const Json& results);
 
-// The picture of an arm at a group's point, and of truth there (`more`: settings on top).
+// Shot of an arm, and of truth, at a group's point (`more`: additional settings).
 lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& arm);
 lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const script::Settings& more = {});
 
-// A picture at each frame of the studied shot's sequence, or the one. Nodes that a shot moves are at rest at the first.
+// One shot per frame of the studied shot's sequence, or `shot` alone. Nodes that a shot moves are at rest at the first
+// frame.
 std::vector<lab::Shot> sequenceOf(const StudiedShot& studied, const lab::Shot& shot);
 
-// The command that makes a picture of a studied shot, with shared data by the variable that names its folder.
+// Command that renders a picture of a studied shot; shared data is at $STROBE_DATA.
 std::string commandOf(const StudiedShot& studied, const lab::Shot& shot);
 
-// All settings, the later on top.
+// All settings; later settings take precedence.
 script::Settings joined(script::Settings base, const script::Settings& more);
 
 }  // namespace strobe::study

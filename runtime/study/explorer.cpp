@@ -12,7 +12,7 @@ namespace strobe::study {
 
 namespace {
 
-// As table.csv has it.
+// Number with nine significant digits, as in table.csv; null if not finite.
 Json number(double value) {
   if (!std::isfinite(value)) return nullptr;
   return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
@@ -61,7 +61,6 @@ Json axesJson(const Results& results) {
 
 // ---- points
 
-// The sweep of this point alone, into another folder; "" for what no sweep made.
 std::string labelOf(const Results& results, const std::string& axis, const Json& value) {
   for (const AxisSummary& one : results.axes)
     for (size_t i = 0; i < one.values.size() && one.name == axis; ++i)
@@ -69,6 +68,7 @@ std::string labelOf(const Results& results, const std::string& axis, const Json&
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+// Command that sweeps this point alone into another folder; "" for results without a sweep.
 std::string sweepOf(const Results& results, const PointGroup& group, const Point& point) {
   std::string command = results.command;
   if (command.starts_with("strobe demo ")) command.replace(7, 4, "sweep");
@@ -104,7 +104,7 @@ struct Counts {
   size_t undrawn = 0, failed = 0, without_picture = 0;
 };
 
-// Numbers of points are those of table.csv.
+// Points have the same numbers as in table.csv.
 Json pointsJson(const Results& results, const PageImages& images, Counts& counts) {
   Json list = Json::array();
   size_t row = 0;
@@ -225,7 +225,7 @@ Json noticesOf(const Counts& counts, const std::string& reduced) {
 
 FirstView firstViewOf(const Results& results) {
   FirstView view{"", "rmse", has(results.regions, "inner") ? "inner" : "whole"};
-  for (const char* name : {"ms", "ms_ratio"})  // a ratio is what a software device can be compared by
+  for (const char* name : {"ms", "ms_ratio"})  // times of a software device are comparable only as ratios
     if (has(results.measures, name) && (view.x.empty() || results.software)) view.x = name;
   if (std::optional<FrontLayout> front = frontOf(results.layout)) view = {front->x, front->y, front->region};
   if (!has(results.measures, view.y) && !results.measures.empty()) view.y = results.measures.front();

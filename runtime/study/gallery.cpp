@@ -35,7 +35,7 @@ std::vector<const PointGroup*> groupsOf(const Results& results, const ShotSummar
 static image::Image linearIn(const Path& file) { return image::colourOf(image::readExrLayer(file, ""), "", file); }
 
 static std::optional<ShownPoint> shownPoint(const Point& point, const ArmSummary& arm, const Path& folder) {
-  // Results that travel without their pictures are laid out without them.
+  // Results without their picture files are laid out without pictures.
   for (const std::string& name : {point.measured, point.shown})
     if (!isAsWritten(point, folder, name)) return std::nullopt;
   try {
@@ -43,7 +43,7 @@ static std::optional<ShownPoint> shownPoint(const Point& point, const ArmSummary
     one.shown = point.shown == point.measured ? one.measured : linearIn(folder / point.shown);
     image::markNotFinite(one.shown, one.shown);
     return one;
-  } catch (const Error&) {  // of results without hashes of their files
+  } catch (const Error&) {  // damaged file of results without hashes
     return std::nullopt;
   }
 }

@@ -11,7 +11,7 @@ std::optional<PicturesLayout> picturesLayoutOf(const Json& layout) {
   if (!layout.contains("pictures")) return std::nullopt;
   const Json& json = layout["pictures"];
   PicturesLayout result;
-  if (!json.is_object()) return result;  // an empty table of Lua
+  if (!json.is_object()) return result;  // empty Lua table
   std::array<double, 2> crop = json.value("crop_size", std::array<double, 2>{120, 68});
   result.crop_width = int(crop[0]), result.crop_height = int(crop[1]);
   result.difference_gain = json.value("difference_gain", result.difference_gain);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an experiment's report shows: pictures, curves, tables. Read from the checked `layout` of its file.
+// Layout of an experiment's report: pictures, curves, tables. Read from the checked `layout` of the experiment file.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ struct PicturesLayout {
   double difference_gain = 4;
 };
 
-// Every axis that has region, scale and benign value.
+// Curves of every axis with region, scale and benign value.
 struct CurvesLayout {
   double factor = 2;
 };
 
-// A table for each of the axes; without axes one of all points.
+// One table per axis; without axes, one table of all points.
 struct TableLayout {
   std::string title, note;
   std::vector<std::string> axes;
@@ -29,8 +29,8 @@ struct TableLayout {
   bool share = false;              // errors as a share of the contrast of truth
 };
 
-// The measure y against the measure x, with a mark for each method and value, in one chart for each shot. `together`:
-// in one chart for all shots, with the line y = x in place of the Pareto front.
+// Measure y over measure x, with a mark for each method and value, in one chart per shot. `together`: one chart for all
+// shots, with the line y = x in place of the Pareto front.
 struct FrontLayout {
   std::string title, note;
   std::string x = "ms", y = "rmse", region = "whole";
@@ -40,7 +40,7 @@ struct FrontLayout {
 std::optional<PicturesLayout> picturesLayoutOf(const Json& layout);
 std::optional<CurvesLayout> curvesOf(const Json& layout);
 std::optional<FrontLayout> frontOf(const Json& layout);
-// Without any layout: a table of all points.
+// An empty layout gives a table of all points.
 std::optional<TableLayout> tableOf(const Json& layout);
 
 }  // namespace strobe::study

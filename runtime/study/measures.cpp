@@ -21,7 +21,8 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 // ---- against truth
 
-// Of truth its own standard error; a floor's has truth's variance in it, so that no method seems better than it.
+// RMSE of truth is its own standard error. RMSE of a floor includes truth's variance, so that no method seems better
+// than the floor.
 double rmse(const Sight& sight, const std::string& region, const Image& mask) {
   double own = sight.truth->sigma.at(region);
   if (sight.role == Role::truth) return own;
@@ -134,7 +135,7 @@ double broken(const Sight& sight, const std::string&, const Image&) {
 
 bool isFinite(const Image& image) { return image::notFiniteIn(image).pixels == 0; }
 
-// True if a measure's value means something; `finite`: the picture and its truth have finite colours.
+// True if the measure has a meaningful value; `finite`: the colours of the picture and its truth are finite.
 bool isDefined(const Measure& measure, const Sight& sight, bool finite) {
   if (measure.of_any || measure.is_time) return true;
   bool benign = !measure.is_change || !sight.benign || isFinite(*sight.benign);
@@ -143,7 +144,7 @@ bool isDefined(const Measure& measure, const Sight& sight, bool finite) {
   return finite && benign && before;
 }
 
-// An entry of the registry that does not compute with colours.
+// Entry of the registry for a measure that does not use colours.
 Measure ofAny(Measure measure) {
   measure.of_any = true;
   return measure;
@@ -189,7 +190,7 @@ double changeRms(const Sight& sight, const std::string&, const Image& mask) {
 
 // ---- background
 
-// Contrast of the background over the inner blur, where an arm computes the background.
+// Contrast of the background over the region inner, for an arm that computes the background.
 struct Behind {
   double deviation = kNothing, difference = kNothing, pixels = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be measured of a picture. A measure is one entry of the registry in measures.cpp; names, units, tables,
-// reports and the checks of experiment files follow from it.
+// Measures of a picture. A measure is one entry of the registry in measures.cpp; its name, unit and tables, reports and
+// checks of experiment files follow from the entry.
 #pragma once
 
 #include <map>
@@ -14,34 +14,34 @@
 
 namespace strobe::study {
 
-// "whole", the masks that truth marks, and those that follow from the raster image.
+// "whole", masks that truth computes, and masks that follow from the raster image.
 std::vector<std::string> regionNames();
 
-// What the measures of one truth's points share.
+// Data of a truth for the measures of all its points.
 struct TruthPicture {
   image::Image color;
   std::map<std::string, image::Image> masks;  // by region; "whole" is empty
   std::map<std::string, double> sigma;        // truth's standard error by region
-  image::Image full;                          // of the second truth; empty: there is none
-  image::Exposures exposures;                 // of HDR-FLIP
+  image::Image full;                          // colour of the second truth; empty without a second truth
+  image::Exposures exposures;                 // for HDR-FLIP
 };
 
-// One picture and what it is held against.
+// Input of a measure: a picture and the pictures for comparison.
 struct Sight {
   Role role = Role::method;
   const TruthPicture* truth = nullptr;
   const lab::Picture* picture = nullptr;  // outputs and record
   image::Image color;
-  const Sight* before = nullptr;         // of the frame before in a sequence; null: there is none
-  const image::Image* benign = nullptr;  // of the same arm at the benign value; null: there is none
-  const image::Image* front = nullptr;   // of the background's `front` arm; null: this is not what knows the background
+  const Sight* before = nullptr;         // previous frame of a sequence, or null
+  const image::Image* benign = nullptr;  // picture of the same arm at the benign value, or null
+  const image::Image* front = nullptr;   // foreground picture; null unless the arm provides the background
   const Background* background = nullptr;
-  uint64_t bytes = 0;                       // of all images that a frame holds at once
-  std::vector<double> times_ms;             // of frames drawn after one to warm up
-  std::vector<double> base_ms;              // of the base arm's frames in the same rounds
-  std::vector<double> own_ms, own_base_ms;  // of the passes alone that are the method's own (own.h)
+  uint64_t bytes = 0;                       // memory of all images that a frame holds at once
+  std::vector<double> times_ms;             // frame times after one warm-up frame
+  std::vector<double> base_ms;              // frame times of the base arm in the same rounds
+  std::vector<double> own_ms, own_base_ms;  // times of the method's own passes (own.h)
 
-  // Error maps, made when they are first asked for.
+  // Error maps, computed on first use.
   const image::Image& flip() const;
   const image::Image& hdrFlip() const;
 
@@ -56,22 +56,22 @@ struct Measure {
   Better better = Better::lower;
   bool per_region = false;
   std::string doc;  // how it is computed
-  // NaN: not measured. `mask` is that of `region` (empty: every pixel); both without meaning unless per region.
-  // Of a sequence it is the mean over the frames.
+  // NaN: not measured. `mask` is the mask of `region` (empty: every pixel); both are unused unless `per_region`. The
+  // value of a sequence is the mean over its frames.
   double (*of)(const Sight& sight, const std::string& region, const image::Image& mask) = nullptr;
-  bool is_time = false;      // of frames that are drawn for it, not of the picture
+  bool is_time = false;      // measured on additional frames, not on the picture
   bool is_change = false;    // compared with the benign value
-  bool to_base = false;      // a ratio to what the base measures
-  bool of_sequence = false;  // needs two frames at least
-  bool of_any = false;       // measured of a picture with colours that are not finite, too; times are
+  bool to_base = false;      // ratio to the value of the base arm
+  bool of_sequence = false;  // needs at least two frames
+  bool of_any = false;       // measured even if colours are not finite, as times are
 };
 
 const std::vector<Measure>& measures();
 std::vector<std::string> measureNames();
-const Measure& measureNamed(const std::string& name);  // asserts that there is one
+const Measure& measureNamed(const std::string& name);  // asserts that the name exists
 
-// Values by region, "all" for a measure that is not per region. Values that were not measured are left out. Colours of
-// the picture or of truth that are not finite make a value NaN.
+// Values by measure and region; the region is "all" for a measure that is not per region. Values that were not measured
+// are left out. Colours that are not finite, in the picture or in truth, make a value NaN.
 using Values = std::map<std::string, std::map<std::string, double>>;
 Values measured(const Sight& sight, const std::vector<std::string>& names, const std::vector<std::string>& regions);
 

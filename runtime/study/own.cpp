@@ -5,7 +5,7 @@
 
 namespace strobe::study {
 
-// The pass of each node that runs, by the node's name.
+// Pass of each node in the plan, by the name of the node.
 static std::map<std::string, std::string> passesOf(const plan::Plan& plan) {
   std::map<std::string, std::string> passes;
   for (const plan::PlanNode& node : plan.nodes) {

@@ -24,7 +24,7 @@ namespace {
 
 using image::Image;
 
-// Calls `work` with 0 to count - 1, on all processors; the first exception ends it.
+// Calls `work` with 0 to count - 1 on up to eight threads. Stops at the first exception and rethrows it.
 void inParallel(size_t count, const std::function<void(size_t)>& work) {
   std::atomic<size_t> next = 0;
   std::exception_ptr failure;
@@ -45,7 +45,7 @@ void inParallel(size_t count, const std::function<void(size_t)>& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-// How pictures are written; quality 0 is PNG.
+// Size and quality of written pictures; quality 0 is PNG.
 struct Level {
   int divisor, quality, flip_divisor, flip_quality;
 };
@@ -71,14 +71,14 @@ std::string urlOf(const ImageSource& source, const Level& level) {
   return "data:image/jpeg;base64," + page::base64(image::encodeJpeg(display, quality));
 }
 
-// As far as is worth trying: a sample says how much all will take.
+// True if a sample of the pictures predicts a total size below 1.2 * `most_bytes`. Other levels are not tried.
 bool mayFit(const std::vector<ImageSource>& sources, const Level& level, size_t most_bytes) {
   size_t step = std::max<size_t>(1, sources.size() / 24), bytes = 0, tried = 0;
   for (size_t i = 0; i < sources.size(); i += step, ++tried) bytes += urlOf(sources[i], level).size();
   return tried == 0 || double(bytes) / double(tried) * double(sources.size()) < 1.2 * double(most_bytes);
 }
 
-// Pictures and maps of the points, each content once.
+// Pictures and maps of the points, without duplicates.
 class Collection {
  public:
   Collection(const Results& results, const Path& folder) : results_(results), folder_(folder) {}

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Adds the time of its life.
+// Adds its lifetime to `seconds`.
 class Stopwatch {
  public:
   explicit Stopwatch(double& seconds) : seconds_(seconds), started_s_(clockSeconds()) {}
@@ -38,8 +38,8 @@ class Stopwatch {
   double started_s_;
 };
 
-// "NODE: COUNT WHAT" of each limit a picture met: its warnings without those of the scene, without what to do about
-// them.
+// Limits that a picture met, as "NODE: COUNT WHAT": its warnings without the warnings of the scene, and without the
+// advice after the semicolon.
 std::vector<std::string> limitsMet(const lab::Picture& picture) {
   std::vector<std::string> met, of_scene = picture.record["scene"]["warnings"].get<std::vector<std::string>>();
   for (const std::string& warning : picture.warnings)
@@ -48,7 +48,7 @@ std::vector<std::string> limitsMet(const lab::Picture& picture) {
   return met;
 }
 
-// Display values with marks on pixels that are not finite.
+// Display values, with marks on pixels that are not finite.
 Image displayed(const Image& linear, const image::ToneMap& tone) {
   Image display = image::toneMap(linear, tone);
   image::markNotFinite(display, linear);
@@ -86,7 +86,7 @@ TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& pi
   return truth;
 }
 
-// Progress counts what is drawn, not what is known already.
+// Advances the progress by `cost` in total.
 std::shared_ptr<const lab::Picture> PointRenderer::drawn(const lab::Shot& shot, int cost) {
   int last = 0;
   Stopwatch watch(spent_.drawing_s);
@@ -99,7 +99,7 @@ std::shared_ptr<const lab::Picture> PointRenderer::drawn(const lab::Shot& shot, 
   return picture;
 }
 
-// With as many samples as its standard error, which falls with their root, asks for.
+// Truth with enough samples for the required standard error. The error falls with the square root of the samples.
 std::shared_ptr<const lab::Picture> PointRenderer::drawnTruth(const lab::Shot& first, int cost) {
   lab::Shot shot = first;
   std::shared_ptr<const lab::Picture> picture = drawn(shot, cost);
@@ -127,10 +127,10 @@ static std::vector<std::string> contentsOf(const TaskGroup& group) {
   return contents;
 }
 
-// Read, or drawn, when a point of the group is first measured.
+// Loads or draws the truths when a point of the group is first measured.
 void PointRenderer::prepareTruth(const TaskGroup& group) {
   if (truth_keys_ == contentsOf(group)) return;
-  // What failed once is not drawn again for every arm.
+  // Do not draw a failed truth again for every arm.
   std::string& failed = failed_truths_[contentsOf(group)];
   if (!failed.empty()) throw Error(failed);
   try {
@@ -161,12 +161,12 @@ void PointRenderer::loadTruth(const TaskGroup& group) {
 }
 
 void PointRenderer::warnOnce(const std::string& who, const std::vector<std::string>& warnings) {
-  if (experiment_.is_step) return;  // of settings that are only tried
+  if (experiment_.is_step) return;  // no warnings for trial settings of a search
   for (const std::string& warning : warnings)
     if (warned_.insert(warning).second) warn(who + ": " + warning);
 }
 
-// What a picture is held against: truth, its own at the benign value, what is in front of what it knows.
+// Collects the references of a picture: truth, the picture at the benign value, and the foreground for its background.
 Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame) {
   auto atFrame = [&](const lab::Shot& shot) { return sequenceOf(experiment_, *group.group, shot)[frame]; };
   Sight sight;
@@ -205,7 +205,7 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
   return sight;
 }
 
-// The mean of each value over the frames that have it.
+// Mean of each value over the frames with this value.
 static Values meanOf(const std::vector<Values>& frames) {
   Values sums;
   std::map<std::pair<std::string, std::string>, int> counts;
@@ -217,7 +217,7 @@ static Values meanOf(const std::vector<Values>& frames) {
   return sums;
 }
 
-// Of a sequence the files show the last frame.
+// The files of a sequence show its last frame.
 Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   prepareTruth(group);
   std::vector<lab::Shot> shots = sequenceOf(experiment_, *group.group, task.shot);
@@ -258,17 +258,17 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   return point;
 }
 
-// A file that belongs to a point, by its name below the folder.
+// Adds the hash of a file to the point, by the name of the file below the folder.
 void PointRenderer::noteFile(Point& point, const Path& file) const {
   point.files[file.lexically_relative(store_.folder()).generic_string()] = hashText(readText(file));
 }
 
-// The picture as shown, and linear if that is requested.
+// Writes the picture as shown, and the linear picture if required.
 void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
   const image::ToneMap& tone = experiment_.shots[group.group->shot].tone;
   std::string png = image::encodePng(displayed(lab::colorOf(picture), tone), image::PngEffort::fast);
   Path file = pointFile(store_.folder(), task.key, ".png");
-  // The file of the point itself, written after it, waits for the disk.
+  // Not flushed to disk here; the JSON file of the point is written later and is flushed.
   writeFileAtomically(file, png, Flush::no);
   noteFile(point, file);
   if (!store_.requires_exr) return;
@@ -276,7 +276,8 @@ void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const la
     noteFile(point, linear);
 }
 
-// The EXR holds colour and what tables are made from; the record has the hash of every output.
+// Writes the files of the layout. The EXR has `color`, `error` and, for truth, masks; the record has the hash of every
+// output.
 void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
   const StudiedShot& studied = experiment_.shots[group.group->shot];
   const Arm& arm = *task.arm;
@@ -306,7 +307,7 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
     noteFile(point, store_.folder() / file);
 }
 
-// A lost device ends the run: the point is as if it had not been begun.
+// Draws, measures and stores one point. A lost device ends the run and leaves the point not drawn.
 void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
   std::string at = describe(experiment_, *group.group);
   std::string name =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws and measures the tasks of a sweep that its store does not have yet.
+// Draws and measures the tasks of a sweep that are missing in its store.
 #pragma once
 
 #include <set>
@@ -8,29 +8,30 @@
 
 namespace strobe::study {
 
-// Where a crop lies in a picture of truth; `size` is that of one placed where most of the inner blur is.
+// Rectangle of a crop in a picture of truth. A crop without coordinates has the size of `size` and lies where the
+// region inner is densest.
 image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const PicturesLayout& size,
                             const TruthPicture& truth);
 
-// Truth with what is asked of it.
+// Colour, masks, standard errors and exposures of a picture of truth.
 TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& truth);
 
 class PointRenderer {
  public:
   using Progress = std::function<void(int cost)>;
 
-  // All must outlive it.
+  // All arguments must outlive the renderer.
   PointRenderer(const Experiment& experiment, lab::Batch& batch, const Store& store)
       : experiment_(experiment), batch_(batch), store_(store), pictures_(picturesLayoutOf(experiment.layout)) {}
 
-  // Keeps a point for each task that has none, with the reason where it cannot be drawn. Throws `Error` where the store
-  // cannot keep it.
+  // Draws, measures and stores a point for each task without a point in the store. The point of a failed task has the
+  // reason. Throws `Error` if the store cannot write.
   void render(const TaskGroup& group, const Progress& progress);
 
-  // The first truth of a group: from the store, or drawn where the store does not have it.
+  // First truth of a group, from the store or newly drawn.
   std::shared_ptr<const lab::Picture> firstTruth(const TaskGroup& group);
 
-  // Seconds so far.
+  // Time spent so far, seconds.
   struct Spent {
     double drawing_s = 0, measuring_s = 0, keeping_s = 0;
   };
@@ -56,11 +57,11 @@ class PointRenderer {
   Progress progress_;
   Spent spent_;
 
-  std::vector<std::string> truth_keys_;  // of the truths that are held, by frame
+  std::vector<std::string> truth_keys_;  // keys of the loaded truths, by frame
   std::vector<std::shared_ptr<const lab::Picture>> truths_;
   std::vector<TruthPicture> held_against_;
-  image::Image benign_, front_;                                    // what the picture at hand is compared with
-  std::map<std::vector<std::string>, std::string> failed_truths_;  // why, by content
+  image::Image benign_, front_;                                    // references of the current picture
+  std::map<std::vector<std::string>, std::string> failed_truths_;  // reasons, by content
   std::set<std::string> warned_;
 };
 

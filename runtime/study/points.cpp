@@ -11,7 +11,7 @@ namespace strobe::study {
 
 namespace {
 
-// What is allowed, by "arm", "shot" or the name of an axis; an empty list allows every value.
+// Allowed values, by "arm", "shot" or the name of an axis; an empty list allows every value.
 using Conditions = std::map<std::string, std::vector<std::string>>;
 
 template <class It>
@@ -44,7 +44,8 @@ void requireKnown(const Experiment& experiment, const std::string& name, const s
     if (axis.name == name && has_value) requireOneOf(value, labelsOf(axis), "value of " + name);
 }
 
-// The conditions between commas. What has no "=" and is no axis belongs to the name before it, which has commas too.
+// Conditions between commas. A part without "=" that is not an axis belongs to the condition before it, because names
+// may have commas.
 std::vector<std::string> partsOf(const Experiment& experiment, const std::string& expression) {
   std::vector<std::string> parts, axes = namesOf(experiment.axes);
   for (size_t start = 0; start <= expression.size();) {
@@ -77,7 +78,7 @@ bool allows(const Conditions& conditions, const std::string& name, const std::st
   return std::find(found->second.begin(), found->second.end(), value) != found->second.end();
 }
 
-// Every axis that is named, at a value that is allowed.
+// True if the group lies on every axis of the conditions, at an allowed value.
 bool isAt(const Experiment& experiment, const Group& group, const Conditions& conditions) {
   return std::all_of(conditions.begin(), conditions.end(), [&](const auto& condition) {
     const std::string& name = condition.first;
@@ -89,7 +90,7 @@ bool isAt(const Experiment& experiment, const Group& group, const Conditions& co
   });
 }
 
-// What times of a shot are ratios to among the arms of a group, if it is there.
+// Base arm of the time ratios (by default the first method), if the group has the arm.
 std::optional<size_t> baseAmong(const Experiment& experiment, const Group& group) {
   for (size_t arm : group.arms) {
     const Arm& one = experiment.arms[arm];
@@ -98,7 +99,7 @@ std::optional<size_t> baseAmong(const Experiment& experiment, const Group& group
   return std::nullopt;
 }
 
-// The same where ratios are measured and the group is the first of its shot that has it.
+// Base arm of the time ratios, if ratios are measured and the group is the first of its shot with this arm.
 std::optional<size_t> baseIn(const Experiment& experiment, const Group& group) {
   bool has_ratios = std::any_of(experiment.measures.begin(), experiment.measures.end(),
                                 [](const std::string& name) { return measureNamed(name).to_base; });
@@ -117,7 +118,7 @@ void keepOnly(Experiment& experiment, const std::string& expression) {
     return allows(conditions, "shot", experiment.shots[group.shot].name) && isAt(experiment, group, conditions) &&
            (one.role != Role::method || allows(conditions, "arm", one.name));
   };
-  std::set<size_t> shots;  // of which a point is asked for
+  std::set<size_t> shots;  // shots with a selected point
   for (const Group& group : experiment.groups)
     for (size_t arm : group.arms)
       if (isAsked(group, arm)) shots.insert(group.shot);

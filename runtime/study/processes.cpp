@@ -20,7 +20,7 @@ namespace strobe::study {
 
 namespace {
 
-// What processes share; each takes the next group.
+// State shared by all processes; each process takes the next group.
 struct Shared {
   std::atomic<size_t> next = 0;
   std::atomic<int> cost = 0, cost_done = 0;
@@ -52,7 +52,8 @@ struct Shared {
   ::_exit(code);
 }
 
-// Removes the children that have ended; true if each of them succeeded. Other children of this process stay.
+// Removes the children that have ended; true if each of these succeeded. Does not wait for other children of this
+// process.
 bool reapEnded(std::vector<pid_t>& children) {
   bool good = true;
   std::erase_if(children, [&good](pid_t child) {

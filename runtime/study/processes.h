@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the points of an experiment in several processes, each with a device of its own.
+// Draws the points of an experiment in several processes, each with its own device.
 #pragma once
 
 #include <functional>
@@ -11,9 +11,9 @@ namespace strobe::study {
 
 using MakeBench = std::function<std::unique_ptr<lab::Workbench>()>;
 
-// Keeps in `store` what it does not have, but times; progress on stderr, with what `now` has of the results. This
-// process must have no device, of which its copies could make no use; `started` is called in one of them. False: one of
-// them failed and has said why; what it has not done is missing.
+// Draws the points that `store` lacks; does not measure times. Progress on stderr, with the front of `now()`. The
+// calling process must not have a device, because forked copies cannot use it. `started` is called in one of the
+// copies. Returns false if a copy failed; the copy has printed the reason, and its unfinished points are missing.
 bool renderInProcesses(const Experiment& experiment, const MakeBench& bench, const Store& store, int jobs,
                        const Started& started, const std::function<Results()>& now);
 

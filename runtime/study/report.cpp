@@ -23,7 +23,7 @@ std::string sentenceOf(const Expectation& one) {
   return fmt::format("Expected: {}. This {}{}.{}", one.text, one.outcome, detail, known);
 }
 
-// "1 of 2 hold", of the expectations that apply.
+// Count of the expectations that apply: "1 of 2 hold".
 std::string countOf(const Expectations& expectations) {
   auto count = [&](const char* outcome) {
     return std::count_if(expectations.begin(), expectations.end(),
@@ -34,7 +34,7 @@ std::string countOf(const Expectations& expectations) {
   return text + (absent ? fmt::format(", {} {} not apply.", absent, absent == 1 ? "does" : "do") : ".");
 }
 
-// A row per expectation: its text, outcome and numbers.
+// One row per expectation: text, outcome and numbers.
 page::Table outcomeTable(const Expectations& expectations) {
   page::Table table;
   table.columns = {"expected", "outcome", "numbers", "known to fail"};
@@ -56,7 +56,7 @@ Parts sentencesOf(const Expectations& expectations) {
   return parts;
 }
 
-// All expectations of the experiment at the head of the page, also the ones repeated by a section below.
+// All expectations of the experiment, for the head of the page. Sections below repeat some of these.
 Parts summaryOf(const Results& results) {
   Expectations all;
   for (const Expectation& one : results.expectations) all.push_back(&one);
@@ -74,7 +74,7 @@ bool tells(const Parts& sections, const std::string& sentence) {
   });
 }
 
-// Of which no section tells: those of no shot or axis, and those of one that is not laid out.
+// Expectations that no section has: without shot or axis, or with a shot or axis that is not laid out.
 Expectations expectationsBeside(const Results& results, const Parts& sections) {
   Expectations list;
   for (const Expectation& one : results.expectations)
@@ -95,7 +95,7 @@ Parts expectationParts(const Results& results, const std::string& shot, const st
 
 namespace {
 
-// ---- as text and Markdown; blocks of a page alone are ""
+// ---- as text and Markdown; blocks only for pages are ""
 
 struct Plain {
   std::string operator()(const page::Heading& heading) const { return "\n" + heading.text + "\n"; }
@@ -130,7 +130,7 @@ Parts still(Parts parts) {
   return parts;
 }
 
-// What is still stands together, behind the explorer; there is no explorer on a page without points.
+// Puts the explorer before the first still part, or at the end, and collects consecutive still parts in one block.
 std::vector<page::Block> blocksOf(Parts parts, const std::optional<page::Explorer>& explorer) {
   std::vector<page::Block> blocks;
   bool placed = !explorer;
@@ -168,7 +168,7 @@ Report::Report(const Results& results, const Path& folder) : results_(results), 
   for (const ShotSummary& shot : results.shots) galleries_.push_back(galleryOf(results, shot, folder));
 }
 
-// Without paragraphs that say nothing.
+// All parts, without empty paragraphs.
 Parts Report::parts(const std::optional<PictureSize>& size) const {
   Parts sections;
   if (picturesLayoutOf(results_.layout)) append(sections, pictureParts(results_, galleries_, size));
@@ -224,7 +224,7 @@ std::vector<std::pair<std::string, std::string>> Report::figures() const {
 }
 
 page::Explorer Report::explorer(const page::Library& library, size_t most_bytes) const {
-  // Tables, style and scripts take some, and pictures of the layout half of the rest.
+  // Reserve space for the chart library, tables, style and scripts; pictures of the layout get half of the rest.
   size_t other = library.code.size() + most_bytes / 12;
   size_t rest = (most_bytes - std::min(most_bytes, other)) / (galleries_.empty() ? 1 : 2);
   return {explorerData(results_, folder_, rest), library};

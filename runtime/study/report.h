@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the results of an experiment say, as one list of parts; terminal, Markdown and page are three ways to write it.
-// Everything in it comes from the results and the pictures that they name.
+// Report of an experiment: one list of parts, written as terminal text, Markdown or a page. The content comes only from
+// the results and from the pictures that the results name.
 #pragma once
 
 #include "page/page.h"
@@ -8,8 +8,8 @@
 
 namespace strobe::study {
 
-// A block, and where it is shown; `still`: where scripts run the explorer of the page stands in its place. Terminal and
-// Markdown have headings, paragraphs and tables; figures of a document have a name.
+// A block and the media that show it. `still`: the explorer of the page replaces the block if scripts run. Terminal and
+// Markdown show headings, paragraphs and tables; Markdown also shows figures, which have a name.
 struct Part {
   enum Media : uint32_t { kTerminal = 1, kDocument = 2, kPage = 4, kRead = kDocument | kPage, kEverywhere = 7 };
 
@@ -29,9 +29,9 @@ inline Part heading(const std::string& text, int level = 2, const std::string& i
 }
 void append(Parts& parts, Parts more);
 
-// ---- what the layouts show
+// ---- sections
 
-// How pictures of a layout are written: by 1/divisor of their width, as JPEG of this quality; 0: as PNG.
+// Size of pictures on a page: 1/`divisor` of the width, JPEG of this quality; quality 0: PNG.
 struct PictureSize {
   int divisor = 1, quality = 0;
 };
@@ -40,32 +40,32 @@ Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries
                    const std::optional<PictureSize>& size);
 // One section per axis.
 Parts curveParts(const Results& results);
-// One section per shot: the best methods for each cost.
+// One section per shot, or one for all: Pareto front of the methods.
 Parts frontParts(const Results& results);
-// Tables by axis, or one of all points.
+// One table per axis, or one table of all points.
 Parts tableParts(const Results& results);
-// What arms, shots and axes do to the measure that the page shows first.
+// Effects of arms, shots and axes on the measure that the page shows first.
 Parts effectParts(const Results& results);
-// Expectations of a shot, of an axis, or of neither, as outcomes.
+// Outcomes of expectations: of a shot, of an axis, or of neither (both "").
 Parts expectationParts(const Results& results, const std::string& shot, const std::string& axis);
 
 // ---- the report
 
-// Below `folder` lie the pictures that the results name.
+// Report of results; `folder` has the pictures that the results name.
 class Report {
  public:
   Report(const Results& results, const Path& folder);
 
-  bool hasSheet() const;  // are there pictures?
+  bool hasSheet() const;  // true with at least one picture
   image::Image sheet() const;
   std::string text() const;
-  // `page`: where the page is from there.
+  // `page`: path of the page, relative to the Markdown file; "": no link to a page.
   std::string markdown(const std::string& page) const;
-  // What the Markdown shows: names of SVG files beside it, and what is in them.
+  // Figures of the Markdown: name and content of each SVG file.
   std::vector<std::pair<std::string, std::string>> figures() const;
-  // One self-contained HTML file: with a chart library the points can be clicked through, without one it has figures
-  // and tables, and says so. Pictures are smaller where it would be larger than `most_bytes` (crops never); the page
-  // says that too.
+  // Self-contained HTML file. With a chart library, the points are interactive; without, the page has figures and
+  // tables, and a note about the library. Pictures (not crops) are reduced if the file is larger than `most_bytes`; a
+  // note on the page says how.
   std::string page(const page::Library& library = {}, size_t most_bytes = 8'000'000) const;
 
  private:

@@ -22,7 +22,7 @@ std::string shownRmse(double value) {
 
 std::string titleOf(const AxisSummary& axis) { return axis.unit.empty() ? axis.title : axis.title + ", " + axis.unit; }
 
-// ---- where arms stop
+// ---- ranges of arms
 
 std::vector<std::string> armsOf(const std::vector<Curve>& curves) {
   std::vector<std::string> arms;
@@ -64,7 +64,7 @@ page::Table benignTable(const Results& results, const std::vector<Curve>& curves
   return table;
 }
 
-// For a terminal: one axis, a row per arm.
+// Table of one axis for a terminal, with a row per arm.
 page::Table summaryTable(const Curve& curve, double factor) {
   page::Table table;
   table.columns = {
@@ -114,7 +114,7 @@ page::Series armSeries(const Curve& curve, const std::string& arm, int style, co
   return series;
 }
 
-// Up to `factor` times the floor.
+// Band up to `factor` times the floor.
 page::Series bandSeries(const Curve& curve, double factor, const std::string& region) {
   page::Series band;
   band.kind = page::Series::Kind::band;
@@ -153,7 +153,7 @@ page::Chart chartOf(const Curve& curve, double factor, const std::string& region
   return chart;
 }
 
-// RMSE as measured, to copy; ° marks points at which a limit was hit.
+// Table of RMSE values; ° marks points that met a limit.
 page::Table numbersTable(const Curve& curve, const std::string& region) {
   page::Table table;
   table.caption = "RMSE, " + regionText(region);

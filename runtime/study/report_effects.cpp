@@ -19,7 +19,7 @@ std::string intervalText(const Estimate& estimate) {
   return signedNumber(estimate.low) + " to " + signedNumber(estimate.high);
 }
 
-// An interval without 0 stands out.
+// Mark of an interval that does not contain 0.
 page::Mark markOf(const Estimate& estimate) {
   return estimate.low > 0 || estimate.high < 0 ? page::Mark::best : page::Mark::none;
 }
@@ -51,7 +51,7 @@ page::Table mainTable(const Effects& effects) {
   return table;
 }
 
-// The cells that rows and columns explain least, of all pairs.
+// Table of the `most` largest interactions over all pairs.
 page::Table pairTable(const Effects& effects, size_t most) {
   struct Cell {
     const PairEffect* pair;

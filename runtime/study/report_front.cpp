@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-// Measures of a method at a point of a shot.
+// Point of a method, with its two measures.
 struct Candidate {
   const PointGroup* group;
   const Point* point;
@@ -28,7 +28,7 @@ std::string titleOf(const Measure& measure, const std::string& region) {
   return measure.per_region ? headOf(measure) + ", " + region : headOf(measure);
 }
 
-// Points of `shots`, and the Pareto front of these points.
+// Points of `shots`, and their Pareto front.
 class Front {
  public:
   Front(const Results& results, const std::vector<ShotSummary>& shots, const FrontLayout& layout)
@@ -56,7 +56,7 @@ class Front {
         if (std::isfinite(x) && std::isfinite(y)) all_.push_back({group, &point, x, y});
       }
   }
-  // The Pareto front as steps; of all shots together, y = x over the range of x.
+  // Pareto front as steps; if all shots are together, the line y = x over the range of x.
   page::Series line() const;
   static double cost(const Measure& measure, double value) { return measure.better == Better::higher ? -value : value; }
   page::Axis axis(const Measure& measure) const {

@@ -24,7 +24,7 @@ page::Cell cellOf(const Measure& measure, const PointGroup& group, const Point& 
   return {value, orLack(measure.unit == "ms" ? page::shownMs(value) : page::shownError(value), value, group, point)};
 }
 
-// What a row is: floor and truth are no methods.
+// Name of a row. Floor and truth are not methods.
 page::Cell nameCell(const Point& point) {
   if (point.role == Role::truth)
     return {point.arm + " ±", page::Mark::faint, "truth; its numbers are its own standard error"};
@@ -34,7 +34,7 @@ page::Cell nameCell(const Point& point) {
   return {point.arm};
 }
 
-// A column of a table: a measure in a region.
+// Column of a table: a measure in a region.
 struct Shown {
   const Measure* measure;
   std::string region, title;
@@ -44,7 +44,7 @@ std::vector<Shown> columnsOf(const Results& results) {
   std::vector<Shown> columns;
   for (const Measure& measure : measures()) {
     if (!has(results.measures, measure.name) || !measure.per_region) continue;
-    bool whole = measure.name == "rmse_full";  // one number beside the others
+    bool whole = measure.name == "rmse_full";  // one column only
     for (const std::string& region : whole ? std::vector<std::string>{"whole"} : results.regions)
       columns.push_back({&measure, region, whole ? "RMSE whole, full shading" : measure.title + " " + region});
   }
@@ -53,7 +53,7 @@ std::vector<Shown> columnsOf(const Results& results) {
   return columns;
 }
 
-// Arms in the order of the results.
+// Points of a group, in the order of the arms of the results.
 std::vector<const Point*> rowsOf(const Results& results, const PointGroup& group) {
   std::vector<const Point*> rows;
   for (const ArmSummary& arm : results.arms)
@@ -92,7 +92,7 @@ page::Table errorTable(const Results& results, const PointGroup& group) {
     page::Mark mark = point->role == Role::method ? page::Mark::none : page::Mark::faint;
     for (const Shown& shown : columns) {
       const bool of_itself = point->role == Role::truth && shown.measure->per_region &&
-                             !shown.measure->name.starts_with("rmse");  // these are its standard error
+                             !shown.measure->name.starts_with("rmse");  // RMSE of truth is its standard error
       row.push_back(of_itself ? page::Cell("–") : cellOf(*shown.measure, group, *point, shown.region));
       row.back().mark = mark;
     }
@@ -110,13 +110,13 @@ std::string regionsText(const Results& results, const PointGroup& group) {
   return fmt::format("anchor {}; {}", group.anchor, fmt::join(parts, ", "));
 }
 
-// The values of a group other than the anchor, which the text names anyway.
+// Values of a group without the anchor, which the text already has.
 std::string valuesText(const PointGroup& group) {
   std::string text = describe(group, "anchor");
   return text.empty() ? "" : ", " + text;
 }
 
-// `quality` is that of a JPEG; 0: a PNG.
+// `quality`: quality of a JPEG; 0: PNG.
 page::Picture pictureOf(const std::string& caption, const Image& display, const std::string& name = "",
                         int quality = 0) {
   std::string file = quality > 0 ? image::encodeJpeg(display, quality) : image::encodePng(display);
@@ -127,7 +127,7 @@ std::string armNameOf(const Gallery& gallery, const ShownPoint& one) {
   return lab::fileNameOf(gallery.shot->name + " " + one.point->arm);
 }
 
-// With truth; it starts with the last method: usually the one that the page is about.
+// Comparison of all arms with truth. Shows the last method first, because the page is usually about this method.
 page::Comparison wipeOf(const Gallery& gallery) {
   page::Comparison wipe;
   wipe.reference = armNameOf(gallery, gallery.truth());
@@ -178,7 +178,7 @@ void addPictures(const Results& results, const Gallery& gallery, const PictureSi
         heading(fmt::format("Crop {}x{} at {},{}", area.width, area.height, area.x, area.y), 3, "", Part::kPage));
     parts.push_back({cropsOf(gallery, area), Part::kPage});
   }
-  if (gallery.shown.size() == 1) return;  // truth alone
+  if (gallery.shown.size() == 1) return;  // truth only
   parts.push_back(heading(fmt::format("|Difference from truth| × {:g}, linear values", gain), 3, "", Part::kPage));
   parts.push_back({differencesOf(gallery, gain), Part::kPage});
 }

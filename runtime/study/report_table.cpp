@@ -13,7 +13,7 @@ namespace {
 
 // ---- along one axis
 
-// One axis with other values of nothing: rows by arm and value, columns by shot.
+// Table of the groups on one axis and no other: rows by arm and value, columns by shot.
 class AxisTable {
  public:
   AxisTable(const Results& results, const AxisSummary& axis, const TableLayout& layout)
@@ -27,7 +27,8 @@ class AxisTable {
 
   bool empty() const { return groups_.empty(); }
   page::Table table() const;
-  // {ARM, VALUE @ SHOT} by the first measure of the cells there, {NAME ARM, VALUE @ SHOT} by the measure of that name.
+  // Replaces {ARM, VALUE @ SHOT} by the first measure of the cells at this point, {NAME ARM, VALUE @ SHOT} by the
+  // measure NAME.
   std::string filled(const std::string& text) const {
     return replaced(text, [this](const std::string& inside) { return replacement(inside); });
   }

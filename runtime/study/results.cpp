@@ -21,7 +21,7 @@ Role roleOf(const std::string& name) {
   return name == "truth" ? Role::truth : name == "floor" ? Role::floor : Role::method;
 }
 
-// Calls `visit` with the name and the member of each text.
+// Calls `visit` with the name and the member of each text field.
 template <class It, class Visit>
 void forTexts(It& axis, const Visit& visit, const AxisSummary*) {
   visit("name", axis.name), visit("title", axis.title), visit("unit", axis.unit), visit("scale", axis.scale);
@@ -51,7 +51,7 @@ void forTexts(It& results, const Visit& visit, const Results*) {
   visit("note", results.note), visit("command", results.command);
 }
 
-// Texts that are not empty.
+// Text fields that are not empty.
 template <class It>
 Json textsOf(const It& from) {
   Json json = Json::object();
@@ -188,7 +188,7 @@ const It& named(const std::vector<It>& all, const std::string& name) {
   return *found;
 }
 
-// ---- soundness: names and numbers by which results are laid out. Each throws `Error` for the first that is wrong.
+// ---- soundness of the names and numbers that reports use. Each check throws `Error` for the first mistake.
 
 void requireMeasures(const Results& results) {
   std::vector<std::string> names = results.measures, known = measureNames();
@@ -233,13 +233,13 @@ void requireSound(const Results& results) {
           fmt::format("the size is {}x{}", results.width, results.height));
   require(!results.arms.empty(), "there are no arms");
   requireMeasures(results);
-  picturesLayoutOf(results.layout), curvesOf(results.layout);  // throw for fields of another type
+  picturesLayoutOf(results.layout), curvesOf(results.layout);  // throws for fields of another type
   for (const AxisSummary& axis : results.axes) requireSound(results, axis);
   for (const ShotSummary& shot : results.shots) requireSound(results, shot);
   for (const PointGroup& group : results.groups) requireSound(results, group);
 }
 
-// As a spreadsheet reads it.
+// Cell of a CSV file, quoted if necessary.
 std::string csvCell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -252,7 +252,7 @@ std::string csvNumber(const Json& value) {
   return value.is_number_float() ? fmt::format("{:.9g}", value.get<double>()) : value.dump();
 }
 
-// The values of every axis at a group, each after a comma.
+// Value of every axis at a group, each after a comma.
 std::string csvAxes(const Results& results, const PointGroup& group) {
   std::string text;
   for (const AxisSummary& axis : results.axes) {
@@ -268,7 +268,7 @@ std::string csvHead(const Results& results, const std::string& fourth) {
   return text;
 }
 
-// Calls `row` with the number of each point that is no truth, its group and itself.
+// Calls `row` with the number, group and point of each point except truths.
 template <class Row>
 void forPoints(const Results& results, const Row& row) {
   size_t number = 0;
@@ -479,7 +479,7 @@ void judgeResults(const Home& home, Results& results, const std::string& file) {
 
 static std::string csvMeasured(double value) { return std::isnan(value) ? "" : fmt::format("{:.9g}", value); }
 
-// Errors of truth itself are its standard error.
+// Standard error of truth, stored as the RMSE or MSE of truth itself.
 static double truthError(const PointGroup& group, const std::string& region) {
   double rmse = group.truth().value("rmse", region);
   return std::isnan(rmse) ? std::sqrt(group.truth().value("mse", region)) : rmse;

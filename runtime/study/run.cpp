@@ -31,7 +31,8 @@ void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& st
 
 // ---- times
 
-// Groups of one shot along one axis are timed together, the others alone.
+// Lists of groups that are timed together: the groups of one shot along one axis; in a search step, all groups of a
+// shot; other groups alone.
 std::vector<std::vector<const TaskGroup*>> walksOf(const Experiment& experiment, const std::vector<TaskGroup>& groups) {
   std::vector<std::vector<const TaskGroup*>> walks;
   for (const TaskGroup& group : groups) {
@@ -45,7 +46,7 @@ std::vector<std::vector<const TaskGroup*>> walksOf(const Experiment& experiment,
   return walks;
 }
 
-// What times of a shot are ratios to: the base arm, else the first that is timed, where it comes first.
+// Base of the time ratios of a shot: the first point of the base arm, else the first timed point.
 const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store,
                    size_t shot) {
   const Task* first = nullptr;
@@ -58,7 +59,7 @@ const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& g
   return first;
 }
 
-// Times that are ratios to something else, or of other rounds, are measured again.
+// Text for the base in `Point::times`. Times with another base or with other rounds are measured again.
 std::string baseTextOf(const Task& task, const Task& base) {
   bool is_ratio = std::any_of(task.measures.begin(), task.measures.end(),
                               [](const std::string& name) { return measureNamed(name).to_base; });
@@ -73,7 +74,8 @@ std::string timesOf(const Experiment& experiment, const Task& task, const Task& 
 bool lacksTimes(const Experiment& experiment, const Task& task, const Task& base, const Store& store) {
   if (!task.timed || !store.has(task.key)) return false;
   Point point = store.point(task.key).value_or(Point());
-  // A search takes times of more rounds too (the text begins with their number): those of its last ones stay.
+  // In a search, times of more rounds are also valid (the text starts with their number), so that times of the last
+  // step stay.
   bool enough = experiment.is_step && !point.times.empty() && std::stoi(point.times) >= experiment.rounds.least &&
                 point.times.ends_with(baseTextOf(task, base));
   bool good = enough || point.times == timesOf(experiment, task, base);
@@ -89,7 +91,7 @@ std::vector<PassTime> passesOf(const lab::Timing& timing) {
   return passes;
 }
 
-// Times of a frame, and of those of its passes that are the method's own.
+// Times of a frame, and of the passes that are the method's own.
 struct Times {
   lab::Timing frame;
   std::vector<double> own_ms;
@@ -100,7 +102,7 @@ void keepTimes(const Store& store, const Task& task, const std::string& times, c
   sight.times_ms = own.frame.ms, sight.base_ms = base.frame.ms;
   sight.own_ms = own.own_ms, sight.own_base_ms = base.own_ms;
   std::optional<Point> kept = store.point(task.key);
-  if (!kept) return;  // was damaged meanwhile, and is made again the next time
+  if (!kept) return;  // damaged in the meantime; the next sweep makes the point again
   Point& point = *kept;
   point.times = times;
   point.passes = passesOf(own.frame);
@@ -127,13 +129,14 @@ std::vector<Walk> walksLeft(const Experiment& experiment, const std::vector<Task
   return left;
 }
 
-// One after the other, so that what else the machine does meets all alike; the base among them.
+// Times all tasks in turn, with the base among them, so that other load of the machine affects all tasks alike.
 void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store, const Walk& walk) {
   std::vector<lab::Shot> shots = {walk.base->shot};
   for (const Task* task : walk.tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
   auto times = [&](size_t i) { return Times{timings[i], ownMs(batch, shots[i], timings[i])}; };
-  // What is the same as the base has its times: drawn right behind it, it would find everything warm.
+  // A task with the key of the base gets the times of the base: directly after the base, its own times would be of a
+  // warm device.
   for (size_t i = 0; i < walk.tasks.size(); ++i) {
     const Task& task = *walk.tasks[i];
     keepTimes(store, task, timesOf(experiment, task, *walk.base), times(task.key == walk.base->key ? 0 : i + 1),
@@ -141,7 +144,7 @@ void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& st
   }
 }
 
-// Points whose times cannot be measured fail with the reason.
+// Marks points as failed, with the reason, if their times cannot be measured.
 void failTimes(const Store& store, const Walk& walk, const std::string& reason) {
   for (const Task* task : walk.tasks) {
     Point point = store.point(task->key).value_or(Point());
@@ -175,7 +178,7 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
 
 // ---- results
 
-// Where the crops lie, and whose scene it is, from a truth of the shot.
+// Fills in crops and attribution from a truth of the shot.
 void describeShot(const Experiment& experiment, const TaskGroup& group, PointRenderer& renderer, ShotSummary& summary) {
   std::shared_ptr<const lab::Picture> truth = renderer.firstTruth(group);
   if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);

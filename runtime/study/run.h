@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs an experiment: every arm at every point against truth there, as far as its folder does not have that yet.
+// Runs an experiment: draws and measures every point that its folder lacks.
 #pragma once
 
 #include "lab/workbench.h"
@@ -7,16 +7,16 @@
 
 namespace strobe::study {
 
-// Everything that is known before a picture is drawn: every point with its key, or why it cannot be drawn. With
-// `takePoints` it is what there is of the results at any time.
+// Results before a picture is drawn: every point with its key, or the reason why the point cannot be drawn. With
+// `takePoints`, the current results at any time.
 Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch);
 
 // Called before the first picture is drawn.
 using Started = std::function<void(const Results& outline)>;
 
-// Progress on stderr. What is drawn is kept in `store` as it comes, with pictures and records where the layout shows
-// them; what it has is not drawn again. Times are measured last. A point that fails keeps its reason. Expectations are
-// judged; the command is left to the caller. Numbers depend on the device, not on the run.
+// Draws the points that `store` lacks, then measures times; reports progress on stderr. `store` gets each point when it
+// is drawn, with pictures and records if the layout shows these. A failed point has the reason. Evaluates the
+// expectations; the caller sets `command`. Numbers depend on the device, not on the run.
 Results run(const Experiment& experiment, lab::Batch& batch, const Store& store, const Started& started = {});
 Results run(const Experiment& experiment, lab::Workbench& bench, const Store& store, const Started& started = {});
 

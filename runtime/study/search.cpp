@@ -20,7 +20,7 @@ double numberOf(const plan::Value& value) {
   return whole ? double(*whole) : std::get<double>(value);
 }
 
-// As a value of the parameter: in its range, of three significant digits.
+// Number as a value of the parameter: in its range, with three significant digits.
 plan::Value valueOf(const plan::ParamDesc& param, double number) {
   number = std::clamp(number, param.min.value_or(number), param.max.value_or(number));
   if (param.type == Type::Int) return int64_t(std::llround(number));
@@ -45,18 +45,19 @@ std::vector<plan::Value> othersOf(const plan::ParamDesc& param, const plan::Valu
   return others;
 }
 
-// The centre's, but for the last `changed` of [0, 1), which the other values share.
+// Choice for `u` in [0, 1): the last `changed` of the range is divided among the other choices, the rest is the centre.
 plan::Value choiceAt(const plan::ParamDesc& param, const plan::Value& centre, double u, double changed) {
   std::vector<plan::Value> others = othersOf(param, centre);
   if (others.empty() || u < 1 - changed) return centre;
   return others[std::min(size_t((u - (1 - changed)) / changed * double(others.size())), others.size() - 1)];
 }
 
-constexpr double kFarthest = 3;      // octaves of a start from its centre
-constexpr double kLeastGain = 0.01;  // in the loss, which is a logarithm: less than that may be a time's noise
-// How much a limit weighs: on the way, where what exceeds it may lead to what is best, and at the end.
+constexpr double kFarthest = 3;      // largest distance of a start from its centre, octaves
+constexpr double kLeastGain = 0.01;  // of the loss (a logarithm); smaller gains may be noise of times
+// Weights of the limit: low during the search, because settings beyond the limit may lead to the best one, and high at
+// the end.
 constexpr double kLoosely = 3, kFirmly = 10;
-// How much it weighs to stay below it, which leaves room for what lowers the other.
+// Weight of the limited quantity below the limit, which leaves room to lower the other quantity.
 constexpr double kSlack = 0.05;
 
 }  // namespace
@@ -92,7 +93,7 @@ std::vector<plan::Value> neighboursOf(const plan::ParamDesc& param, const plan::
   return neighbours;
 }
 
-// ---- what is wanted
+// ---- goal
 
 bool Goal::holds(const Score& score) const {
   return score.known && (kind == Kind::least_error ? score.cost : score.error) <= limit;
@@ -129,7 +130,7 @@ void Search::say(const std::string& what) const {
   if (report_) report_(what);
 }
 
-// Those that have a score, in the order given; what is not known yet is measured while evaluations are left.
+// Spots with a score, in the given order. Measures new spots while evaluations are left.
 std::vector<Search::Found> Search::measured(const std::vector<Spot>& spots, int level) {
   std::map<std::string, Score>& known = known_[size_t(level)];
   std::vector<std::string> identities, new_ones;
@@ -156,7 +157,7 @@ std::vector<Search::Found> Search::measured(const std::vector<Spot>& spots, int 
   return result;
 }
 
-// The first different ones, so many that halving them takes a third of the evaluations.
+// First different starts, as many as can be halved in a third of the evaluations.
 std::vector<Spot> Search::chosenStarts(const std::vector<Spot>& starts) {
   double per_start = 0;
   for (int level = 0; level < options_.levels; ++level) per_start += std::pow(options_.keep, -level);
@@ -172,8 +173,8 @@ std::vector<Spot> Search::chosenStarts(const std::vector<Spot>& starts) {
   return chosen;
 }
 
-// The spots that are left, the best first. The first that is given, where nothing is changed, goes on in any case:
-// everything is compared with it.
+// Remaining spots, best first. Always keeps the first given spot, the unchanged setting, because all others are
+// compared with it.
 std::vector<Search::Found> Search::halved(std::vector<Spot> spots) {
   const Spot first = spots.front();
   std::vector<Found> tried;
@@ -191,7 +192,7 @@ std::vector<Search::Found> Search::halved(std::vector<Spot> spots) {
   return tried;
 }
 
-// Moves to the best neighbour along a dimension, if one is better.
+// Moves to the best neighbour along a dimension; false if no neighbour is better.
 bool Search::stepAlong(size_t dimension, const Stride& stride, Found& at) {
   std::vector<Spot> spots;
   for (const plan::Value& value : neighboursOf(space_[dimension].param, at.spot[dimension], stride.octaves)) {
@@ -207,8 +208,8 @@ bool Search::stepAlong(size_t dimension, const Stride& stride, Found& at) {
   return moved;
 }
 
-// Along every dimension, from the one where the last walk ended, as far as it gets better, until it does along none;
-// false: `most` evaluations are used up.
+// Steps along every dimension while the loss improves, starting with the dimension of the last walk, until no dimension
+// improves. False if `most` evaluations are used up.
 bool Search::walk(Found at, const Stride& stride, int most) {
   for (bool moved = true; moved;) {
     if (evaluations_ >= most) return false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A search for the best setting of some parameters: starts that fill the space, successive halving (Jamieson and
-// Talwalkar 2016) over levels of which each measures better and costs more than the one before, then coordinate steps
-// from where nothing is changed, from the best start, and from the best of all.
-// It knows nothing of pictures: what a setting gives is asked of the caller. The same answers lead to the same search.
+// Search for the best setting of some parameters, in three phases: starts that fill the space; successive halving
+// (Jamieson and Talwalkar 2016) over levels, each more precise and more costly than the level before; coordinate steps
+// from the unchanged setting, from the best start and from the best of all.
+// The search does not depend on pictures: the caller measures settings. Equal measurements lead to the same search.
 #pragma once
 
 #include <functional>
@@ -15,59 +15,60 @@
 
 namespace strobe::study {
 
-// A parameter that is varied, and where it starts.
+// Varied parameter and its start value.
 struct Dimension {
   plan::ParamDesc param;
   plan::Value start;
 };
 using Space = std::vector<Dimension>;
 
-// A value for each dimension.
+// Setting: a value for each dimension.
 using Spot = std::vector<plan::Value>;
 
-// The start of each dimension.
+// Start values of all dimensions.
 Spot startOf(const Space& space);
 
-// The spot that a point of the unit cube gives around `centre`: numbers up to three octaves from their value there
-// (where that or the range is not above 0: up to half the range), mostly nearer; about four of the other parameters
-// have another of their values.
+// Setting around `centre` at a point of the unit cube. A number moves by up to three octaves, mostly less; by up to
+// half the range if the number is not above 0 or the range contains negative values. About four of the other parameters
+// change their value.
 Spot spotAt(const Space& space, const Spot& centre, const std::vector<double>& point);
 
-// The values next to one: every other choice; of a number one step up and one down, `step` octaves each (else eighths
-// of the range), with three significant digits.
+// Neighbours of a value: every other choice; for a number, one step up and one step down of `step` octaves (or `step`
+// eighths of the range), with three significant digits.
 std::vector<plan::Value> neighboursOf(const plan::ParamDesc& param, const plan::Value& value, double step);
 
-// What a setting gave.
+// Measured error and cost of a setting.
 struct Score {
-  bool known = false;  // false: it was refused, or not measured
+  bool known = false;  // false: refused, or not measured
   double error = 0, cost = 0;
 };
 
-// Least error at a cost of at most `limit`, or least cost at an error of at most that.
+// Least error at a cost of at most `limit`, or least cost at an error of at most `limit`.
 struct Goal {
   enum class Kind { least_error, least_cost };
   Kind kind = Kind::least_error;
   double limit = 1;
 
   bool holds(const Score& score) const;
-  // Less is better: the logarithm of what is to be least, `weight` times that of how often the limit is exceeded, and a
-  // little of that of what is limited.
+  // Lower is better: logarithm of the minimised quantity, plus `weight` times the logarithm of the excess over the
+  // limit, plus a small multiple of the logarithm of the limited quantity.
   double loss(const Score& score, double weight) const;
-  // Of two scores, of which one that holds is better than one that does not.
+  // True if `one` is better. A score within the limit is better than a score beyond the limit.
   bool isBetter(const Score& one, const Score& other) const;
 };
 
 class Search {
  public:
   struct Options {
-    int evaluations = 1;  // at most, each of a setting at a level
-    int levels = 3;       // the last one counts
-    int keep = 3;         // one of so many goes on to the next level
+    int evaluations = 1;  // at most; one evaluation is one setting at one level
+    int levels = 3;       // the last level decides
+    int keep = 3;         // one of `keep` settings reaches the next level
   };
-  // What names all that a setting decides: equal ones are measured once. "" where it is refused.
+  // Key of everything that a setting determines: settings with the same key are measured once. "" if the setting is
+  // refused.
   using Identity = std::function<std::string(const Spot&)>;
   using Measure = std::function<std::vector<Score>(const std::vector<Spot>&, int level)>;
-  // After each halving and each round of steps.
+  // Called after each halving and each round of steps.
   using Report = std::function<void(const std::string& what)>;
 
   struct Found {
@@ -77,17 +78,17 @@ class Search {
 
   Search(Space space, Goal goal, Options options, Identity identity, Measure measure, Report report = {});
 
-  // Starts are tried in order, as many different ones as a third of the evaluations allow.
+  // Tries the starts in order, as many different starts as a third of the evaluations allow, then searches.
   void run(const std::vector<Spot>& starts);
 
-  // What was measured at the last level, in that order.
+  // Settings measured at the last level, in the order of measurement.
   const std::vector<Found>& found() const { return found_; }
-  const std::optional<Found>& best() const { return best_; }  // by the goal; none where nothing was measured
+  const std::optional<Found>& best() const { return best_; }  // by the goal; empty if nothing was measured
   int evaluations() const { return evaluations_; }
-  bool finished() const { return finished_; }  // no step improves the best; false: evaluations were used up
+  bool finished() const { return finished_; }  // true: no step improves the best; false: evaluations were used up
 
  private:
-  // How far a step goes along a number, and how much the limit weighs.
+  // Step along a number in octaves, and weight of the limit in the loss.
   struct Stride {
     double octaves, weight;
   };
@@ -108,7 +109,7 @@ class Search {
   std::vector<std::map<std::string, Score>> known_;  // by level and identity
   std::vector<Found> found_;
   std::optional<Found> best_;
-  size_t next_ = 0;  // dimension of the next step: a walk that ends early leaves the others to the next one
+  size_t next_ = 0;  // dimension of the next step; a walk continues where the last walk ended
   int evaluations_ = 0;
   bool finished_ = false;
 };

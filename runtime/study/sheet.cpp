@@ -17,7 +17,7 @@ namespace {
 
 const std::vector<Colour> kCropColours = {{1.0f, 0.76f, 0.03f}, {0.1f, 0.75f, 0.95f}, {0.95f, 0.3f, 0.75f}};
 
-// Pictures as they are shown, and as they were measured.
+// Versions of a picture: as shown, as measured.
 enum Step { kShown, kMeasured };
 
 std::string numbersOf(const Results& results, const Point& point) {
@@ -37,7 +37,7 @@ std::string numbersOf(const Results& results, const Point& point) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// The figure's rows and cells, a shot after the other.
+// Rows and cells of the figure, shot by shot.
 class Sheet {
  public:
   explicit Sheet(const Results& results) : results_(results) {
@@ -66,7 +66,7 @@ class Sheet {
         cell.crop = areaOf(area), cell.frame = kCropColours[i % kCropColours.size()];
       });
     }
-    if (gallery.shown.size() == 1) return;  // truth alone
+    if (gallery.shown.size() == 1) return;  // truth only
     addRow("difference", {});
     addCells(gallery, [&](Cell& cell, const ShownPoint& one) {
       if (one.isTruth()) return figure_.cells.pop_back();
@@ -88,7 +88,7 @@ class Sheet {
     figure_.headings.push_back(std::move(heading));
   }
 
-  // A cell for each picture in the last row, as `complete` makes it.
+  // Adds a cell for each picture to the last row; `complete` fills in the cell.
   template <class Complete>
   void addCells(const Gallery& gallery, const Complete& complete) {
     for (const ShownPoint& one : gallery.shown) {

@@ -23,10 +23,10 @@ namespace {
 
 constexpr int kVersion = 1;
 
-// Processes of a sweep that was just interrupted hold its lock until the system has ended them.
+// Processes of an interrupted sweep hold its lock until the system has ended them.
 constexpr int kTries = 100;  // 20 ms apart
 
-// A lock held until the file is closed; -1: another process holds it.
+// Descriptor with a lock until the descriptor is closed; -1: another process has the lock.
 int locked(const Path& file, bool waits) {
   fs::create_directories(file.parent_path());
   int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -43,14 +43,14 @@ int locked(const Path& file, bool waits) {
   return descriptor;
 }
 
-// Locks of truths that a killed process was drawing.
+// Removes the locks that killed processes left when drawing truths.
 void removeLocks(const Path& folder) {
   for (const std::string& key : namesIn(folder, ".lock")) fs::remove(folder / (key + ".lock"));
 }
 
 // ---- truth as a file: a part for each output, the color first (docs/exr.md)
 
-// Hash of the texts of a truth's file. The record has the hashes of its images.
+// Hash of the text fields of a truth's file. The record has the hashes of the images.
 std::string sumOf(const image::ExrFile& file) {
   std::string texts;
   for (const char* name : {"key", "strobe", "warnings"}) texts += file.texts.at(name) + "|";
@@ -65,7 +65,7 @@ std::string encoded(const std::string& key, const lab::Picture& picture) {
   return image::encodeExr(file);
 }
 
-// Null if the file is damaged, or another truth's.
+// Null if the file is damaged or has another truth.
 std::shared_ptr<const lab::Picture> decoded(const std::string& key, const Path& name) {
   try {
     image::ExrFile file = image::readExr(name);
@@ -88,12 +88,12 @@ Path pointFile(const Path& folder, const std::string& key, const std::string& en
   return folder / "points" / (key + ending);
 }
 
-// The point of a file; nothing if the file is damaged, or another point's.
+// Point in a file; empty if the file is damaged or has another point.
 static std::optional<Point> pointFromFile(const Path& file, const std::string& key) {
   try {
     std::optional<Json> json = unsealed(readText(file));
     if (json && json->value("key", "") == key) return pointFrom(*json, file.string());
-  } catch (const std::exception&) {  // no JSON of a point, or cannot be read
+  } catch (const std::exception&) {  // not JSON of a point, or not readable
   }
   return std::nullopt;
 }
@@ -107,7 +107,7 @@ std::vector<Path> takePoints(Results& results, const Path& folder) {
       std::optional<Point> known = pointFromFile(file, point.key);
       if (!known) {
         damaged.push_back(file);
-        point.values.clear(), point.failed.clear();  // it counts as missing
+        point.values.clear(), point.failed.clear();  // the point counts as missing
         continue;
       }
       if (known->command.empty()) known->command = point.command;
@@ -140,7 +140,7 @@ Store::Store(const Path& folder) : folder_(folder), lock_(locked(folder / ".lock
 
 Store::~Store() { ::close(lock_); }
 
-// Under another name it can still be looked into. Of several processes that find it one names it.
+// Renames the file, so that it can still be inspected. If several processes find the file, one process renames it.
 void Store::discard(const Path& file) const {
   Path kept = file;
   kept += ".damaged";
@@ -151,7 +151,7 @@ void Store::discard(const Path& file) const {
                    file.string(), kept.filename().string()));
 }
 
-// Title and version of experiment.json; nothing if it is damaged. Files of earlier programs have no sum.
+// Title and version of experiment.json; empty if the file is damaged. Files of earlier versions have no checksum.
 static std::optional<std::pair<std::string, int>> titleAndVersion(const std::string& text) {
   Json whole = Json::parse(text, nullptr, false);
   bool has_sum = !whole.is_object() || whole.contains("sum");
@@ -185,7 +185,8 @@ std::optional<Point> Store::point(const std::string& key) const {
   return point;
 }
 
-// Pictures of a layout have the names of their arms, so that pictures of other values may have replaced them.
+// True if the pictures of the layout are of another point. Their names come from the arm and the values, so that
+// another point with these names may have replaced the pictures.
 static bool isOfAnother(const Path& folder, const Point& point) {
   if (point.record.empty() || !fs::exists(folder / point.record)) return false;
   Json record = Json::parse(readText(folder / point.record), nullptr, false);
@@ -194,7 +195,7 @@ static bool isOfAnother(const Path& folder, const Point& point) {
   return has_color && record["outputs"]["color"] != point.image;
 }
 
-// Files of a point that are kept on request, beside its picture: KEY.exr, KEY.record.json, KEY.timings.json.
+// True for files of a point that are kept on request: KEY.exr, KEY.record.json, KEY.timings.json.
 static bool isOnRequest(const std::string& name) { return name.starts_with("points/") && !name.ends_with(".png"); }
 
 bool Store::hasFiles(const Point& point) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a sweep has done, on disk, so that it can end at any moment and go on: a file per point and per truth, each
-// named by the content of all that made it, written whole or not at all. Folders of one experiment merge by copying.
+// Results of a sweep on disk. A sweep can end at any time and continue later: each point and each truth has a file,
+// named by the hash of all its inputs and written atomically. Folders of one experiment merge by copying.
 #pragma once
 
 #include <functional>
@@ -13,42 +13,44 @@
 
 namespace strobe::study {
 
-// Files of a folder of results: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
+// Path of a file of a point: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
 Path pointFile(const Path& folder, const std::string& key, const std::string& ending);
 
-// Fills in the points of `results` that the folder has; the others stay as they are. Needs no lock. Returns the files
-// of points that are damaged: cut short, altered, or of another point.
+// Fills in the points of `results` that the folder has; other points stay as they are. Needs no lock. Returns the
+// damaged files of points: cut short, altered, or of another point.
 std::vector<Path> takePoints(Results& results, const Path& folder);
 
 // Files of the points of `results` that are in the folder and differ from their hash.
 std::vector<Path> alteredFiles(const Results& results, const Path& folder);
-// True if a file of the point is in the folder as it was written.
+// True if a file of the point is in the folder and does not differ from its hash.
 bool isAsWritten(const Point& point, const Path& folder, const std::string& name);
 
-// A damaged file counts as missing: it is named in a warning, gets the ending ".damaged", and is made again.
+// Store of one sweep. A damaged file counts as missing: a warning names the file, the file gets the ending ".damaged",
+// and its content is made again.
 class Store {
  public:
-  // Throws `Error` (exit code 2) where another process is at work in the folder.
+  // Throws `Error` (exit code 2) if another process works in the folder.
   explicit Store(const Path& folder);
   Store(const Store&) = delete;
   ~Store();
 
   const Path& folder() const { return folder_; }
 
-  // Throws `Error` (exit code 2) where the folder has points of another experiment, by its title. A damaged
-  // experiment.json is written again.
+  // Throws `Error` (exit code 2) if the folder has points of another experiment, by title. Writes a damaged
+  // experiment.json again.
   void belongTo(const std::string& title) const;
 
-  // Points without the file of linear colour are not had.
+  // True: points without a file of linear colour count as missing.
   bool requires_exr = false;
 
-  // folder/points/KEY.json, if it is there. `has` is false for a point that failed, or that lacks a whole file.
+  // Point in folder/points/KEY.json, if the file exists. `has` is false for a failed point, and for a point with
+  // missing or damaged files.
   std::optional<Point> point(const std::string& key) const;
   bool has(const std::string& key) const;
   void keep(const std::string& key, const Point& point) const;
 
-  // folder/truth/KEY.exr: the outputs, a part each, and the record. A missing file is drawn by `draw`, in one
-  // of the processes that need it.
+  // Truth in folder/truth/KEY.exr: one part per output, and the record. `draw` makes a missing file, in only one of the
+  // processes that need the file.
   std::shared_ptr<const lab::Picture> truth(const std::string& key,
                                             const std::function<std::shared_ptr<const lab::Picture>()>& draw) const;
 
@@ -58,7 +60,7 @@ class Store {
 
   Path folder_;
   int lock_ = -1;
-  mutable std::set<std::string> had_;  // points whose files were found whole
+  mutable std::set<std::string> had_;  // keys of points with complete files
 };
 
 }  // namespace strobe::study

@@ -12,23 +12,23 @@ namespace strobe::study {
 
 namespace {
 
-constexpr int kFrameCost = 12;  // of one frame of a method, in time samples of truth
+constexpr int kFrameCost = 12;  // cost of one frame of a method, in time samples of truth
 
-// ---- what is measured where
+// ---- measures
 
 bool hasAxis(const Experiment& experiment, const Group& group, const std::string& name) {
   return std::any_of(group.at.begin(), group.at.end(),
                      [&](const At& at) { return experiment.axes[at.axis].name == name; });
 }
 
-// The shot in which an axis is measured first.
+// True if the first measured shot of the axis is the shot of the group.
 bool isFirstShot(const Experiment& experiment, const Group& group, const std::string& axis) {
   for (const Group& other : experiment.groups)
     if (hasAxis(experiment, other, axis)) return other.shot == group.shot;
   return false;
 }
 
-// Measures that the experiment asks for, and those that its layout shows of such a point.
+// Measures that the experiment requests or that its layout shows for a group.
 std::vector<std::string> measuresOf(const Experiment& experiment, const Group& group) {
   std::vector<std::string> wanted = experiment.measures;
   auto add = [&](const std::vector<std::string>& names) { wanted.insert(wanted.end(), names.begin(), names.end()); };
@@ -53,7 +53,7 @@ std::vector<std::string> measuresOf(const Experiment& experiment, const Group& g
 
 // ---- cost
 
-// Times through the loops of a pipeline; 0 without loops.
+// Iterations of all loops of a pipeline; 0 without loops.
 int loopCost(const plan::PipelineDesc& pipeline) {
   int64_t cost = 0;
   for (const plan::LoopDesc& loop : pipeline.loops) {
@@ -66,7 +66,7 @@ int loopCost(const plan::PipelineDesc& pipeline) {
 
 // ---- identity
 
-// What draws: the same content gives the same picture by one program on one device.
+// Program and device. The same content gives the same picture by the same program on the same device.
 std::string makerOf(lab::Batch& batch) {
   const gpu::DeviceInfo& device = batch.bench().device().info();
   return fmt::format("{}|{}|{}", lab::programHash(), device.name, device.driver);
@@ -86,7 +86,7 @@ std::vector<std::string> truthKeysOf(const Experiment& experiment, const Group& 
   return keys;
 }
 
-// What a result is made of, of which each part decides it.
+// Everything that determines a result.
 Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& task, lab::Batch& batch) {
   Json parts = {{"maker", makerOf(batch)},
                 {"truth", group.truth_keys},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a sweep has to draw and measure, with what identifies each result before it is drawn.
+// Tasks of a sweep: pictures to draw and measure. A key identifies each result before it is drawn.
 #pragma once
 
 #include "lab/batch.h"
@@ -9,46 +9,46 @@
 
 namespace strobe::study {
 
-// One arm, or truth, at a group's values.
+// Picture of one arm, or of truth, at the values of a group.
 struct Task {
   const Arm* arm = nullptr;
   lab::Shot shot;
   std::vector<std::string> measures;
-  std::string key;        // content of all that makes the result but its times; "" where it is refused
-  std::string refused;    // why it cannot be drawn
+  std::string key;        // hash of all that determines the result, except times; "": refused
+  std::string refused;    // reason why the picture cannot be drawn
   int cost = 0;           // in time samples of truth
-  bool timed = false;     // times are among the measures, and it is no truth
-  bool compares = false;  // differences from the benign value are among them
+  bool timed = false;     // times are measured
+  bool compares = false;  // differences from the benign value are measured
 };
 
-// The tasks of a group: truth, then its arms in their order.
+// Tasks of a group: truth, then the arms in their order.
 struct TaskGroup {
   const Group* group = nullptr;
   std::vector<Task> tasks;
-  std::vector<std::string> truth_keys, full_keys;  // contents of the truths, by frame of the sequence
+  std::vector<std::string> truth_keys, full_keys;  // keys of the truths, by frame of the sequence
   std::optional<lab::Shot> full;                   // the second truth
 
   const Task& truth() const { return tasks.front(); }
 };
 
-// Of groups whose shots can be rendered; scripts run and scenes are loaded, nothing is drawn. The experiment must
-// outlive them.
+// Tasks of all groups with shots that can be rendered. Runs scripts and loads scenes; draws nothing. The experiment
+// must outlive the tasks.
 std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch);
 
-// Groups of which the store does not have everything, and what the rest costs in time samples of truth.
+// Groups with missing results in the store, and the cost of the missing results in time samples of truth.
 struct Left {
   std::vector<const TaskGroup*> groups;
   int cost = 0;
 };
 Left leftOf(const std::vector<TaskGroup>& groups, const Store& store);
 
-// Content of a truth: of its picture, of what draws it, and of the standard error it must have.
+// Key of a truth: hash of its content, of program and device, and of the required standard error.
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth);
 
-// The pictures of a task: one, or a sequence.
+// Shots of a task: one, or a sequence.
 std::vector<lab::Shot> sequenceOf(const Experiment& experiment, const Group& group, const lab::Shot& shot);
 
-// The group with the benign value of the one axis along which a group lies, which may be the group itself.
+// Group at the benign value of the axis, for a group on exactly one axis; may be the same group.
 std::optional<Group> benignOf(const Experiment& experiment, const Group& group);
 
 }  // namespace strobe::study

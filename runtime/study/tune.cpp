@@ -16,18 +16,18 @@ namespace strobe::study {
 
 namespace {
 
-// How well a level measures: its size as a share of the picture's, time samples of truth, frames that are timed.
+// Precision of a level: size as a share of the picture, time samples of truth, timed frames.
 struct Level {
   double scale;
   int64_t truth_samples;
   lab::Rounds rounds;
 };
 const std::vector<Level> kLevels = {{0.5, 64, {5, 5, 0}}, {1, 64, {5, 5, 0}}, {1, 256, {5, 11, 0.05}}};
-// Of the few settings among which the choice is made.
+// Timed frames for the final choice among a few settings.
 const lab::Rounds kAtLast = {15, 45, 0.02};
 constexpr size_t kChosenAmong = 5, kTimedAgain = 20;
-constexpr double kSaidEvery_s = 20;  // of reports on the way
-constexpr int kStartsTried = 6;      // times as many as can be measured: some are refused, some alike
+constexpr double kSaidEvery_s = 20;  // interval of progress reports
+constexpr int kStartsTried = 6;      // generated starts per evaluation; some are refused or equal
 
 bool isSet(const lab::Shot& shot, const std::string& name) {
   return std::any_of(shot.sets.begin(), shot.sets.end(), [&](const auto& set) { return set.first == name; });
@@ -38,7 +38,7 @@ bool isOfMethod(const plan::ParamDesc& param) {
   return param.role != Role::Shading && param.role != Role::SampleTimes && param.role != Role::Regions;
 }
 
-// Whether one of those nodes has the parameter's value.
+// True if one of the nodes uses the parameter.
 bool isFollowed(const plan::PipelineDesc& pipeline, const std::set<std::string>& nodes, const std::string& name) {
   for (const plan::NodeDesc& node : pipeline.nodes)
     for (const auto& [param, bound] : node.params)
@@ -81,14 +81,14 @@ class Tuner {
   lab::Batch batch_;
   std::shared_ptr<const plan::PipelineDesc> pipeline_;
   Space space_;
-  Experiment experiment_;  // without groups; axes get values as they are seen
-  Results results_;        // of all that was seen
-  double said_s_ = 0;      // when progress was reported
+  Experiment experiment_;  // without groups; axes get values when settings are measured
+  Results results_;        // results of all measured settings
+  double said_s_ = 0;      // time of the last progress report
 };
 
 // ---- the experiment
 
-// Sizes and truths, the best first: that is the order in which they are reported.
+// Adds a shot for each level, best first, which is the order in reports.
 void Tuner::addShots(const lab::Shot& filled) {
   for (size_t i = kLevels.size(); i-- > 0;) {
     const Level& level = kLevels[i];
@@ -139,7 +139,7 @@ void Tuner::prepare() {
   addShots(filled);
 }
 
-// Axes are those parameters alone that are not as in the wish's shot.
+// Group of a setting. Its axes are the parameters that differ from the request.
 Group Tuner::groupOf(const Spot& spot, int level) {
   Group group;
   group.shot = kLevels.size() - 1 - size_t(level);
@@ -161,14 +161,14 @@ Group Tuner::groupOf(const Spot& spot, int level) {
   return group;
 }
 
-// ---- what is seen
+// ---- measurement
 
 void Tuner::keep(Results seen) {
   std::vector<PointGroup> groups = std::move(seen.groups);
   seen.groups = std::move(results_.groups);
   seen.inputs.merge(results_.inputs);
   for (size_t i = 0; i < results_.shots.size(); ++i)
-    if (results_.shots[i].fps > 0) seen.shots[i] = results_.shots[i];  // of levels that this step did not see
+    if (results_.shots[i].fps > 0) seen.shots[i] = results_.shots[i];  // shots of levels without points in this step
   results_ = std::move(seen);
   for (PointGroup& group : groups) {
     auto same = std::find_if(results_.groups.begin(), results_.groups.end(),
@@ -190,7 +190,7 @@ const PointGroup& Tuner::groupSeen(const Spot& spot, int level) {
   return *found;
 }
 
-// Drawn, measured and timed with the base, all in turn; in the order given.
+// Draws, measures and times settings and the base in turn. Returns the groups in the given order.
 std::vector<const PointGroup*> Tuner::see(const std::vector<Spot>& spots, int level, const lab::Rounds& rounds) {
   Experiment step = experiment_;
   step.groups = {groupOf(startOf(space_), level)};
@@ -216,7 +216,7 @@ Score Tuner::scoreOf(const Point& point, int level) {
   return {std::isfinite(error) && std::isfinite(cost), error, cost};
 }
 
-// Milliseconds are compared as multiples of the base's, which the same rounds have.
+// Converts a limit in milliseconds to a multiple of the base's time.
 Goal Tuner::goalOf() {
   if (isErrorLimited()) return {Goal::Kind::least_cost, wish_.limit};
   double base_ms = wish_.limits == Wish::Limit::ms ? basePoint(int(kLevels.size()) - 1).value(wish_.msName()) : 1;
@@ -225,7 +225,7 @@ Goal Tuner::goalOf() {
 
 // ---- the search
 
-// Equal where passes, their wiring and their values are.
+// Equal for settings with equal passes, wiring and values.
 std::string Tuner::identityOf(const Spot& spot) {
   lab::Shot shot = shotOf(experiment_, groupOf(spot, int(kLevels.size()) - 1), experiment_.arms[0]);
   try {
@@ -235,7 +235,7 @@ std::string Tuner::identityOf(const Spot& spot) {
   }
 }
 
-// The wish's own, each preset, then points of the Sobol sequence around each of them in turn.
+// Start settings: the request, each preset, then points of the Sobol sequence around each of these in turn.
 std::vector<Spot> Tuner::starts() const {
   std::vector<Spot> centres = {startOf(space_)};
   for (const plan::PresetDesc& preset : pipeline_->presets) {
@@ -256,7 +256,7 @@ std::vector<Spot> Tuner::starts() const {
   return starts;
 }
 
-// The front at the last level, where there is something.
+// Prints progress, and the front of the first shot at the last level.
 void Tuner::report(const std::string& what, const Search& search) {
   said_s_ = clockSeconds();
   Results last = results_;
@@ -282,8 +282,8 @@ Measured Tuner::measuredOf(const Point& point, const Spot& spot) const {
           point.command};
 }
 
-// The best of the few that seem best, which are timed once more, as a short time is easily had by luck; of the next few
-// where none of them keeps the limit then.
+// Final choice. Times the few best settings once more, because a single short time may be low by chance. Continues with
+// the next few settings if none meets the limit.
 void Tuner::choose(const Search& search, Tuned& tuned) {
   const int last = int(kLevels.size()) - 1;
   const bool by_ms = wish_.limits == Wish::Limit::ms;
@@ -299,7 +299,7 @@ void Tuner::choose(const Search& search, Tuned& tuned) {
     for (size_t i = first; i < std::min(first + kChosenAmong, found.size()); ++i) spots.push_back(found[i].spot);
     see(spots, last, kAtLast);
     goal = goalOf();
-    if (by_ms) goal.limit = wish_.limit;  // what they take now
+    if (by_ms) goal.limit = wish_.limit;  // milliseconds, not a ratio to the base
     for (size_t i = 0; i < spots.size(); ++i) {
       const Point& point = groupSeen(spots[i], last).points[1];
       Score score = scoreOf(point, last);

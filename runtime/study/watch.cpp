@@ -18,7 +18,7 @@ namespace strobe::study {
 namespace {
 
 constexpr double kReportEvery_s = 10;
-constexpr size_t kMostPoints = 6;  // of a shot, in one report
+constexpr size_t kMostPoints = 6;  // per shot in one report
 
 struct Seen {
   std::string what;
@@ -27,7 +27,7 @@ struct Seen {
 
 double cost(const Measure& measure, double value) { return measure.better == Better::higher ? -value : value; }
 
-// The best of a shot: by both measures, or by `y` alone where nothing has an `x`.
+// Pareto front of a shot, or the points with the best `y` if no point has an `x`.
 std::vector<Seen> bestOf(const std::vector<Seen>& seen, const Measure& x, const Measure& y) {
   std::vector<Seen> best;
   std::vector<std::pair<double, double>> costs;
@@ -66,14 +66,14 @@ std::string frontSoFar(const Results& results) {
 
 namespace {
 
-// Points of arms, without truths.
+// Number of points without truths.
 size_t methodPoints(const Results& results) {
   size_t count = 0;
   for (const PointGroup& group : results.groups) count += group.points.size() - 1;
   return count;
 }
 
-// Values of an axis that truth does not depend on share one.
+// Number of different truths; values of an axis may share one truth.
 size_t distinctTruths(const Results& results) {
   std::set<std::string> keys;
   for (const PointGroup& group : results.groups)
@@ -111,7 +111,7 @@ std::string keptIn(const Path& outline) noexcept {
     Results results = resultsIn(outline);
     takePoints(results, outline.parent_path());
     kept = keptText(results);
-  } catch (const std::exception&) {  // no outline yet, or a damaged one
+  } catch (const std::exception&) {  // outline missing or damaged
   }
   return kept.empty() ? "the same command continues" : kept;
 }
@@ -141,7 +141,7 @@ void Watch::advance(int cost) {
     said_s_ = clockSeconds();
     note(text());
   }
-  // What is over in a moment needs no reports on the way.
+  // Short work needs no intermediate reports.
   if (!is_new || clockSeconds() - started_s_ < kReportEvery_s) return;
   quarters_ = quarters;
   std::string front = frontSoFar(now_());

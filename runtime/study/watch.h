@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a sweep reports on stderr while it runs: how much is done, the time left, and the best points so far.
+// Progress of a running sweep on stderr: share done, time left, and the best points so far.
 #pragma once
 
 #include <functional>
@@ -10,29 +10,28 @@
 
 namespace strobe::study {
 
-// A line for each shot: the points than which no other has less of both measures of the layout's front, as far as they
-// are known; before anything is timed the points with the least error. "" where nothing is measured.
+// One line per shot: its Pareto front in the two measures of the front's layout; before times are measured, the points
+// with the least error. "" if nothing is measured.
 std::string frontSoFar(const Results& results);
 
-// Prints the numbers of points, of truths, and of points left to draw; nothing if all are drawn.
+// Prints the numbers of points, of truths, and of points left to draw. Prints nothing if all points are drawn.
 void announce(const Results& now);
 
-// "7 of 18 points are kept; the same command continues", of a sweep that ends before its end. "" where nothing is known
-// of its points.
+// Text for an interrupted sweep: "7 of 18 points are kept; the same command continues". "" without points.
 std::string keptText(const Results& now);
 
-// The same for the points beside an outline. "the same command continues" if the outline is missing or damaged. Does
+// `keptText` for the points beside an outline. "the same command continues" if the outline is missing or damaged. Does
 // not throw.
 std::string keptIn(const Path& outline) noexcept;
 
-// On a terminal a status line; elsewhere a line every ten seconds and at the end. After each quarter of the work
-// the front so far.
+// Reports progress: a status line on a terminal; elsewhere a line every ten seconds and at the end. Prints the front
+// after each quarter of the work.
 class Watch {
  public:
-  // `now`: the results as far as they are there; without it nothing is reported.
+  // `now`: current results. Without `now`, nothing is reported.
   explicit Watch(std::function<Results()> now) : now_(std::move(now)) {}
 
-  // Begins work of `cost` units, counted by `advance`. The share of them that is done is shown.
+  // Begins work of `cost` units; `advance` counts them. Reports show the share of finished units.
   void begin(const std::string& label, int cost);
   void advance(int cost);
   void end();
@@ -41,7 +40,7 @@ class Watch {
   std::string text() const;
 
   std::function<Results()> now_;
-  std::string label_, front_;  // `front_`: the front of the last report
+  std::string label_, front_;  // `front_`: last reported front
   int cost_ = 0, done_ = 0, quarters_ = 0;
   double started_s_ = 0, said_s_ = 0;
   std::optional<StatusLine> line_;
