@@ -65,7 +65,7 @@ void Sides::change(const std::string& name, bool of_b, const std::function<void(
   refusals_.erase({of_b, name});
   Side& side = of_b ? b_ : a_;
   side.stale = true;
-  // Pipelines that were compiled for a change distort the times of the first frame that uses them.
+  // GPU pipelines that were compiled for a change distort the times of the first frame that uses them.
   if (bench_.compilations() != compiled) side.times.voidNext();
   if (!of_b) follow();
 }
