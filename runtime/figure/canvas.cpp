@@ -20,11 +20,11 @@ namespace {
 
 constexpr Colour kBorder = {0.03f, 0.03f, 0.04f};
 constexpr double kBorderAlpha = 0.8;
-// Any date will do that is always the same.
+// Creation date of every PDF file. Constant, so that equal figures give equal files.
 constexpr const char* kDate = "2000-01-01T00:00:00Z";
 
-// The font from its file: what fontconfig would choose or render otherwise has no say. It stays, since cairo keeps
-// what was drawn with it.
+// Font face from the font file, independent of fontconfig. Never freed, because cairo keeps text that was drawn with
+// the face.
 cairo_font_face_t* fontFace() {
   static cairo_font_face_t* const made = [] {
     static std::vector<uint8_t> bytes = readBytes(image::fontFile());
@@ -38,7 +38,7 @@ cairo_font_face_t* fontFace() {
   return made;
 }
 
-// Outlines as they are: neither hinted nor fitted to pixels.
+// Font options without hinting: outlines are not fitted to pixels.
 cairo_font_options_t* fontOptions() {
   static cairo_font_options_t* const made = [] {
     cairo_font_options_t* options = cairo_font_options_create();
@@ -91,7 +91,7 @@ cairo_surface_t* pageSurface(std::string* bytes, int width, int height, double p
   return surface;
 }
 
-// A cairo to measure text with.
+// Cairo context for measuring text.
 cairo_t* ruler() {
   static cairo_t* const made = [] {
     cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
@@ -147,7 +147,7 @@ void Canvas::check() const {
 }
 
 void Canvas::ink(const Colour& colour, double alpha) {
-  // Levels of 8 bits, as pictures have them.
+  // Colours have 8 bits, as in pictures.
   auto channel = [&](size_t c) { return level(colour[c]) / 255.0; };
   cairo_set_source_rgba(cairo_.get(), channel(0), channel(1), channel(2), alpha);
 }
@@ -179,7 +179,7 @@ void Canvas::frame(const Rectangle& area, int thickness, const Colour& colour) {
   cairo_stroke(cairo_.get());
 }
 
-// Strokes the path, first wider and dark.
+// Strokes the path twice: first wider and dark, then in `colour`.
 void Canvas::outlined(double width, const Colour& colour) {
   double border = std::clamp(0.4 * width, 0.6, 2.0);
   ink(kBorder, kBorderAlpha);

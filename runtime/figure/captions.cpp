@@ -14,7 +14,7 @@ namespace {
 
 using image::Image;
 
-// A part that cannot be filled in; the caption's place goes before it.
+// Thrown for a part that cannot be filled in. `captionOf` adds the caption's place.
 struct Unknown {
   std::string what;
 };
@@ -35,7 +35,7 @@ struct Measure {
 std::string decibels(double value) { return fmt::format("{:.2f} dB", value); }
 std::string similarity(double value) { return fmt::format("{:.4f}", value); }
 
-// As those of experiments (study/measures.h).
+// The same measures as in experiments (study/measures.h).
 constexpr Measure kMeasures[] = {
     {"rmse", image::rootMeanSquaredError, page::shownError},
     {"mse", image::meanSquaredError, page::shownError},
@@ -91,7 +91,8 @@ const Json* memberOf(const Json* table, const std::string& name) {
   return table && table->is_object() && table->contains(name) ? &table->at(name) : nullptr;
 }
 
-// "set.PARAM" of the pipeline, "set.NODE.PARAM", "scene.PARAM" that the shot sets; null where there is none.
+// Value of "set.PARAM" or "set.NODE.PARAM" of the pipeline, or of "scene.PARAM" that the shot sets; null if it is
+// missing.
 const Json* settingOf(const Json& record, const std::string& setting) {
   std::string name = setting.substr(setting.find('.') + 1);
   if (setting.starts_with("scene.")) return memberOf(memberOf(memberOf(&record, "shot"), "set"), setting);
@@ -141,7 +142,7 @@ std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,
       caption += filledIn(part, taken, truth);
     } catch (const Unknown& unknown) {
       problems.add(place, "caption: " + unknown.what);
-    } catch (const Error& error) {  // of a region that truth does not have
+    } catch (const Error& error) {  // for a region that the ground truth lacks
       problems.add(place, fmt::format("caption: {}", error.message()));
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Captions with numbers that are measured or read from the run record: none is typed.
+// Captions. Their numbers are measured or read from the run record; no number is typed.
 #pragma once
 
 #include <string>
@@ -11,11 +11,12 @@
 
 namespace strobe::figure {
 
-// Pixels of a region of truth, as lab::maskOf. Throws `Error`.
+// Mask of a region of ground truth, as from lab::maskOf. Throws `Error`.
 image::Image regionOf(const Taken& truth, const std::string& region);
 
-// The caption of a picture. `truth` gives the picture that errors are against, when it is first needed: whole pictures,
-// whatever part of them a figure shows. What cannot be said is added to `problems` with the place.
+// Caption of a picture. `truth` returns the picture that errors are measured against; called only when needed. Errors
+// are of the whole picture, even if the figure shows a part. A problem is added to `problems` at `place` for each part
+// that cannot be filled in.
 std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,
                       const std::function<const Taken*()>& truth, const Place& place, Problems& problems);
 

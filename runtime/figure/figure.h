@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Figures of a capture for people: the same drawing as pixels and as a page for LaTeX.
+// Figures of a capture: the same drawing as pixels and as a page for LaTeX.
 #pragma once
 
 #include "figure/layout.h"
 
 namespace strobe::figure {
 
-// What its cells show, laid out. `step`: of cells that name none. Throws `Error`, all mistakes at once, each at its
+// Layout of a figure. `step`: step of the cells that do not set one. Throws `Error` with all mistakes, each at its
 // place in the script.
 Layout layoutOf(const FigureData& figure, const FindTaken& find, const std::string& truth_arm, int step = 0,
                 Captions captions = Captions::wrapped);
 
-// A display image.
+// Draws a layout as a display image.
 image::Image pixelsOf(const Layout& layout);
 
-// Draws figure `data` (as scripts/strobe/figure.lua leaves it, with the capture's `size`, and as `drawn` the size at
-// which it is drawn where that is another) and writes FOLDER/NAME.png, pixel by pixel, and FOLDER/NAME.pdf with text
-// and lines. Returns them. `truth_arm` ("": none) is what captions measure against. Throws `Error`.
+// Draws a figure. Writes FOLDER/NAME.png, pixel by pixel, and FOLDER/NAME.pdf with text and lines. Returns the two
+// files. `data`: from scripts/strobe/figure.lua, with the capture's `size`, and with `drawn` if the figure is drawn at
+// another size. `truth_arm`: arm that captions measure against, or "". Throws `Error`.
 std::vector<Path> writeFigure(const Json& data, const FindTaken& find, const std::string& truth_arm,
                               const Path& folder);
 

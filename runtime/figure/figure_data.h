@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A figure or a film as scripts/strobe/figure.lua leaves it: fields of the figure, of its rows and of its columns are
-// those of the cells by then. Positions and lengths in pixels of the capture's own size, x right, y down.
+// Figure or film, read from the result of scripts/strobe/figure.lua. The Lua code has already copied the fields of the
+// figure, its rows and its columns to the cells. Positions and lengths in pixels of the capture's own size, x right, y
+// down.
 #pragma once
 
 #include <optional>
@@ -16,13 +17,13 @@ namespace strobe::figure {
 
 using image::Colour;
 
-// A pixel, or where a node of the scene is seen.
+// A pixel, or the projection of a node of the scene.
 struct Spot {
   dvec2 pixel = dvec2(0);
   std::string node;
 };
 
-// Pixels, or where most of a region of truth lies in so many.
+// Rectangle, pixels. If `region` is set, the rectangle of this size with most of that region of ground truth.
 struct Area {
   double x = 0, y = 0, width = 0, height = 0;
   std::string region;
@@ -31,12 +32,12 @@ struct Area {
 struct Mark {
   Place place;
   Colour colour = {1.0f, 0.824f, 0.118f};
-  double width = 3;  // of lines, in pixels of the figure
+  double width = 3;  // of lines, pixels of the figure
   std::string text;
 };
 struct Arrow : Mark {
   Spot to;
-  std::optional<dvec2> from, by;  // the other end, or its distance from the tip
+  std::optional<dvec2> from, by;  // position of the other end; offset of the other end from the tip
 };
 struct Circle : Mark {
   Spot at;
@@ -45,10 +46,10 @@ struct Circle : Mark {
 struct Box : Mark {
   Area area;
 };
-// Where a filter samples for the pixel: along the displacement of an image at the pixel.
+// Sample range of a filter for a pixel, along the displacement of an image at the pixel.
 struct Range : Mark {
   dvec2 at = dvec2(0);
-  std::string anchor;  // "": the shot's
+  std::string anchor;  // "" for the shot's anchor
   std::string along = "velocity";
   int samples = 0;
   bool displacement = false;
@@ -74,7 +75,8 @@ struct Inset {
   Marks marks;
 };
 
-// A piece of a caption: a text, or one of what follows with how it is written (style 'f' or 'g', or 0: as it comes).
+// Part of a caption: a text, or one of the other values with its format. `style`: 'f', 'g', or 0 for the default
+// format.
 struct CaptionPart {
   std::string text, measure, region, option, setting, word;
   int digits = 0;
@@ -89,18 +91,18 @@ struct Cell {
   std::string view = "color", kind = "auto";
   double low = 0, high = 0;
   std::optional<double> stops;
-  std::string against, difference = "mean";  // an arm; how the difference from it is shown
+  std::string against, difference = "mean";  // arm to compare with; kind of difference
   double gain = 1;
   std::optional<Area> crop;
   int zoom = 1, shrink = 1;
-  bool key = true;  // says what colours mean
+  bool key = true;  // draw the legend
   std::optional<Colour> frame;
   std::vector<CaptionPart> caption;
   std::vector<Inset> insets;
   Marks marks;
 };
 
-// What stands above a row; the note is filled in as a caption of its first cell.
+// Text above a row. The note is filled in as a caption of the row's first cell.
 struct Heading {
   std::string title;
   std::vector<CaptionPart> note;
@@ -111,25 +113,25 @@ struct Heading {
 struct FigureData {
   std::string name, title, note;
   Place place;
-  std::vector<std::string> rows, columns;  // labels, "" for none
-  std::vector<Heading> headings;           // of the rows
+  std::vector<std::string> rows, columns;  // labels; "" for no label
+  std::vector<Heading> headings;           // headings of the rows
   std::vector<Cell> cells;
   bool letters = false, attribution = true;
   double gap = 6, margin = 12, border = 0, text_size = 13;  // pixels at the capture's own size
-  double width_mm = 0;                                      // of the page; 0: 96 pixels an inch
-  int cell_width = 0;                                       // pixels of the figure; 0: as large as zoom and shrink say
+  double width_mm = 0;                                      // width of the page; 0 for 96 pixels per inch
+  int cell_width = 0;                                       // pixels of the figure; 0 for the size by zoom and shrink
   int width = 0, height = 0;                                // the capture's own size
-  int drawn_width = 0, drawn_height = 0;                    // at which it is drawn; 0: at that
-  double fps = 0;                                           // of a film; 0: its shot's
+  int drawn_width = 0, drawn_height = 0;                    // size at which it is drawn; 0 for the capture's own size
+  double fps = 0;                                           // frame rate of a film; 0 for the shot's
   std::string format = "mp4";
 
-  // Pixels as drawn for one of the capture's own size; a shot may have a size of its own, which goes with it.
+  // Drawn pixels per pixel of the capture's own size. A shot with a size of its own is scaled by the same factor.
   dvec2 scale() const;
-  // The same for letters, lines and gaps: with a width of cells they keep theirs.
+  // Scale of letters, lines and gaps: 1 if cells have a fixed width, otherwise as `scale`.
   double size() const { return cell_width > 0 ? 1 : scale().x; }
 };
 
-// Throws `Error` for data that is not what it should be, which is no mistake of a user.
+// Throws `Error` for malformed data. Such data is an internal error, not a mistake of a user.
 FigureData figureFrom(const Json& data);
 
 }  // namespace strobe::figure

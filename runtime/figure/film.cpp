@@ -47,10 +47,10 @@ std::vector<std::string> encodingOf(const std::string& format) {
 
 std::vector<std::string> commandOf(const std::string& format, int width, int height, double fps, const Path& file) {
   std::vector<std::string> command = {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
-                                      // what comes in
+                                      // input
                                       "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", fmt::format("{}x{}", width, height),
                                       "-r", fmt::format("{:.9g}", fps), "-i", "pipe:0",
-                                      // the same bytes each time
+                                      // reproducible output
                                       "-an", "-map_metadata", "-1", "-threads", "1", "-filter_threads", "1", "-fflags",
                                       "+bitexact", "-flags:v", "+bitexact"};
   for (const std::string& argument : encodingOf(format)) command.push_back(argument);
@@ -68,15 +68,15 @@ bool hasFfmpeg() {
 
 int evenOf(int length) { return length + length % 2; }
 
-// Frames of a film, all of the first one's size.
+// Frames of a film. Each has the size of the first frame.
 class Frames {
  public:
   Frames(const FigureData& film, const FindTaken& find, const std::string& truth_arm, int steps)
       : film_(film), find_(find), truth_arm_(truth_arm), steps_(steps) {}
 
-  int width = 0, height = 0;  // after the first; even, as the colours of two pixels are stored together
+  int width = 0, height = 0;  // set by the first `next`; even, because two neighbouring pixels share their colour
 
-  // "" after the last.
+  // Returns the RGB bytes of the next frame; "" after the last frame.
   std::string next() {
     if (step_ == steps_) return "";
     Layout layout = layoutOf(film_, find_, truth_arm_, step_, Captions::one_line);
@@ -99,7 +99,7 @@ class Frames {
   int step_ = 0;
 };
 
-// Of the first shot that is shown.
+// Frame rate of the film, or of the first shot in the film.
 double fpsOf(const FigureData& film, const FindTaken& find) {
   if (film.fps > 0) return film.fps;
   const Cell& cell = film.cells.at(0);

@@ -6,10 +6,10 @@
 
 namespace strobe::figure {
 
-// Draws figure `data` (as scripts/strobe/figure.lua leaves a film, with the capture's `size`) at steps 0 to steps - 1
-// and writes FOLDER/NAME.mp4 (H.264, what every player knows) or FOLDER/NAME.mkv (FFV1, every value as it is). The same
-// frames give the same bytes: one thread, no date, no name of a program. Returns the file. Throws `Error` where there
-// is no ffmpeg, saying which package has it, where it fails, and as writeFigure does.
+// Draws a film at the steps 0 to steps - 1. Writes FOLDER/NAME.mp4 (H.264, supported by every player) or
+// FOLDER/NAME.mkv (FFV1, lossless) and returns the file. `data`: from scripts/strobe/figure.lua, with the capture's
+// `size`. Equal frames give equal bytes: one thread, no date, no program name. Throws `Error` if ffmpeg is missing
+// (with the name of its package) or fails, and as writeFigure.
 std::vector<Path> writeFilm(const Json& data, const FindTaken& find, int steps, const Path& folder,
                             const std::string& truth_arm = "");
 

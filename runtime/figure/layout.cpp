@@ -21,7 +21,7 @@ constexpr double kCaption = 0.92, kTitle = 1.3, kNote = 0.85, kLeastText = 4;
 
 int ceilOf(double value) { return int(std::ceil(value - 1e-9)); }
 
-// Broken at spaces into lines that are no wider, but for single words; '\n' begins a line anyway.
+// Breaks a text at spaces into lines of at most `width`. A single wider word has a line of its own. '\n' begins a line.
 std::vector<std::string> wrapped(const std::string& text, double size, double width) {
   std::vector<std::string> lines;
   std::string line;
@@ -44,13 +44,13 @@ std::vector<std::string> wrapped(const std::string& text, double size, double wi
   return lines;
 }
 
-// Without its last character: UTF-8.
+// Removes the last character of a UTF-8 text.
 void cutLast(std::string& text) {
   while (text.size() > 1 && (text.back() & 0xc0) == 0x80) text.pop_back();
   text.pop_back();
 }
 
-// Smaller where it is too wide, at last cut.
+// Reduces the size of a text that is too wide. If the text is still too wide, cuts it.
 void fit(std::string& text, double& size, double width) {
   double own = textWidth(text, size);
   if (own <= width) return;
@@ -60,13 +60,13 @@ void fit(std::string& text, double& size, double width) {
   text += "…";
 }
 
-// a, b, ... z, aa, ab ...
+// Letters of the cell `i`: a, b, ... z, aa, ab ...
 std::string letterOf(size_t i) {
   std::string letters(1, char('a' + i % 26));
   return i < 26 ? letters : letterOf(i / 26 - 1) + letters;
 }
 
-// Directions as hues, lengths as brightness, on white.
+// Wheel of colours on white: hue for the direction, brightness for the length.
 Image wheelOf(int radius) {
   int side = 2 * radius + 1;
   Image vectors(side, side, 2);
@@ -91,7 +91,7 @@ Image barOf(const lab::Legend& legend, int width, int height) {
   return bar;
 }
 
-// What stands below the ends and the middle of a bar.
+// Texts below the left end, the middle and the right end of a bar.
 std::array<std::string, 3> barTexts(const lab::Legend& legend) {
   if (legend.kind != LegendKind::depth)
     return {fmt::format("{:.3g}", legend.low), legend.text, fmt::format("{:.3g}", legend.high)};
@@ -228,7 +228,7 @@ void Layout::addLine(double x, double y, int width, const std::string& text, dou
   lines_.push_back({x, y + (height - lineHeight(size)) / 2, shown, size, colour, false});
 }
 
-// Returns where it ends.
+// Returns the y coordinate of the paragraph's end.
 int Layout::addParagraph(int x, int y, int width, const std::string& text, double size, const Colour& colour) {
   double height = lineHeight(size), at = y;
   for (const std::string& line : wrapped(text, size, width)) {
@@ -248,7 +248,7 @@ void Layout::placeColumnLabels(int x, int y) {
 
 void Layout::placeRowLabel(size_t row, int x, int y) {
   if (!labels_beside_ || figure_.rows[row].empty()) return;
-  // In the middle of the pictures, not of what stands below them.
+  // In the middle of the pictures, without the captions below them.
   int height = 0;
   for (const Block& block : blocks_)
     if (block.row == int(row)) height = std::max(height, block.main.display.height + 2 * rim_);
@@ -258,12 +258,12 @@ void Layout::placeRowLabel(size_t row, int x, int y) {
   lines_.push_back({double(x - labels_beside_), y + (height + textWidth(label, size)) / 2, label, size, kStrong, true});
 }
 
-// Returns where the row begins.
+// Returns the y coordinate where the row begins.
 int Layout::placeHeading(size_t row, int x, int y, int width) {
   if (row >= figure_.headings.size() || figure_.headings[row].empty()) return y;
   const Heading& heading = figure_.headings[row];
   std::string note;
-  for (const CaptionPart& part : heading.note) note += part.text;  // of a row without cells
+  for (const CaptionPart& part : heading.note) note += part.text;  // for a row without cells
   for (const Block& block : blocks_)
     if (block.row == int(row) && !block.above.empty()) note = block.above;
   bool first = row == 0 && figure_.title.empty();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where everything of a figure stands: a grid of cells with labels, captions and what colours mean, a title above,
-// notes and whose scenes they are below. Laid out once, drawn on any canvas.
+// Layout of a figure: a grid of cells with labels, captions and legends, a title above, notes and attributions below.
+// Computed once, drawn on any canvas.
 #pragma once
 
 #include "figure/canvas.h"
@@ -8,17 +8,18 @@
 
 namespace strobe::figure {
 
-enum class Captions { wrapped, one_line };  // one line that gets smaller: every frame of a film is as high
+// `one_line` shrinks a long caption, so that all frames of a film have the same height.
+enum class Captions { wrapped, one_line };
 
 class Layout {
  public:
-  // `blocks`: those of the figure's cells, without mistakes; they are kept.
+  // `blocks`: blocks of the figure's cells, without mistakes. The layout keeps them.
   Layout(const FigureData& figure, std::vector<Block> blocks, Captions captions = Captions::wrapped);
   Layout(const Layout&) = delete;
 
   int width() const { return width_; }
   int height() const { return height_; }
-  // The pixels of a cell's picture; asserts that there is such a cell.
+  // Rectangle of a cell's picture, pixels. Asserts that the cell exists.
   image::Rectangle picture(int row, int column) const;
 
   void draw(Canvas& canvas) const;
@@ -26,8 +27,8 @@ class Layout {
  private:
   struct Placed {
     const Panel* panel;
-    image::Rectangle area;  // of the display image
-    int rim;                // pixels around it
+    image::Rectangle area;  // rectangle of the display image
+    int rim;                // width of the border around `area`, pixels
     Colour rim_colour;
     std::string letter;
   };
@@ -46,7 +47,7 @@ class Layout {
   int heightOf(const Block& block, int width) const;
   int keyHeight(const lab::Legend& legend) const;
   std::vector<std::string> captionLines(const std::string& caption, int width) const;
-  image::Rectangle belowOf(const Block& block) const;  // only its size
+  image::Rectangle belowOf(const Block& block) const;  // only the size is set
   int outerWidth(const Block& block) const;
   void measureGrid();
   void place(const Block& block, int x, int y);
@@ -64,7 +65,7 @@ class Layout {
   const FigureData figure_;
   const std::vector<Block> blocks_;
   const Captions captions_;
-  double size_ = 1;  // pixels as drawn for one of the capture's own size
+  double size_ = 1;  // drawn pixels per pixel of the capture's own size
   double text_ = 13;
   int gap_ = 0, rim_ = 0;
   std::vector<int> column_widths_, row_heights_, row_tops_;

@@ -47,7 +47,8 @@ class Drawer {
     words(box, below);
   }
 
-  // X - d t over the times of the window: raster-time position of the point that is at X then (shaders/lib/blur.glsl).
+  // X - d t over the times t of the exposure: raster-time position of the point that is at X at time t
+  // (shaders/lib/blur.glsl).
   void draw(const Range& range) {
     dvec2 at = lens_.centre(range.at);
     if (!lens_.shows(at)) return problem(range, "a range is placed");
@@ -108,7 +109,7 @@ class Drawer {
     problems_.add(mark.place, what + " outside of what its cell shows");
   }
 
-  // In pixels of the picture; nothing for a node that is not seen.
+  // Position in the picture, pixels. Empty for a node that is not visible.
   std::optional<dvec2> placed(const Spot& spot, const Mark& mark, const std::string& what) {
     if (spot.node.empty()) {
       dvec2 at = lens_.centre(spot.pixel);
@@ -131,7 +132,7 @@ class Drawer {
     return lens_.shows(at) ? std::optional(at) : std::nullopt;
   }
 
-  // Pixels over the exposure at a place of the picture, in the image that the range follows.
+  // Displacement over the exposure at a position in the picture, pixels, from the image that the range follows.
   std::optional<dvec2> displacementAt(const Range& range, dvec2 at) {
     const graph::ReadImage* read = findImage(taken_, range.along, range.place, problems_);
     if (!read) return {};
@@ -147,7 +148,7 @@ class Drawer {
     return dvec2(vectors.at(x, y, 0), vectors.at(x, y, 1));
   }
 
-  // Start and end of the exposure relative to the capture, in exposures.
+  // Start and end of the exposure relative to the raster time, in exposures.
   std::optional<dvec2> windowOf(const Range& range) {
     const Json& record = taken_.picture->record;
     std::string anchor = range.anchor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn over a picture, from where a figure places it in the capture to where it is in the figure.
+// Marks over a picture, converted from positions in the capture to positions in the figure.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,26 @@
 
 namespace strobe::figure {
 
-// In pixels of the figure from the picture's top left corner.
+// Shape in pixels of the figure, relative to the picture's top left corner.
 struct Shape {
   enum class Kind { arrow, line, ring, box, disc, words };
   Kind kind = Kind::line;
-  dvec2 from = dvec2(0), to = dvec2(0);  // an arrow's tip, a ring's or a text's centre, a box' far corner: `to`
+  dvec2 from = dvec2(0), to = dvec2(0);  // `to`: tip of an arrow, centre of a ring or text, far corner of a box
   double radius = 0, width = 1;
   Colour colour = {1, 1, 1};
   std::string text;
 };
 
-// Where pixels of the capture are in a picture that is cut out and magnified. Positions in a picture count from the
-// corner of its top left pixel.
+// Transform from pixels of the capture to a picture that is cropped and magnified. Positions in a picture are relative
+// to the corner of its top left pixel.
 class Lens {
  public:
-  // `scale`: pixels of the picture for one of the capture; `area`: what is cut out of the picture; `zoom`: pixels of
-  // the figure for one of the picture.
+  // `scale`: picture pixels per capture pixel. `area`: crop of the picture. `zoom`: figure pixels per picture pixel.
   Lens(dvec2 scale, const image::Rectangle& area, double zoom) : scale_(scale), area_(area), zoom_(zoom) {}
 
   dvec2 scale() const { return scale_; }
   double zoom() const { return zoom_; }
-  // The centre of a pixel of the capture; its top left corner.
+  // Centre and top left corner of a capture pixel, in the picture.
   dvec2 centre(dvec2 pixel) const { return (pixel + 0.5) * scale_; }
   dvec2 corner(dvec2 pixel) const { return pixel * scale_; }
   dvec2 inFigure(dvec2 in_picture) const { return (in_picture - dvec2(area_.x, area_.y)) * zoom_; }
@@ -42,11 +41,11 @@ class Lens {
   double zoom_;
 };
 
-// An output or a "node.port"; null, and a line in `problems` with the nearest name, where the picture has none.
+// Output or "node.port" of a picture. If the picture lacks it, returns null and adds a problem with the nearest name.
 const graph::ReadImage* findImage(const Taken& taken, const std::string& name, const Place& place, Problems& problems);
 
-// `size`: what widths of lines are multiplied by. A mark outside of what the lens shows is a mistake, but for one on a
-// node of the scene, which is then left out.
+// `size`: factor for line widths. A mark outside of the lens is a mistake, except for a mark on a node of the scene,
+// which is then omitted.
 std::vector<Shape> shapesOf(const Marks& marks, const Taken& taken, const Lens& lens, double size, Problems& problems);
 
 }  // namespace strobe::figure

@@ -18,13 +18,13 @@ using image::Image;
 using image::Rectangle;
 using LegendKind = lab::Legend::Kind;
 
-// What a cell shows, in full size: linear colour that a tone curve makes visible, or a display image.
+// Content of a cell in full size: linear colour with a tone map, or a display image.
 struct Source {
   Image pixels;
   std::optional<image::ToneMap> tone;
   lab::Legend legend;
 
-  // By 1 / shrink of its size.
+  // Part of the content, reduced to 1 / shrink of its size.
   Image cut(const Rectangle& area, double shrink = 1) const {
     Image part = image::crop(pixels, area);
     auto side = [&](int length) { return std::max(1, int(length / shrink + 1e-9)); };
@@ -88,7 +88,8 @@ Rectangle scaled(const Area& area, dvec2 scale) {
           std::max(1, at(area.height, scale.y))};
 }
 
-// A crop in a picture of that size, all of it without a crop; nothing where it lies outside.
+// Crop in a picture, pixels of the picture; the whole picture without a crop. Empty if the crop lies outside of the
+// picture.
 std::optional<Rectangle> areaOf(const std::optional<Area>& crop, const Image& picture, dvec2 scale, const Place& place,
                                 Problems& problems) {
   if (!crop) return Rectangle{0, 0, picture.width, picture.height};
@@ -105,7 +106,7 @@ std::optional<Rectangle> areaOf(const std::optional<Area>& crop, const Image& pi
   return area;
 }
 
-// One block in the making.
+// Makes one block.
 class Maker {
  public:
   Maker(const FigureData& figure, const Cell& cell, const FindTaken& find, int step, Problems& problems)
@@ -143,7 +144,7 @@ class Maker {
   }
 
  private:
-  // A copy: what is found first need not stay when more is looked for.
+  // Returns a copy, because a later search may invalidate the found picture.
   std::optional<Taken> found(const std::string& arm) {
     try {
       return find_(cell_.shot, arm, step_);
@@ -158,7 +159,7 @@ class Maker {
     return truth_ ? &*truth_ : nullptr;
   }
 
-  // Where it lies: of a region, where most of that does.
+  // Rectangle of an area. An area with a region becomes the rectangle with most of the region.
   std::optional<Area> placed(const Area& area, const Place& place) {
     if (area.region.empty()) return area;
     try {
@@ -174,7 +175,7 @@ class Maker {
     }
   }
 
-  // The area of a picture, all of it without a crop.
+  // Crop of a picture, pixels of the picture; the whole picture without a crop.
   std::optional<Rectangle> cropped(const std::optional<Area>& crop, const Image& picture, const Place& place) {
     std::optional<Area> in_pixels = crop ? placed(*crop, place) : crop;
     if (crop && !in_pixels) return {};
@@ -213,7 +214,7 @@ class Maker {
     block_.main.shapes.insert(block_.main.shapes.end(), own.begin(), own.end());
   }
 
-  // The inset, and a frame in the picture where it is taken from.
+  // Adds an inset, and a frame around its crop in the picture.
   void add(const Inset& inset, const Source& source, const Taken& taken, const Lens& outer) {
     std::optional<Rectangle> area = cropped(inset.crop, source.pixels, inset.place);
     if (!area) return;

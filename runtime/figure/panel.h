@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One cell of a figure before it has a place among the others: its picture cut out and magnified, what is drawn over
-// it, its insets, what its colours mean, its caption.
+// One cell of a figure without its place in the layout: cropped and magnified picture, marks, insets, legend, caption.
 #pragma once
 
 #include "figure/marks.h"
@@ -12,7 +11,7 @@ struct Panel {
   image::Image display;
   std::vector<Shape> shapes;
   std::optional<Colour> frame;
-  std::string at;  // of an inset: a corner, or below
+  std::string at;  // place of an inset: a corner, or "below"
 };
 
 struct Block {
@@ -21,13 +20,13 @@ struct Block {
   std::vector<Panel> insets;
   lab::Legend legend;
   std::string caption;
-  std::string above;        // the note above its row, where it is the first in it
+  std::string above;        // note above the row, if this is the row's first cell
   std::string attribution;  // of the scene
   double fps = 0;           // of the shot
 };
 
-// The cell, at `step` unless it names one. Mistakes (no such image, node or region, a crop outside) are added to
-// `problems`, and the block is then not whole.
+// Block of a cell. `step`: step of a cell that does not set one. Mistakes (missing image, node or region, crop outside
+// of the picture) are added to `problems`; the block is then incomplete.
 Block blockOf(const FigureData& figure, const Cell& cell, const FindTaken& find, const std::string& truth_arm, int step,
               Problems& problems);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures as a capture took them, for the figures and films made of them.
+// Pictures of a capture, for the capture's figures and films.
 #pragma once
 
 #include <functional>
@@ -11,21 +11,21 @@
 
 namespace strobe::figure {
 
-// A shot drawn by an arm, at one step of a sequence (0 where the shot has none).
+// Picture of a shot drawn by an arm, at one step of a sequence (0 without a sequence).
 struct Taken {
   std::string shot, arm;
   int step = 0;
-  std::shared_ptr<const lab::Picture> picture;  // outputs, and every pass's output among the taps ("node.port")
-  image::ToneMap tone;                          // how it is shown
+  std::shared_ptr<const lab::Picture> picture;  // outputs, and the outputs of all passes as taps ("node.port")
+  image::ToneMap tone;                          // tone map for display
   std::map<std::string, int> divides;           // frame pixels per texel and axis of each image (lab::divideOf)
-  std::map<std::string, dvec3> nodes_ws;        // where each node of the scene is at the raster time, metres
+  std::map<std::string, dvec3> nodes_ws;        // position of each scene node at the raster time, world space, metres
 };
 
-// So many pictures found last are in memory.
+// Number of pictures in memory. The pictures found last stay.
 inline constexpr size_t kPicturesFound = 8;
 
-// The picture stays valid until `kPicturesFound` others were asked for. Throws `Error` for a shot or an arm that there
-// is not.
+// Returns a picture. It stays valid until `kPicturesFound` other pictures were found. Throws `Error` for an unknown
+// shot or arm.
 using FindTaken = std::function<const Taken&(const std::string& shot, const std::string& arm, int step)>;
 
 }  // namespace strobe::figure

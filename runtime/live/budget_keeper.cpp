@@ -13,7 +13,7 @@ static double valueOf(const Side& a) {
 
 void BudgetKeeper::take(Sides& sides) {
   if (valueOf(sides.a()) == budget_->value()) return;
-  const std::string name = param(sides.a())->name;  // outlives the change
+  const std::string name = param(sides.a())->name;  // a copy that outlives the change
   try {
     sides.set(name, plan::textOf(budget_->value()), "budget");
   } catch (const Error&) {

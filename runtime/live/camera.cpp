@@ -12,7 +12,7 @@ namespace strobe::live {
 static const dvec3 kUp(0, 1, 0);
 static const double kSteepest = glm::radians(89.5);
 
-// A unit direction as angles: yaw 0 along -z, growing to the right; pitch above the horizon.
+// Unit direction as angles, radians. Yaw is 0 along -z and grows to the right. Pitch is the angle above the horizon.
 struct Heading {
   double yaw = 0, pitch = 0;
 };
@@ -61,7 +61,7 @@ dvec3 rightOf(const Viewpoint& view) {
 
 dvec3 upOf(const Viewpoint& view) { return glm::cross(rightOf(view), forwardOf(view)); }
 
-// Going to the right round the pivot, the eye looks ever more to the left.
+// An eye that moves to the right round the pivot turns to the left.
 Viewpoint orbited(const Viewpoint& view, const dvec3& pivot, double yaw, double pitch) {
   const Viewpoint ahead{view.eye, view.eye + turnedDirection(view, -yaw, -pitch) * distanceOf(view)};
   dvec3 from_eye = pivot - view.eye;

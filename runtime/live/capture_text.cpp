@@ -17,7 +17,7 @@ std::string sceneKey(size_t files, const lab::Shot& shot) {
 
 namespace {
 
-// Shots and arms of a script, each once, with the moments that show them.
+// Shots and arms of a script, each listed once, with the shots that each arm draws.
 class Script {
  public:
   explicit Script(const Recorded& recorded) : recorded_(recorded) {
@@ -53,7 +53,7 @@ class Script {
  private:
   using Entry = std::pair<std::string, std::vector<std::string>>;
 
-  // Of what has these fields; "NAME_2" where another of the name has others.
+  // Name of the entry with these fields; "STEM_2" if `stem` names another entry.
   static std::string nameOf(std::map<std::string, std::string>& known, std::vector<Entry>& entries,
                             const std::string& stem, std::vector<std::string> fields) {
     std::string& name = known[stem + "\n" + fmt::format("{}", fmt::join(fields, "\n"))];
@@ -91,13 +91,13 @@ class Script {
     if (!sets.empty()) fields.push_back(field("set", tableOf(sets)));
     const std::string& folder = recorded_.folders[moment.files];
     if (!folder.empty()) fields.push_back(field("files", quoted(folder)));
-    // Of a sequence the colour alone is kept, unless more is asked for.
+    // A capture of a sequence keeps only the colour, unless `layers` lists more images.
     bool sequence = moment.first_frame < shot.frame;
     if (sequence && image != "color") fields.push_back(field("layers", tableOf({quoted(image)})));
     return fields;
   }
 
-  // "samples = 8", "camera", ...: what was changed.
+  // Changes of the moment as text: "samples = 8", "camera", ...
   static std::string captionOf(const Moment& moment, const lab::Shot& shot) {
     std::vector<std::string> parts;
     std::map<std::string, plan::Value> settings = settingsOf(shot);
@@ -123,14 +123,14 @@ class Script {
     if (shot.frame > moment.first_frame) fields.push_back(fmt::format("step = {}", shot.frame - moment.first_frame));
     if (image != "color") fields.push_back(field("view", quoted(image)));
     std::string caption = captionOf(moment, shot);
-    // What stands in braces would be filled in.
+    // Captions use braces for placeholders.
     std::replace(caption.begin(), caption.end(), '{', '(');
     std::replace(caption.begin(), caption.end(), '}', ')');
     fields.push_back(field("caption", quoted(caption.empty() ? arm_name : arm_name + ": " + caption)));
     return "      " + tableOf(fields) + ",\n";
   }
 
-  // The moments that were saved, else all of them.
+  // Figure of the saved moments, or of all moments if no moment was saved.
   std::string figureText() const {
     bool any_saved =
         std::any_of(recorded_.moments.begin(), recorded_.moments.end(), [](const Moment& one) { return one.saved; });
@@ -159,7 +159,7 @@ class Script {
 
   const Recorded& recorded_;
   std::vector<Entry> shots_, arms_;
-  std::map<std::string, std::string> shot_names_, arm_names_;  // by the fields
+  std::map<std::string, std::string> shot_names_, arm_names_;  // by stem and fields
   std::map<const lab::Shot*, std::pair<std::string, std::string>> pairs_;
   std::map<std::string, std::set<std::string>> drawn_by_;
 };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A recording as a capture script.
+// Capture script of a recording.
 #pragma once
 
 #include "live/moments.h"
 
 namespace strobe::live {
 
-// The script's text. `suggested`: by version of the files and scene (`sceneKey`), the options that it suggests.
-// `folders`: of each version of the files, the folder of those that differ, "" where none does.
+// Content of a capture script. `suggested`: shot options that the scene suggests, for each version of the files and
+// scene (`sceneKey`). `folders`: folder of the differing files, for each version of the files; "" if no file differs.
 struct Recorded {
   std::vector<Moment> moments;
   std::map<std::string, lab::Shot> suggested;

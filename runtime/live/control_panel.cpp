@@ -17,7 +17,7 @@ void slidePlace(const Widget& slider, double value) {
 
 namespace {
 
-// A change that takes longer waits until the widget is let go.
+// A change that takes longer is applied when the widget is released.
 constexpr double kPatience_s = 0.25;
 
 struct Edit {
@@ -44,7 +44,7 @@ Edit menu(const plan::ParamDesc& declaration, const plan::Value& value) {
   return edit;
 }
 
-// `type` is ImGui's name of `Number`; `speed`: of a drag, per pixel.
+// `type`: ImGui's constant for `Number`. `speed`: change per pixel of a drag.
 template <class Number>
 bool dragOrSlide(const Widget& widget, ImGuiDataType type, Number& shown, float speed, const std::string& format) {
   Number low = Number(widget.low), high = Number(widget.high);
@@ -104,7 +104,7 @@ Edit showWidget(const lab::Control& control) {
   return {};
 }
 
-// The value a widget is being dragged to, until it is let go.
+// Value that a widget is dragged to, until the widget is released.
 struct Held {
   std::string name, text;
   bool of_b = false;
@@ -153,7 +153,7 @@ void sweepButton(PanelState& state, const lab::Control& control) {
   tooltip("sweep: several values of it beside each other, with their errors and times (R)");
 }
 
-// Whether the pointer is anywhere in the row that begins at `top`.
+// True if the pointer is anywhere in the row that begins at `top`.
 bool isPointed(float top) {
   float left = ImGui::GetWindowPos().x;
   return ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
@@ -169,7 +169,7 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   float top = ImGui::GetCursorScreenPos().y;
-  // An idle control can be set: another value may make it count.
+  // An idle control stays editable: with another value it may have an effect.
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, control.idle.empty() ? 1.0f : 0.42f);
   textIn(fonts.text, nameColour(control), shortName(control));
   ImGui::PopStyleVar();
@@ -191,7 +191,7 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
     attempt(state, [&] { desk.sides().unset(name, of_b); });
 
   std::string refused = desk.sides().refusalOf(name, of_b);
-  // What a shot has from the command line or its scene is the rule, not the exception.
+  // A shot option from the command line or the scene is expected, so its origin is not shown.
   bool expected = control.origin.empty() || control.origin == "default" || (control.group == "shot" && !control.set);
   bool quiet = refused.empty() && expected;
   if (!quiet) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The panel of controls: one widget per declaration, in groups that can be folded and searched.
+// Panel of controls: one widget per declaration, in groups that can be folded and searched.
 #pragma once
 
 #include "live/panels.h"
@@ -7,7 +7,7 @@
 
 namespace strobe::live {
 
-// The place of the value of the slider drawn last, as a bar along its lower edge: the text stands free above it.
+// Draws the value of the last slider as a bar along the slider's lower edge, so that the bar does not cover the text.
 void slidePlace(const Widget& slider, double value);
 
 void drawControls(const Fonts& fonts, Desk& desk, PanelState& state);

@@ -21,7 +21,7 @@ Desk::Desk(lab::Workbench& bench, const DeskOptions& options)
 
 void Desk::goToFrame(int frame) { sides_.set("frame", std::to_string(std::max(0, frame)), "window"); }
 
-// ---- what is looked at
+// ---- displayed image
 
 std::vector<std::string> Desk::viewable() const {
   const lab::Session& session = *sides_.a().session;

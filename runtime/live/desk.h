@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the window works on, without a window: the sessions, the truth behind them, and what is looked at. Panels, keys
-// and drive files change it through the same few verbs.
+// Work in the window, without a window: sessions, ground truth, displayed image. Panels, keys and drive files change
+// the desk through its member functions.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,16 @@ namespace strobe::live {
 
 struct DeskOptions {
   lab::Shot shot;
-  std::string versus;            // pipeline of B, or ""
-  script::Settings versus_sets;  // of B
-  std::string truth;             // what errors are measured against; "" for the pipeline that declares kind = "truth"
-  Path out;                      // pictures are saved here
-  double budget_ms = 0;          // of a frame of A; 0: none
+  std::string versus;            // pipeline of B; "" for no B
+  script::Settings versus_sets;  // values for B
+  std::string truth;             // pipeline of the ground truth; "" for the pipeline that declares kind = "truth"
+  Path out;                      // folder of saved pictures
+  double budget_ms = 0;          // GPU time of a frame of A, ms; 0 for no budget
 };
 
 class Desk {
  public:
-  // Throws `Error` where the first version cannot run. The bench must outlive it.
+  // Throws `Error` if A or B cannot run. `bench` must outlive the desk.
   Desk(lab::Workbench& bench, const DeskOptions& options);
 
   Sides& sides() { return sides_; }
@@ -37,40 +37,43 @@ class Desk {
   PinnedPixel& pixel() { return pixel_; }
   BudgetKeeper& budget() { return budget_; }
   const DeskOptions& options() const { return options_; }
-  const lab::Shot& shot() const { return sides_.a().session->shot(); }  // of A
+  const lab::Shot& shot() const { return sides_.a().session->shot(); }  // shot of A
 
   // ---- time
   void goToFrame(int frame);
   bool playing = false;
 
-  // ---- what is looked at
+  // ---- displayed image
   void viewPort(const std::string& port);     // throws `Error` with the nearest name
   std::vector<std::string> viewable() const;  // outputs, then every port
-  void setMode(Mode mode);                    // throws `Error` where there is no B to show
-  // The value that the picture shows at a pixel, of the side that it shows there; after a difference or an error, the
-  // colours behind it. Empty outside of the frame.
+  void setMode(Mode mode);                    // throws `Error` if the mode needs B and B is not open
+  // Value of the displayed image at a pixel, from the side that is displayed there. A difference or an error is
+  // followed by the colours that it compares. Empty outside of the frame.
   std::vector<PixelValue> valuesAt(int x, int y, int window_frame) const;
   void pin(int x, int y) { pixel_.pin(shot(), x, y); }
 
-  // ---- a turn: looks for edited files, draws what is stale, gathers truth. True where there is something new to show.
-  // `felt` (may be empty) is true if input waits; it ends a step of truth early.
+  // ---- turns
+  // Reloads edited files, draws stale sides, accumulates ground truth. Returns true if anything new can be displayed.
+  // `felt` (may be empty) returns true if input waits; this ends a step of ground truth early.
   bool turn(const std::function<bool()>& felt = {});
-  // Whether the next turn has work without any input.
+  // True if the next turn has work without input.
   bool busy() const;
-  // The picture as it is shown, `window_frame` choosing the side that flickers; cached until something changes.
+  // Returns the displayed picture; cached until anything changes. `window_frame` selects the side in flicker mode.
   const image::Image& picture(int window_frame);
-  // Its legends: of A or of both sides; of B if that is another one.
+  // Legends of the picture. In a divided picture, the first is A's and the second is B's, or empty if both are equal.
   const std::array<lab::Legend, 2>& legends() const { return legends_; }
   bool pictureChanged(int window_frame) const;
 
-  // So many are gathered in every mode, the more of the two: for who looks, and for the sweep.
+  // Requests ground truth with this many samples in every mode. There are two requests, the sweep's and the other one;
+  // the larger one counts.
   void wantTruth(int samples, bool for_sweep = false) { (for_sweep ? truth_of_sweep_ : truth_wanted_) = samples; }
   const GatheredTruth& truth() const { return truth_; }
   std::vector<std::string> problems() const;
 
   // ---- results
-  std::vector<Path> save();  // A, and B where it is compared, as `render` would; returns the files
-  Path freeName(const std::string& ending) const;  // in `out`
+  // Saves A, and B if the mode compares with B, as `render` does. Returns the files.
+  std::vector<Path> save();
+  Path freeName(const std::string& ending) const;  // a new file in `out`
 
  private:
   bool gathersTruth() const {

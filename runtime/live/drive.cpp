@@ -55,7 +55,7 @@ bool tooManyOrFew(const CommandForm& form, size_t count) {
   return count < least || count > most;
 }
 
-// The words of a line; `problem` says what is wrong with it.
+// Words of a line. Sets `problem` if the line is malformed.
 std::vector<std::string> wordsOf(const std::string& line, std::string& problem) {
   std::vector<std::string> words;
   size_t at = 0;

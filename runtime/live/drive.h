@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A window that a file drives: one command a line, as hands would give them. For tests and for pictures of the window.
+// Drive files: commands to the window, one per line. For tests and for screenshots of the window.
 #pragma once
 
 #include <functional>
@@ -11,10 +11,10 @@
 
 namespace strobe::live {
 
-// What a command is called and takes; the guide, the parser and the window walk the same table.
+// Name, arguments and description of a command. The guide, the parser and the window use the same table.
 struct CommandForm {
   const char* name;
-  const char* arguments;  // "NAME VALUE"; "[X]" may be left out, "..." takes the rest of the line as one
+  const char* arguments;  // "NAME VALUE"; "[X]" is optional
   const char* doc;
 };
 const std::vector<CommandForm>& commandForms();
@@ -25,23 +25,24 @@ struct Command {
   Place place;
 };
 
-// Words are separated by spaces; "double quotes" hold one together; '#' outside of them begins a comment. Throws
-// `Error` with every mistake of the text, each at its line, unknown commands with the nearest.
+// Words are separated by spaces. Double quotes join words. '#' outside of quotes begins a comment. Throws `Error` with
+// all mistakes and their lines. The message for an unknown command has the nearest known command.
 std::vector<Command> parseDrive(const std::string& text, const std::string& file);
 
-// A number in an argument; throw `Error` at the command's place.
+// Argument of a command as a number. Both functions throw `Error` at the command's place if the text is not such a
+// number.
 double numberOf(const Command& command, size_t argument);
 int integerOf(const Command& command, size_t argument);
 
-// Carries out a command; false: not yet, ask again after the next frame. Throws `Error` where it fails.
+// Executes a command. Returns false if it must be called again after the next frame. Throws `Error` on failure.
 using Handler = std::function<bool(const Command&)>;
 
-// Goes through commands in order, as far as they get.
+// Executes commands in order. A command may wait.
 class Drive {
  public:
-  // There must be a handler for each form, and none besides.
+  // `handlers`: exactly one for each command form.
   Drive(std::vector<Command> commands, std::map<std::string, Handler> handlers);
-  // Carries out commands until one wants to wait. Throws `Error` at the place of the command that failed.
+  // Executes commands until one has to wait. Throws `Error` at the place of the failed command.
   void advance();
   bool done() const { return next_ == commands_.size(); }
 

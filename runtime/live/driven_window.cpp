@@ -10,15 +10,15 @@
 
 namespace strobe::live {
 
-static const double kReloadLimit_s = 20;  // for 'reloaded'
-static const double kTruthLimit_s = 60;   // for 'truth' and 'swept'
+static const double kReloadLimit_s = 20;  // limit of 'reloaded'
+static const double kTruthLimit_s = 60;   // limit of 'truth' and 'swept'
 
 DrivenWindow::DrivenWindow(const Path& file, const DrivenParts& parts)
     : parts_(parts), drive_(parseDrive(readText(file), file.string()), handlers()) {}
 
 void DrivenWindow::point(const PictureView& view) const {
   dvec2 at = clicked_ ? *clicked_ : pointed_ ? view.inWindow(*pointed_ + dvec2(0.5)) : dvec2(-1e6);
-#if IMGUI_VERSION_NUM >= 18700  // from here on, positions and buttons are events
+#if IMGUI_VERSION_NUM >= 18700  // since this version, positions and buttons are events
   ImGui::GetIO().AddMousePosEvent(float(at.x), float(at.y));
   ImGui::GetIO().AddMouseButtonEvent(0, pressed_);
 #endif
@@ -26,7 +26,7 @@ void DrivenWindow::point(const PictureView& view) const {
   ImGui::GetIO().MouseDown[0] = pressed_;
 }
 
-// Carries out `then` when that many frames of the window have passed.
+// Calls `then` after `frames` frames of the window.
 Handler DrivenWindow::afterFrames(int frames, std::function<void(const Command&)> then) {
   return [this, frames, then](const Command& command) {
     if (!wait_from_) wait_from_ = parts_.state.window_frame;
@@ -132,12 +132,12 @@ void DrivenWindow::addWaitHandlers(Handlers& handlers) {
 
 void DrivenWindow::addFileHandlers(Handlers& handlers) {
   handlers["replace"] = [this](const Command& c) {
-    reloads_seen_ = parts_.desk.sides().reloads();  // 'reloaded' waits for this edit, not for one before it
+    reloads_seen_ = parts_.desk.sides().reloads();  // 'reloaded' waits for this edit, not for an earlier one
     return writeFileAtomically(c.arguments[0], readText(c.arguments[1])), true;
   };
   handlers["screenshot"] = [this](const Command& c) {
     if (!wait_from_) wait_from_ = parts_.state.window_frame;
-    // What was changed a moment ago is drawn and at rest first.
+    // Wait until recent changes are drawn and the panels have settled.
     if (!shot_asked_ && parts_.state.window_frame >= *wait_from_ + kSettleFrames) {
       parts_.screenshot = c.arguments[0];
       shot_asked_ = true;
@@ -159,7 +159,7 @@ void DrivenWindow::addFileHandlers(Handlers& handlers) {
   };
 }
 
-// "NAME" or "NAME=VALUE,VALUE,...".
+// Axis from "NAME" or "NAME=VALUE,VALUE,...".
 static std::pair<std::string, std::vector<std::string>> axisIn(const std::string& text) {
   size_t at = std::min(text.find('='), text.size());
   std::istringstream list(text.substr(std::min(at + 1, text.size())));
@@ -192,7 +192,7 @@ void DrivenWindow::addSweepHandlers(Handlers& handlers) {
     if (!wait_from_) wait_from_ = parts_.state.window_frame;
     int passed = parts_.state.window_frame - *wait_from_;
     clicked_ = dvec2(integerOf(c, 0), integerOf(c, 1));
-    // Panels learn first where the pointer is, then that the button is down, then that it is up.
+    // Panels need separate frames for pointer moved, button down and button up.
     pressed_ = passed == 2;
     if (passed < 4) return false;
     clicked_.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the commands of a drive file do in the window, and what they wait for.
+// Actions of the drive file's commands in the window, and the conditions that they wait for.
 #pragma once
 
 #include "live/drive.h"
@@ -10,13 +10,13 @@
 
 namespace strobe::live {
 
-// What commands work on; it must outlive them.
+// Parts of the window that commands use. The parts must outlive the DrivenWindow.
 struct DrivenParts {
   Desk& desk;
   Sweeper& sweeper;
   PanelState& state;
   Window& window;
-  std::optional<Path>& screenshot;  // to be written of the next frame of the window, which resets it
+  std::optional<Path>& screenshot;  // file for a screenshot of the next window frame; reset when written
   bool& quit;
   std::function<void(Action)> press;
   std::function<void()> begin_recording;
@@ -25,14 +25,14 @@ struct DrivenParts {
 
 class DrivenWindow {
  public:
-  // Throws `Error` with every mistake of the file.
+  // Throws `Error` with all mistakes of the file.
   DrivenWindow(const Path& file, const DrivenParts& parts);
   DrivenWindow(const DrivenWindow&) = delete;
 
-  // Carries out commands until one wants to wait, once per turn. Throws `Error` at the place of one that failed.
+  // Executes commands until one has to wait; call once per turn. Throws `Error` at the place of the failed command.
   void advance() { drive_.advance(); }
   bool done() const { return drive_.done(); }
-  // A driven window does not depend on where the mouse happens to be.
+  // Sets ImGui's pointer and button from the commands, so that the position of the mouse has no effect.
   void point(const PictureView& view) const;
 
  private:
@@ -47,14 +47,14 @@ class DrivenWindow {
 
   DrivenParts parts_;
   Drive drive_;
-  // What commands wait for.
+  // State of commands that wait.
   std::optional<int> wait_from_;
   std::optional<double> wait_since_s_;
   int reloads_seen_ = 0;
   bool shot_asked_ = false;
   std::optional<dvec2> pointed_;  // pixel of the picture
-  std::optional<dvec2> clicked_;  // of the window
-  bool pressed_ = false;          // ... and the button is down
+  std::optional<dvec2> clicked_;  // pixel of the window
+  bool pressed_ = false;          // the button at `clicked_` is down
 };
 
 }  // namespace strobe::live

@@ -6,7 +6,7 @@
 
 namespace strobe::live {
 
-static const double kTurn_s = 0.03;  // of a turn, so that the window stays responsive
+static const double kTurn_s = 0.03;  // time limit of a turn, so that the window stays responsive
 
 std::string GatheredTruth::keyOf(const lab::Shot& shot) {
   lab::Shot truth = shot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The truth that gathers behind the window while nothing else is to be done.
+// Ground truth that accumulates in the background while the window is idle.
 #pragma once
 
 #include <functional>
@@ -10,28 +10,29 @@ namespace strobe::live {
 
 class GatheredTruth {
  public:
-  // `pipeline`: "" for the one that declares kind = "truth". The bench must outlive it.
+  // `pipeline`: pipeline of the ground truth; "" for the pipeline that declares kind = "truth". `bench` must outlive
+  // this object.
   GatheredTruth(lab::Workbench& bench, const std::string& pipeline) : truth_(bench, pipeline) {}
 
-  static constexpr int kEnough = 4096;  // the noise left is less than a display's 8 bits show
+  static constexpr int kEnough = 4096;  // samples; the remaining noise is invisible in the 8 bits of a display
 
-  // Takes a few samples of the shot, whatever pipeline draws it. True if any were due. Returns after 30 ms, and at the
-  // next sample if `felt` (may be empty) is true then.
+  // Adds samples for the shot; the shot's pipeline has no effect. True if samples were due. Runs steps of samples until
+  // 30 ms have passed. A longer step ends at the next sample if `felt` (may be empty) returns true.
   bool gather(const lab::Shot& shot, const std::function<bool()>& felt = {});
   bool isComplete(const lab::Shot& shot) const;
-  // Begins anew at the next `gather`.
+  // Restarts at the next `gather`.
   void forget() { key_.clear(); }
 
-  // Equal for shots that have one truth: what it depends on, which is all but how they are drawn.
+  // Key of a shot's ground truth. Equal for shots that differ only in the pipeline, its values, `taps` and `aa`.
   static std::string keyOf(const lab::Shot& shot);
 
-  int samples(const lab::Shot& shot) const;  // 0 where the truth is that of another shot
+  int samples(const lab::Shot& shot) const;  // 0 if the ground truth belongs to another shot
   const image::Image& mean() const { return truth_.mean(); }
-  // RMSE of a picture of the shot against the truth so far.
+  // RMSE of `color` against the ground truth so far. Empty without samples or if the sizes differ.
   std::optional<double> errorOf(const lab::Shot& shot, const image::Image& color) const;
-  const std::string& pipeline() const { return truth_.pipeline(); }  // "" before it is known
-  const std::string& problem() const { return problem_; }            // why it cannot be gathered, or ""
-  int interrupted() const { return truth_.interrupted(); }           // steps that input ended
+  const std::string& pipeline() const { return truth_.pipeline(); }  // "" until the pipeline is chosen
+  const std::string& problem() const { return problem_; }            // message of a failure, or ""
+  int interrupted() const { return truth_.interrupted(); }           // number of steps that input ended
 
  private:
   lab::RunningTruth truth_;

@@ -12,17 +12,18 @@ namespace strobe::live {
 
 namespace {
 
-// Frames after which ImGui says whether a text box has the keyboard: it took or left it in one, says so in the next.
+// Frames until ImGui reports whether a text box has the keyboard focus. The focus changes in one frame; the next frame
+// reports the change.
 constexpr int kAnswer = 3;
-// Most frames between a command and the text box that it opens.
+// Maximum number of frames between a command and the text box that it opens.
 constexpr int kTextDue = 6;
 
 bool hasModifier(const InputEvent& event) { return event.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER); }
 
-// A key that comes as a character as well, in any layout of the keyboard.
+// True if the key also produces a character, in any keyboard layout.
 bool prints(const InputEvent& event) { return event.code < GLFW_KEY_ESCAPE && !hasModifier(event); }
 
-// Keys that may take the keyboard from a text box, or carry it to the next.
+// True if the key may take the keyboard focus from a text box or move it to the next one.
 bool leavesText(int key) {
   return key == GLFW_KEY_ESCAPE || key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_TAB;
 }
@@ -34,7 +35,8 @@ bool givesText(int command) {
 
 }  // namespace
 
-// A key or button changes once per frame; characters do not need their keys to.
+// True if the event has to wait for a later frame. A key or button changes at most once per frame. Printing keys in a
+// text box need not wait, because their characters are used instead.
 bool InputQueue::waits(const InputEvent& next, bool typing, const std::set<int>& changed) const {
   if (next.kind != InputEvent::Kind::Button && rest_ > 0) return true;
   if (next.kind == InputEvent::Kind::Text || next.action == GLFW_REPEAT) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Keys, characters and mouse buttons in their order, one batch per frame of the window. A key that may bring the
-// keyboard to a text box, or away from it, ends its batch; the keys after it wait for the answer. No letter is lost or
-// taken for a command, however long a frame takes. Needs no window.
+// Queue of keys, characters and mouse buttons in their order, one batch per window frame. A key that may move the
+// keyboard focus to or from a text box ends its batch. The keys after it wait until ImGui reports the focus, so that no
+// letter is lost or executed as a command, even if a frame takes long. Does not need a window.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ namespace strobe::live {
 struct InputEvent {
   enum class Kind { Key, Text, Button };
   Kind kind = Kind::Key;
-  int code = 0;                            // GLFW's key, a code point, or GLFW's button
-  int scancode = 0, action = 0, mods = 0;  // as GLFW gives them; nothing for text
-  dvec2 at = dvec2(0);                     // pointer of a button, pixels of the window
+  int code = 0;                            // key or button code of GLFW, or a code point
+  int scancode = 0, action = 0, mods = 0;  // as in GLFW's callbacks; 0 for text
+  dvec2 at = dvec2(0);                     // pointer at a button event, pixels of the window
 };
 
 class InputQueue {
@@ -27,16 +27,16 @@ class InputQueue {
   void add(const InputEvent& event) { events_.push_back(event); }
   bool empty() const { return events_.empty(); }
 
-  // Takes the events of the next frame of the window. `typing`: a text box had the keyboard in the frame before.
+  // Takes the events of the next window frame. `typing`: a text box had the keyboard focus in the previous frame.
   std::vector<InputEvent> take(bool typing);
 
-  // Keys of the last `take` that are commands, as keys.h counts them; once.
+  // Returns and clears the command keys of the last `take`, with the codes of keys.h.
   std::vector<int> takePressed() { return std::exchange(pressed_, {}); }
-  // Keys that went down as commands and are still down, by GLFW's code.
+  // True if the key (GLFW's code) went down as a command and is still down.
   bool isHeld(int key) const { return held_.count(key) > 0; }
-  // Buttons as of the events taken so far.
+  // True if the button is down after the events taken so far.
   bool isDown(int button) const { return button < int(down_.size()) && down_[size_t(button)]; }
-  // Pointer of the last button taken, while events wait behind it; else nothing, and the pointer is where it is now.
+  // Pointer at the last taken button event while later events wait; otherwise null, and the current pointer counts.
   const dvec2* pointer() const { return empty() || !has_pointer_ ? nullptr : &pointer_; }
 
  private:
@@ -49,8 +49,8 @@ class InputQueue {
   std::array<bool, 3> down_ = {};
   dvec2 pointer_ = dvec2(0);
   bool has_pointer_ = false;
-  int rest_ = 0;           // frames that keys still wait
-  bool text_due_ = false;  // a text box is about to get the keyboard, which ends the wait
+  int rest_ = 0;           // frames that keys still have to wait
+  bool text_due_ = false;  // a text box is about to get the keyboard focus; this ends the wait
 };
 
 }  // namespace strobe::live

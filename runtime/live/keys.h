@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keys and the mouse do in the window: one table that the help shows and the window obeys.
+// Keys and mouse gestures of the window. The help and the window use the same table.
 #pragma once
 
 #include <string>
@@ -39,14 +39,15 @@ enum class Action {
 };
 
 struct Key {
-  const char* shown;  // how the help spells it
-  int code;           // the character typed, in lower case, or GLFW's code (from 256 on)
+  const char* shown;  // name in the help
+  int code;           // typed character in lower case, or GLFW's key code (256 or more)
   Action action;
   const char* doc;
 };
 const std::vector<Key>& keys();
 
-// Keys that act while they are held: metres per second to the right, up and ahead for one metre of distance.
+// Key that acts while it is held. `right`, `up`, `ahead`: speed, metres per second for each metre of distance to the
+// target.
 struct HeldKey {
   const char* shown;
   int code;
@@ -55,16 +56,16 @@ struct HeldKey {
 };
 const std::vector<HeldKey>& heldKeys();
 
-// What the mouse does over the picture, for the help.
+// Mouse gesture over the picture, for the help.
 struct Gesture {
   const char* shown;
   const char* doc;
 };
 const std::vector<Gesture>& gestures();
 
-// Action::None where the key does nothing.
+// Returns Action::None if the key has no action.
 Action actionOf(int code);
-// By how the help spells it; throws `Error` with the nearest name.
+// `shown`: name of the key in the help. Throws `Error` with the nearest name.
 Action actionNamed(const std::string& shown);
 
 }  // namespace strobe::live

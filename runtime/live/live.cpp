@@ -21,18 +21,18 @@ namespace strobe::live {
 
 namespace {
 
-// Between looks at edited files while nothing else happens, and while edited scripts run.
+// Seconds between checks for edited files: while the window is idle, and while edited scripts are evaluated.
 constexpr double kIdle_s = 0.02, kEvaluates_s = 0.002;
 constexpr int kSoftwareWidth = 320, kSoftwareHeight = 180;
 
-// ImGui with its fonts and its view of the window's mouse and keyboard.
+// Dear ImGui context with fonts, and with mouse and keyboard of the window.
 class Gui {
  public:
   explicit Gui(Window& window) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    // Surface draws lists of more than 65536 vertices: values written on thousands of pixels are as many.
+    // Surface supports draw lists of more than 65536 vertices. Values written on thousands of pixels need that many.
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     fonts_ = applyStyle();
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
@@ -46,7 +46,7 @@ class Gui {
   Gui& operator=(const Gui&) = delete;
   const Fonts& fonts() const { return fonts_; }
 
-  // Begins a frame with the keys and buttons whose turn it is.
+  // Begins a frame with the next batch of keys and buttons.
   static void beginFrame(Window& window) {
     for (const InputEvent& event : window.input().take(ImGui::GetIO().WantTextInput)) {
       if (event.kind == InputEvent::Kind::Key)
@@ -58,12 +58,13 @@ class Gui {
   }
 
  private:
-  // Replaces the backend's state of pointer and buttons, which is that after all events, by the state after this batch.
+  // Pointer and buttons in the backend include all queued events. This function sets them to the state after this
+  // batch.
   static void pointAndPress(const InputQueue& input) {
     ImGuiIO& io = ImGui::GetIO();
     if (const dvec2* at = input.pointer()) setPointer(*at);
     for (int button = 0; button < 3; ++button) {
-#if IMGUI_VERSION_NUM >= 18700  // from here on, positions and buttons are events
+#if IMGUI_VERSION_NUM >= 18700  // since this version, positions and buttons are events
       io.AddMouseButtonEvent(button, input.isDown(button));
 #else
       io.MouseDown[button] = input.isDown(button);
@@ -88,7 +89,8 @@ gpu::DeviceOptions deviceOptions(const Window& window, const LiveOptions& option
   return device;
 }
 
-// A picture that a software device draws several times a second, unless a size was asked for.
+// Options with a small picture for a software device, unless a size was given. The device draws the small picture
+// several times a second.
 DeskOptions deskOptions(const lab::Workbench& bench, const LiveOptions& options) {
   DeskOptions desk = options.desk;
   if (options.size_given || !bench.device().info().software) return desk;
@@ -165,7 +167,8 @@ DrivenParts Live::drivenParts() {
           [this](const Path& script) { stopRecording(script); }};
 }
 
-// A shader that never ends cannot be stopped: say which, keep what was asked for, and leave the device as it is.
+// A shader that never ends cannot be stopped. At the time limit, the handler reports the shader, saves the shot to a
+// file, and exits without releasing the device.
 void Live::watch() {
   bench_.device().setTimeLimit(options_.time_limit_s, [this](const std::string& text) {
     Path file = options_.desk.out / "overrun.record.json";
@@ -193,8 +196,8 @@ void Live::stepView(int by) {
   desk_.viewPort(names[size_t((at + by + int(names.size())) % int(names.size()))]);
 }
 
-// The control under the pointer, else one that is found (by its name rather than by its description), else the one
-// changed last.
+// Sweeps the control under the pointer; otherwise the first search result, by name before description; otherwise the
+// control that was changed last.
 void Live::sweepPointed() {
   bool of_b = state_.controls_of_b && desk_.b();
   std::string name = state_.pointed_control, by_name, by_text;
@@ -236,7 +239,7 @@ Path Live::stopRecording(const Path& script) {
   return script;
 }
 
-// Of a window that is closed.
+// Writes the recording when the window is closed.
 void Live::keepRecording() {
   try {
     note("recorded: " + stopRecording(desk_.freeName(".recording.lua")).string());
@@ -311,7 +314,7 @@ void Live::drawWindow() {
   ++state_.window_frame;
   auto [width, height] = window_.size();
   if (width == 0 || height == 0) return;
-  // A picture made smaller needs its pixels mixed; one enlarged shows them as they are.
+  // A reduced picture is filtered. An enlarged picture shows its pixels as squares.
   bool smooth = shown.width > width || shown.height > height;
   surface_.upload(picture_, "picture", shown, smooth);
   view_.prepare(surface_, desk_);
@@ -351,7 +354,7 @@ void Live::turn() {
   if (recording_) recording_->look(desk_, ImGui::IsAnyMouseDown() || desk_.playing || desk_.a().more > 0);
   state_.recorded.reset();
   if (recording_) state_.recorded = recording_->moments();
-  // A drag comes first.
+  // A drag has priority over the sweep.
   bool swept = !ImGui::IsAnyMouseDown() && sweeper_.turn(desk_);
   if (news || swept) settle_ = kSettleFrames;
   bool draws = settle_ > 0 || desk_.pictureChanged(state_.window_frame) || screenshot_ || (drive_ && !drive_->done());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe live`: a shot in a window that stays while its values and files change.
+// `strobe live`: a shot in a window that stays open while values and files change.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@ namespace strobe::live {
 
 struct LiveOptions {
   DeskOptions desk;
-  int width = 1400, height = 900;      // of the window
-  bool size_given = false;             // of the picture; else software devices get a small one
-  std::string drive;                   // file of commands, or ""
-  std::optional<lab::TevAddress> tev;  // every picture goes there as well
-  double time_limit_s = 10;            // for what the device is given at once; 0: none
+  int width = 1400, height = 900;      // size of the window, pixels
+  bool size_given = false;             // the picture's size was given; otherwise software devices draw a small one
+  std::string drive;                   // file of commands; "" without one
+  std::optional<lab::TevAddress> tev;  // receives a copy of every picture
+  double time_limit_s = 10;            // for one submission to the device; 0 for no limit
   bool validation = false;
 };
 
-// Returns when the window is closed. Throws `Error`: without a display, where the first version cannot run, where a
-// command of the drive file fails, and with the messages of the validation layer at the end.
+// Returns when the window is closed. Throws `Error` without a display, if the shot cannot run at the start, if a
+// command of the drive file fails, and at the end if the validation layer had messages.
 void runLive(const Home& home, const LiveOptions& options);
 
 }  // namespace strobe::live

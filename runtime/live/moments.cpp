@@ -16,7 +16,7 @@ std::map<std::string, plan::Value> settingsOf(const lab::Shot& shot) {
 
 namespace {
 
-// Names of options and settings that two shots have differently.
+// Names of options and settings that differ between two shots.
 std::set<std::string> differences(const lab::Shot& one, const lab::Shot& other) {
   std::set<std::string> names;
   for (const lab::ShotOption& option : lab::shotOptions())
@@ -58,7 +58,7 @@ void Moments::add(Moment now) {
     return;
   }
   if (isOnly(now, "frame") && !last.saved) {
-    // Played on by a frame, or anew.
+    // Extend a played sequence by its next frame; ignore a replay.
     bool next = frameOf(now) == frameOf(last) + 1;
     if (now.goes_on && frameOf(now) >= last.first_frame && frameOf(now) < frameOf(last)) return;
     if (next && (last.changed.empty() || isOnly(last, "frame") || last.first_frame < frameOf(last))) {

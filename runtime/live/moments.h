@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// States of the window that a recording keeps.
+// States of the window in a recording.
 #pragma once
 
 #include <map>
@@ -10,30 +10,30 @@
 
 namespace strobe::live {
 
-// What the window showed at a time: A, and B where it is compared, each as `render` would make it.
+// State of the window at one time: the shots of the displayed sides, each as `render` would draw it.
 struct Moment {
   std::vector<lab::Shot> shots;
-  std::vector<std::string> images;   // that were looked at, one per shot; "color" where there is none
-  size_t files = 0;                  // which version of scripts and shaders
-  int first_frame = 0;               // played from here to the frame of the shots
-  std::vector<std::string> changed;  // against the one before: parameters, options, "image", "files", "comparison"
-  bool goes_on = false;              // a button is down, or it plays
-  bool saved = false;                // as a picture
+  std::vector<std::string> images;   // displayed images, one per shot; "color" by default
+  size_t files = 0;                  // number of the version of scripts and shaders
+  int first_frame = 0;               // first frame of the played sequence, which ends at the frame of the shots
+  std::vector<std::string> changed;  // since the previous moment: parameters, options, "image", "files", "comparison"
+  bool goes_on = false;              // a mouse button is down, or frames are being played
+  bool saved = false;                // the picture was saved
 };
 
-// Moments in their order. A slider that is dragged, a camera that flies and images that are looked through are one
-// moment each, with the last value; frames played one after another are one, a sequence.
+// Moments in their order. Dragging a slider, flying the camera and stepping through images are one moment each, with
+// the last value. Consecutive played frames are one moment, a sequence.
 class Moments {
  public:
-  void add(Moment now);  // `changed` and `first_frame` are found here
-  void markSaved();      // the last one
+  void add(Moment now);  // computes `changed` and `first_frame`
+  void markSaved();      // marks the last moment
   const std::vector<Moment>& all() const { return all_; }
 
  private:
   std::vector<Moment> all_;
 };
 
-// The last value of each name.
+// Settings of a shot. The last value of a name counts.
 std::map<std::string, plan::Value> settingsOf(const lab::Shot& shot);
 
 }  // namespace strobe::live

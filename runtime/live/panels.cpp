@@ -14,14 +14,15 @@ namespace strobe::live {
 namespace {
 
 constexpr float kSide = 340, kLeastSide = 190, kTop = 40, kHelpWidth = 92;
-constexpr float kBottom = 61, kPadding = 12, kMostCommandLines = 3;  // of the bar without its command; of a panel
-constexpr double kMessage_s = 4;                                     // a bad one twice as long
+// Bottom bar without the command text, padding of a panel, lines of the command text.
+constexpr float kBottom = 61, kPadding = 12, kMostCommandLines = 3;
+constexpr double kMessage_s = 4;  // duration of a message; an error stays twice as long
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 
-// A menu of names; true where another was chosen.
+// Draws a menu of names. True if another name was chosen.
 bool combo(const char* id, const std::string& current, const std::vector<std::string>& names, std::string& chosen) {
   bool changed = false;
   if (!ImGui::BeginCombo(id, current.c_str(), ImGuiComboFlags_HeightLarge)) return false;
@@ -39,7 +40,7 @@ std::vector<std::string> withOwn(std::vector<std::string> names, const std::stri
   return names;
 }
 
-// A name and what stands beside it, in a panel's two columns.
+// Draws the label of a row. The next widget fills the second column.
 void row(const char* name) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", name);
@@ -47,7 +48,7 @@ void row(const char* name) {
   ImGui::SetNextItemWidth(-1);
 }
 
-// A slider of a number between `ends`; on a logarithmic scale where the lower one is above 0.
+// Slider for a number between `ends`; logarithmic if the lower end is above 0.
 bool floatSlider(const char* id, float& value, std::array<float, 2> ends, const char* format) {
   const bool logarithmic = ends[0] > 0;
   bool changed = slider(id, ImGuiDataType_Float, &value, &ends[0], &ends[1], format,
@@ -56,7 +57,7 @@ bool floatSlider(const char* id, float& value, std::array<float, 2> ends, const 
   return changed;
 }
 
-// Wide panels in a wide window; a small one leaves nearly half of itself to the picture.
+// Width of a side panel. A wide window has wide panels; a small window keeps nearly half of its width for the picture.
 float sideWidth(float window) { return std::clamp(std::floor(0.28f * window), kLeastSide, kSide); }
 
 // ---- top
@@ -91,7 +92,7 @@ void viewPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   heading(fonts, "View");
   Look& look = desk.look();
   std::string chosen;
-  // Errors and differences are of the colour, on a scale of their own.
+  // Errors and differences always show the colour, on their own scale.
   const bool compares = desk.look().isOfColour();
   ImGui::BeginDisabled(compares);
   row("image");
@@ -176,7 +177,7 @@ void errorTable(const Fonts& fonts, Desk& desk) {
            desk.look().mode == Mode::Error ? "truth begins" : "choose error (5) to gather truth for an RMSE");
 }
 
-// What is set differently on the two sides.
+// Lists the values that differ between the two sides.
 void differences(const Fonts& fonts, Desk& desk) {
   if (!desk.b() || !ImGui::TreeNodeEx("what differs", ImGuiTreeNodeFlags_SpanAvailWidth)) return;
   std::map<std::string, std::string> of_b;
@@ -194,7 +195,7 @@ void differences(const Fonts& fonts, Desk& desk) {
   ImGui::TreePop();
 }
 
-// The setting of the mode, one row in every mode, so that the rows below keep their place.
+// Setting of the mode. One row in every mode, so that the rows below do not move.
 void modePart(const Fonts& fonts, Desk& desk) {
   Look& look = desk.look();
   if (desk.look().isOfColour()) {
@@ -230,7 +231,7 @@ void comparePart(const Fonts& fonts, Desk& desk, PanelState& state) {
 
 // ---- right: times
 
-// A line of bars, newest at the right; a void frame leaves a gap.
+// Bar chart of times, newest at the right. A void frame leaves a gap.
 void sparkline(const TimeHistory::Row& times, float width, float height) {
   ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -263,7 +264,7 @@ void timeCell(const Fonts& fonts, const TimeHistory::Row* times, ImU32 color) {
       times->name, msText(times->latest()), msText(times->median())));
 }
 
-// A row of A's time and, where there is a B, of its time; of A's history, or of B's where A has not that pass.
+// Row of a pass: time of A, time of B if there are `two` sides, and the history of A (of B if A lacks the pass).
 void timeRow(const Fonts& fonts, const TimeHistory::Row* a, const TimeHistory::Row* b, bool two, ImU32 color) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -281,7 +282,7 @@ const TimeHistory::Row* passNamed(const Side* side, const std::string& name) {
   return nullptr;
 }
 
-// Passes of A in their order, then the passes of B alone. A and B share rows.
+// Passes of A in their order, then passes that only B has. A pass of both sides has one row.
 void timesPart(const Fonts& fonts, Desk& desk) {
   heading(fonts, "GPU time, ms");
   const Side &a = desk.a(), *b = desk.b();
@@ -335,7 +336,7 @@ void limitsPart(const Fonts& fonts, const char* title, const Side& side) {
 
 // ---- right: the pinned pixel
 
-// Name, value and meaning, wrapped.
+// Name, value and meaning. Long texts wrap.
 void trailLine(const Fonts& fonts, const TrailLine& line) {
   textIn(fonts.small, line.heading ? colours::kAccent : colours::kText, line.name);
   tooltip(line.doc);
@@ -361,7 +362,7 @@ void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
     });
   ImGui::SameLine();
   if (ImGui::Button("let go")) return desk.pixel().unpin();
-  // Leaves room for the first times below; longer trails scroll.
+  // Keep space for the first times below. Longer trails scroll.
   float height = std::max(240.0f, ImGui::GetContentRegionAvail().y - 130);
   ImGui::BeginChild("trail", ImVec2(0, height));
   for (const TrailLine& line : desk.pixel().lines()) trailLine(fonts, line);
@@ -382,7 +383,7 @@ void rightPanel(const Fonts& fonts, Desk& desk, PanelState& state, float x, floa
 
 // ---- bottom
 
-// Lines that the command takes at the bottom: nearly always one, of a long one most.
+// Height of the command text in the bottom bar, pixels; at most `kMostCommandLines` lines.
 float commandHeight(const Fonts& fonts, const std::string& command, float width) {
   float tall = fonts.mono->CalcTextSizeA(fonts.mono->FontSize, FLT_MAX, width - 2 * kPadding, command.c_str()).y;
   return std::min(tall, kMostCommandLines * fonts.mono->FontSize);
@@ -480,7 +481,7 @@ void drawProblems(const Fonts& fonts, const std::vector<std::string>& problems, 
   ImGui::PopStyleColor();
 }
 
-// Rows of what has `shown` and `doc`.
+// Rows for the elements of a list, which have `shown` and `doc`.
 template <class List>
 void keyRows(const Fonts& fonts, const List& list) {
   for (const auto& key : list) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything around the picture: controls from their declarations, views, comparison, a pixel's trail, pass times.
+// Panels around the picture: controls from their declarations, views, comparison, trail of a pixel, pass times.
 #pragma once
 
 #include <functional>
@@ -13,38 +13,39 @@
 
 namespace strobe::live {
 
-constexpr int kSettleFrames = 3;  // of the window, that panels need to come to rest after an event
+constexpr int kSettleFrames = 3;  // frames of the window until the panels settle after an event
 
-// What belongs to the window rather than to the picture.
+// State of the window that does not belong to the picture.
 struct PanelState {
   bool panels = true, help = false;
   bool controls_of_b = false;
   bool focus_search = false;
   std::string search;
-  std::string pointed_control, changed_control;  // under the pointer; changed last. Of the side that is shown
-  std::string swept_control;                     // of which a sweep was asked for, for the window to begin
+  // Control under the pointer, and control that was changed last; both of the side in the control panel.
+  std::string pointed_control, changed_control;
+  std::string swept_control;  // control to sweep; the window begins the sweep
   Magnification magnification;
   int window_frame = 0;
-  std::vector<Action> requests;  // buttons pressed, for the window to carry out
-  std::string message;           // the last thing that happened
+  std::vector<Action> requests;  // pressed buttons; the window executes them
+  std::string message;           // last message to the user
   bool message_is_bad = false;
-  std::optional<size_t> recorded;  // moments, while it is recorded
+  std::optional<size_t> recorded;  // number of recorded moments; empty without a recording
   double message_until_s = 0;
 
   void say(const std::string& text, bool bad = false);
-  bool speaks() const;  // the message is to be seen
+  bool speaks() const;  // true while the message is displayed
 };
 
-// Begins a panel that fills its place; `ImGui::End` ends it. `tabs`: Tab goes from field to field.
+// Begins a panel at a fixed place and size; `ImGui::End` ends it. `tabs`: the Tab key moves between fields.
 void beginPanel(const char* name, float x, float y, float width, float height, bool tabs = false);
 
-// Carries out a change; what is refused becomes the message.
+// Calls `change`. An `Error` becomes the message.
 void attempt(PanelState& state, const std::function<void()>& change);
 
-// The panels at the sides of a window; returns the area they leave for the picture.
+// Draws the panels at the sides of the window. Returns the remaining area for the picture.
 Area drawPanels(const Fonts& fonts, Desk& desk, PanelState& state);
 
-// What lies over the picture: problems, help, the last message.
+// Draws over the picture: problems, help, last message.
 void drawOverlays(const Fonts& fonts, const Desk& desk, PanelState& state, const Area& area);
 
 }  // namespace strobe::live

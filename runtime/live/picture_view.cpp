@@ -7,8 +7,8 @@
 namespace strobe::live {
 
 static const double kClick = 4;         // a press that moves less is a click, pixels
-static const double kNumbersFrom = 46;  // pixels of the window per texel in which three numbers can be read
-static const double kWipeGrip = 7;      // reach of the wipe's line, pixels
+static const double kNumbersFrom = 46;  // least texel size for three legible numbers, window pixels
+static const double kWipeGrip = 7;      // distance at which a press grabs the wipe's line, pixels
 
 static ImVec2 toIm(const dvec2& at) { return ImVec2(float(at.x), float(at.y)); }
 static dvec2 fromIm(const ImVec2& at) { return {at.x, at.y}; }
@@ -64,8 +64,8 @@ void PictureView::prepare(Surface& surface, const Desk& desk) {
   }
 }
 
-// Pixel by pixel below the picture, where that leaves room, else over its lower corners: at the right, and where the
-// two sides have different ones, A's at the left.
+// Draws legends unscaled: below the picture if there is room, otherwise over its lower corners. A's legend is at the
+// left corner if B has a different one; every other legend is at the right corner.
 void PictureView::drawLegends(const Fonts& fonts, const Area& area) const {
   constexpr double kGap = 8;
   const bool two = legend_pictures_[1] != nullptr;
@@ -92,7 +92,7 @@ void PictureView::drawWipe(const Fonts& fonts, const Desk& desk, const Area& are
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   double x = placement_.toWindow({desk.look().wipe * width_, 0}).x;
   double top = std::max(area.y, placement_.origin.y);
-  // A side that has not the image chosen shows another, which is named.
+  // A side without the chosen image shows another image. The label names that image.
   auto label = [&](const Side& side, const char* letter, ImU32 color, bool left) {
     bool named = !desk.look().isOfColour() && side.drawn_port != desk.look().port;
     std::string name = named ? fmt::format("{}  {}", letter, side.drawn_port) : letter;
@@ -109,7 +109,7 @@ void PictureView::drawWipe(const Fonts& fonts, const Desk& desk, const Area& are
   list->AddCircle(ImVec2(float(x), float(middle)), 7, IM_COL32(0, 0, 0, 160));
 }
 
-// The values of texels large enough to hold them.
+// Writes the values of each texel on the texel.
 void PictureView::drawNumbers(const Fonts& fonts, const Desk& desk, const PanelState& state, const Area& area) const {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   dvec2 first = glm::floor(placement_.toPicture({area.x, area.y})),

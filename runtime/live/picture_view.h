@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The picture in the middle of the window, and what the mouse and held keys do over it.
+// Picture in the middle of the window, with the actions of the mouse and of held keys over it.
 #pragma once
 
 #include "live/input_queue.h"
@@ -10,14 +10,14 @@ namespace strobe::live {
 
 class PictureView {
  public:
-  // Uploads what `draw` shows beside the picture.
+  // Uploads changed legends for `draw`.
   void prepare(Surface& surface, const Desk& desk);
-  // Draws the picture into the area, with what is under the pointer.
+  // Draws the picture into the area, and the values under the pointer.
   void draw(const Fonts& fonts, Desk& desk, const PanelState& state, const Area& area, const Texture& picture);
-  // Camera, wipe, magnification and pinning by the mouse; flying by keys that are held.
+  // Handles the mouse (camera, wipe, magnification, pinning) and held keys (flying).
   void interact(Desk& desk, PanelState& state, const Area& area, const InputQueue& input);
 
-  // Where a pixel of the picture was drawn, pixels of the window.
+  // Position of a picture's pixel in the window, pixels, as last drawn.
   dvec2 inWindow(const dvec2& pixel) const { return placement_.toWindow(pixel); }
 
  private:
@@ -33,7 +33,7 @@ class PictureView {
 
   Placement placement_;
   int width_ = 1, height_ = 1;
-  std::array<lab::Legend, 2> legends_;  // that the textures show
+  std::array<lab::Legend, 2> legends_;  // legends in the textures
   std::array<std::unique_ptr<Texture>, 2> legend_pictures_;
   Grip grip_ = Grip::None;
   dvec3 pivot_ = dvec3(0);  // of an orbit, world space

@@ -35,7 +35,7 @@ Json PinnedPixel::json() const {
   return lab::toJson(*trail_);
 }
 
-// The fewest digits that read back to the same 32-bit float.
+// Shortest texts that are read back as the same 32-bit floats.
 static std::string numbersText(const std::vector<double>& values) {
   std::string text;
   for (double value : values) text += fmt::format("{}{}", text.empty() ? "" : "  ", float(value));

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// A pixel whose trail stays in sight while values change.
+// Pixel with a trail that stays displayed while values change.
 #pragma once
 
 #include "lab/trail.h"
 
 namespace strobe::live {
 
-// A line of a pixel's trail, as a table shows it.
+// Line in the table of a pixel's trail.
 struct TrailLine {
-  bool heading = false;  // a surface its ray meets, rather than an image
+  bool heading = false;  // first line of a surface on the pixel's ray
   std::string name, value, meaning;
-  std::string doc;  // the rest: format, size, texel
+  std::string doc;  // tooltip: format, size, texel
 };
 
 class PinnedPixel {
  public:
-  // The bench must outlive it.
+  // `bench` must outlive this object.
   explicit PinnedPixel(lab::Workbench& bench) : bench_(bench) {}
 
-  // Throws `Error` for a pixel outside of the shot, or where its trail cannot be followed.
+  // Throws `Error` if the pixel is outside of the shot or the pixel's trail cannot be computed.
   void pin(const lab::Shot& shot, int x, int y);
   void unpin();
-  // Follows the pinned pixel, if any, in another shot; a pixel outside of it is let go.
+  // Updates the trail of the pinned pixel, if any, for another shot. Unpins a pixel outside of that shot.
   void follow(const lab::Shot& shot);
 
   std::optional<std::pair<int, int>> at() const { return at_; }

@@ -6,14 +6,14 @@
 
 namespace strobe::live {
 
-static const double kLeast = 0.25, kMost = 256;  // of zoom
+static const double kLeast = 0.25, kMost = 256;  // limits of the zoom
 
 static double fittedScale(const Area& area, int width, int height) {
   double scale = std::max(1e-3, std::min(area.width / width, area.height / height));
   return scale >= 2 ? std::floor(scale) : scale;
 }
 
-// Whole pixels of the window, so that enlarged pixels have sharp borders.
+// Rounds to whole window pixels, so that enlarged pixels have sharp borders.
 static dvec2 rounded(const dvec2& at) { return {std::round(at.x), std::round(at.y)}; }
 
 Placement placed(const Area& area, int width, int height, const Magnification& magnification) {

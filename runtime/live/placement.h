@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a picture lies in the window: fitted into an area, magnified, moved. Pure.
+// Placement of a picture in the window: fitted to an area, magnified, moved. Pure functions.
 #pragma once
 
 #include "math/geometry.h"
@@ -11,13 +11,14 @@ struct Area {
   double x = 0, y = 0, width = 0, height = 0;
 };
 
-// How the picture is magnified: `zoom` 1 fits it; `centre` is what lies in the middle, in shares of its size.
+// Magnification of the picture. `zoom`: 1 fits the picture into its area. `centre`: point of the picture in the middle
+// of the area, as a fraction of the picture's size.
 struct Magnification {
   double zoom = 1;
   dvec2 centre = dvec2(0.5);
 };
 
-// Window = origin + scale * pixel of the picture.
+// Window position = origin + scale * pixel of the picture.
 struct Placement {
   dvec2 origin = dvec2(0);
   double scale = 1;
@@ -25,14 +26,15 @@ struct Placement {
   dvec2 toPicture(const dvec2& window) const { return (window - origin) / scale; }
 };
 
-// Enlarged fitted pictures have pixels of whole size, so that all are alike.
+// Placement of a picture. A fitted scale of 2 or more is rounded down to a whole number, so that all pixels have equal
+// size.
 Placement placed(const Area& area, int width, int height, const Magnification& magnification);
 
-// `factor` times as large, and what is at `window` stays there.
+// Multiplies the zoom by `factor`. The point at `window` stays in place.
 Magnification magnified(const Magnification& from, double factor, const dvec2& window, const Area& area, int width,
                         int height);
 
-// Moved by a drag in the window.
+// Moves the picture by a drag of `by_window` pixels.
 Magnification dragged(const Magnification& from, const dvec2& by_window, const Area& area, int width, int height);
 
 }  // namespace strobe::live

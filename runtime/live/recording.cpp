@@ -15,7 +15,7 @@ namespace strobe::live {
 
 namespace fs = std::filesystem;
 
-// ---- what the desk has drawn
+// ---- drawn states
 
 Recording::Recording(const Home& home, const Path& folder) : home_(home), folder_(folder) {
   for (const Path& root : home.roots())
@@ -30,7 +30,7 @@ void addSide(Moment& moment, const Side& side) {
   moment.images.push_back(side.drawn_port.empty() ? "color" : side.drawn_port);
 }
 
-// Every side that is looked at.
+// Sides that are displayed.
 std::vector<const Side*> sidesShown(const Desk& desk) {
   const Look& look = desk.look();
   if (!desk.b()) return {&desk.sides().a()};
@@ -38,19 +38,19 @@ std::vector<const Side*> sidesShown(const Desk& desk) {
   return {look.single_b ? desk.b() : &desk.sides().a()};
 }
 
-// The newest files run, and the last frame is drawn with them.
+// True if the last frame was drawn with the newest files.
 bool isDrawn(const Side& side) { return !side.stale && side.problem.empty() && side.session->problems().empty(); }
 
 }  // namespace
 
-// Scripts, shaders and the rest of a version, one folder per root.
+// Folder of one root in each version.
 static std::vector<Path> rootsOf(const std::vector<std::unique_ptr<FrozenHome>>& versions, size_t root) {
   std::vector<Path> folders;
   for (const auto& version : versions) folders.push_back(version->home().roots()[root]);
   return folders;
 }
 
-// Names of the files that are not the same in all versions, below a root.
+// Names of the files that differ between versions, relative to the root.
 static std::set<Path> edited(const std::vector<Path>& versions) {
   std::set<Path> all, differing;
   for (const Path& version : versions)
@@ -66,7 +66,7 @@ static std::set<Path> edited(const std::vector<Path>& versions) {
   return differing;
 }
 
-// A changed file begins a version as soon as the desk has read the scripts, even if the picture stays the same: a new
+// A changed file begins a version as soon as the desk has read the scripts, even if the picture stays the same. A new
 // file can be chosen from then on.
 size_t Recording::version(const Desk& desk) {
   const bool swapped = desk.sides().swaps() != swaps_, read = changed_ && !desk.sides().evaluate();
@@ -79,7 +79,7 @@ size_t Recording::version(const Desk& desk) {
   return versions_.size() - 1;
 }
 
-// True if the last version differs from the one before.
+// True if the last version differs from the previous one.
 bool Recording::isNew() const {
   for (size_t root = 0; root < home_.roots().size(); ++root) {
     std::vector<Path> folders = rootsOf(versions_, root);
@@ -125,16 +125,16 @@ void openInEditor(const Path& file) {
   run({.arguments = arguments});
 }
 
-// ---- as a file
+// ---- writing
 
 namespace {
 
-// As inputs of a capture are named.
+// Name of a root, as in the inputs of a capture.
 std::string rootName(const Home& home, size_t root) { return root + 1 == home.roots().size() ? "strobe" : "project"; }
 
 }  // namespace
 
-// The name by which any home has a file of a root, else its absolute path.
+// Name of a scene or pipeline that is valid in every home, otherwise the absolute path.
 static std::string portable(const Home& home, const std::string& file) {
   if (!fs::is_regular_file(file)) return file;
   Path path = fs::absolute(file).lexically_normal();
@@ -145,7 +145,8 @@ static std::string portable(const Home& home, const std::string& file) {
   return path.string();
 }
 
-// Nothing where the scene lies elsewhere and does not run any more: then all options stand in the script.
+// Shot with the options that the scene suggests. Without suggestions if the scene no longer runs; the script then lists
+// all options.
 static lab::Shot suggestedIn(const Home& home, const lab::Shot& shot, const script::Limits& limits) {
   try {
     return suggestedShot(home, shot, limits);
@@ -162,7 +163,7 @@ void Recording::write(const Path& script, const script::Limits& limits) const {
   Recorded recorded{moments_.all(), {}, std::vector<std::string>(versions_.size())};
   for (Moment& moment : recorded.moments)
     for (lab::Shot& shot : moment.shots) {
-      // From elsewhere it has to be found as well.
+      // Make the names valid from any folder.
       shot.scene = portable(home_, shot.scene), shot.pipeline = portable(home_, shot.pipeline);
       if (Path(shot.scene).is_absolute() && !home_.nameOf(shot.scene)) shot.allow_outside = true;
       const std::string key = sceneKey(moment.files, shot);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is done in the window, as a capture script (docs/captures.md): every state that was drawn becomes a shot and an
-// arm, those that were saved become its figure.
+// Recording of the work in the window as a capture script (docs/captures.md). Each drawn state becomes a shot and an
+// arm. Saved states become the figure of the script.
 #pragma once
 
 #include <memory>
@@ -14,25 +14,27 @@ namespace strobe::live {
 
 class Recording {
  public:
-  // Keeps scripts and shaders as they are, and as they become, in `folder` until it ends. `home` must outlive it.
+  // Copies scripts and shaders, and every edited version, into `folder`. The destructor deletes the copies. `home` must
+  // outlive the recording.
   Recording(const Home& home, const Path& folder);
   Recording(const Recording&) = delete;
   ~Recording();
 
-  // Before the desk looks at its files in a turn: notes whether any file of the home changed.
+  // Records whether a file of the home changed. Call before the desk reloads files in a turn.
   void lookAtFiles() { changed_ = watch_.changed() || changed_; }
-  // Takes in what the desk has drawn, once per turn. `goes_on`: a button is down, or it plays.
+  // Records the displayed state of the desk; call once per turn. `goes_on`: a mouse button is down, or frames are
+  // played.
   void look(const Desk& desk, bool goes_on);
   void markSaved(const Desk& desk);
   size_t moments() const { return moments_.all().size(); }
 
-  // Writes the script (.lua) and, where files were edited meanwhile, their versions into a folder beside it with the
-  // script's name without ending; a version from before a file was made says so (FrozenHome). Throws `Error` for
-  // another ending and where nothing was drawn; `WriteError`.
+  // Writes the script (.lua). If files were edited, also writes the edited files of each version into a folder beside
+  // the script, named as the script without its ending. If a version lacks a file that another version has, it lists
+  // the file as absent (FrozenHome). Throws `Error` for another ending or if nothing was drawn; `WriteError`.
   void write(const Path& script, const script::Limits& limits) const;
 
  private:
-  size_t version(const Desk& desk);  // of the files, as they are now
+  size_t version(const Desk& desk);  // number of the current version of the files
   bool isNew() const;
 
   const Home& home_;
@@ -40,12 +42,12 @@ class Recording {
   std::vector<std::unique_ptr<FrozenHome>> versions_;
   int swaps_ = -1;
   Watch watch_;
-  bool changed_ = false;  // a file changed since the last version, used by the picture or not
+  bool changed_ = false;  // a file changed since the last version, whether the picture uses it or not
   Moments moments_;
 };
 
-// Opens a file in a program of its own, which is not waited for: STROBE_EDITOR, a name and arguments between spaces,
-// else what the desktop has for it; nothing where there is neither.
+// Opens a file in another program without waiting for the program. STROBE_EDITOR has the program and its arguments,
+// separated by spaces; the default is xdg-open. Does nothing if the program is missing.
 void openInEditor(const Path& file);
 
 }  // namespace strobe::live

@@ -18,13 +18,13 @@ std::string spaced(const std::string& numbers) {
   return result;
 }
 
-// "NAME=x,y,z" of the command line in two.
+// Splits "NAME=x,y,z" of the command line at the last '='.
 std::pair<std::string, std::string> assigned(const std::string& text) {
   size_t at = std::min(text.rfind('='), text.size());
   return {text.substr(0, at), spaced(text.substr(std::min(at + 1, text.size())))};
 }
 
-// Motions and camera paths are lists of texts elsewhere, tables in Lua.
+// Motions and camera paths are lists of texts in JSON, and tables in Lua.
 std::string optionText(const lab::ShotOption& option, const lab::Shot& shot) {
   Json value = lab::jsonOf(option, shot);
   bool motion = option.name == "move" || option.name == "spin";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shots as Lua has them, for the experiments and captures that the window writes.
+// Shots as Lua text, for the experiments and captures that the window writes.
 #pragma once
 
 #include <functional>
@@ -11,15 +11,15 @@
 
 namespace strobe::live {
 
-// The options that the scene of a shot suggests where a home has these files; its script may leave them out. Throws
-// `Error` where the scene's script does not run.
+// Options that the shot's scene suggests with the files of `home`; a written script may omit them. Throws `Error` if
+// the scene's script fails.
 lab::Shot suggestedShot(const Home& home, const lab::Shot& shot, const script::Limits& limits);
 
-using LeftOut = std::function<bool(const std::string& name)>;  // an empty one leaves out nothing
+using LeftOut = std::function<bool(const std::string& name)>;  // true to omit a field; an empty function omits nothing
 
-// The options of a shot that differ from another's, without scene and size.
+// Fields of the options that differ between `shot` and `from`, without scene and size.
 std::vector<std::string> optionFields(const lab::Shot& shot, const lab::Shot& from, const LeftOut& left_out);
-// Settings of the scene, or of the pipeline; the last of a name counts.
+// Fields of the settings of the scene or of the pipeline. The last value of a name counts.
 std::vector<std::string> settingFields(const script::Settings& sets, bool of_scene, const LeftOut& left_out);
 
 }  // namespace strobe::live

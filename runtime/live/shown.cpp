@@ -10,7 +10,7 @@ namespace strobe::live {
 
 static const char* const kErrorName = "mean |x - truth|";
 static const char* const kDifferenceName = "mean |A - B|";
-static const int kFlickerFrames = 12;  // frames of the window for each side
+static const int kFlickerFrames = 12;  // window frames for each side
 
 const std::vector<std::string>& modeNames() {
   static const std::vector<std::string> names = {"single", "wipe", "flicker", "difference", "error"};
@@ -33,7 +33,8 @@ const Side& Shown::side() const {
   return of_b && b_ ? *b_ : a_;
 }
 
-// After a value that B refuses, or a frame that could not be drawn, the pictures differ in size.
+// True if A and B share the picture. The sizes differ after B refused a value or a frame could not be drawn; then the
+// picture is not divided.
 bool Shown::isDivided() const {
   if (!b_ || (look_.mode != Mode::Wipe && look_.mode != Mode::Error)) return false;
   const lab::Shot &of_a = a_.session->shot(), &of_b = b_->session->shot();
@@ -84,7 +85,7 @@ PixelValue Shown::colourAt(const Side& side, int x, int y) const {
   return value;
 }
 
-// Mean absolute difference of a pixel, as the picture shows it.
+// Mean absolute difference of a pixel over its channels, as in the picture.
 static PixelValue differenceAt(char side, const char* name, const image::Image& one, const image::Image& other, int x,
                                int y) {
   double sum = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The picture in the middle of the window, of one side or of a comparison of both, and the values in it.
+// Picture in the middle of the window, of one side or of a comparison, with its values.
 #pragma once
 
 #include <array>
@@ -12,44 +12,45 @@ namespace strobe::live {
 
 enum class Mode { Single, Wipe, Flicker, Difference, Error };
 const std::vector<std::string>& modeNames();  // in the order of `Mode`
-Mode modeNamed(const std::string& name);      // throws `Error` with the nearest
+Mode modeNamed(const std::string& name);      // throws `Error` with the nearest name
 bool comparesWithB(Mode mode);
 
-// Image, view and comparison that the window shows.
+// Image, view and comparison mode of the window.
 struct Look {
   std::string port = "color";  // an output, or "node.port"
   lab::ViewOptions view;
   Mode mode = Mode::Single;
   bool single_b = false;  // Mode::Single shows B
-  double wipe = 0.5;      // of the width
-  double gain = 4;        // of differences and errors: full scale at 1 / gain
-  // True if errors or differences are shown: they are of the colour, whatever image is chosen.
+  double wipe = 0.5;      // position of the line, fraction of the width
+  double gain = 4;        // of differences and errors; full scale is 1 / gain
+  // True if errors or differences are shown. Both are of the colour, whatever `port` is.
   bool isOfColour() const { return mode == Mode::Error || mode == Mode::Difference; }
   bool operator==(const Look&) const = default;
 };
 
-// A value of the picture under the pointer: as the pass wrote it, or a difference.
+// Value of the picture at a pixel: output of a pass, or a difference.
 struct PixelValue {
-  char side = 'A';             // whose; ' ' for a difference of both
-  std::string port, format;    // format: "" for what no pass wrote
-  int x = 0, y = 0;            // in its image
+  char side = 'A';             // 'A' or 'B'; ' ' for a difference of both
+  std::string port, format;    // format: "" for a difference
+  int x = 0, y = 0;            // texel in its image
   std::vector<double> values;  // integers are exact
   bool integers = false;
 };
 
-// The picture of a frame of the window. Refers to its parts, which must outlive it.
+// Picture of a window frame. Refers to the constructor's arguments, which must outlive it.
 class Shown {
  public:
-  // `b` may be null. `window_frame` chooses the side that flickers.
+  // `b` may be null. `window_frame` selects the side in flicker mode.
   Shown(const Side& a, const Side* b, const Look& look, const GatheredTruth& truth, int window_frame)
       : a_(a), b_(b), look_(look), truth_(truth), window_frame_(window_frame) {}
 
-  // The side of a picture that is not divided.
+  // Side that an undivided picture shows.
   const Side& side() const;
-  // The value that the picture shows at a pixel, of the side that it shows there; after a difference or an error, the
-  // colours behind it. Empty outside of the frame.
+  // Value of the displayed image at a pixel, from the side that is displayed there. A difference or an error is
+  // followed by the colours that it compares. Empty outside of the frame.
   std::vector<PixelValue> valuesAt(int x, int y) const;
-  // The picture. `legends`: of A or of both sides; of B if that is another one.
+  // Returns the picture. `legends`: A's and B's in a divided picture, the second one empty if both are equal; otherwise
+  // only the first one is set.
   image::Image compose(std::array<lab::Legend, 2>& legends) const;
 
  private:

@@ -40,7 +40,7 @@ Sides::Sides(lab::Workbench& bench, lab::Shot shot, script::Settings versus_sets
   first_frame_ = a_.session->shot().frame;
   bool moves_by_option = !shot.moves.empty() || !shot.spins.empty();
   if (!moves_by_option || shot.rest_frame >= 0) return;
-  // Played from frame to frame, what is moved by options has to rest in one of them.
+  // Objects that options move need a rest frame that does not change while frames are played.
   shot.rest_frame = first_frame_;
   open();
 }
@@ -65,7 +65,7 @@ void Sides::change(const std::string& name, bool of_b, const std::function<void(
   refusals_.erase({of_b, name});
   Side& side = of_b ? b_ : a_;
   side.stale = true;
-  // Pipelines made for a change spoil the times of the frame that uses them first.
+  // GPU pipelines that were compiled for a change distort the times of the first frame that uses them.
   if (bench_.compilations() != compiled) side.times.voidNext();
   if (!of_b) follow();
 }
@@ -92,7 +92,7 @@ void Sides::usePipeline(const std::string& name, bool of_b) {
   side.times.clear();
 }
 
-// B takes what is A's, as far as B can have it.
+// Copies A's shot values to B, if B accepts them.
 void Sides::follow() {
   if (!b_.session) return;
   std::map<std::string, plan::Value> values_b;
@@ -129,7 +129,8 @@ double Sides::costOf(const std::string& name) const {
 
 // ---- camera and time
 
-// How far away what the camera turns round is: the middle of the scene, as far as it lies ahead.
+// Distance from the camera to the middle of the scene, along the view direction, metres. At least a tenth of the
+// scene's radius.
 static double distanceToMiddle(const scene::Scene& scene, const scene::Pose& pose) {
   Bounds bounds;
   std::vector<scene::Instance> instances = scene::instancesOf(scene);
@@ -184,7 +185,8 @@ int Sides::lastFrame() const { return first_frame_ + scene::loopFrames(a_.sessio
 
 // ---- files
 
-// On the terminal all of it, in the window what was lost.
+// The terminal gets the whole report. The window gets the most important part: reset values, new choices, or reloaded
+// files.
 void Sides::report(const Side& side, const lab::Reload& reload) {
   std::string who = b_.session ? (&side == &a_ ? "A: " : "B: ") : "";
   note(who + lab::textOf(reload));

@@ -8,7 +8,7 @@ namespace strobe::live {
 namespace {
 
 ImFont* loadFont(const char* file, float size_px) {
-  // Letters of western languages, Greek, punctuation, arrows, mathematics, and the shapes on buttons.
+  // Western letters, Greek, punctuation, arrows, mathematics, and the shapes on buttons.
   static const ImWchar ranges[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x2044, 0x2190, 0x21ff,
                                    0x2200, 0x22ff, 0x25a0, 0x25ff, 0x2758, 0x275a, 0};
   Path path = image::fontFile().parent_path() / file;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the window looks: fonts, colours, and the few shapes panels share.
+// Style of the window: fonts, colours, and shapes that panels share.
 #pragma once
 
 #include <imgui.h>
@@ -16,40 +16,40 @@ struct Fonts {
 };
 
 namespace colours {
-constexpr ImU32 kBackground = IM_COL32(20, 21, 23, 255);  // behind the picture
+constexpr ImU32 kBackground = IM_COL32(20, 21, 23, 255);  // background of the picture
 constexpr ImU32 kPanel = IM_COL32(29, 31, 34, 255);
 constexpr ImU32 kLine = IM_COL32(48, 51, 56, 255);
 constexpr ImU32 kText = IM_COL32(222, 224, 228, 255);
 constexpr ImU32 kDim = IM_COL32(138, 143, 152, 255);
-constexpr ImU32 kAccent = IM_COL32(240, 170, 80, 255);  // what was set by hand; A
-constexpr ImU32 kOther = IM_COL32(104, 178, 230, 255);  // what follows something; B
+constexpr ImU32 kAccent = IM_COL32(240, 170, 80, 255);  // value set by hand; side A
+constexpr ImU32 kOther = IM_COL32(104, 178, 230, 255);  // value from another origin; side B
 constexpr ImU32 kGood = IM_COL32(126, 196, 130, 255);
 constexpr ImU32 kBad = IM_COL32(240, 104, 96, 255);
 }  // namespace colours
 
-// Sets ImGui's fonts and style. Throws `Error` where the font is not installed.
+// Sets ImGui's fonts and style. Throws `Error` if the font is not installed.
 Fonts applyStyle();
 
-// Text in a font and colour, cut at the right end of the region with three dots.
+// Text in a font and colour. Cut with "..." at the right end of the region, less `margin` pixels.
 void textIn(ImFont* font, ImU32 color, const std::string& text, float margin = 0);
 
-// All of a text, wrapped at `width` (0: the region's).
+// Whole text, wrapped at `width` pixels (0: the region's width).
 void wrappedIn(ImFont* font, ImU32 color, const std::string& text, float width = 0);
 
-// A heading of a part of a panel, with a line under it.
+// Heading of a part of a panel, with a line below.
 void heading(const Fonts& fonts, const char* text);
 
-// The tooltip of the last item, wrapped.
+// Tooltip of the last item, wrapped.
 void tooltip(const std::string& text);
 
-// The tooltip of the last item, above it: the rows below stay visible.
+// Tooltip of the last item, above the item, so that the rows below stay visible.
 void tooltipAbove(const std::string& text);
 
-// A slider without ImGui's grab, which would stand on the value.
+// Slider without ImGui's grab, which would cover the value.
 bool slider(const char* id, ImGuiDataType type, void* value, const void* low, const void* high, const char* format,
             ImGuiSliderFlags flags);
 
-// A small button without a frame.
+// Small button without a frame.
 bool quietButton(const char* label, const std::string& explanation, bool lit = false);
 
 }  // namespace strobe::live

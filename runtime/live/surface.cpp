@@ -11,7 +11,7 @@ namespace strobe::live {
 
 namespace {
 
-// The push constants of shaders/live/panel.vert.glsl.
+// Push constants of shaders/live/panel.vert.glsl.
 struct WindowConstants {
   float clip_per_px[2], origin_clip[2];
 };
@@ -103,7 +103,7 @@ void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name,
   fill(*texture, toRgba8(display).data());
 }
 
-// ImGui asks for its font by what is set here.
+// Makes the texture of ImGui's font and registers it with ImGui.
 void Surface::makeFont() {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
@@ -113,7 +113,7 @@ void Surface::makeFont() {
   ImGui::GetIO().Fonts->SetTexID(font_->id());
 }
 
-// All lists one after the other in one buffer of vertices and one of indices, which grow and never shrink.
+// Copies all lists, in order, into one vertex buffer and one index buffer. The buffers grow and never shrink.
 void Surface::takeGeometry(const ImDrawData& frame) {
   size_t vertex_bytes = size_t(frame.TotalVtxCount) * sizeof(ImDrawVert);
   size_t index_bytes = size_t(frame.TotalIdxCount) * sizeof(ImDrawIdx);
@@ -134,7 +134,7 @@ void Surface::takeGeometry(const ImDrawData& frame) {
 
 void Surface::recordCommand(VkCommandBuffer commands, const ImDrawData& frame, const ImDrawCmd& command,
                             uint32_t first_index, int32_t first_vertex) const {
-  // The clip rectangle in pixels of the window, cut to it.
+  // Clip rectangle in window pixels, clamped to the window.
   float x0 = std::max(0.0f, command.ClipRect.x - frame.DisplayPos.x);
   float y0 = std::max(0.0f, command.ClipRect.y - frame.DisplayPos.y);
   float x1 = std::min(float(swapchain_.extent().width), command.ClipRect.z - frame.DisplayPos.x);

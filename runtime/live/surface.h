@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the panels draw, on the window: Dear ImGui's lists of triangles through the project's own Vulkan calls.
-// (Its own Vulkan backend of the versions in use knows no textures but its font.)
+// Draws the panels on the window: Dear ImGui's triangle lists through the project's own Vulkan calls. (ImGui's Vulkan
+// backend, in the versions in use, has no textures except its font.)
 #pragma once
 
 #include <imgui.h>
@@ -18,34 +18,34 @@
 
 namespace strobe::live {
 
-// A picture on the device that panels show. The surface it came from must outlive it.
+// Image on the device for the panels. The surface that made the texture must outlive it.
 class Texture {
  public:
   int width() const { return int(image_.desc().width); }
   int height() const { return int(image_.desc().height); }
-  // For ImGui::Image and the like; valid while this texture lives where it is.
+  // Texture id for ImGui::Image and similar calls; valid while this texture exists at its address.
   ImTextureID id() const { return (ImTextureID)(intptr_t)this; }
 
  private:
   friend class Surface;
   gpu::Image image_;
   gpu::Buffer staging_;
-  VkSampler sampler_ = VK_NULL_HANDLE;  // the surface's
+  VkSampler sampler_ = VK_NULL_HANDLE;  // owned by the surface
   gpu::Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
 
 class Surface {
  public:
-  // Takes over `surface`. An ImGui context with its fonts must be current. Throws `Error`.
+  // Takes ownership of `surface`. Needs a current ImGui context with fonts. Throws `Error`.
   Surface(const Home& home, const gpu::Device& device, VkSurfaceKHR surface, int width, int height);
 
-  // Puts a display image (sRGB-encoded, three channels) into `texture`, making it anew where size or filter is another.
-  // `smooth`: scaled with a linear filter instead of as squares.
+  // Uploads a display image (sRGB-encoded, three channels) into `texture`. Makes a new texture if the size or filter
+  // differs. `smooth`: linear filter instead of nearest.
   void upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display, bool smooth);
 
-  // Draws ImGui's frame and shows it. With `shot`, that becomes what the window shows. False where nothing could be
-  // shown (the window is hidden, or was resized: the next frame will be).
+  // Draws ImGui's frame and presents it. `shot` (may be null) receives the window's pixels. Returns false if nothing
+  // was presented because the window is hidden or was resized; call again with the next frame.
   bool show(const ImDrawData& frame, int width, int height, image::Image* shot = nullptr);
 
  private:

@@ -13,10 +13,10 @@
 
 namespace strobe::live {
 
-static const size_t kMostBytes = size_t{2} << 30;  // of pictures that are kept for their errors
-static const double kBetter = 1.25;                // times as many samples of truth: errors are measured again
+static const size_t kMostBytes = size_t{2} << 30;  // limit of all pictures, which are kept for their errors
+static const double kBetter = 1.25;                // growth of the sample count after which errors are measured again
 
-// Of truths of single values: the same however long they take, so that equal values have equal errors.
+// Steps for ground truths of single values. The steps do not depend on time, so that equal values have equal errors.
 static const lab::RunningTruth::Steps kOwnSteps{4, 16, std::numeric_limits<double>::infinity()};
 
 std::optional<double> SweepPoint::median() const {
@@ -32,7 +32,7 @@ lab::Shot withValue(lab::Shot shot, const std::string& name, const plan::Value& 
   return shot;
 }
 
-// The points of all combinations, in order.
+// Points of all combinations of values, in order.
 static std::vector<SweepPoint> pointsOf(const lab::Shot& shot, const std::vector<SweepAxis>& axes) {
   std::vector<SweepPoint> points(1);
   points.front().shot = shot;
@@ -106,7 +106,8 @@ bool Sweep::draw() {
   return true;
 }
 
-// Squared error of each pixel, summed over channels and limited; errors that are not finite are the limit.
+// Squared error of each pixel, summed over channels. Each term is limited to `kMost`; a non-finite error counts as the
+// limit.
 static image::Image squaredErrors(const image::Image& color, const image::Image& truth) {
   constexpr float kMost = 1e6f;
   image::Image errors(color.width, color.height, 1);
@@ -162,7 +163,7 @@ bool Sweep::sampleOwn() {
   return true;
 }
 
-// The point with the fewest times, the first of several.
+// Times a frame of the point with the fewest times, or of the first such point.
 bool Sweep::time() {
   SweepPoint* next = nullptr;
   for (SweepPoint& point : points_)
@@ -177,7 +178,7 @@ bool Sweep::time() {
   return true;
 }
 
-// ---- how far it is
+// ---- progress
 
 size_t Sweep::drawn() const {
   return size_t(std::count_if(points_.begin(), points_.end(),

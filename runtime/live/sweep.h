@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures of a shot at several values of one or two of its controls, with their errors and times: drawn in slices
-// while the window goes on. Files are read once, when they are first needed.
+// Pictures of a shot at several values of one or two controls, with errors and times. Drawn in slices while the window
+// stays in use. Files are read once, at their first use.
 #pragma once
 
 #include "image/draw.h"
@@ -11,15 +11,15 @@
 namespace strobe::live {
 
 struct SweepPoint {
-  std::vector<size_t> at;       // value of each axis, by number
-  lab::Shot shot;               // what is drawn
+  std::vector<size_t> at;       // index of the value on each axis
+  lab::Shot shot;               // shot with these values
   image::Image color;           // linear, three channels; empty before it is drawn
-  image::Image thumbnail;       // the same, reduced
-  std::string problem;          // why it cannot be drawn, or ""
-  std::vector<double> ms;       // device time of a frame, by round
-  std::optional<double> error;  // RMSE of the linear colour against truth of `samples`
+  image::Image thumbnail;       // `color`, reduced
+  std::string problem;          // message of a failure, or ""
+  std::vector<double> ms;       // device time of a frame, for each round
+  std::optional<double> error;  // RMSE of the linear colour against ground truth with `samples` samples
   int samples = 0;
-  image::Rectangle worst;  // crop of the shape of the picture with the largest squared error, which is `worst_sum`
+  image::Rectangle worst;  // crop with the picture's aspect ratio and the largest squared error, `worst_sum`
   double worst_sum = 0;
 
   std::optional<double> median() const;  // of `ms`
@@ -27,38 +27,38 @@ struct SweepPoint {
 
 class Sweep {
  public:
-  static constexpr int kRounds = 3;       // of frames that are timed
-  static constexpr int kOwnSamples = 64;  // of truths that belong to a value each
-  static constexpr int kEnough = 1024;    // of the truth that all values share
-  static constexpr int kCrop = 48;        // px, width of the crop with the largest error
+  static constexpr int kRounds = 3;       // timed frames of each point
+  static constexpr int kOwnSamples = 64;  // samples of a ground truth that belongs to one value
+  static constexpr int kEnough = 1024;    // samples of the ground truth that all values share
+  static constexpr int kCrop = 48;        // width of the crop with the largest error, px
 
-  // `shown`: what the window's truth is of. `truth`: as in GatheredTruth. Throws `Error` where there are no values or
-  // the pictures are too large to be kept. The bench must outlive it.
+  // `shown`: shot of the window's ground truth. `truth`: as in GatheredTruth. Throws `Error` without values or if the
+  // pictures are too large to keep. `bench` must outlive the sweep.
   Sweep(lab::Workbench& bench, const lab::Shot& shot, std::vector<SweepAxis> axes, const lab::Shot& shown,
         const std::string& truth);
 
   const std::vector<SweepAxis>& axes() const { return axes_; }
   const std::vector<SweepPoint>& points() const { return points_; }  // the last axis varies fastest
   const lab::Shot& shot() const { return shot_; }
-  // Whether a shot is what was swept: alike but for the values of the axes.
+  // True if `shot` equals the swept shot, except for the values of the axes.
   bool isOf(const lab::Shot& shot) const;
 
-  // Goes on for about so long, by one frame at least: pictures first, then errors, then times, a frame of each point in
-  // turn. Errors follow `shared` as it gets better. True where there is something new.
+  // Works for about `budget_s` seconds, one frame at least: first pictures, then errors, then times, one frame of each
+  // point in turn. Errors are measured again when `shared` has improved. True if there was work.
   bool advance(const GatheredTruth& shared, double budget_s);
-  void stop() { stopped_ = true; }  // draws and times nothing more
+  void stop() { stopped_ = true; }  // stops drawing and timing
   bool stopped() const { return stopped_; }
 
-  size_t drawn() const;  // points that have a picture, or a problem
-  size_t timed() const;  // points that have all their times, or a problem
+  size_t drawn() const;  // points with a picture or a problem
+  size_t timed() const;  // points with all times or with a problem
   bool isWhole() const { return stopped_ || (timed() == points_.size() && !samplesOwn()); }
-  // Whether all points share one truth, the window's.
+  // True if all points share the window's ground truth.
   bool sharesTruth() const { return own_keys_.empty(); }
-  // Whether truths of single values are still sampled.
+  // True while the ground truths of single values are sampled.
   bool samplesOwn() const { return !stopped_ && next_own_ < own_keys_.size(); }
-  // Samples of the truth that errors are measured against, the least of all points; 0 while one has no error.
+  // Samples of the ground truth behind the errors, the minimum over all points; 0 until every point has an error.
   int samples() const;
-  // Point with the crop of the largest error; null before the first error.
+  // Point with the crop of the largest error; null until every point has an error.
   const SweepPoint* worst() const;
 
  private:
@@ -74,14 +74,14 @@ class Sweep {
   std::vector<SweepAxis> axes_;
   std::vector<SweepPoint> points_;
   bool stopped_ = false;
-  // Where values have truths of their own: these, one after the other.
+  // Ground truths that belong to single values, sampled one after the other.
   lab::RunningTruth own_;
   std::vector<std::string> own_keys_;
   size_t next_own_ = 0;
   bool own_begun_ = false;
 };
 
-// The shot with a value of the control of that name.
+// Returns the shot with another value of the control `name`.
 lab::Shot withValue(lab::Shot shot, const std::string& name, const plan::Value& value);
 
 }  // namespace strobe::live

@@ -10,8 +10,8 @@ namespace strobe::live {
 
 using Type = plan::ParamDesc::Type;
 
-static const double kFarApart = 15;  // factor between the ends of a range from which on values go by factors
-static const double kFarOff = 32;    // times the value: a range that reaches so far is not swept as a whole
+static const double kFarApart = 15;  // least ratio of the ends of a logarithmic range
+static const double kFarOff = 32;    // largest ratio of upper end to value for a sweep of the whole range
 static const int kLinearSteps = 6, kLeastSteps = 4, kMostSuggested = 9;
 
 bool hasRange(const plan::ParamDesc& declaration) {
@@ -20,7 +20,7 @@ bool hasRange(const plan::ParamDesc& declaration) {
 
 bool canBeSwept(const lab::Control& control) {
   const plan::ParamDesc& declaration = control.declaration;
-  if (control.group == "shot" && declaration.name == "aa") return false;  // of saved pictures alone
+  if (control.group == "shot" && declaration.name == "aa") return false;  // affects saved pictures only
   return declaration.type != Type::Choice || declaration.choices.size() > 1;
 }
 
@@ -29,7 +29,7 @@ static double numberIn(const plan::Value& value) {
   return std::get<double>(value);
 }
 
-// Six digits: what was computed as 0.30000000000000004 is 0.3.
+// Rounds integers to whole numbers and other values to six digits: 0.30000000000000004 becomes 0.3.
 static double rounded(const plan::ParamDesc& declaration, double value) {
   return declaration.type == Type::Int ? std::round(value) : std::stod(fmt::format("{:.6g}", value));
 }
@@ -40,7 +40,7 @@ static double limited(const plan::ParamDesc& declaration, double value) {
   return value;
 }
 
-// A factor of two to the next value, as far as that makes neither few nor many.
+// Number of values. A logarithmic range grows by a factor of about two per value, within the limits of the number.
 static int stepsOf(const plan::ParamDesc& declaration, const SweepRange& range) {
   double span = range.to - range.from;
   if (range.logarithmic)
@@ -56,7 +56,7 @@ SweepRange suggestedRange(const lab::Control& control) {
   bool slides = widget.kind == Widget::Kind::IntSlider || widget.kind == Widget::Kind::FloatSlider;
   double value = numberIn(control.value), around = std::abs(value);
   SweepRange range{widget.low, widget.high, 2, false};
-  // Most of a range that is far too wide shows nothing new.
+  // Most values of a range that is far too wide show nothing new.
   if (!slides || widget.logarithmic || (value != 0 && widget.high > kFarOff * around)) {
     range.from = value == 0 ? 0 : value < 0 ? -4 * around : around / 4;
     range.to = value == 0 ? (whole ? 7 : 1) : value < 0 ? around : 4 * around;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values that a sweep gives to a control: what its declaration suggests, or what was asked for.
+// Values of a control in a sweep: suggested by the control's declaration, given by a range, or listed.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace strobe::live {
 
-constexpr int kMostOfOne = 16, kMostOfTwo = 8;  // values of a control: alone, and beside another
+constexpr int kMostOfOne = 16, kMostOfTwo = 8;  // maximum number of values: of one control, and of each of two
 
-// Numbers from one end to the other, both included: by the same step, or by the same factor.
+// Numbers from one end to the other, both included, in equal steps or by equal factors.
 struct SweepRange {
   double from = 0, to = 1;
   int steps = 2;
@@ -21,24 +21,27 @@ struct SweepRange {
 struct SweepAxis {
   plan::ParamDesc declaration;
   bool logarithmic = false;
-  std::vector<plan::Value> values;  // no two alike
+  std::vector<plan::Value> values;  // without duplicates
 };
 
-// Numbers, switches and choices can be swept, but for what decides nothing that the window shows.
+// True if the control can be swept: a number, switch or choice with an effect on the window's picture.
 bool canBeSwept(const lab::Control& control);
 
-// Whether a sweep has a range to choose; else it goes through all values there are.
+// True if a sweep of the control has a range to choose. Otherwise the sweep has all possible values.
 bool hasRange(const plan::ParamDesc& declaration);
 
-// All of a short range; of an endless one what lies around the value. By factors where the ends lie far apart.
+// Suggested range: the whole declared range if it is narrow, otherwise a range around the current value. Logarithmic if
+// the ends are far apart.
 SweepRange suggestedRange(const lab::Control& control);
 
-// Whole numbers for integers; of values that come out alike, one. Throws `Error` where the range lies outside of what
-// is declared, has a logarithm of nothing, or more than `most` steps.
+// Axis of a range. Integers are rounded, and duplicates are dropped. Throws `Error` if the range is empty or exceeds
+// the declared range, if a logarithmic range has an end of 0 or less, or if the steps are fewer than 2 or more than
+// `most`.
 SweepAxis axisOf(const plan::ParamDesc& declaration, const SweepRange& range, int most = kMostOfOne);
-// All values of a switch or choice; of more than `most`, the first and the one it has. The suggested range of a number.
+// Axis of all values of a switch or choice, or of the suggested range of a number. A choice with more than `most`
+// values is reduced to the first values and the current one.
 SweepAxis axisOf(const lab::Control& control, int most = kMostOfOne);
-// Those listed, as texts. Throws `Error` where one does not fit.
+// Axis of listed values. Throws `Error` if a value does not fit the declaration.
 SweepAxis axisOf(const plan::ParamDesc& declaration, const std::vector<std::string>& values);
 
 }  // namespace strobe::live

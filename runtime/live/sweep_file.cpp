@@ -52,7 +52,7 @@ std::string axisText(const SweepAxis& axis, const lab::Shot& shot) {
   return "experiment.list " + tableOf(fields);
 }
 
-// "a", "a and b".
+// Names of the axes: "a", or "a and b".
 std::string namesOf(const SavedSweep& sweep) {
   std::vector<std::string> names;
   for (const SweepAxis& axis : sweep.axes) names.push_back(axis.declaration.name);

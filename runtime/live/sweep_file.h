@@ -7,15 +7,15 @@
 namespace strobe::live {
 
 struct SavedSweep {
-  lab::Shot shot;       // at any of the values
-  lab::Shot suggested;  // what its scene says by itself: options that are alike are left out
+  lab::Shot shot;       // shot at any of the swept values
+  lab::Shot suggested;  // options that the scene suggests; equal options are omitted
   std::vector<SweepAxis> axes;
-  std::string truth;  // a pipeline
+  std::string truth;  // pipeline of the ground truth
   script::Settings truth_sets;
-  bool regions = false;  // truth says which pixels lie inside and outside of silhouettes
+  bool regions = false;  // the ground truth separates pixels inside and outside of silhouettes
 };
 
-// The file's text.
+// Text of the experiment file.
 std::string experimentText(const SavedSweep& sweep);
 
 }  // namespace strobe::live

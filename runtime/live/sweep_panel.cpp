@@ -13,24 +13,24 @@ namespace strobe::live {
 
 namespace {
 
-constexpr float kRow = 25, kPad = 12, kLine = 15;  // heights of a row of widgets and of a line of text
+constexpr float kRow = 25, kPad = 12, kLine = 15;  // row of widgets, padding, line of text
 constexpr float kMostPicture = 108, kMostChart = 92, kLeastChart = 34;
 constexpr float kNumber = 66;                    // width of a number's field
-constexpr float kNames = 78, kNumberWidth = 48;  // of a grid's names of rows; that an error needs
+constexpr float kNames = 78, kNumberWidth = 48;  // widths: row names of a grid, number of an error
 constexpr ImU32 kErrors = colours::kAccent, kTimes = colours::kOther;
 
 std::string valueText(const SweepAxis& axis, size_t value) { return lab::plainText(axis.values[value]); }
 
 std::string msText(double ms) { return fmt::format("{:.3g} ms", ms); }
 
-// Text centred at x, left out where it is wider than `room`.
+// Text centred at x; omitted if wider than `room`.
 void centred(ImFont* font, ImU32 color, const std::string& text, float x, float y, float room) {
   float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
   if (width > room) return;
   ImGui::GetWindowDrawList()->AddText(font, font->FontSize, ImVec2(std::floor(x - width / 2), y), color, text.c_str());
 }
 
-// As many letters as fit.
+// Text cut at its end to the width `room`.
 std::string cut(ImFont* font, std::string text, float room) {
   auto width = [&] { return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x; };
   while (text.size() > 1 && width() > room) text.pop_back();
@@ -47,9 +47,9 @@ std::optional<double> largest(const Sweep& sweep, const std::function<std::optio
 std::optional<double> errorOf(const SweepPoint& point) { return point.error; }
 std::optional<double> msOf(const SweepPoint& point) { return point.median(); }
 
-// ---- what is asked for
+// ---- settings
 
-// True where the field was left with another number.
+// Field for a number. True if an edit of the field has ended.
 bool numberField(const char* id, double& value, const std::string& explanation, float width = kNumber) {
   ImGui::SetNextItemWidth(width);
   ImGui::InputDouble(id, &value, 0, 0, "%.6g");
@@ -58,7 +58,7 @@ bool numberField(const char* id, double& value, const std::string& explanation, 
   return left;
 }
 
-// The fields of a control; true where what they say changed.
+// Fields of a control. True if a field changed.
 bool formFields(const Fonts& fonts, SweepForm& form, bool focus) {
   const plan::ParamDesc& declaration = form.control.declaration;
   ImGui::AlignTextToFramePadding();
@@ -87,7 +87,7 @@ bool formFields(const Fonts& fonts, SweepForm& form, bool focus) {
   return changed;
 }
 
-// The control that the other axis goes through.
+// Menu for the control of the second axis.
 void crossChoice(Desk& desk, Sweeper& sweeper, PanelState& state) {
   const lab::Session& session = sweeper.ofB() && desk.b() ? *desk.b()->session : *desk.a().session;
   const std::string& first = sweeper.forms().front().control.declaration.name;
@@ -132,7 +132,7 @@ std::string progressText(const Sweep& sweep, const Desk& desk) {
 
 // ---- points
 
-// What a click on a point does, and whether the pointer is on it.
+// Invisible button of a point; a click takes the point's values. True if the pointer is on the button.
 bool pointButton(Desk& desk, Sweeper& sweeper, PanelState& state, size_t point, ImVec2 at, ImVec2 size) {
   ImGui::SetCursorScreenPos(at);
   ImGui::PushID(int(point));
@@ -142,10 +142,10 @@ bool pointButton(Desk& desk, Sweeper& sweeper, PanelState& state, size_t point, 
   return ImGui::IsItemHovered();
 }
 
-// A curve over columns; points without a value leave a gap, and points of categories are not joined.
+// Curve over columns. A point without a value leaves a gap. Points of categories are not joined.
 struct Curve {
   std::vector<std::optional<double>> values;
-  double full = 1;  // at the top
+  double full = 1;  // value at the top
   ImU32 color = 0;
   bool joined = true;
 };
@@ -198,7 +198,7 @@ SweepPanel::Strip stripOf(const Sweep& sweep, ImVec2 at, ImVec2 room) {
   return strip;
 }
 
-// The control with more values lies across. Narrow cells have no room for numbers.
+// The control with more values goes across. Narrow cells have no space for numbers.
 SweepPanel::Grid gridOf(const Sweep& sweep, ImVec2 room) {
   SweepPanel::Grid grid;
   size_t first = sweep.axes()[0].values.size(), second = sweep.axes()[1].values.size();
@@ -239,12 +239,12 @@ void SweepPanel::prepare(Surface& surface, const Sweeper& sweeper, double stops)
   made_ = made;
 }
 
-// The part that is cut out has the shape of the place.
+// Draws the thumbnail of a point. The crop has the aspect ratio of `size`.
 void SweepPanel::drawPicture(const Sweep& sweep, size_t point, ImVec2 at, ImVec2 size) const {
   ImDrawList* list = ImGui::GetWindowDrawList();
   ImVec2 end(at.x + size.x, at.y + size.y);
   const SweepPoint& of = sweep.points()[point];
-  // What began after the thumbnails were made has none yet.
+  // Points of a sweep that began after the thumbnails were made lack a thumbnail.
   bool has_picture = !of.color.empty() && sheet_ && point < thumbnails_.places.size();
   if (!has_picture)
     return list->AddRectFilled(at, end, of.problem.empty() ? colours::kBackground : IM_COL32(58, 28, 26, 255));
@@ -300,7 +300,7 @@ void SweepPanel::drawHead(const Fonts& fonts, Desk& desk, Sweeper& sweeper, Pane
   if (closes) state.requests.push_back(Action::Unpin);
 }
 
-// A column of the strip: picture, value and numbers of a point, and its place in the chart.
+// Column of the strip for a point: picture, value and numbers, and a highlight of the hovered column in the chart.
 void SweepPanel::drawColumn(const Fonts& fonts, const Sweep& sweep, const Strip& strip, size_t i, Mark mark) const {
   ImDrawList* list = ImGui::GetWindowDrawList();
   float x = strip.at.x + strip.column * float(i), middle = x + strip.column / 2;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sweep under the picture: thumbnails in a row over a chart of error and time, or a grid of them for two controls.
+// Sweep below the picture: a row of thumbnails above a chart of error and time, or a grid of thumbnails for two
+// controls.
 #pragma once
 
 #include "live/panels.h"
@@ -11,37 +12,37 @@ namespace strobe::live {
 
 class SweepPanel {
  public:
-  // Brings the thumbnails to the device, where there are new ones; before a frame of the panels begins.
+  // Uploads new thumbnails. Call before a frame of the panels begins.
   void prepare(Surface& surface, const Sweeper& sweeper, double stops);
-  // The first field gets the keyboard.
+  // Gives the keyboard focus to the first field.
   void focus() { focus_ = true; }
-  // Draws it, while it is open, at the bottom of an area; returns what is left for the picture.
+  // Draws an open sweep at the bottom of an area. Returns the remaining area for the picture.
   Area draw(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelState& state, const Area& area);
 
   struct Mark {
     bool current = false, hovered = false;
   };
-  // Pixels of the window: columns with pictures, below them the chart.
+  // Layout of a strip, pixels of the window: columns with pictures, and the chart below them.
   struct Strip {
     ImVec2 at;
     float column = 0, wide = 0, tall = 0, chart_y = 0, chart = 0;
     float height() const { return chart_y + chart + 34 - at.y; }
   };
-  // Cells in pixels of the window; `across`: the axis whose values are columns.
+  // Layout of a grid, pixels of the window. `across`: axis with a column for each value.
   struct Grid {
     size_t across = 0, columns = 1, rows = 1;
     float wide = 0, tall = 0, line = 0;  // `line`: height of the number under a picture
-    double worst = 0;                    // error of all points
+    double worst = 0;                    // largest error of all points
   };
 
  private:
-  // What the thumbnails were made of.
+  // State that the thumbnails were made from.
   struct Made {
     int serial = 0;
     size_t drawn = 0;
     double stops = 0;
     const SweepPoint* worst = nullptr;
-    int x = 0, y = 0;  // of its crop
+    int x = 0, y = 0;  // corner of the crop of `worst`
     bool operator==(const Made&) const = default;
   };
 

@@ -9,10 +9,10 @@
 
 namespace strobe::live {
 
-static const double kBudget_s = 0.015;         // of a turn
-static const int64_t kLeastTruthSamples = 64;  // of the truth of a saved experiment
+static const double kBudget_s = 0.015;         // time of a turn
+static const int64_t kLeastTruthSamples = 64;  // of the ground truth in a saved experiment
 
-// ---- what is swept
+// ---- swept controls
 
 const lab::Session& Sweeper::session(const Desk& desk) const {
   if (of_b_ && !desk.b()) throw Error("there is no B any more");
@@ -48,7 +48,7 @@ void Sweeper::cross(Desk& desk, const std::string& control, const std::vector<st
   begin(desk, std::move(forms));
 }
 
-// Pipelines, and with them declarations, may be others by now.
+// Pipelines and their declarations may have changed since the last start.
 void Sweeper::begin(Desk& desk) {
   std::vector<SweepForm> forms = forms_;
   for (SweepForm& form : forms) form.control = formOf(desk, form.control.declaration.name, {}).control;
@@ -88,7 +88,7 @@ bool Sweeper::isStale(const Desk& desk) const {
 bool Sweeper::turn(Desk& desk) {
   if (!isOpen()) return false;
   bool gathers = sweep_->sharesTruth() && sweep_->drawn() == sweep_->points().size() && !sweep_->stopped();
-  // One of the two in a turn, so that the window answers soon.
+  // A turn either advances the sweep or lets ground truth accumulate, so that the window stays responsive.
   truth_next_ = gathers && (!busy() || !truth_next_);
   desk.wantTruth(truth_next_ ? Sweep::kEnough : 0, true);
   if (truth_next_ && busy()) return false;

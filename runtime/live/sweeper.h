@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sweep beside the picture: which controls it goes through, whether it is still that of the picture, what is taken
-// from it and saved. Panels, keys and drive files work on it; without a window.
+// Control of the sweep below the picture: start, staleness, taking of values, saving. Panels, keys and drive files use
+// this class. Does not need a window.
 #pragma once
 
 #include <memory>
@@ -10,48 +10,48 @@
 
 namespace strobe::live {
 
-// What is asked for of one control.
+// Settings of a sweep for one control.
 struct SweepForm {
-  lab::Control control;             // as it was when it was asked for
-  SweepRange range;                 // of numbers
-  std::vector<std::string> listed;  // these values instead, where there are any
+  lab::Control control;             // control at the start of the sweep
+  SweepRange range;                 // range of a number
+  std::vector<std::string> listed;  // values in place of the range, if not empty
 };
 
 class Sweeper {
  public:
-  // Opens on a control of A (or B) and begins with what its declaration suggests. `listed`: with these values. Throws
-  // `Error` for an unknown name with the nearest, and where it has no values.
+  // Opens a sweep of a control of A (or B), with the values that the control's declaration suggests or with `listed`.
+  // Throws `Error` for an unknown name, with the nearest name, and for a control that cannot be swept.
   void open(Desk& desk, const std::string& control, bool of_b = false, const std::vector<std::string>& listed = {});
-  // A second control, so that there is a grid; "" for none. Begins anew.
+  // Restarts the sweep as a grid with a second control, or with one control if `control` is "".
   void cross(Desk& desk, const std::string& control, const std::vector<std::string>& listed = {});
-  // Begins anew, as the forms and the shot are now. Throws `Error` where a form is wrong; what was drawn stays.
+  // Restarts the sweep with the current forms and shot. Throws `Error` if a form is wrong; the previous sweep stays.
   void begin(Desk& desk);
   void stop() { sweep_->stop(); }
   void close(Desk& desk);
 
   bool isOpen() const { return sweep_ != nullptr; }
-  const Sweep& sweep() const { return *sweep_; }  // while open, as the following
+  const Sweep& sweep() const { return *sweep_; }  // needs an open sweep, like the functions below
   std::vector<SweepForm>& forms() { return forms_; }
   bool ofB() const { return of_b_; }
-  int serial() const { return serial_; }  // another for each beginning
-  // Whether anything but the swept controls changed since it began.
+  int serial() const { return serial_; }  // changes at each start
+  // True if anything except the swept controls changed since the start.
   bool isStale(const Desk& desk) const;
-  // The point that has the values which the controls have now.
+  // Point with the current values of the controls; empty if no point has them.
   std::optional<size_t> current(const Desk& desk) const;
 
-  // ---- a turn: draws for about 15 ms, one frame at least, or lets the desk gather truth. True where there is
-  // something new.
+  // ---- turns
+  // Works for about 15 ms, one frame at least, or lets the desk accumulate ground truth. True if the sweep worked.
   bool turn(Desk& desk);
-  // Whether the next turn has work without any input.
+  // True if the next turn has work without input.
   bool busy() const { return isOpen() && !sweep_->isWhole(); }
-  // Pictures, errors and times of all points are there.
+  // True if no work is left and every point has an error.
   bool isComplete() const { return isOpen() && sweep_->isWhole() && sweep_->samples() > 0; }
 
-  // Gives the controls the values of a point, as their widgets would. Throws `Error`.
+  // Sets the controls to the values of a point, as their widgets would. Throws `Error`.
   void take(Desk& desk, size_t point) const;
-  void takeNext(Desk& desk, int by) const;  // ... of the point so many after the current one
+  void takeNext(Desk& desk, int by) const;  // `by`: offset from the current point
 
-  // The experiment that draws the same, as text, and in a new file of the window's folder.
+  // Experiment that repeats the sweep: as text, or in a new file of the window's folder.
   std::string experiment(const Desk& desk) const;
   Path save(const Desk& desk) const;
 
@@ -63,7 +63,7 @@ class Sweeper {
   std::vector<SweepForm> forms_;
   std::unique_ptr<Sweep> sweep_;
   bool of_b_ = false;
-  bool truth_next_ = false;  // the desk gathers truth in its next turn
+  bool truth_next_ = false;  // the desk accumulates ground truth in its next turn
   int serial_ = 0, swaps_ = 0;
 };
 

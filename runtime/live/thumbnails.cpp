@@ -11,10 +11,10 @@
 
 namespace strobe::live {
 
-static const int kCell = 192;  // pixels of the longer side
+static const int kCell = 192;  // longer side of a thumbnail, pixels
 static const image::Colour kEmpty = {0.09f, 0.09f, 0.1f};
 
-// Width and height with the longer side as long as a cell's.
+// Width and height of a thumbnail; the longer side is as long as a cell's.
 static std::array<int, 2> sizeOf(int width, int height) {
   int longer = std::max({width, height, 1});
   return {std::max(1, kCell * width / longer), std::max(1, kCell * height / longer)};
@@ -38,7 +38,7 @@ image::Image reduced(const image::Image& linear) {
   return small;
 }
 
-// The crop with the largest error of all points, its pixels as squares; the whole picture before the first error.
+// Crop with the largest error of all points, its pixels as squares; the whole picture until every point has an error.
 static image::Image thumbnailOf(const SweepPoint& point, const SweepPoint* worst) {
   if (!worst || point.color.empty()) return point.thumbnail;
   const image::Rectangle area = image::scaledCrop(worst->worst, double(point.color.width) / worst->color.width,

@@ -11,14 +11,14 @@ namespace strobe::live {
 
 class Sweep;
 
-// The mean of what falls into each pixel, so that no side is longer than a thumbnail's; never enlarged.
+// Picture reduced by box filtering until no side is longer than a thumbnail's; never enlarged.
 image::Image reduced(const image::Image& linear);
 
-// A sheet of equal cells, row by row, shown with an exposure in stops; those of points without a picture are dark.
-// Cells show the crop with the largest error of all points, or the whole picture while there is no error.
+// Sheet of equal cells, row by row, with an exposure in stops. The cell of a point without a picture is dark. Cells
+// show the crop with the largest error of all points, or the whole picture until every point has an error.
 struct Thumbnails {
   image::Image sheet;
-  std::vector<std::array<float, 4>> places;  // of each point in the sheet: left, top, right, bottom in shares of it
+  std::vector<std::array<float, 4>> places;  // left, top, right, bottom of each point, fractions of the sheet's size
 };
 Thumbnails thumbnailsOf(const Sweep& sweep, double stops);
 

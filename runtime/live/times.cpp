@@ -42,7 +42,7 @@ void TimeHistory::clear() {
   last_void_ = false;
 }
 
-// A pass that was not there before begins with its first frame.
+// The history of a new pass begins with the pass's first frame.
 void TimeHistory::add(const graph::FrameResult& frame) {
   std::vector<Row> rows;
   for (const graph::StepTime& time : frame.times) {

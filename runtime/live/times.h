@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GPU times of the last frames, per pass. A time that was not measured is absent, never 0.
+// GPU times of the last frames, per pass. A time that was not measured is NaN or absent, never 0.
 #pragma once
 
 #include <optional>
@@ -14,21 +14,21 @@ class TimeHistory {
  public:
   static constexpr size_t kFrames = 120;
 
-  // The next frame's times are void: it paid for pipelines that were made for it.
+  // Marks the next frame's times as void, because they include the creation of GPU pipelines.
   void voidNext() { void_next_ = true; }
   void add(const graph::FrameResult& frame);
   void clear();
-  // Whether the last frame's times were void: another frame has to be drawn to know them.
+  // True if the last frame's times were void. Another frame has to be drawn to measure the times.
   bool lastIsVoid() const { return last_void_; }
 
   struct Row {
-    std::string name;       // of the node
+    std::string name;       // name of the node
     std::vector<float> ms;  // oldest first, NaN where void; at most `kFrames`
-    // Of the measured ones among the last frames; nothing without any.
+    // Latest and median of the measured times; empty without a measured time.
     std::optional<double> latest() const;
     std::optional<double> median() const;
   };
-  const std::vector<Row>& passes() const { return passes_; }  // in the order of execution of the last frame
+  const std::vector<Row>& passes() const { return passes_; }  // in the last frame's order of execution
   const Row& total() const { return total_; }
 
  private:

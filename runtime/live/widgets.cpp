@@ -10,9 +10,10 @@ namespace strobe::live {
 
 using Type = plan::ParamDesc::Type;
 
-// A slider as wide as a panel has some 250 places: on an even scale that spans more, most of them mean the same.
+// Span above which a slider is logarithmic. A slider as wide as a panel has about 250 positions; on a linear scale of a
+// larger span, most positions would have nearly equivalent values.
 static const double kEvenSpan = 1e3;
-// ... and on a range this wide, no place on a slider means anything.
+// Span above which a number has no slider, because no position on such a slider would be useful.
 static const double kWidestSlider = 1e7;
 
 static std::string lower(std::string text) {
@@ -58,7 +59,7 @@ std::string samplesText(int have, int of) {
 double shareOf(const Widget& slider, double value) {
   double low = slider.low, high = slider.high;
   if (slider.logarithmic) {
-    // From 0 on, where ImGui begins too.
+    // A scale from 0 begins at the same value as ImGui's.
     bool whole = slider.kind == Widget::Kind::IntSlider;
     double least = low > 0 ? low : whole ? 0.1 : 1e-4;
     return std::clamp(std::log(std::max(value, least) / least) / std::log(high / least), 0.0, 1.0);

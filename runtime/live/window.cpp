@@ -2,7 +2,7 @@
 #include "live/window.h"
 
 #define GLFW_INCLUDE_NONE
-// GLFW declares its Vulkan calls where Vulkan is declared before it.
+// GLFW declares its Vulkan functions only if the Vulkan header comes first.
 #include <GLFW/glfw3.h>
 
 namespace strobe::live {
@@ -29,7 +29,7 @@ Window::Window(int width, int height, const std::string& title) {
     throw Error(fmt::format("a window of {}x{} cannot be opened: {}", width, height, reason));
   }
   glfwSetWindowUserPointer(window_, this);
-  // Panels are told by callbacks that are set later and call these.
+  // ImGui's callbacks are set later and call these.
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { of(window).stirred_ = true; });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { of(window).stirred_ = true; });
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { of(window).stirred_ = true; });

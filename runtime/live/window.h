@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The window of the desktop: its size, its events, keys, the clipboard. Only `strobe live` makes one.
+// Window of the desktop: size, events, keys, clipboard. Only `strobe live` makes one.
 #pragma once
 
 #include <string>
@@ -14,30 +14,31 @@ namespace strobe::live {
 
 class Window {
  public:
-  // Throws `Error` where there is no display.
+  // Throws `Error` without a display.
   Window(int width, int height, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  // Instance and device extensions that a device must have to show pictures here.
+  // Instance and device extensions that a device needs to present to this window.
   gpu::DeviceOptions extensions() const;
   VkSurfaceKHR makeSurface(const gpu::Device& device) const;
 
-  // From here on keys and buttons go to the queue alone: the last callbacks that are set.
+  // Sends keys and buttons only to the queue from now on. Call after all other callbacks are set, because this function
+  // replaces them.
   void queueInput();
-  // Queues what happened since the last call; with `timeout_s` > 0, waits for something to happen, so long at most.
-  // Draws nothing, so it may be called while something else is drawn.
+  // Queues the events since the last call. With `timeout_s` > 0, waits at most that time for an event. Does not draw,
+  // so the function may be called during a draw.
   void takeEvents(double timeout_s);
-  // True if anything happened since the last `settle`.
+  // True if any event happened since the last `settle`.
   bool stirred() const { return stirred_; }
   void settle() { stirred_ = false; }
-  // Keys and buttons that wait, and the batch of the last frame.
+  // Waiting keys and buttons, and the batch of the last frame.
   InputQueue& input() { return input_; }
   const InputQueue& input() const { return input_; }
   bool closing() const;
 
-  // In pixels.
+  // Size of the framebuffer, pixels.
   std::pair<int, int> size() const;
   void resize(int width, int height);
   void setTitle(const std::string& title);
