@@ -2,7 +2,7 @@
 // Barriers between the commands of a plan.
 //
 // All images stay in one layout, so a barrier is an execution and memory dependency only. Two commands conflict if they
-// access the same memory and one of them writes: read after write, write after read, or write after write. Two images
+// access the same memory and at least one writes: read after write, write after read, or write after write. Two images
 // that share a slot, and two iterations of a loop, conflict in the same way. A barrier before the later command orders
 // each conflicting pair. Work of an earlier frame is not covered: to run a plan twice on the same memory, put a full
 // memory barrier (or a wait) between the two runs.

@@ -40,7 +40,7 @@ enum class Role {
   Jitter,          // pattern of sample offsets from pixel to pixel
   Shading,         // pose at which points are shaded: "frozen" or "full"
   SampleTimes,     // sample times within the exposure: "midpoint" or "stratified"
-  Regions,         // bool: find the regions in which errors are measured
+  Regions,         // bool: compute the masks of the error regions
   StillOnce,       // bool of a pass: after the first iteration of a loop, run in the moving rectangle only
   Quality,         // float: from the cheapest picture to the best; chosen to fit a time budget
 };
@@ -98,8 +98,8 @@ struct PortDesc {
   bool linear = false;     // reads: sampled with a linear filter instead of texel fetches
   bool buffer = false;     // reads: a buffer (of unsigned integers) instead of an image
   bool pointwise = false;  // reads: the pass reads only the pixel that it runs for
-  // Optional reads: names of reads, possibly including this one. If all of them are unwired or only zeros, this read is
-  // unwired too. Empty: no condition.
+  // Optional reads: names of reads, possibly including this one. If all these reads are unwired or only zeros, this
+  // read is unwired too. Empty: no condition.
   std::vector<std::string> needs;
   // Optional images: value of every texel if the read is not wired. Either four numbers, or the name of another read
   // whose texels are used. Both empty: shaders test HAS_<name>.
@@ -180,7 +180,7 @@ struct Binding {
   Place place;
 };
 
-// Pixels or instances for which a node runs.
+// Pixels or instances that a node runs for.
 enum class Runs {
   Everywhere,       // all pixels, all instances
   MovingRect,       // pixels of the moving rectangle; the other pixels get the stand-in kReached of the pass
@@ -210,9 +210,9 @@ struct LoopDesc {
   // Choice "midpoint" | "stratified" (parts of equal weight) | "even" (parts of equal length) | "frames" (raster times
   // of earlier frames, the latest first) | kPartTimes.
   Binding times;
-  Binding slices;     // scene times per iteration, one of which a pixel may draw; 1 for midpoint times
+  Binding slices;     // scene times per iteration; a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
-  // The exposure has `parts` parts, and the loop takes `count` of them, from number `first` on. Parts with consecutive
+  // The exposure has `parts` parts, and the loop takes `count` parts, from number `first` on. Parts with consecutive
   // numbers are spread over the whole exposure. If `parts` is 0, the loop takes all parts, one after another.
   int first = 0, parts = 0;
   Place place;
@@ -235,7 +235,7 @@ struct PresetDesc {
 // Name of the setting that selects a preset.
 inline constexpr const char* kPresetSetting = "preset";
 
-// An output that is the mask of a region in which errors are measured.
+// An output that is the mask of an error region, where errors are measured.
 struct RegionDesc {
   std::string name;  // name of the output
   std::string doc;   // description of the pixels in the region
@@ -268,13 +268,13 @@ struct PipelineDesc {
 // "method", "sharp", "truth", "list".
 const std::vector<std::string>& pipelineKindNames();
 
-// The parameter of the pipeline with that name or role; null if there is no such parameter.
+// The parameter of the pipeline with that name or role; null if it does not exist.
 const ParamDesc* paramNamed(const PipelineDesc& pipeline, const std::string& name);
 const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role);
 
-// The value of a parameter of the pipeline; null if there is no such parameter.
+// The value of a parameter of the pipeline; null if the parameter does not exist.
 const Value* valueOf(const PipelineDesc& pipeline, const std::string& name);
-// Number of frames before this one that loops with the times "frames" read, at most 64.
+// Number of earlier frames that loops with the times "frames" read, at most 64.
 int earlierFrames(const PipelineDesc& pipeline);
 // True if a loop of the pipeline draws the parts of the exposure (kPartTimes).
 bool hasParts(const PipelineDesc& pipeline);
