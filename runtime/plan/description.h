@@ -87,7 +87,7 @@ Value checkValue(const ParamDesc& param, const Value& value, const Place& where)
 struct PortDesc {
   std::string name;
   std::string doc;
-  std::string format;  // of writes and updates: "r32f", "rgba16f", "rg32ui", ...; "" for reads
+  std::string format;  // writes and updates: "r32f", "rgba16f", "rg32ui", ...; "" for reads
   // Writes and updates: `format_by` is a choice parameter of the pass that decides the format, and `formats` has the
   // format of each choice. Either all or none of these formats have unsigned integers. `format` is the format of the
   // default; `formatOf` returns the format in a node.
@@ -125,7 +125,7 @@ struct SizeDesc {
   enum class Kind { Frame, Port, Fixed };
   Kind kind = Kind::Frame;
   std::string port;           // Kind::Port: as large as the image wired to this read
-  std::string divide;         // ... divided (rounding up) by this integer parameter of the pass, or ""
+  std::string divide;         // Kind::Port: integer parameter that divides this size, rounding up; or ""
   int width = 0, height = 0;  // Kind::Fixed
   Place place;                // the field `size`; the pass if the field is missing
 };
@@ -153,9 +153,9 @@ struct PassDesc {
   enum class Kind { Raster, Compute, Trace };
   std::string name;
   Kind kind = Kind::Compute;
-  std::string shader;  // below shaders/; of a raster pass "<shader>.vert.glsl" and "<shader>.frag.glsl"
+  std::string shader;  // path below shaders/; a raster pass has "<shader>.vert.glsl" and "<shader>.frag.glsl"
   std::string doc;
-  std::string fails;  // when what it computes is wrong, and how; or ""
+  std::string fails;  // cases in which the result is wrong, and the error; or ""
   Breaks breaks;      // invariants that do not hold if a pipeline uses the pass
   SizeDesc size;
   // Name of a read that is a buffer: the pass runs once for each entry, which is a pixel. The pass runs for all pixels
@@ -168,7 +168,7 @@ struct PassDesc {
   // Read and written; zero before the first execution in a frame, or with `history` before the first frame.
   std::vector<PortDesc> updates;
   std::vector<ParamDesc> params;
-  std::vector<CounterDesc> counters;  // 32-bit event counts, read back into the run record
+  std::vector<CounterDesc> counters;  // 32-bit event counts for the run record
   std::vector<WithoutDesc> without;   // in the order of the tests
   Place place;
 };
@@ -250,13 +250,13 @@ struct PipelineDesc {
   std::string doc;
   Kind kind = Kind::Method;
   Breaks breaks;             // invariants that fail for all parameter values
-  std::string compare_with;  // a pipeline to which the truth is no nearer than to this one; or ""
+  std::string compare_with;  // a pipeline whose error against ground truth is not smaller; or ""
   std::vector<EqualDesc> equals;
   std::vector<ParamDesc> params;
   // Parameters whose values the scripts read. These values may have decided the graph.
   std::vector<std::string> graph_params;
   std::vector<PresetDesc> presets;
-  std::string preset;                                 // the one that was taken; "" where there are none
+  std::string preset;                                 // the preset in use; "" without presets
   std::vector<std::pair<std::string, Value>> values;  // every pipeline parameter, resolved, in declaration order
   std::vector<PassDesc> passes;                       // each pass that is used, once
   std::vector<NodeDesc> nodes;                        // in the order of the calls

@@ -16,7 +16,7 @@ inline const std::vector<std::string> kNodeTimes = {"raster", "shutter_open", "s
 inline const std::vector<std::string> kNodeRuns = {"everywhere", "moving_rect", "moving_instances"};
 inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even", "frames", kPartTimes};
 
-// "" for Role::None.
+// Name of a role; "" for Role::None.
 std::string roleName(Role role);
 
 // Names joined by commas: "a, b, c".

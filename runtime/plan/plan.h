@@ -29,7 +29,7 @@ struct VirtualImage {
   std::string name;  // "node.port"
   std::string format;
   int width = 0, height = 0;
-  uint32_t usage = 0;    // of this image alone
+  uint32_t usage = 0;    // of this image only
   int divide = 1;        // pixels of the frame per texel along an axis (tiles); 0: texels are not pixels of the frame
   bool cleared = false;  // cleared to zero before each execution of the node that writes it
   // Node within the moving rectangle: the image that this image equals outside of the rectangle. -1: zero outside
@@ -40,7 +40,7 @@ struct VirtualImage {
   bool update = false;      // cleared to zero at the start of the frame, then read and written
   bool history = false;     // an update that is cleared before its first frame only
   bool kept = false;        // an output or a tap: whole and unchanged at the end of the frame
-  int first = 0, last = 0;  // lifetime, inclusive: positions in `Plan::steps`
+  int first = 0, last = 0;  // lifetime, inclusive; positions in `Plan::steps`
   bool read = false;        // a node samples the image
   int slot = 0;             // index into `Plan::slots`
 };
@@ -74,7 +74,7 @@ struct PlanNode {
   // The node runs on the pixels of the moving rectangle. The other pixels have the stand-in: zeros, or a copy of
   // VirtualImage::outside, or undefined values if they are not read.
   bool in_moving_rect = false;
-  bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
+  bool counters = false;  // the node has a buffer of 32-bit event counts, in the order of the declaration
 };
 
 struct PlanLoop {
@@ -98,15 +98,15 @@ struct Step {
     ClearCounters,  // fill the counters of node `index` with zero
     Pass,           // run node `index`
     Loop,           // run `body` for each iteration of loop `index`
-    ReadImage,      // copy image `index` out (an output, a tap; in a loop: its stop condition)
+    ReadImage,      // read back image `index` (an output or a tap; in a loop, its stop condition)
     ReadCounters,   // the host reads the counters of node `index`
   };
   Kind kind = Kind::Pass;
   int index = 0;
-  std::vector<Step> body;              // of a loop; never holds another loop
+  std::vector<Step> body;              // of a loop; does not contain loops
   std::vector<Use> uses;               // accesses of the command; a loop itself has no uses
-  std::vector<Barrier> barriers;       // to record before it; in a loop, before it in iteration 0
-  std::vector<Barrier> barriers_next;  // in a loop: before it in every later iteration
+  std::vector<Barrier> barriers;       // recorded before the command; in a loop, in iteration 0
+  std::vector<Barrier> barriers_next;  // in a loop: recorded before the command in later iterations
 };
 
 struct CulledNode {
@@ -130,8 +130,8 @@ struct Plan {
 };
 
 struct CompileOptions {
-  int width = 0, height = 0;      // of the frame, pixels
-  std::vector<std::string> taps;  // "node.port" to keep and read back as well
+  int width = 0, height = 0;      // frame size, pixels
+  std::vector<std::string> taps;  // "node.port" of images that are also kept and read back
   // Values that override values of the description, by "param" (of the pipeline) or "node.param". An override
   // does not change the shape of the graph, because the description is already made.
   std::map<std::string, Value> set;

@@ -85,7 +85,7 @@ std::string withoutArgument(Json request) {
   return textOf(request);
 }
 
-// Lines of a descriptor.
+// Reader of the lines of a file descriptor.
 class Lines {
  public:
   explicit Lines(int descriptor) : descriptor_(descriptor) {}

@@ -371,7 +371,7 @@ struct Sandbox::Callbacks::Native {
     return lua;
   }
 
-  // Pushes the file as a function.
+  // Reads a file and pushes it as a function.
   static void loadFile(lua_State* lua, const Path& file, const std::string& shown) {
     Sandbox& sandbox = self(lua);
     if (!sandbox.guarded([&] { sandbox.read(file, shown); })) {
