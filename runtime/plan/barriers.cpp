@@ -9,11 +9,11 @@
 namespace strobe::plan {
 namespace {
 
-// What later commands may still have to wait for on one resource.
+// Earlier accesses to one resource that later commands may have to wait for.
 struct Pending {
-  int image = -1;                               // whose contents it holds
+  int image = -1;                               // image whose contents are in the resource
   uint32_t write_stages = 0, write_access = 0;  // the last write
-  std::array<uint32_t, kStageCount> visible{};  // reads per stage that already see that write
+  std::array<uint32_t, kStageCount> visible{};  // per stage: reads that the write is visible to
   uint32_t read_stages = 0;                     // reads since that write
   bool carried = false;                         // the last use was in an earlier iteration
 
@@ -32,7 +32,7 @@ class Tracker {
  public:
   explicit Tracker(const Plan& plan) : slot_count_(plan.slots.size()), states_(slot_count_ + plan.nodes.size()) {}
 
-  // Records `use` and appends the barrier it needs, if any.
+  // Records `use`, and appends a barrier if `use` needs one.
   void apply(const Use& use, std::vector<Barrier>& barriers) {
     Pending& pending = at(use.resource);
     bool writes = use.access & kAccessAnyWrite;
@@ -67,7 +67,7 @@ class Tracker {
 
   static Barrier barrierFor(const Pending& pending, const Use& use, bool writes) {
     Barrier barrier{use.resource, use.image, pending.write_stages, pending.write_access, use.stages, use.access};
-    // The last write is visible to the reads that came since, but the next write has to wait for it as well.
+    // The last write is visible to the reads after it, but the next write has to wait for the last write too.
     if (writes) barrier.src_stages |= pending.read_stages;
     barrier.hazard = hazardOf(pending, use, writes);
     barrier.carried = pending.carried;
@@ -86,7 +86,7 @@ class Tracker {
   std::vector<Pending> states_;
 };
 
-// Runs through one iteration of a loop, leaving the barriers in `list` of each step.
+// Runs through one iteration of a loop, and stores the barriers in `list` of each step.
 void iterate(std::vector<Step>& body, Tracker& tracker, std::vector<Barrier> Step::*list) {
   for (Step& step : body) {
     (step.*list).clear();
@@ -94,9 +94,10 @@ void iterate(std::vector<Step>& body, Tracker& tracker, std::vector<Barrier> Ste
   }
 }
 
-// What an iteration leaves does not depend on what it found: of memory it writes, its own last write and the reads
-// after it; of memory it only reads, one more reader. So all iterations but the first need the same barriers, and what
-// comes after the loop does not care after which iteration it ended.
+// The state after an iteration does not depend on the state before it. For memory that the iteration writes, the state
+// is its last write and the reads after that write. For memory that the iteration only reads, the iteration adds
+// readers. So all iterations after the first need the same barriers, and the commands after the loop do not depend on
+// the number of iterations.
 void addLoopBarriers(Step& loop, Tracker& tracker) {
   iterate(loop.body, tracker, &Step::barriers);
   Tracker after_first = tracker;

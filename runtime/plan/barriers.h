@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What has to be waited for between the commands of a plan.
+// Barriers between the commands of a plan.
 //
-// All images stay in one layout, so a barrier is an execution and memory dependency and nothing else. Two commands
-// conflict when they touch the same memory and one of them writes: read after write, write after read, write after
-// write, and the same between two images that share a slot, and between two iterations of a loop. A barrier before the
-// later command orders each such pair. Work of an earlier frame is not looked at: whoever runs a plan twice on the same
-// memory puts a full memory barrier (or a wait) between.
+// All images stay in one layout, so a barrier is an execution and memory dependency only. Two commands conflict if they
+// access the same memory and at least one writes: read after write, write after read, or write after write. Two images
+// that share a slot, and two iterations of a loop, conflict in the same way. A barrier before the later command orders
+// each conflicting pair. Work of an earlier frame is not covered: to run a plan twice on the same memory, put a full
+// memory barrier (or a wait) between the two runs.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace strobe::plan {
 
 struct Plan;
 
-// Where on the device something happens, as bits.
+// Device stages, as bits.
 enum Stage : uint32_t {
   kStageCompute = 1 << 0,
   kStageTrace = 1 << 1,  // ray tracing pipelines
@@ -24,11 +24,11 @@ enum Stage : uint32_t {
   kStageColor = 1 << 4,  // colour attachment output
   kStageTransfer = 1 << 5,
   kStageHost = 1 << 6,
-  kStageIndirect = 1 << 7,  // numbers of groups are read
+  kStageIndirect = 1 << 7,  // numbers of work groups of an indirect dispatch
 };
 constexpr int kStageCount = 8;
 
-// What it does to memory, as bits.
+// Kinds of memory access, as bits.
 enum Access : uint32_t {
   kAccessSampledRead = 1 << 0,
   kAccessStorageRead = 1 << 1,
@@ -51,7 +51,7 @@ struct Resource {
   bool operator==(const Resource&) const = default;
 };
 
-// A command touches a resource.
+// Access of one command to one resource.
 struct Use {
   Resource resource;
   int image = -1;  // index into `Plan::images`; -1 for counters
@@ -61,22 +61,22 @@ struct Use {
 
 enum class Hazard { ReadAfterWrite, WriteAfterRead, WriteAfterWrite };
 
-// Everything before it at `src_stages` is finished, and its `src_access` is visible to `dst_access` at `dst_stages`
-// of everything after it. `src_access` is 0 where only reads came before.
+// All earlier work at `src_stages` is finished, and its `src_access` is visible to `dst_access` at `dst_stages` of all
+// later work. `src_access` is 0 if the earlier accesses are reads only.
 struct Barrier {
   Resource resource;
-  int image = -1;  // whose use comes next
+  int image = -1;  // image of the next use; -1 for counters
   uint32_t src_stages = 0, src_access = 0;
   uint32_t dst_stages = 0, dst_access = 0;
   Hazard hazard = Hazard::ReadAfterWrite;
-  bool carried = false;  // against the previous iteration of the loop
-  bool discard = false;  // the slot goes over to another image: what it holds need not survive
+  bool carried = false;  // the conflict is with the previous iteration of the loop
+  bool discard = false;  // the slot changes to another image, so its contents may be lost
 };
 
 // Fills `barriers` and `barriers_next` of every step from the steps' `uses`.
 void addBarriers(Plan& plan);
 
-// Barriers recorded in one frame, loops counted with all their iterations.
+// Number of barriers in one frame; a loop counts with all its iterations.
 int barrierCount(const Plan& plan);
 
 }  // namespace strobe::plan

@@ -201,7 +201,7 @@ std::string portText(const Plan& plan, const std::string& port, int image_index)
   return fmt::format("{} {} (slot {}{})", port, image.format, image.slot, marks);
 }
 
-// The spelling of the command line: "auto" instead of the number that stands for it.
+// The value as written on the command line: "auto" in place of its number.
 std::string shownValue(const ParamDesc& param, const Value& value) {
   return param.has_auto && value == Value(kAuto) ? "auto" : toJson(value).dump();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plan as data that is the same, byte for byte, whenever the plan is; and as text for people.
+// A plan as data and as text. Equal plans give equal bytes of data.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace strobe::plan {
 
-// Everything that decides what a frame executes: resolved parameters, wiring, sizes, order, memory, barriers.
-// Sources of shaders and texts of documentation are not in it.
+// All data that decide the execution of a frame: resolved parameters, wiring, sizes, order, memory, barriers. The
+// result has no shader sources and no documentation.
 Json toJson(const Plan& plan);
 
 // Identity of a plan: the hash of its canonical form.
 std::string hashOf(const Plan& plan);
 
-// Identity of all but the values that shaders read as parameters: plans of one shape run on the same pipelines and
-// images.
+// Hash of the plan without the values that shaders read as parameters. Plans of equal shape run on the same pipelines
+// and images.
 std::string shapeOf(const Plan& plan);
 
-// Several lines for `strobe plan`: order, sizes, formats, memory, what was culled and why.
+// Several lines for `strobe plan`: order, sizes, formats, memory, culled nodes and the reason for each.
 std::string describe(const Plan& plan);
 
 }  // namespace strobe::plan

@@ -41,7 +41,7 @@ const std::vector<std::string>& pipelineKindNames() {
 
 std::string roleName(Role role) { return role == Role::None ? "" : roleNames()[static_cast<size_t>(role) - 1]; }
 
-// ---- what a pipeline has
+// ---- look-up in a pipeline
 
 const ParamDesc* paramNamed(const PipelineDesc& pipeline, const std::string& name) {
   auto found =
@@ -61,7 +61,7 @@ const Value* valueOf(const PipelineDesc& pipeline, const std::string& name) {
   return nullptr;
 }
 
-// A number that does not follow from the pipeline's parameters is `otherwise`.
+// The integer of a binding; `otherwise` if its value does not follow from the parameters of the pipeline.
 static int64_t wholeOf(const PipelineDesc& pipeline, const Binding& binding, int64_t otherwise) {
   const Value* value = binding.value ? &*binding.value : valueOf(pipeline, binding.follows);
   const int64_t* number = value ? std::get_if<int64_t>(value) : nullptr;
@@ -131,7 +131,7 @@ static std::optional<Number> parsed(const std::string& text) {
 
 Value valueFromText(const std::string& text) {
   if (text == "true" || text == "false") return text == "true";
-  // Digits that no integer is written in ("007") may be the name of a choice.
+  // Digits that are not the usual form of an integer ("007") may be the name of a choice.
   if (auto whole = parsed<int64_t>(text)) return textOf(*whole) == text ? Value(*whole) : Value(text);
   auto number = parsed<double>(text);
   if (number && std::isfinite(*number)) return *number;
@@ -188,7 +188,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 static Value checkChoice(const ParamDesc& param, const Value& value, const Place& where) {
-  // A choice may be called "2" or "true".
+  // The name of a choice may be "2" or "true".
   std::string name = textOf(value);
   if (std::find(param.choices.begin(), param.choices.end(), name) != param.choices.end()) return name;
   std::string near = std::holds_alternative<std::string>(value) ? didYouMean(name, param.choices) : "";
@@ -254,7 +254,7 @@ static Json breaksJson(const Breaks& breaks) {
   return json;
 }
 
-// A bound is written as an integer where the parameter is one.
+// Bounds of an integer parameter are written as integers.
 static Json boundJson(const ParamDesc& param, double bound) {
   if (param.type == ParamDesc::Type::Int) return static_cast<int64_t>(bound);
   return bound;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What Lua hands over: passes and a pipeline as plain data, each field with the place where it was written.
-// `fromJson` reads the canonical form (what scripts/strobe/run.lua hands over); `toJson` writes it back, key for key.
+// Data that Lua returns: passes and a pipeline as plain data. Each field has the place where it was written.
+// `...FromJson` reads the canonical form (made by scripts/strobe/run.lua); `toJson` writes it back, key for key.
 #pragma once
 
 #include <optional>
@@ -19,9 +19,9 @@ using Value = std::variant<bool, int64_t, double, std::string>;
 Json toJson(const Value& value);
 Value valueFromJson(const Json& json);
 
-// Text that reads back as the same value: a whole double keeps its ".0".
+// Text that reads back as the same value: an integral double keeps its ".0".
 std::string textOf(const Value& value);
-// "true", "false", an integer, a finite number; any other text stays text.
+// Value of "true", "false", an integer or a finite number; any other text stays text.
 Value valueFromText(const std::string& text);
 
 // Properties that every blur should have, by name (docs/invariants.md), in the order of their numbers.
@@ -30,118 +30,122 @@ const std::vector<std::string>& invariantNames();
 // Invariants that do not hold, by name, each with the reason.
 using Breaks = std::vector<std::pair<std::string, std::string>>;
 
-// What a parameter is, for those that ask without knowing its name: a pipeline has at most one of each.
+// Meaning of a parameter, for code that does not depend on its name. A pipeline has at most one parameter per role.
 enum class Role {
   None,
   Tile,            // side of a tile, px
   SampleCount,     // samples per pixel, along the motion or over the exposure
-  Reach,           // longest displacement handled, in widths of the picture
-  DepthTolerance,  // share of the depth over which two depths count as one
-  Jitter,          // how samples are shifted from pixel to pixel
-  Shading,         // the pose at which points are shaded: "frozen" or "full"
-  SampleTimes,     // where in the exposure samples are: "midpoint" or "stratified"
-  Regions,         // bool: find the regions in which errors are measured
-  StillOnce,       // bool of a pass: iterations of a loop after the first do only what something in motion reaches
-  Quality,         // float: from the cheapest picture to the best; a budget of time chooses it
+  Reach,           // longest displacement that filters handle, in image widths
+  DepthTolerance,  // two depths are equal if they differ by less than this share of the depth
+  Jitter,          // pattern of sample offsets from pixel to pixel
+  Shading,         // pose at which points are shaded: "frozen" or "full"
+  SampleTimes,     // sample times within the exposure: "midpoint" or "stratified"
+  Regions,         // bool: compute the masks of the error regions
+  StillOnce,       // bool of a pass: after the first iteration of a loop, run in the moving rectangle only
+  Quality,         // float: from the cheapest picture to the best; chosen to fit a time budget
 };
 
-// Their names, but for None, in that order.
+// Names of the roles except None, in the order of the enumeration.
 const std::vector<std::string>& roleNames();
 
-// One declaration that feeds validation, the GLSL parameter block, the command line, panels, sweeps and the record.
-// What "auto" is held as, and what a shader sees of it. No other negative number is in the range of such a parameter.
+// Stored value of "auto"; shaders read the same number. The range of a parameter with "auto" is above this number.
 inline constexpr double kAuto = -1;
 
-// Stands for any number but the default where a parameter says what its values break.
+// Key in `ParamDesc::breaks` for all numbers except the default.
 inline constexpr const char* kOtherNumbers = "other";
 
+// A parameter. Validation, the GLSL parameter block, the command line, panels, sweeps and the record all use this
+// declaration.
 struct ParamDesc {
   enum class Type { Bool, Int, Float, Choice };
   std::string name;
   Type type = Type::Float;
   Value default_value;
-  std::optional<double> min, max;                           // of Int and Float, inclusive
-  std::vector<std::string> choices;                         // of Choice
-  std::vector<std::pair<std::string, std::string>> values;  // of Choice: what a choice does and where it fails
-  std::vector<std::pair<std::string, Breaks>> breaks;       // what a value breaks; of numbers kOtherNumbers
-  std::string unit;                                         // "px", "m", ... or ""
+  std::optional<double> min, max;                           // Int and Float, inclusive
+  std::vector<std::string> choices;                         // Choice
+  std::vector<std::pair<std::string, std::string>> values;  // Choice: effect and failures of each choice
+  std::vector<std::pair<std::string, Breaks>> breaks;  // invariants that a value breaks; key kOtherNumbers for numbers
+  std::string unit;                                    // "px", "m", ... or ""
   std::string doc;
   Role role = Role::None;
-  bool has_auto = false;  // of Float: "auto" is a value too, held as kAuto; what it stands for is the shader's to find
-  bool wired = false;     // of a pass: says what else is in the graph, so that its pipeline alone sets it
-  bool variant = false;   // compiled into the shader instead of passed to it (always so for Choice and Bool)
+  bool has_auto = false;  // Float: may be "auto", stored as kAuto; the shader computes the number
+  bool wired = false;     // pass: describes the rest of the graph, so only the pipeline may set it
+  bool variant = false;   // compiled into the shader instead of passed to it (always for Choice and Bool)
   Place place;
 };
 
-// Whether a value of it makes another shader.
+// True if the value is compiled into the shader.
 inline bool isCompiledIn(const ParamDesc& param) {
   return param.variant || param.type == ParamDesc::Type::Bool || param.type == ParamDesc::Type::Choice;
 }
 
-// Throws `Error` (with `where` as its place) if `value` is of another type or out of range; an integer is accepted
-// where a number is wanted, and text as typed on a command line is converted.
+// Returns `value` as the type of `param`. An integer is converted to a number, and text as typed on a command line to a
+// value. Throws `Error` at the place `where` if the type does not fit or the value is out of range.
 Value checkValue(const ParamDesc& param, const Value& value, const Place& where);
 
-// An image port of a pass, or one of a buffer: a write or update of the format kBufferFormat (plan/formats.h).
+// A port of a pass: an image, or a buffer (a write or update of the format kBufferFormat, plan/formats.h).
 struct PortDesc {
   std::string name;
   std::string doc;
-  std::string format;  // of writes and updates: "r32f", "rgba16f", "rg32ui", ...; "" for reads
-  // Writes and updates whose format a choice parameter of the pass decides: its name and a format for each choice, all
-  // of them unsigned integers or none. `format` is then the one of its default; ask `formatOf` for a node's.
+  std::string format;  // writes and updates: "r32f", "rgba16f", "rg32ui", ...; "" for reads
+  // Writes and updates: `format_by` is a choice parameter of the pass that decides the format, and `formats` has the
+  // format of each choice. Either all or none of these formats have unsigned integers. `format` is the format of the
+  // default; `formatOf` returns the format in a node.
   std::string format_by;
   std::vector<std::pair<std::string, std::string>> formats;
   bool uint = false;       // reads: the texels are unsigned integers
-  bool optional = false;   // reads: may be left unwired; the shader then sees HAS_<name> 0
+  bool optional = false;   // reads: may be unwired; HAS_<name> is 0 in the shader then
   bool linear = false;     // reads: sampled with a linear filter instead of texel fetches
   bool buffer = false;     // reads: a buffer (of unsigned integers) instead of an image
-  bool pointwise = false;  // reads: at the pixel that the pass runs for, and nowhere else
-  // Reads that are optional: reads, it itself perhaps among them, of which one at least must be wired, and to more than
-  // nothing but zeros, for it to be of use; otherwise it is not wired either. Empty: it is of use alone.
+  bool pointwise = false;  // reads: the pass reads only the pixel that it runs for
+  // Optional reads: names of reads, possibly including this one. If all these reads are unwired or only zeros, this
+  // read is unwired too. Empty: no condition.
   std::vector<std::string> needs;
-  // Optional reads of images: value of every texel if the read is not wired. Four numbers, or the name of another read
-  // whose texels stand in; both empty: shaders test HAS_<name> instead.
+  // Optional images: value of every texel if the read is not wired. Either four numbers, or the name of another read
+  // whose texels are used. Both empty: shaders test HAS_<name>.
   std::vector<double> absent;
   std::string absent_read;
-  int each = 1;          // writes and updates, of a buffer: entries for each pixel of the pass's size
-  bool cleared = false;  // writes: zero when the pass begins, which writes only where it has something
-  bool history = false;  // updates: kept from frame to frame instead of zero at the start of each
+  int each = 1;          // writes and updates that are buffers: entries per pixel of the pass's size
+  bool cleared = false;  // writes: zero when the pass begins, so the pass need not write every texel
+  bool history = false;  // updates: kept from frame to frame; otherwise zero at the start of each frame
   Place place;
 };
 
 // True if shaders can read the texels of an optional read that is not wired.
 bool hasAbsent(const PortDesc& read);
 
-// Is a write zero when the pass begins? Of buffers each is.
+// True if a write is zero when the pass begins; true for every buffer.
 bool isCleared(const PortDesc& port);
 
-// The format that a write or update has in a node with these values of the pass's parameters.
+// Format of a write or update in a node with the parameter values `params`.
 const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params);
 
-// Sizes of what a pass writes.
+// Size of the images that a pass writes.
 struct SizeDesc {
   enum class Kind { Frame, Port, Fixed };
   Kind kind = Kind::Frame;
   std::string port;           // Kind::Port: as large as the image wired to this read
-  std::string divide;         // ... divided (rounding up) by this integer parameter of the pass, or ""
+  std::string divide;         // Kind::Port: integer parameter that divides this size, rounding up; or ""
   int width = 0, height = 0;  // Kind::Fixed
-  Place place;                // of the field; of the pass where a file does not have it
+  Place place;                // the field `size`; the pass if the field is missing
 };
 
 struct CounterDesc {
   std::string name;
   std::string doc;
-  std::string limit;  // what was done to the picture where it counted, and what to do about it; or "": just an event
+  std::string limit;  // effect of the counted event on the picture, and the remedy; "" if the event has no effect
 };
 
-// The name of what stands in at each pixel in which nothing that moves is seen at any time.
+// Name in `WithoutDesc` of the condition "pixel outside of the moving rectangle".
 inline const char* const kReached = "moving_rect";
 
-// What stands in for a pass where a fact of the frame does not hold (plan/facts.h), or where a read is nothing but
-// zeros: bit for bit what it would write. It does not run then; of `kReached`, it may run on the other pixels alone.
+// Stand-ins for the writes of a pass if a fact of the frame does not hold (plan/facts.h), or if a read is only zeros. A
+// stand-in equals the result of the pass bit for bit, so the pass does not run. With the name `kReached` the pass may
+// run within the moving rectangle only.
 struct WithoutDesc {
-  std::string name;                                         // of the fact or the read
-  std::vector<std::pair<std::string, std::string>> writes;  // each write in order -> the read that it equals; "": zeros
+  std::string name;  // a fact, a read or kReached
+  std::vector<std::pair<std::string, std::string>>
+      writes;  // each write in order -> the read that stands in; "" for zeros
   Place place;
 };
 
@@ -149,135 +153,137 @@ struct PassDesc {
   enum class Kind { Raster, Compute, Trace };
   std::string name;
   Kind kind = Kind::Compute;
-  std::string shader;  // below shaders/; of a raster pass "<shader>.vert.glsl" and "<shader>.frag.glsl"
+  std::string shader;  // path below shaders/; a raster pass has "<shader>.vert.glsl" and "<shader>.frag.glsl"
   std::string doc;
-  std::string fails;  // when what it computes is wrong, and how; or ""
-  Breaks breaks;      // invariants that do not hold where it is used
+  std::string fails;  // cases in which the result is wrong, and the error; or ""
+  Breaks breaks;      // invariants that do not hold if a pipeline uses the pass
   SizeDesc size;
-  // The read, a buffer, whose entries are the pixels that it runs for, once each; all pixels where that is not wired.
-  // Its writes are all cleared. "": it runs for all pixels.
+  // Name of a read that is a buffer: the pass runs once for each entry, which is a pixel. The pass runs for all pixels
+  // if the read is not wired, or if `over` is "". All writes of such a pass are cleared.
   std::string over;
-  bool group = false;             // compute: a work group runs for each pixel, instead of an invocation
-  bool scene = false;             // the shader sees the scene's buffers, textures and acceleration structures
-  std::vector<PortDesc> reads;    // images it samples
-  std::vector<PortDesc> writes;   // images it fills; every pixel is written
-  std::vector<PortDesc> updates;  // images it reads and writes; zero before the first execution in a frame, or ever
+  bool group = false;            // compute: one work group per pixel instead of one invocation
+  bool scene = false;            // the shader has the scene's buffers, textures and acceleration structures
+  std::vector<PortDesc> reads;   // sampled images
+  std::vector<PortDesc> writes;  // every pixel is written
+  // Read and written; zero before the first execution in a frame, or with `history` before the first frame.
+  std::vector<PortDesc> updates;
   std::vector<ParamDesc> params;
-  std::vector<CounterDesc> counters;  // 32-bit event counts, read back into the run record
-  std::vector<WithoutDesc> without;   // in the order in which they are tried
+  std::vector<CounterDesc> counters;  // 32-bit event counts for the run record
+  std::vector<WithoutDesc> without;   // in the order of the tests
   Place place;
 };
 
-// A node's parameter is a value, or follows a parameter of the pipeline.
+// Value of a parameter of a node: either a constant, or the value of a parameter of the pipeline.
 struct Binding {
   std::optional<Value> value;
   std::string follows;  // name of a pipeline parameter, or ""
   Place place;
 };
 
-// Pixels or instances that a node may be restricted to.
+// Pixels or instances that a node runs for.
 enum class Runs {
   Everywhere,       // all pixels, all instances
-  MovingRect,       // pixels of the moving rectangle; elsewhere the stand-in kReached of its pass holds
+  MovingRect,       // pixels of the moving rectangle; the other pixels get the stand-in kReached of the pass
   MovingInstances,  // raster: instances that move, if the camera is static
 };
 
 // One use of a pass.
 struct NodeDesc {
-  std::string name;  // unique: the pass's name, or what `as` gave it
+  std::string name;  // unique: the name of the pass, or the name given by `as`
   std::string pass;
   std::vector<std::pair<std::string, std::string>> inputs;  // read port -> "node.port"
   std::vector<std::pair<std::string, Binding>> params;
-  std::string time =
-      "raster";      // pose of the scene it sees: "raster", "shutter_open", "shutter_close" or "sample" (its loop's)
-  std::string loop;  // name of the loop it is repeated in, or ""
+  // Pose of the scene: "raster", "shutter_open", "shutter_close" or "sample" (times of its loop).
+  std::string time = "raster";
+  std::string loop;  // name of the loop that repeats the node, or ""
   Runs runs = Runs::MovingRect;
   Place place;
 };
 
-// Times of a loop whose iterations are exposures of their own: the parts of the frame's exposure, each drawn anew.
+// Times of a loop whose iterations draw the parts of the frame's exposure, each as an exposure of its own.
 inline constexpr const char* kPartTimes = "parts";
 
-// Nodes repeated for k = first .. first+count-1, each time with its own scene times.
+// Nodes repeated for k = first .. first+count-1, with other scene times in each iteration.
 struct LoopDesc {
   std::string name;
   Binding count;
-  // Choice "midpoint" | "stratified" (of equal weights) | "even" (of equal lengths) | "frames" (captures of earlier
-  // frames, the last one first) | kPartTimes.
+  // Choice "midpoint" | "stratified" (parts of equal weight) | "even" (parts of equal length) | "frames" (raster times
+  // of earlier frames, the latest first) | kPartTimes.
   Binding times;
-  Binding slices;     // scene times per iteration among which a pixel may draw one; 1 for midpoint times
+  Binding slices;     // scene times per iteration; a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
-  // Of how many parts of the exposure this loop takes `count`, from which on, in an order in which any run of them lies
-  // all over the exposure. 0 parts: all of them, one after another.
+  // The exposure has `parts` parts, and the loop takes `count` parts, from number `first` on. Parts with consecutive
+  // numbers are spread over the whole exposure. If `parts` is 0, the loop takes all parts, one after another.
   int first = 0, parts = 0;
   Place place;
 };
 
-// Where the values of `when` are set, the picture is bit for bit that of another pipeline with the values of `set`.
+// With the values of `when`, the picture equals the picture of another pipeline with the values of `set`, bit for bit.
 struct EqualDesc {
   std::vector<std::pair<std::string, Value>> when, set;
   std::string pipeline;
 };
 
-// A named set of values, which single settings override: `--set preset=NAME`.
+// A named set of values: `--set preset=NAME`. Values that are set separately override the preset.
 struct PresetDesc {
   std::string name;
   std::string doc;
   std::vector<std::pair<std::string, Value>> values;
-  bool is_default = false;  // taken where no preset is named: one of them is, where there are any
+  bool is_default = false;  // used if no preset is named; exactly one preset is the default
 };
 
-// The name of the setting that takes a preset.
+// Name of the setting that selects a preset.
 inline constexpr const char* kPresetSetting = "preset";
 
-// An output that is the mask of a region in which errors are measured.
+// An output that is the mask of an error region, where errors are measured.
 struct RegionDesc {
-  std::string name;  // of the output
-  std::string doc;   // what is in it
+  std::string name;  // name of the output
+  std::string doc;   // description of the pixels in the region
 };
 
 struct PipelineDesc {
-  // What it is to other pipelines: one of many methods; the capture as it is, without blur; what is true, which has an
-  // output "error", the standard error of its colour per pixel; a list, whose texels are not pixels of the frame.
+  // Role among the pipelines. Method: one of many methods. Sharp: the raster image without blur. Truth: ground truth,
+  // with an output "error", the standard error of the colour per pixel. List: texels are not pixels of the frame.
   enum class Kind { Method, Sharp, Truth, List };
   std::string name;  // "mine" of mine.lua
-  std::string file;  // as shown to people
+  std::string file;  // as shown to users
   std::string doc;
   Kind kind = Kind::Method;
-  Breaks breaks;             // invariants that do not hold, for any of its values
-  std::string compare_with;  // a pipeline to which the truth is no nearer than to this one; or ""
+  Breaks breaks;             // invariants that fail for all parameter values
+  std::string compare_with;  // a pipeline whose error against ground truth is not smaller; or ""
   std::vector<EqualDesc> equals;
   std::vector<ParamDesc> params;
-  std::vector<std::string> graph_params;  // whose values its scripts looked at: they may have decided the graph
+  // Parameters whose values the scripts read. These values may have decided the graph.
+  std::vector<std::string> graph_params;
   std::vector<PresetDesc> presets;
-  std::string preset;                                 // the one that was taken; "" where there are none
+  std::string preset;                                 // the preset in use; "" without presets
   std::vector<std::pair<std::string, Value>> values;  // every pipeline parameter, resolved, in declaration order
-  std::vector<PassDesc> passes;                       // each pass in use once
+  std::vector<PassDesc> passes;                       // each pass that is used, once
   std::vector<NodeDesc> nodes;                        // in the order of the calls
   std::vector<LoopDesc> loops;
   std::vector<std::pair<std::string, std::string>> outputs;  // output -> "node.port"
-  std::vector<RegionDesc> regions;                           // those of its outputs that are regions
+  std::vector<RegionDesc> regions;                           // outputs that are regions
 };
 
 // "method", "sharp", "truth", "list".
 const std::vector<std::string>& pipelineKindNames();
 
-// The pipeline's parameter of that name or role; null where there is none.
+// The parameter of the pipeline with that name or role; null if it does not exist.
 const ParamDesc* paramNamed(const PipelineDesc& pipeline, const std::string& name);
 const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role);
 
-// The value of a parameter of the pipeline; null where there is none.
+// The value of a parameter of the pipeline; null if the parameter does not exist.
 const Value* valueOf(const PipelineDesc& pipeline, const std::string& name);
-// How many frames before the capture its loops of times "frames" look back at; 64 stands for more.
+// Number of earlier frames that loops with the times "frames" read, at most 64.
 int earlierFrames(const PipelineDesc& pipeline);
 // True if a loop of the pipeline draws the parts of the exposure (kPartTimes).
 bool hasParts(const PipelineDesc& pipeline);
 
-// They read what another process wrote and so trust nothing: names, references, types and ranges are checked, and
-// `Error` is thrown at the place of the first mistake.
+// Readers of the canonical form. Its text comes from another process, so names, references, types and ranges are
+// checked. Throws `Error` at the place of the first mistake.
 PassDesc passFromJson(const Json& json);
-// What descriptions of one pipeline have in common, for which they have a number n in the place of a pass, the nth of
-// these from 1, and no "params".
+// Data that several descriptions of one pipeline have in common. These descriptions have a number n in place of the nth
+// pass of `passes`, counted from 1, and no field "params".
 struct Known {
   std::vector<PassDesc> passes;
   std::vector<ParamDesc> params;
@@ -288,7 +294,7 @@ PipelineDesc pipelineFromJson(const Json& json, const Known& known = {});
 Json toJson(const PipelineDesc& pipeline);
 Json toJson(const PassDesc& pass);
 
-// The image formats a pass may write.
+// Image formats that a pass may write.
 const std::vector<std::string>& formatNames();
 
 }  // namespace strobe::plan

@@ -55,7 +55,7 @@ std::vector<std::pair<std::string, std::string>> choiceTexts(Reader& reader, con
   return texts;
 }
 
-// By value of a parameter.
+// Broken invariants per value of a parameter.
 static std::vector<std::pair<std::string, Breaks>> valueBreaks(Reader& reader, const ParamDesc& param) {
   std::vector<std::pair<std::string, Breaks>> result;
   if (!reader.has("breaks")) return result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading of the canonical form, for passes and pipelines alike.
+// Reader of the canonical form of passes and pipelines.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace strobe::plan {
 
-// A table of the canonical form; the first mistake is thrown. `what` names it in errors ("pass 'x'").
+// A table of the canonical form. Throws `Error` at the first mistake; `what` names the table in errors ("pass 'x'").
 class Reader : public Fields {
  public:
   Reader(const Json& json, std::string what, const Place& outer = {})
@@ -40,10 +40,10 @@ class Reader : public Fields {
   static Problems& thrownAtOnce();
 };
 
-// a-z, then a-z, 0-9 and _; at most 64.
+// True if `name` is a letter a-z, then a-z, 0-9 and _; at most 64 characters.
 bool isName(const std::string& name);
 
-// True if `name` is names separated by slashes: "folder/name".
+// True if `name` consists of names separated by slashes: "folder/name".
 bool isPath(const std::string& name);
 std::string nameOf(Reader& reader);
 
@@ -68,7 +68,7 @@ void refuseTwins(const std::vector<Item>& items, const Reader& reader, const cha
   }
 }
 
-// `json` holds no other kind of entry than `read` accepts.
+// Reads each entry of `json` with `read`. All entries must be of the kind that `read` accepts.
 template <class Read>
 auto itemsOf(const Json& json, Read read) {
   std::vector<decltype(read(json))> items;
@@ -76,10 +76,10 @@ auto itemsOf(const Json& json, Read read) {
   return items;
 }
 
-// A text for each of some choices.
+// Pairs of a choice and its text.
 std::vector<std::pair<std::string, std::string>> choiceTexts(Reader& reader, const char* key);
 
-// Invariants and why they are broken.
+// Broken invariants with their reasons.
 Breaks breaksOf(const Reader& reader, const Json& json);
 
 ParamDesc readParam(const Json& json);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the canonical form, for its reader and its writer; in the order of the enumerations.
+// Words of the canonical form, for its reader and its writer. They are in the order of the enumerations.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ inline const std::vector<std::string> kNodeTimes = {"raster", "shutter_open", "s
 inline const std::vector<std::string> kNodeRuns = {"everywhere", "moving_rect", "moving_instances"};
 inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even", "frames", kPartTimes};
 
-// "" for Role::None.
+// Name of a role; "" for Role::None.
 std::string roleName(Role role);
 
-// "a, b, c".
+// Names joined by commas: "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 
 }  // namespace strobe::plan

@@ -15,7 +15,7 @@ const char* const kHead =
     "  node [shape=box, style=\"filled,rounded\", fontname=\"DejaVu Sans\", fontsize=11, color=\"#5a6572\"];\n"
     "  edge [fontname=\"DejaVu Sans\", fontsize=9, color=\"#5a6572\", fontcolor=\"#39424d\"];\n";
 
-// Text inside a quoted string of DOT.
+// `text` as a quoted string of DOT.
 std::string inQuotes(const std::string& text) {
   std::string result = "\"";
   for (char c : text) {
@@ -60,13 +60,13 @@ void addBoxes(const Plan& plan, std::string& text) {
     if (node.loop < 0) text += "  " + boxOf(plan, node);
 }
 
-// "node" and "port" of an image's name.
+// "node" and "port" in the name of an image.
 std::pair<std::string, std::string> halvesOf(const std::string& image) {
   size_t dot = image.rfind('.');
   return {image.substr(0, dot), image.substr(dot + 1)};
 }
 
-// What does not run and is read all the same: zeros.
+// A dashed box per node that does not run, but whose zeros are read.
 void addZeros(const Plan& plan, std::string& text) {
   std::set<std::string> nodes;
   for (const VirtualImage& image : plan.images) {
@@ -78,7 +78,7 @@ void addZeros(const Plan& plan, std::string& text) {
 
 void addEdges(const Plan& plan, std::string& text) {
   for (const PlanNode& node : plan.nodes) {
-    std::map<std::string, std::string> ports;  // what is read of each node, a port per line
+    std::map<std::string, std::string> ports;  // by node: the ports that are read, one per line
     for (int image : node.reads) {
       if (image < 0) continue;
       auto [from, port] = halvesOf(plan.images[size_t(image)].name);

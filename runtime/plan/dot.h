@@ -9,7 +9,7 @@
 namespace strobe::plan {
 
 // DOT: a box per node with name, pass, kind and size, in the order of execution; an edge per pair of nodes, labelled
-// with the ports read; an ellipse per output; a cluster per loop. The same text for the same plan.
+// with the ports that are read; an ellipse per output; a cluster per loop. Equal plans give equal texts.
 std::string toDot(const Plan& plan);
 
 }  // namespace strobe::plan

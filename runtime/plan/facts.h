@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facts of a frame that a plan may be made without: what its scene does not have at these times is not paid for.
+// Facts of a frame. If a fact does not hold, the plan leaves out passes that have a stand-in.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@ namespace strobe::plan {
 
 struct Fact {
   std::string name;
-  std::string absent;  // what is said to people where it does not hold
-  // Of the scene alone, and seen by shaders: FACT_<name> is 0 or 1 in passes that see the scene.
+  std::string absent;  // text for users if the fact does not hold
+  // Depends on the scene alone: shaders of passes that use the scene have FACT_<name>, 0 or 1.
   bool compiled_in = false;
-  // Of the times of the exposure, and seen by the shaders of all passes.
+  // Depends on the times of the exposure: shaders of all passes have FACT_<name>, 0 or 1.
   bool compiled_into_all = false;
 };
 
-// In the order in which they are listed to people.
+// All facts, in the order of lists in messages and documentation.
 const std::vector<Fact>& facts();
 
 std::vector<std::string> factNames();
 
-// Null where there is none of that name.
+// The fact of that name, or null.
 const Fact* findFact(const std::string& name);
 
 }  // namespace strobe::plan

@@ -14,7 +14,7 @@ void forFilledImages(const Plan& plan, const Visit& visit) {
       for (int image : *images) visit(node, plan.images[size_t(image)]);
 }
 
-// Their names, "NODE.PORT".
+// Names of the images that the passes fill, "NODE.PORT".
 inline std::vector<std::string> filledImages(const Plan& plan) {
   std::vector<std::string> names;
   forFilledImages(plan, [&](const PlanNode&, const VirtualImage& image) { names.push_back(image.name); });

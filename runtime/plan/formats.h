@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The texel formats a pass may write, by the name used in Lua, in plans and in records; and buffers, which have no
-// texels but as many entries as an image of their size would have.
+// Texel formats of the images that passes write, by their names in Lua, plans and records, and the format of buffers. A
+// buffer has as many entries as an image of its size has texels.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,25 @@ namespace strobe::plan {
 struct Format {
   std::string name;  // "rgba16f"
   int channels = 0;
-  int bytes = 0;      // of one texel
-  bool uint = false;  // unsigned integers, sampled as such
+  int bytes = 0;      // per texel
+  bool uint = false;  // texels are unsigned integers
 };
 
-// A buffer of 32-bit unsigned integers in the place of an image: a head, then an entry for each pixel.
+// A buffer of 32-bit unsigned integers in place of an image: a head, then one entry per pixel.
 inline constexpr const char* kBufferFormat = "buffer32ui";
-// The head: three numbers of groups, as an indirect dispatch has them, and the number of entries in use; bytes.
+// Size of the head, bytes: the three numbers of groups of an indirect dispatch, and the number of entries in use.
 inline constexpr uint64_t kBufferHead = 16;
 inline bool isBuffer(const std::string& format) { return format == kBufferFormat; }
-// Of texels, or entries, that are unsigned integers?
+// True if the texels or entries are unsigned integers.
 inline bool isUint(const std::string& format) { return format.ends_with("ui"); }
 
-// What it takes in memory.
+// Memory of an image or buffer, bytes.
 uint64_t bytesOf(const std::string& format, int width, int height);
 
-// Formats a port may have, in the order in which they are listed to people.
+// Formats of ports, in the order of lists in messages and documentation.
 const std::vector<Format>& portFormats();
 
-// The format of that name, also "d32f" (the depth attachment of a raster pass); nullptr when there is none.
+// The format of that name, also "d32f" (the depth attachment of a raster pass); null for an unknown name.
 const Format* findFormat(const std::string& name);
 
 }  // namespace strobe::plan

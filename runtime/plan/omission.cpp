@@ -31,7 +31,7 @@ class Omitter {
   }
 
  private:
-  // After all that the node reads.
+  // Visits the nodes that are read first.
   void visit(int index) {
     if (seen_[size_t(index)]) return;
     seen_[size_t(index)] = true;
@@ -50,7 +50,7 @@ class Omitter {
     }
   }
 
-  // What other reads must hold something for.
+  // Unwires optional reads if all their `needs` are unwired or zero.
   void unwireUseless(WiredNode& node) {
     const std::vector<PortDesc>& reads = pipeline_.passes[size_t(node.pass)].reads;
     const std::vector<Source> sources = node.reads;
@@ -70,7 +70,7 @@ class Omitter {
     return read >= 0 && isZero(readOf(index, read));
   }
 
-  // What is still read of a node that is left out, when stand-ins are wired, are its zeros.
+  // True if the source is a node that is left out. Stand-ins are wired before, so the remaining source is zeros.
   bool isZero(const Source& source) const { return source.node >= 0 && chosen_[size_t(source.node)]; }
 
   bool readsBackAlike(int index, const WithoutDesc& without) {
@@ -105,9 +105,9 @@ class Omitter {
   const std::vector<std::string>& absent_;
   Wiring& wiring_;
   Sizes& sizes_;
-  std::vector<const WithoutDesc*> chosen_;  // by node; null where it runs
+  std::vector<const WithoutDesc*> chosen_;  // per node; null if the node runs
   std::vector<bool> seen_;
-  std::vector<int> stops_;  // nodes by which loops stop
+  std::vector<int> stops_;  // nodes with the stop condition of a loop
 };
 
 }  // namespace

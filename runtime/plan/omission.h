@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame does not require, taken out of a wiring.
+// Removal of the nodes that a frame does not need from a wiring.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace strobe::plan {
 
-// Leaves out the nodes whose passes say what stands in for them where one of the facts `absent` does not hold or a read
-// is nothing but zeros, and wires what stands in to whatever read them, outputs and taps included. A node runs all the
-// same where an image could read back otherwise, which is so where what stands in has another format or size, and where
-// a loop stops by it. Gives by node why it is left out; "" where it is not. The wiring has no cycles.
+// Marks nodes as left out if their passes have stand-ins for a missing fact (`absent`) or for a read that is only
+// zeros. Readers, outputs and taps are wired to the stand-ins. A node still runs if its stand-in has another format or
+// size, or if a loop stops by its image. Returns the reason per node; "" for nodes that run. The wiring must not have
+// cycles.
 std::vector<std::string> leaveOut(const PipelineDesc& pipeline, const std::vector<std::string>& absent, Wiring& wiring,
                                   Sizes& sizes);
 

@@ -7,7 +7,7 @@
 namespace strobe::plan {
 namespace {
 
-// For each vertex, what it depends on.
+// Per vertex: the vertices that it depends on.
 using Dependencies = std::vector<std::set<int>>;
 
 Dependencies nodeDependencies(const Wiring& wiring) {
@@ -20,7 +20,7 @@ Dependencies nodeDependencies(const Wiring& wiring) {
   return dependencies;
 }
 
-// Depth-first search along dependencies; `path` holds the vertices on the way down.
+// Depth-first search along dependencies; `path` has the vertices from the start to the current one.
 bool findCycleFrom(int vertex, const Dependencies& dependencies, std::vector<int>& mark, std::vector<int>& path) {
   constexpr int kOpen = 1, kDone = 2;
   path.push_back(vertex);
@@ -37,7 +37,7 @@ bool findCycleFrom(int vertex, const Dependencies& dependencies, std::vector<int
   return false;
 }
 
-// The vertices of a cycle in the direction in which data flows, starting with the smallest; empty if there is none.
+// The vertices of a cycle in the direction of the data flow, starting with the smallest; empty without a cycle.
 std::vector<int> findCycle(const Dependencies& dependencies) {
   std::vector<int> mark(dependencies.size(), 0), path;
   for (size_t i = 0; i < dependencies.size(); ++i) {
@@ -63,10 +63,10 @@ void refuseNodeCycle(const PipelineDesc& pipeline, const Wiring& wiring) {
   throw Error("cycle: " + pathText(cycle, names), pipeline.nodes[cycle.front()].place);
 }
 
-// Each node on its own, each loop's nodes as one; in the order of the first call.
+// One unit per node, and one unit per loop for its nodes, in the order of the first call.
 struct Units {
   std::vector<Unit> units;
-  std::vector<int> of_node;  // -1 for nodes left out
+  std::vector<int> of_node;  // index into `units`; -1 for nodes left out
 };
 
 Units makeUnits(const Wiring& wiring, const std::vector<bool>& needed) {
@@ -101,7 +101,7 @@ Dependencies unitDependencies(const Units& units, const Dependencies& of_nodes) 
   return dependencies;
 }
 
-// A loop whose nodes feed something outside that feeds the loop again cannot be kept together.
+// Throws if a loop feeds a node outside that feeds the loop again: the nodes of the loop cannot run together then.
 void refuseUnitCycle(const PipelineDesc& pipeline, const Units& units, const Dependencies& dependencies) {
   std::vector<int> cycle = findCycle(dependencies);
   if (cycle.empty()) return;
@@ -114,7 +114,7 @@ void refuseUnitCycle(const PipelineDesc& pipeline, const Units& units, const Dep
               pipeline.nodes[units.units[cycle.front()].nodes.front()].place);
 }
 
-// Repeatedly the first vertex all of whose dependencies are done. `candidates` is ascending.
+// Repeatedly takes the first vertex with all dependencies done. `candidates` is ascending.
 std::vector<int> topological(const Dependencies& dependencies, std::vector<int> candidates) {
   std::set<int> open(candidates.begin(), candidates.end());
   std::vector<int> order;

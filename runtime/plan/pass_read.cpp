@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pass of the canonical form, trusting nothing.
+// Checked reading of a pass in the canonical form.
 #include <algorithm>
 
 #include "base/json.h"
@@ -68,7 +68,7 @@ PortDesc readWrite(const Json& json) {
   return port;
 }
 
-// A port whose format a parameter decides has one for each choice, of one kind of texels.
+// Checks a port with `format_by`: it needs a format for each choice, all of the same kind of texels.
 void checkFormats(const Reader& reader, const PortDesc& port, const PassDesc& pass) {
   if (port.format_by.empty() && port.formats.empty()) return;
   auto wrong = [&](const std::string& reason) {
@@ -98,7 +98,7 @@ CounterDesc readCounter(const Json& json) {
 
 SizeDesc readSize(const Json& json, const PassDesc& pass) {
   Reader reader(json, fmt::format("size of pass '{}'", pass.name), pass.place);
-  for (const char* key : {"kind", "port", "divide", "width", "height"}) reader.allow(key);  // which depend on the kind
+  for (const char* key : {"kind", "port", "divide", "width", "height"}) reader.allow(key);  // keys depend on the kind
   reader.finish();
   SizeDesc size;
   size.kind = static_cast<SizeDesc::Kind>(reader.oneOf("kind", kSizeKinds));
@@ -120,7 +120,7 @@ SizeDesc readSize(const Json& json, const PassDesc& pass) {
   return size;
 }
 
-// What a pass that runs over the entries of a buffer must be like.
+// Checks the conditions on a pass that runs over the entries of a buffer.
 void checkOver(const Reader& reader, const PassDesc& pass) {
   if (pass.over.empty()) return;
   const PortDesc* list = find(pass.reads, pass.over);
@@ -132,7 +132,7 @@ void checkOver(const Reader& reader, const PassDesc& pass) {
       reader.fail(fmt::format("it runs over '{}', but its write '{}' is not cleared", pass.over, write.name));
 }
 
-// What a pass that has a group for each pixel must be like.
+// Checks the conditions on a pass with one work group per pixel.
 void checkGroup(const Reader& reader, const PassDesc& pass) {
   if (!pass.group) return;
   if (pass.kind != PassDesc::Kind::Compute) reader.fail("compute passes alone have a group for each pixel");
@@ -141,7 +141,7 @@ void checkGroup(const Reader& reader, const PassDesc& pass) {
     if (param.role == Role::StillOnce) reader.fail("it has a group for each pixel and a parameter that is static_once");
 }
 
-// Buffers are of compute and trace passes, and of one frame.
+// Checks buffers: compute and trace passes write them, and their contents are not kept from frame to frame.
 void checkBuffers(const Reader& reader, const PassDesc& pass) {
   for (const PortDesc& read : pass.reads)
     if (read.buffer && !read.uint)

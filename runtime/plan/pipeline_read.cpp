@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pipeline of the canonical form, trusting nothing.
+// Checked reading of a pipeline in the canonical form.
 #include <algorithm>
 #include <set>
 
@@ -36,7 +36,7 @@ Binding readBinding(const Json& json, const PipelineDesc& pipeline, const ParamD
   return binding;
 }
 
-// The write or update that "node.port" names, or null.
+// The write or update with the name "node.port", or null.
 const PortDesc* sourcePort(const PipelineDesc& pipeline, const std::string& source) {
   size_t dot = source.find('.');
   if (dot == std::string::npos) return nullptr;
@@ -171,7 +171,7 @@ std::vector<std::pair<std::string, Value>> settingsOf(const Json& json) {
   return settings;
 }
 
-// The other pipeline is known once it is evaluated; so are its parameters.
+// Checks `when` only. The parameters in `set` are known after the other pipeline is evaluated.
 EqualDesc readEqual(const Json& json, const PipelineDesc& pipeline) {
   Reader reader(json, "equal", {pipeline.file});
   EqualDesc equal{settingsOf(reader.table("when")), settingsOf(reader.table("set")),
@@ -199,7 +199,7 @@ PresetDesc readPreset(const Json& json, const PipelineDesc& pipeline) {
   return preset;
 }
 
-// One preset is the default, and one was taken.
+// Checks that exactly one preset is the default, and that the taken preset exists.
 void readPresets(Reader& reader, PipelineDesc& pipeline) {
   pipeline.presets = itemsOf(reader.list("presets"), [&](const Json& preset) { return readPreset(preset, pipeline); });
   refuseTwins(pipeline.presets, reader, "presets");

@@ -80,7 +80,7 @@ class Compiler {
                 plan_.pipeline.loops[loop].place);
   }
 
-  // Is a bool of that role true?
+  // True if the pass has a bool parameter with that role and the value true.
   static bool isSet(Role role, const PassDesc& pass, const std::vector<std::pair<std::string, Value>>& params) {
     for (size_t i = 0; i < pass.params.size(); ++i) {
       if (pass.params[i].role == role) return std::get<bool>(params[i].second);
@@ -132,9 +132,10 @@ class Compiler {
     plan_.nodes.push_back(std::move(node));
   }
 
-  // Where a pass says what stands in for it at pixels that nothing in motion reaches, these need not run. They do where
-  // that could read back otherwise: what stands in has another format or size, or holds elsewhere what it has within
-  // the reach alone, because it could not be left out there itself.
+  // Decides if a node may run within the moving rectangle only, and sets `outside` of its images. The pass needs a
+  // stand-in for the pixels outside. The node runs on all pixels if a stand-in has another format or size, or if the
+  // stand-in is an image that is itself computed outside of the rectangle although its pass has a stand-in for these
+  // pixels.
   bool keepsWithinReach(const PlanNode& node, const PassDesc& pass) {
     const WithoutDesc* outside = nullptr;
     for (const WithoutDesc& without : pass.without)
@@ -154,14 +155,14 @@ class Compiler {
     }
     for (size_t i = 0; i < stand_ins.size(); ++i) {
       VirtualImage& image = plan_.images[node.writes[i]];
-      if (isBuffer(image.format)) continue;  // zero before the pass, as its stand-in
+      if (isBuffer(image.format)) continue;  // cleared before the pass, and its stand-in is zero
       image.outside = stand_ins[i];
       if (image.outside < 0) {
         image.cleared = image.zero_outside = true;
         image.usage |= kUsageTransferTarget;
         continue;
       }
-      // What equals a copy equals what that is a copy of.
+      // The stand-in may itself be a copy: copy from the original then.
       const int copied = plan_.images[image.outside].outside;
       if (copied >= 0) image.outside = copied;
     }
@@ -173,7 +174,7 @@ class Compiler {
                        [&](const WiredLoop& loop) { return loop.until.node == node.node; });
   }
 
-  // Is it written at pixels for which its pass has a stand-in?
+  // True if the image is written outside of the moving rectangle although its pass has a stand-in for these pixels.
   bool runsOutside(int image) const {
     for (const PlanNode& node : plan_.nodes) {
       if (std::find(node.writes.begin(), node.writes.end(), image) == node.writes.end()) continue;
@@ -184,7 +185,7 @@ class Compiler {
     return false;
   }
 
-  // No copy is made of what nobody looks at outside of the reach.
+  // Drops the copies of images that are not read outside of the moving rectangle.
   void leaveOutCopies() {
     std::vector<bool> looked_at(plan_.images.size());
     auto is_whole = [&](const auto& one) { return one.width == plan_.width && one.height == plan_.height; };
@@ -200,7 +201,7 @@ class Compiler {
       if (!looked_at[i] && !plan_.images[i].kept) plan_.images[i].outside = -1;
   }
 
-  // The image of a read; -1 for "".
+  // The image of the read `name`; -1 for "" and unwired reads.
   static int readNamed(const PlanNode& node, const PassDesc& pass, const std::string& name) {
     for (size_t i = 0; i < pass.reads.size(); ++i)
       if (!name.empty() && pass.reads[i].name == name) return node.reads[i];
@@ -233,7 +234,7 @@ class Compiler {
     return port < writes ? node.writes[port] : node.updates[port - writes];
   }
 
-  // What is read of a node that is left out.
+  // Image of zeros in place of a port of a node that is left out.
   int zerosOf(const Source& source) {
     auto [known, is_new] = zeros_.try_emplace({source.node, source.port}, -1);
     if (!is_new) return known->second;
@@ -269,7 +270,7 @@ class Compiler {
     return image;
   }
 
-  // Slots are not known yet: `fillSlots` puts them in.
+  // The slot is set later, by `fillSlots`.
   static Use imageUse(int image, uint32_t stages, uint32_t access) { return {{}, image, stages, access}; }
   static Use counterUse(int node, uint32_t stages, uint32_t access) {
     return {{Resource::Kind::Counters, node}, -1, stages, access};
@@ -331,7 +332,7 @@ class Compiler {
     const bool raster = kind == PassDesc::Kind::Raster;
     const uint32_t read_write = kAccessStorageRead | kAccessStorageWrite;
     for (int image : node.writes) {
-      const bool adds = isBuffer(plan_.images[image].format);  // to what it was cleared to
+      const bool adds = isBuffer(plan_.images[image].format);  // buffers are cleared, then read and written
       uses.push_back(raster ? imageUse(image, kStageColor, kAccessColorWrite)
                             : imageUse(image, shader, adds ? read_write : kAccessStorageWrite));
     }
@@ -341,7 +342,7 @@ class Compiler {
     addStep(steps, Step::Kind::Pass, index, std::move(uses));
   }
 
-  // Each kept image once, however many names it has.
+  // Reads each kept image once, even if it has several names.
   void addReadBacks() {
     for (size_t i = 0; i < plan_.images.size(); ++i) {
       if (!plan_.images[i].kept) continue;
@@ -375,7 +376,7 @@ class Compiler {
   Plan plan_;
   Sizes sizes_;
   std::map<std::pair<int, int>, int> zeros_;  // images of zeros, by node and port
-  std::vector<int> of_desc_;                  // index into `plan_.nodes` by index into the description, -1 where culled
+  std::vector<int> of_desc_;  // index into `plan_.nodes` by index into the description, -1 for culled nodes
 };
 
 }  // namespace
@@ -384,7 +385,7 @@ Plan compile(const PipelineDesc& pipeline, const CompileOptions& options) {
   return Compiler(pipeline, options).compile();
 }
 
-// The pass that decides the size of "node.port": follows passes that are as large as a read.
+// The pass that decides the size of "node.port". Passes that are as large as a read are followed to that read.
 static const PassDesc& sizingPass(const PipelineDesc& pipeline, std::string source) {
   auto named = [](const auto& list, const std::string& name) {
     return std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A pipeline compiled for one frame size: which nodes run in which order, on which images, in which memory, and what
-// has to be waited for in between. Data only: no device is needed to make one, print one or test one.
+// A pipeline compiled for one frame size: nodes in execution order, their images, memory and barriers. A plan is data
+// only; it can be made, printed and tested without a device.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace strobe::plan {
 
-// How an image is used, as bits; a slot has the union over the images it holds.
+// Usages of an image, as bits. A slot has the union of the usages of its images.
 enum Usage : uint32_t {
   kUsageSampled = 1 << 0,
   kUsageStorage = 1 << 1,
@@ -24,24 +24,24 @@ enum Usage : uint32_t {
   kUsageTransferTarget = 1 << 5,
 };
 
-// What one port of one node holds during a frame; or "node.@depth", the depth attachment of a raster node.
+// Contents of one port of one node during a frame; or "node.@depth", the depth attachment of a raster node.
 struct VirtualImage {
   std::string name;  // "node.port"
   std::string format;
   int width = 0, height = 0;
-  uint32_t usage = 0;    // of this image alone
-  int divide = 1;        // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
-  bool cleared = false;  // to zero whenever the node that writes it begins
-  // Of a node that works within the reach: the image that it equals outside of that, or -1, also where nobody looks and
-  // it has no contents; is it zero there?
+  uint32_t usage = 0;    // of this image only
+  int divide = 1;        // pixels of the frame per texel along an axis (tiles); 0: texels are not pixels of the frame
+  bool cleared = false;  // cleared to zero before each execution of the node that writes it
+  // Node within the moving rectangle: the image that this image equals outside of the rectangle. -1: zero outside
+  // (`zero_outside`), or not read outside and undefined there.
   int outside = -1;
   bool zero_outside = false;
   bool zero = false;        // cleared to zero at the start of the frame and written by no node
   bool update = false;      // cleared to zero at the start of the frame, then read and written
-  bool history = false;     // an updated image that is cleared before its first frame only
+  bool history = false;     // an update that is cleared before its first frame only
   bool kept = false;        // an output or a tap: whole and unchanged at the end of the frame
-  int first = 0, last = 0;  // lifetime, inclusive: positions in `Plan::steps`
-  bool read = false;        // some node samples it
+  int first = 0, last = 0;  // lifetime, inclusive; positions in `Plan::steps`
+  bool read = false;        // a node samples the image
   int slot = 0;             // index into `Plan::slots`
 };
 
@@ -51,7 +51,7 @@ struct Slot {
   int width = 0, height = 0;
   uint32_t usage = 0;
   uint64_t bytes = 0;
-  bool zero_outside = false;  // as all images that share it
+  bool zero_outside = false;  // equal in all images that share the slot
 };
 
 // A node that runs. Ports are in the order of the pass's declaration.
@@ -59,22 +59,22 @@ struct PlanNode {
   int node = 0;                                       // index into `pipeline.nodes`
   int pass = 0;                                       // index into `pipeline.passes`
   int loop = -1;                                      // index into `Plan::loops`, or -1
-  int width = 0, height = 0;                          // of everything it writes
-  int divide = 1;                                     // of everything it writes
+  int width = 0, height = 0;                          // of all images it writes
+  int divide = 1;                                     // VirtualImage::divide of all images it writes
   std::vector<std::pair<std::string, Value>> params;  // resolved, in the order of the pass's declaration
-  std::vector<int> reads;                             // image per read port; -1 where an optional port is not wired
+  std::vector<int> reads;                             // image per read port; -1 for an optional port that is not wired
   std::vector<int> writes;                            // image per write port
   std::vector<int> updates;                           // image per update port
-  int over = -1;   // image, a buffer, of the pixels that it runs for; -1: all of them
+  int over = -1;   // image, a buffer, with the pixels that the node runs for; -1: all pixels
   int depth = -1;  // image of a raster node's depth attachment
-  // In a loop, after its first iteration, it works on the pixels that something in motion reaches, and the others keep
-  // what they have (Role::StillOnce).
+  // In a loop: after the first iteration the node runs on the pixels of the moving rectangle, and the other pixels keep
+  // their values (Role::StillOnce).
   bool static_once = false;
-  bool moving_only = false;  // before a camera at rest it draws what moves alone (Runs::MovingInstances)
-  // It works on the pixels that something in motion reaches; the others have what stands in for it there: zeros, or a
-  // copy of VirtualImage::outside, or nothing where nobody looks.
+  bool moving_only = false;  // under a static camera the node draws moving instances only (Runs::MovingInstances)
+  // The node runs on the pixels of the moving rectangle. The other pixels have the stand-in: zeros, or a copy of
+  // VirtualImage::outside, or undefined values if they are not read.
   bool in_moving_rect = false;
-  bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
+  bool counters = false;  // the node has a buffer of 32-bit event counts, in the order of the declaration
 };
 
 struct PlanLoop {
@@ -82,7 +82,7 @@ struct PlanLoop {
   int count = 0;
   std::string times;  // one of LoopDesc::times
   int slices = 1;
-  int first = 0, parts = 0;  // it takes `count` of so many parts of the exposure, from this on
+  int first = 0, parts = 0;  // the loop takes `count` of `parts` parts of the exposure, from number `first` on
   int until = -1;            // image read back after each iteration, non-zero to stop; or -1
 
   // True if each iteration is an exposure of its own. Its nodes then run on all pixels and instances, because
@@ -94,32 +94,32 @@ struct PlanLoop {
 struct Step {
   enum class Kind {
     ClearImage,     // fill image `index` with zero
-    CopyOutside,    // copy to image `index` what it equals outside of the reach, where there is such an outside
+    CopyOutside,    // copy VirtualImage::outside to image `index`, for the pixels outside of the moving rectangle
     ClearCounters,  // fill the counters of node `index` with zero
     Pass,           // run node `index`
     Loop,           // run `body` for each iteration of loop `index`
-    ReadImage,      // copy image `index` out (an output, a tap; in a loop: its stop condition)
+    ReadImage,      // read back image `index` (an output or a tap; in a loop, its stop condition)
     ReadCounters,   // the host reads the counters of node `index`
   };
   Kind kind = Kind::Pass;
   int index = 0;
-  std::vector<Step> body;              // of a loop; never holds another loop
-  std::vector<Use> uses;               // what the command touches (a loop itself: nothing)
-  std::vector<Barrier> barriers;       // to record before it; in a loop, before it in iteration 0
-  std::vector<Barrier> barriers_next;  // in a loop: before it in every later iteration
+  std::vector<Step> body;              // of a loop; does not contain loops
+  std::vector<Use> uses;               // accesses of the command; a loop itself has no uses
+  std::vector<Barrier> barriers;       // recorded before the command; in a loop, in iteration 0
+  std::vector<Barrier> barriers_next;  // in a loop: recorded before the command in later iterations
 };
 
 struct CulledNode {
   std::string name;
   std::string reason;
-  bool by_facts = false;  // it would run if all facts held
+  bool by_facts = false;  // the node would run if all facts held
 };
 
 struct Plan {
-  PipelineDesc pipeline;  // what it was made from, with `values` as overridden
+  PipelineDesc pipeline;  // description of the pipeline, with the overridden `values`
   int width = 0, height = 0;
   std::vector<PlanNode> nodes;  // in the order of execution
-  std::vector<PlanLoop> loops;  // those that run
+  std::vector<PlanLoop> loops;  // loops that run
   std::vector<VirtualImage> images;
   std::vector<Slot> slots;
   std::vector<Step> steps;
@@ -130,34 +130,34 @@ struct Plan {
 };
 
 struct CompileOptions {
-  int width = 0, height = 0;      // of the frame, pixels
-  std::vector<std::string> taps;  // "node.port" to keep and read back as well
-  // Values that win over those in the description, by "param" (of the pipeline) or "node.param". A parameter of the
-  // pipeline that decides the shape of the graph has done so already when the description was made.
+  int width = 0, height = 0;      // frame size, pixels
+  std::vector<std::string> taps;  // "node.port" of images that are also kept and read back
+  // Values that override values of the description, by "param" (of the pipeline) or "node.param". An override
+  // does not change the shape of the graph, because the description is already made.
   std::map<std::string, Value> set;
-  Stage trace_stage = kStageCompute;  // where trace passes run: kStageCompute (queries) or kStageTrace (pipelines)
-  // Facts that do not hold in the frame: where passes say what stands in for them, they do not run.
+  Stage trace_stage = kStageCompute;  // stage of trace passes: kStageCompute (queries) or kStageTrace (pipelines)
+  // Facts that do not hold in the frame. Passes with a stand-in for a missing fact do not run.
   std::vector<std::string> absent;
-  // Outputs that are asked for; empty: all. Nodes that none of them needs do not run.
+  // Requested outputs; empty: all outputs. Nodes that no requested output needs do not run.
   std::set<std::string> outputs;
 };
 
-// Orders, culls, sizes, places and synchronises. Depends on its arguments alone.
-// Throws `Error` with every mistake of the description it found, each at its place.
+// Compiles a pipeline: order, culled nodes, sizes, memory and barriers. The result depends on the arguments only.
+// Throws `Error` with every mistake in the description, each with its place.
 Plan compile(const PipelineDesc& pipeline, const CompileOptions& options);
 
-// Whether a fact does not hold in the plan's frame.
+// True if a fact does not hold in the plan's frame.
 bool lacks(const Plan& plan, const std::string& fact);
 
-// Throws `Error` if an output that has to be as large as the frame is not: the colour, a region's mask, truth's error.
-// Lists (PipelineDesc::Kind) may have any size.
-// Its place is the `size` of the pass that decides the size.
+// Throws `Error` if the colour, the mask of a region or the error of ground truth is not as large as the frame. The
+// outputs of lists (PipelineDesc::Kind) may have any size. The place of the error is the `size` of the pass that
+// decides the size.
 void requireWholeOutputs(const Plan& plan);
 
 // The image of "node.port", or -1.
 int findImage(const Plan& plan, const std::string& name);
 
-// Memory of all slots, and what it would be if every image had its own.
+// Memory of all slots, and memory without sharing, bytes.
 uint64_t bytesAliased(const Plan& plan);
 uint64_t bytesUnaliased(const Plan& plan);
 

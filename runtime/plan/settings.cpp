@@ -12,7 +12,7 @@ static auto* named(List& list, const std::string& name) {
 }
 
 bool decidesGraph(const PipelineDesc& pipeline, const std::string& name) {
-  if (name == kPresetSetting) return true;  // what a preset sets may decide it
+  if (name == kPresetSetting) return true;  // a preset may set a parameter that decides the graph
   const auto& deciding = pipeline.graph_params;
   return std::find(deciding.begin(), deciding.end(), name) != deciding.end();
 }

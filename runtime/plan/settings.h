@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values put into a pipeline's description as its scripts would, without running them: most parameters decide nothing
-// but numbers.
+// Values set in a pipeline's description without running its scripts again. Most parameters change numbers only, not
+// the graph.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace strobe::plan {
 
-// Whether the value of PARAM decided the graph that the scripts made, or might have. Of NODE.PARAM never.
+// True if the value of PARAM decided the graph, or may have decided it. Always false for NODE.PARAM.
 bool decidesGraph(const PipelineDesc& pipeline, const std::string& name);
 
-// The description with these values (PARAM or NODE.PARAM, none of which decides the graph). Throws `Error` for a name
-// that is no parameter, or a value that does not fit.
+// The description with these values. Names are PARAM or NODE.PARAM; none of these parameters may decide the graph.
+// Throws `Error` for an unknown name, or a value that does not fit.
 PipelineDesc withSettings(PipelineDesc pipeline, const std::vector<std::pair<std::string, Value>>& sets);
 
 }  // namespace strobe::plan

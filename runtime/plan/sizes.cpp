@@ -37,7 +37,7 @@ NodeSize Sizes::dividedInput(int node) {
 }
 
 int Sizes::divisor(int node, const std::string& param) const {
-  constexpr int64_t kLargest = 1 << 20;  // keeps the sum of a side and a divisor in range
+  constexpr int64_t kLargest = 1 << 20;  // keeps the sum of a side and a divisor in the range of int
   for (const auto& [name, value] : wiring_.nodes[size_t(node)].params) {
     if (name != param) continue;
     int64_t number = std::get<int64_t>(value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large the images are that nodes write.
+// Sizes of the images that nodes write.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,14 @@ struct NodeSize {
   int divide = 1;  // as VirtualImage::divide
 };
 
-// Found when they are asked for. Description and wiring must outlive it; the wiring may change as long as what is read
-// is as large as before, and has no cycles.
+// Sizes by node, computed on demand. The description and the wiring must outlive this object. The wiring may change if
+// the sizes of all reads stay the same, and must not have cycles.
 class Sizes {
  public:
   Sizes(const PipelineDesc& pipeline, const Wiring& wiring, int width, int height);
 
-  // Throws `Error` where the node's size is that of an input that is not wired, or divided by less than 1.
+  // Size of the images of a node. Throws `Error` if the size depends on an input that is not wired, or if the divisor
+  // is less than 1.
   const NodeSize& of(int node);
 
  private:

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which images share memory.
+// Assignment of images to shared memory.
 #pragma once
 
 #include "plan/plan.h"
 
 namespace strobe::plan {
 
-// Fills the lifetimes of `plan.images` from the uses of `plan.steps`, then `plan.slots` and the images' slots.
-// Images share a slot if they have the same format and size and one is dead before the other begins; outputs, taps and
-// updated images never do. A loop is one moment: what it touches lives through all of it.
+// Fills the lifetimes of `plan.images` from the uses of `plan.steps`, then `plan.slots` and the slots of the images.
+// Images share a slot if they have the same format and size and their lifetimes do not overlap. Outputs, taps and
+// updated images never share a slot. A loop is one position: an image that a loop uses lives during the whole loop.
 void assignSlots(Plan& plan);
 
 }  // namespace strobe::plan

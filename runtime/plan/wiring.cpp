@@ -50,7 +50,7 @@ class Wirer {
     throwIfAny(problems_);
 
     findPasses();
-    throwIfAny(problems_);  // what follows looks ports up in them
+    throwIfAny(problems_);  // the next steps look up ports in the passes
 
     checkOverrides();
     resolveValues();
@@ -110,7 +110,7 @@ class Wirer {
     checkSize(pass);
   }
 
-  // A read and a write may share a name.
+  // Names must be unique among reads and among writes. A read and a write may share a name.
   void checkPorts(const PassDesc& pass, const std::vector<std::string>& names, const char* does) {
     std::set<std::string> seen;
     for (const std::string& name : names) {
@@ -204,7 +204,7 @@ class Wirer {
     }
   }
 
-  // Every key of `options.set` must name a parameter of the pipeline or of a node.
+  // Checks that every key of `options.set` is a parameter of the pipeline or of a node.
   void checkOverrides() {
     std::vector<std::string> known = namesOf(pipeline_.params);
     for (const auto& [name, value] : pipeline_.values) known.push_back(name);
@@ -219,7 +219,7 @@ class Wirer {
     }
   }
 
-  // Checks `value` against `param`; what is wrong becomes a problem and the value stays.
+  // `value` as the type of `param`. A mistake is added to the problems, and `value` is returned unchanged.
   Value checked(const ParamDesc& param, const Value& value, const Place& place) {
     try {
       return checkValue(param, value, place);
@@ -244,7 +244,7 @@ class Wirer {
     }
   }
 
-  // The value of a binding, or `fallback` where it has none.
+  // The value of a binding; `fallback` for an empty binding or an unknown parameter.
   Value valueOf(const Binding& binding, const Value& fallback) {
     if (binding.value) return *binding.value;
     if (binding.follows.empty()) return fallback;
@@ -257,7 +257,7 @@ class Wirer {
     return fallback;
   }
 
-  // The port that "node.port" means; node -1 and a problem if there is none.
+  // The port with the name "node.port". Otherwise adds a problem and returns node -1.
   Source sourceOf(const std::string& text, const std::string& reader, const Place& place) {
     size_t dot = text.find('.');
     std::string node_name = text.substr(0, dot);
@@ -365,7 +365,7 @@ class Wirer {
     wiring_.loops.push_back(wired);
   }
 
-  // A part has the poses of a frame, so a loop of parts has no sample times.
+  // Checks a loop of parts: a part has the poses of a frame, so the loop has no sample times.
   void checkParts(const LoopDesc& loop, const WiredLoop& wired) {
     if (wired.slices != 1) problem(loop.slices.place, "slices of loop '{}' must be 1: its times are parts", loop.name);
     for (const NodeDesc& node : pipeline_.nodes)
@@ -410,7 +410,7 @@ class Wirer {
 
   const PassDesc& passOf(int node) const { return pipeline_.passes[wiring_.nodes[node].pass]; }
 
-  static constexpr int kMaxSide = 16384;  // what every device with ray tracing allows
+  static constexpr int kMaxSide = 16384;  // limit of every device with ray tracing
   static constexpr int kMaxIterations = 1 << 20;
 
   const PipelineDesc& pipeline_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A description with its names resolved to indices and its parameters to values, checked: the first half of `compile`.
+// A description with names resolved to indices and parameters to values, checked: the first half of `compile`.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace strobe::plan {
 
-// A port that holds an image: index of a node, and of a port among the pass's writes followed by its updates.
+// Port of an image: index of a node, and index of a port in the writes of the pass followed by its updates.
 struct Source {
   int node = -1;
   int port = -1;
@@ -18,9 +18,9 @@ struct Source {
 struct WiredNode {
   int pass = -1;
   int loop = -1;
-  std::vector<Source> reads;  // per read port of the pass; node -1 where not wired
+  std::vector<Source> reads;  // per read port of the pass; node -1 if not wired
   std::vector<std::pair<std::string, Value>> params;
-  bool blank = false;  // does not run: what is read of it is zero
+  bool blank = false;  // the node does not run, and its ports read as zero
 };
 
 struct WiredLoop {
@@ -35,11 +35,11 @@ struct Wiring {
   std::vector<std::pair<std::string, Value>> values;  // of the pipeline's parameters
   std::vector<WiredNode> nodes;                       // as in the description
   std::vector<WiredLoop> loops;
-  std::vector<Source> outputs;  // as in the description; node -1 where not asked for
+  std::vector<Source> outputs;  // as in the description; node -1 for outputs that are not requested
   std::vector<Source> taps;
 };
 
-// The port that `source` means.
+// The port of `source`.
 const PortDesc& portOf(const PipelineDesc& pipeline, const Wiring& wiring, const Source& source);
 
 // Throws `Error` with every unknown name, mismatch and value out of range.

@@ -24,7 +24,7 @@ namespace {
 
 constexpr size_t kMaxOutput = size_t{64} << 20;
 
-// ---- the child's side
+// ---- in the child
 
 void writeAll(int descriptor, const std::string& text) {
   for (size_t done = 0; done < text.size();) {
@@ -34,7 +34,7 @@ void writeAll(int descriptor, const std::string& text) {
   }
 }
 
-// Reads until the other end is closed; false when the time or the size is used up.
+// Reads until the other end is closed. False if the time or the size exceeds its limit.
 bool collect(int descriptor, double deadline_s, ProgramEnd& result) {
   char buffer[65536];
   for (;;) {
@@ -50,7 +50,7 @@ bool collect(int descriptor, double deadline_s, ProgramEnd& result) {
   }
 }
 
-// One request in a process of its own, which is a copy of this one.
+// Evaluates one request in a forked copy of this process.
 ProgramEnd forked(const Json& request, double wall_s, const std::function<void(const Json&)>& evaluate) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) ::_exit(1);
@@ -72,7 +72,8 @@ ProgramEnd forked(const Json& request, double wall_s, const std::function<void(c
   return result;
 }
 
-// A line of JSON that says how a request ended, then what it wrote. `loaded`: the number of what it refers to, or -1.
+// Sends a line of JSON with the end of a request, then its output. `loaded` is the number of the loaded data that the
+// output refers to, or -1.
 void send(const ProgramEnd& result, int loaded) {
   Json head = {{"exit_status", result.exit_status}, {"signal", result.signal}, {"timed_out", result.timed_out},
                {"too_long", result.too_long},       {"loaded", loaded},        {"bytes", result.output.size()}};
@@ -84,7 +85,7 @@ std::string withoutArgument(Json request) {
   return textOf(request);
 }
 
-// Lines of a descriptor.
+// Reader of the lines of a file descriptor.
 class Lines {
  public:
   explicit Lines(int descriptor) : descriptor_(descriptor) {}
@@ -115,10 +116,10 @@ class Lines {
   size_t searched_ = 0;
 };
 
-// A process that has loaded what requests share, and answers each in a copy of itself.
+// A process that has loaded the data that requests share. It answers each request in a forked copy.
 class Loader {
  public:
-  // False: it could not load that.
+  // False if the data could not be loaded.
   bool start(int number, const Json& request, double wall_s, const Answering& answering) {
     int asks[2], says[2];
     if (::pipe2(asks, O_CLOEXEC) != 0 || ::pipe2(says, O_CLOEXEC) != 0) ::_exit(1);
@@ -147,7 +148,7 @@ class Loader {
     return false;
   }
 
-  // False: it has ended without an answer.
+  // False if the process ended without an answer.
   bool answer(const Json& request) {
     writeAll(asks_, textOf(request) + "\n");
     return isDone();
@@ -163,14 +164,14 @@ class Loader {
   int asks_ = -1, says_ = -1;
 };
 
-// ---- the parent's side
+// ---- in the parent
 
-// The answers of a child as they arrive: heads, each with the bytes that follow it.
+// Parser of the output of a child as it arrives: a line of JSON and its bytes, per answer.
 class Arriving {
  public:
   Arriving(size_t count, std::map<int, std::shared_ptr<const std::string>>& loaded) : count_(count), loaded_(loaded) {}
 
-  // Takes what has arrived since; whether all is there.
+  // Parses the output received so far. True if all answers are complete, or if the output is damaged.
   bool take(const std::string& text) {
     while (answers.size() < count_ && takeOne(text)) continue;
     return answers.size() == count_ || is_damaged_;
@@ -220,13 +221,13 @@ std::vector<Answer> Children::ask(Child& child, const std::vector<Json>& request
   ProgramEnd lost = child.program.ask(textOf(batch) + "\n", limits_.wall_s * double(requests.size() + 1),
                                       [&](const std::string& text) { return arriving.take(text); });
   child.is_lost = arriving.answers.size() < requests.size();
-  lost.output.clear();  // of what the child never came to
+  lost.output.clear();  // the output does not belong to the missing answers
   arriving.answers.resize(requests.size(), {lost, nullptr, true});
   return std::move(arriving.answers);
 }
 
 std::vector<std::vector<size_t>> Children::dealt(const std::vector<Json>& requests, size_t shares) {
-  constexpr double kLoad = 3.0;  // what a load takes, in requests
+  constexpr double kLoad = 3.0;  // cost of loading a file, in requests
   std::vector<std::vector<size_t>> result(shares);
   std::vector<double> work(shares, 0.0);
   for (size_t i = 0; i < requests.size(); ++i) {
@@ -261,7 +262,7 @@ std::vector<Answer> Children::answers(const std::vector<Json>& requests) {
   return results;
 }
 
-// ---- the child's side
+// ---- in the child
 
 static Lines& input() {
   static Lines lines(STDIN_FILENO);
@@ -272,7 +273,7 @@ std::optional<std::string> readLine() { return input().next(); }
 
 void answerBatches(std::string line, const Answering& answering) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::map<std::string, std::optional<Loader>> loaders;  // by what their requests share; none where that does not load
+  std::map<std::string, std::optional<Loader>> loaders;  // by request without argument; empty if loading failed
   for (std::optional<std::string> next = std::move(line); next; next = readLine()) {
     const Json batch = Json::parse(*next);
     const double wall_s = batch.at("wall_s").get<double>();

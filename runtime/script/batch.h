@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many evaluations in few child processes: each child starts once and forks for every request, so that every script has
-// limits and an end of its own. Requests for the same file fork from a process that has loaded it.
+// Evaluation of many requests in few child processes. A child starts once and forks for each request, so each script
+// has its own limits and its own end. Requests for one file fork from a process that has loaded the file.
 #pragma once
 
 #include <functional>
@@ -17,32 +17,32 @@
 
 namespace strobe::script {
 
-// How one of many ended.
+// Result of one request of a batch.
 struct Answer {
-  ProgramEnd end;                             // as `runChild` gives it
-  std::shared_ptr<const std::string> shared;  // what was loaded for it and others alike; null where nothing was
-  bool is_lost = false;                       // the child ended without it, or was ended after too long
+  ProgramEnd end;                             // end of the process of this request
+  std::shared_ptr<const std::string> shared;  // data loaded once for several requests; null without
+  bool is_lost = false;                       // the child ended without an answer, or was ended after the time limit
 };
 
-// As many children as the machine has cores share the requests. What they loaded for some, they keep for later ones: a
-// file counts as it was when it was read first. They end with this object, and with the thread that asked them first.
+// Child processes that share the requests, one per core of the machine. Loaded files are kept for later requests, with
+// the contents at the first read. The children end with this object, or with the thread that sent the first request.
 class Children {
  public:
-  // `limits` are those of one request.
+  // `limits` apply to each request.
   Children(const Path& program, const Limits& limits) : program_(program), limits_(limits) {}
 
-  // That of each request, in their order.
+  // Answers in the order of `requests`.
   std::vector<Answer> answers(const std::vector<Json>& requests);
 
  private:
   struct Child {
     explicit Child(WaitingProgram program) : program(std::move(program)) {}
     WaitingProgram program;
-    bool is_lost = false;                                      // it has not answered all
-    std::map<int, std::shared_ptr<const std::string>> loaded;  // what answers refer to, by the number it goes by
-    std::set<std::string> asked_for;                           // requests without their arguments
+    bool is_lost = false;                                      // the child has not answered all requests
+    std::map<int, std::shared_ptr<const std::string>> loaded;  // loaded data by number, as in the answers
+    std::set<std::string> asked_for;  // earlier requests of this child, without their arguments
   };
-  // Which child gets which requests: as few load the same as keeps all at work.
+  // Indices of requests per child. Requests for one file go to few children, while all children have work.
   std::vector<std::vector<size_t>> dealt(const std::vector<Json>& requests, size_t shares);
   std::vector<Answer> ask(Child& child, const std::vector<Json>& requests) const;
 
@@ -53,17 +53,18 @@ class Children {
 
 struct Answering {
   std::function<void(const Json&)> evaluate;  // answers a request on stdout and ends the process
-  // Whether requests of a kind have anything in common that is worth loading.
+  // True if a request of this kind has data that can be loaded once for several requests.
   std::function<bool(const Json&)> loads;
-  // Does what requests that differ in their argument alone have in common, and yields what their answers refer to.
-  // Nothing, or the end of the process with a status other than 0: each of them is then evaluated from the start.
+  // Loads the data of requests that differ in their argument only, and returns the data that their answers refer to. If
+  // it returns nothing, or ends the process with a status other than 0, each request is evaluated from the start.
   std::function<std::optional<std::string>(const Json&)> load;
 };
 
-// The child's side: what a line of its input asks, then the next one, until there is none.
+// In the child: answers `line`, then each further line of stdin until its end.
 [[noreturn]] void answerBatches(std::string line, const Answering& answering);
 
-// A line of stdin without its end, or what there is before the end of all; nothing at the end.
+// A line of stdin without its line end, or the rest of the input if that has no line end; nothing at the end of the
+// input.
 std::optional<std::string> readLine();
 
 }  // namespace strobe::script

@@ -10,11 +10,11 @@
 
 namespace strobe::script {
 
-static constexpr int kMaxPath = 12;  // most keys of a place
+static constexpr int kMaxPath = 12;  // maximum number of keys in a path
 
 // ---- places
 
-// Fills `ar` with the nearest Lua function from `level` up that is not of the library.
+// Fills `ar` with the nearest Lua function outside of the library, from `level` up the stack. False if none is found.
 static bool userFrame(lua_State* lua, int level, lua_Debug& ar) {
   for (; lua_getstack(lua, level, &ar); ++level) {
     lua_getinfo(lua, "Sl", &ar);
@@ -38,18 +38,18 @@ static void pushPlace(lua_State* lua, const char* file, int line) {
   lua_setfield(lua, -2, "line");
 }
 
-// `otherwise` is the file to name where no line of the user's is running.
+// `otherwise` is the file of the place if no user's line is running.
 static void pushUserPlace(lua_State* lua, int level, const char* otherwise) {
   lua_Debug ar;
   bool found = userFrame(lua, level, ar);
   pushPlace(lua, found ? ar.source + 1 : otherwise, found ? ar.currentline : 0);
 }
 
-// ---- what Lua calls
+// ---- functions for Lua
 
 struct Sandbox::Callbacks::Native {
-  // native.at_caller(f): a function that calls f(place, ...), `place` being the line that called it. As a C function
-  // it keeps that line even where it is the last call of a `return`.
+  // native.at_caller(f): a function that calls f(place, ...), where `place` is the line of the call. This is a C
+  // function, so the line is known even for a tail call (`return f()`).
   static int callWithPlace(lua_State* lua) {
     lua_pushvalue(lua, lua_upvalueindex(1));
     lua_insert(lua, 1);
@@ -66,8 +66,8 @@ struct Sandbox::Callbacks::Native {
     return 1;
   }
 
-  // caller_place(level): 1 is the function that asks, 2 its caller. Frames of C and of the library are skipped; a
-  // caller that ended in `return f()` is gone, so constructors are better made with `native.at_caller`.
+  // caller_place(level): 1 is the calling function, 2 its caller. Frames of C and of the library are skipped. A caller
+  // that ended in `return f()` has no frame any more, so `native.at_caller` is better for constructors.
   static int callerPlace(lua_State* lua) {
     pushUserPlace(lua, static_cast<int>(luaL_optinteger(lua, 1, 1)), self(lua).task_.shown.c_str());
     return 1;
@@ -92,7 +92,7 @@ struct Sandbox::Callbacks::Native {
     return 1;
   }
 
-  // native.return_place(function, key...): the place of a field of the table that a function returns last.
+  // native.return_place(function, key...): the place of a field in the table of the last `return` of a function.
   static int returnPlace(lua_State* lua) {
     const char* keys[kMaxPath];
     int count = std::min(lua_gettop(lua) - 1, kMaxPath);
@@ -115,7 +115,7 @@ struct Sandbox::Callbacks::Native {
     return 1;
   }
 
-  // native.reads_field(name): whether a file of the user's reads a field `name` of anything, run or not.
+  // native.reads_field(name): true if the user's files contain a read of a field `name` of any table, executed or not.
   static int readsFieldAnywhere(lua_State* lua) {
     const char* name = luaL_checkstring(lua, 1);
     bool found = false;
@@ -147,7 +147,7 @@ struct Sandbox::Callbacks::Native {
     return 1;
   }
 
-  // native.has_other_keys(t, names): whether a table has a key that is not in a list.
+  // native.has_other_keys(t, names): true if the table has a key that is not in the list.
   static int hasOtherKeys(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     luaL_checktype(lua, 2, LUA_TTABLE);
@@ -182,7 +182,7 @@ struct Sandbox::Callbacks::Native {
     return 1;
   }
 
-  // native.check_value(parameter, value): the value in canonical form, or nil and what is wrong.
+  // native.check_value(parameter, value): the value in canonical form, or nil and the error message.
   static int checkValue(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     luaL_checkany(lua, 2);
@@ -256,7 +256,7 @@ struct Sandbox::Callbacks::Native {
     return 0;
   }
 
-  // Pushes the text in `source_` as a function of the sandbox's environment, named `chunk_`.
+  // Pushes the text in `source_` as a function with the sandbox's environment and the name `chunk_`.
   static void loadChunk(lua_State* lua) {
     Sandbox& sandbox = self(lua);
     if (sandbox.ready_chunk_ != 0) {
@@ -286,7 +286,8 @@ struct Sandbox::Callbacks::Native {
     lua_pop(lua, 1);
     if (!sandbox.guarded([&] { sandbox.resolve(name); })) fail(lua);
 
-    // By file as well: one file has one result under all its names. `false` stands for a file that is being run.
+    // Results are also stored by file, so a file has one result under all its names. `false` marks a file that is
+    // running.
     lua_pushstring(lua, sandbox.chunk_.c_str());
     lua_pushvalue(lua, 3);
     if (lua_rawget(lua, 2) == LUA_TBOOLEAN) luaL_error(lua, "module '%s' requires itself", name);
@@ -310,10 +311,10 @@ struct Sandbox::Callbacks::Native {
     return 1;
   }
 
-  // __index of the table that a module returned: a name that it lacks is a mistake at the line that reads it. The
-  // library may look for any name, as in a description that a module holds.
+  // __index of the table that a module returned. A missing name is an error at the line that reads it. The library may
+  // read any name, because modules may return descriptions.
   static int unknownField(lua_State* lua) {
-    if (lua_type(lua, 2) != LUA_TSTRING) return 0;  // entries of a list, one behind its last among them
+    if (lua_type(lua, 2) != LUA_TSTRING) return 0;  // entries of a list, including the index after the last entry
     lua_Debug reader;
     if (lua_getstack(lua, 1, &reader) && lua_getinfo(lua, "S", &reader) && *reader.source == '@' &&
         self(lua).isLibrary(reader.source + 1))
@@ -332,7 +333,7 @@ struct Sandbox::Callbacks::Native {
     return 0;
   }
 
-  // Closes the result of the module `name` at the top: a table without a metatable of its own.
+  // Closes the result of the module `name`, on top of the stack, if it is a table without a metatable.
   static void close(lua_State* lua, const char* name) {
     if (!lua_istable(lua, -1)) return;
     if (lua_getmetatable(lua, -1)) return lua_pop(lua, 1);
@@ -343,7 +344,7 @@ struct Sandbox::Callbacks::Native {
     lua_setmetatable(lua, -2);
   }
 
-  // Notes in the table at 2 that the chunk named at 3 is running, or not any more.
+  // Marks the chunk with the name at index 3 as running, in the table at index 2; `ended` removes the mark.
   static void remember(lua_State* lua, bool ended) {
     lua_pushvalue(lua, 3);
     if (ended) lua_pushnil(lua);
@@ -351,8 +352,8 @@ struct Sandbox::Callbacks::Native {
     lua_rawset(lua, 2);
   }
 
-  // native.files(folder): names of the Lua files in a folder of the home folder, sorted. Which there are decides the
-  // result, so the folder is a dependency.
+  // native.files(folder): names of the Lua files in a folder of the home folder, sorted. The folder is a dependency,
+  // because its list of files decides the result.
   static int files(lua_State* lua) {
     const char* folder = luaL_checkstring(lua, 1);
     Sandbox& sandbox = self(lua);
@@ -370,7 +371,7 @@ struct Sandbox::Callbacks::Native {
     return lua;
   }
 
-  // Pushes the file as a function.
+  // Reads a file and pushes it as a function.
   static void loadFile(lua_State* lua, const Path& file, const std::string& shown) {
     Sandbox& sandbox = self(lua);
     if (!sandbox.guarded([&] { sandbox.read(file, shown); })) {
@@ -380,8 +381,8 @@ struct Sandbox::Callbacks::Native {
     loadChunk(lua);
   }
 
-  // native.preset(): runs the file of the preset that was asked for; true, what it returns, and how errors name it, or
-  // false where there is no such file.
+  // native.preset(): runs the file of the requested preset. Returns true, the result and the name of the file in
+  // errors; or false if the file does not exist.
   static int preset(lua_State* lua) {
     Sandbox& sandbox = self(lua);
     bool there = false;
@@ -394,7 +395,7 @@ struct Sandbox::Callbacks::Native {
     return 3;
   }
 
-  // native.main(...): runs the file that was asked for.
+  // native.main(...): runs the requested file.
   static int main(lua_State* lua) {
     Sandbox& sandbox = self(lua);
     loadFile(lua, sandbox.task_.main, sandbox.task_.shown);

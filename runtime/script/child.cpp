@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The child's side: one evaluation, then the answer on stdout.
+// The child process: one evaluation, then the answer on stdout.
 #include <malloc.h>
 #include <signal.h>
 #include <sys/time.h>
@@ -24,14 +24,14 @@ namespace strobe::script {
 
 namespace {
 
-// For the signal handler and the hook it sets, which take no argument.
+// State for the signal handler and its hook, which have no argument for it.
 Sandbox* g_sandbox = nullptr;
-Json g_roots;            // its home's
-size_t g_memory_mb = 0;  // its limit
+Json g_roots;            // roots of the sandbox's home folder
+size_t g_memory_mb = 0;  // memory limit of the sandbox
 double g_cpu_s = 0;
 bool g_has_task = false;
-bool g_loading = false;     // there is no request to answer yet
-bool g_names_files = true;  // the answer does
+bool g_loading = false;     // loading only: no request to answer yet
+bool g_names_files = true;  // the answer has the list of files
 
 [[noreturn]] void answer(const Json& json) {
   std::string text = textOf(json);
@@ -56,7 +56,7 @@ Json problemJson(const Problem& problem) {
   return {{"file", problem.place.file}, {"line", problem.place.line}, {"message", problem.message}};
 }
 
-// Runs as a Lua hook, at an instruction of the script, once its processor time is used up.
+// Lua hook, called at an instruction of the script after its processor time is used up.
 void stopEndlessScript(lua_State* lua, lua_Debug*) {
   if (g_loading) ::_exit(1);
   const char* text = "stopped: more than {} s of processor time (the limit for a script); endless loop?";
@@ -68,7 +68,7 @@ void onTimer(int) {
   lua_sethook(g_sandbox->state(), stopEndlessScript, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
 }
 
-// Gives an error with a line; the limit of the process behind it has none.
+// Starts the processor time limit that reports a line. The wider limit of the process ends it without a line.
 void startTimer(double cpu_s) {
   struct sigaction action {};
   action.sa_handler = onTimer;
@@ -80,14 +80,14 @@ void startTimer(double cpu_s) {
   ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
-// A process that has loaded scripts serves as long as it is asked.
+// Stops the timer after loading: the process then waits for any number of requests.
 void stopTimer() {
   const itimerval none{};
   ::setitimer(ITIMER_PROF, &none, nullptr);
   lua_sethook(g_sandbox->state(), nullptr, 0, 0);
 }
 
-// With the roots and the memory that are asked for; one that has them already serves.
+// Makes a sandbox with the requested roots and memory limit, or keeps the present one if it has these.
 void makeSandbox(const Json& asked) {
   Json roots = asked.at("roots");
   const size_t memory_mb = asked.at("memory_mb").get<size_t>();
@@ -97,7 +97,7 @@ void makeSandbox(const Json& asked) {
   g_memory_mb = memory_mb;
 }
 
-// The sandbox of this process; there is never more than one at work.
+// The sandbox of this process. A process runs one evaluation at a time.
 Sandbox& sandboxFor(const Json& request) {
   g_cpu_s = request.at("cpu_s").get<double>();
   g_names_files = request.at("names_files").get<bool>();
@@ -117,7 +117,7 @@ Sandbox& sandboxFor(const Json& request) {
   return *g_sandbox;
 }
 
-// Only a pipeline's file is the same whatever is set.
+// Files of pipelines only can be loaded in advance, because their contents do not depend on settings.
 bool loads(const Json& request) { return request.at("function") == "pipeline"; }
 
 std::optional<std::string> load(const Json& request) {
@@ -131,7 +131,7 @@ std::optional<std::string> load(const Json& request) {
   return textOf(passes);
 }
 
-// Has the pages that a request is going to need given to this process, which the allocator keeps.
+// Touches the memory pages that a request will need, so that the system maps them now and the allocator keeps them.
 void touchMemory() {
   constexpr size_t kBytes = size_t{8} << 20;
   ::mallopt(M_MMAP_THRESHOLD, int(2 * kBytes));
@@ -141,7 +141,7 @@ void touchMemory() {
   std::free(pages);
 }
 
-// For a request that `expectChildren` expects.
+// Prepares this process for a request announced by `expectChildren`.
 void readAhead(const Json& asked) {
   makeSandbox(asked);
   for (const Json& file : asked.at("ahead"))
@@ -154,8 +154,8 @@ std::string hashOfData(const Json& json) {
   return hashBytes(bytes.data(), bytes.size());
 }
 
-// The hashes of what a pipeline describes, which leaves out what `known` has already: a pass is then its number, as for
-// run.lua's `load`.
+// Hashes of the passes and parameters of a pipeline. Passes and parameters that are in `known` are removed from
+// `pipeline`: a pass becomes its number, as in `load` of run.lua.
 Json withoutKnown(Json& pipeline, const Json& known) {
   const auto passes = known.at("passes").get<std::vector<std::string>>();
   Json hashes = {{"passes", Json::array()}, {"params", hashOfData(pipeline.at("params"))}};
@@ -187,11 +187,11 @@ void evaluate(const Json& request) {
 }  // namespace
 
 void runScriptChild() {
-  // At the limit of the address space even destructors may fail to find memory: end at once.
+  // At the limit of the address space even destructors may fail to allocate memory, so the process ends at once.
   std::set_new_handler([] { ::_exit(kOutOfMemory); });
   try {
     std::optional<std::string> line = readLine();
-    if (!line) ::_exit(0);  // nobody asks
+    if (!line) ::_exit(0);  // the parent sent no request
     Json request = Json::parse(*line);
     if (request.contains("ahead")) {
       readAhead(request);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The file an evaluation begins with.
+// The main file of an evaluation.
 struct Main {
   Path file;  // absolute
   std::string shown;
@@ -28,10 +28,10 @@ struct Main {
   bool own_folder = false;
 };
 
-// Modules in folders called lib are no names of files to begin with.
+// True for modules in folders called lib, which are not main files.
 bool isInLib(const Path& name) { return name.parent_path().filename() == "lib"; }
 
-// "bar", "oracles/bar".
+// Names of the main files below a folder: "bar", "oracles/bar".
 std::vector<std::string> mainNames(const Home& home, const Path& folder) {
   std::vector<std::string> names = home.namesBelow(folder, ".lua");
   std::erase_if(names, isInLib);
@@ -66,7 +66,8 @@ std::string noneNamed(const Home& home, const std::string& name, const std::stri
                            : text + fmt::format("; the current folder is in no project ({})", Home::kProjectFile);
 }
 
-// `what` is "pipeline" or "scene", kept in scripts/<what>s. A file that the current folder lacks may lie in a root.
+// `what` is "pipeline" or "scene"; its files are in scripts/<what>s. A path that does not exist in the current folder
+// may exist in a root.
 Main mainOf(const Home& home, const std::string& name_or_path, const std::string& what, const Texts& texts) {
   if (hasExtension(name_or_path, ".lua")) {
     const Path here = fs::absolute(name_or_path).lexically_normal();
@@ -75,7 +76,7 @@ Main mainOf(const Home& home, const std::string& name_or_path, const std::string
   }
   Path folder = Path("scripts") / (what + "s");
   Path file = home.at(folder / (name_or_path + ".lua"));
-  // One that is there is not looked for among all, which takes longer than the rest.
+  // The list of all names is not read if the file exists, because reading the list takes longer than the other steps.
   const Path name = name_or_path;
   bool is_name = !name.empty() && name.is_relative() && name_or_path == name.lexically_normal().string() &&
                  *name.begin() != ".." && !isInLib(name);
@@ -112,15 +113,15 @@ std::vector<Dependency> dependenciesOf(const Json& files) {
   return dependencies;
 }
 
-// On one line, without anything that steers a terminal.
+// `text` on one line, without control characters.
 std::string plain(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
   return text;
 }
 
-// One mistake keeps its place apart; several are joined, each with its own in front. What an option says wrongly is
-// misuse of the command line.
+// Throws all problems. A single problem keeps its place as a field; several are joined, each preceded by its place.
+// Problems in options only are errors of the command line, exit code 2.
 [[noreturn]] void throwProblems(const Json& errors) {
   std::vector<Error> problems;
   int exit_code = 2;
@@ -144,7 +145,8 @@ Json requestOf(const Home& home, const Main& main, const std::string& function, 
           {"names_files", true}};
 }
 
-// The file of the preset that is set, if it is one: in the roots, which may be a copy of them, else as it lies here.
+// Adds the path of the preset if the preset is a file: in a root (which may be a copy), otherwise in the current
+// folder.
 void addPreset(const Home& home, const Settings& sets, const Texts& texts, Json& request) {
   std::string set;
   for (const auto& [name, value] : sets)
@@ -157,8 +159,8 @@ void addPreset(const Home& home, const Settings& sets, const Texts& texts, Json&
   request["preset_shown"] = home.shown(file);
 }
 
-// What the answer to a request holds. It comes from a process that ran a stranger's script: nothing in it is taken on
-// trust.
+// Result in the answer to a request. The answer comes from a process that ran an untrusted script, so all its fields
+// are checked.
 Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>* dependencies, const Limits& limits,
               Json* hashes = nullptr) {
   bool answered = child.succeeded() && !child.too_long;
@@ -175,7 +177,7 @@ Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>
   }
 }
 
-// What run.lua's `function` returns; of a pipeline `hashes` too, if they are asked for.
+// Result of `function` of run.lua; for a pipeline also the `hashes`, if requested.
 Json evaluate(const Home& home, const Main& main, const Json& request, std::vector<Dependency>* dependencies,
               const Limits& limits, Json* hashes = nullptr) {
   if (dependencies) *dependencies = {};
@@ -188,7 +190,7 @@ Json evaluate(const Home& home, const Main& main, const std::string& function, c
   return evaluate(home, main, requestOf(home, main, function, argument, limits, texts), dependencies, limits);
 }
 
-// One of many: a request, or the error that there is none.
+// One of many evaluations: a request, or the error that prevented the request.
 struct Prepared {
   Main main;
   Json request;
@@ -206,7 +208,7 @@ Prepared prepared(const Prepare& prepare) {
   return one;
 }
 
-// What answers have in common, each text of it read once; on all cores.
+// Data shared by several answers. Each text is parsed once, on all cores.
 class Shared {
  public:
   void add(const std::vector<Answer>& answers) {
@@ -221,7 +223,7 @@ class Shared {
   }
 
  private:
-  // Nothing where there is a mistake: who refers to it is refused.
+  // Data of a text; empty if the text has a mistake, so that answers that refer to the data are refused.
   static plan::Known read(const std::string& text) {
     try {
       return plan::knownFromJson(jsonFromText(text));
@@ -231,11 +233,11 @@ class Shared {
     return {};
   }
 
-  // Keys own the texts, so that no address is reused for another text.
+  // Keys own the texts, so that an address is not reused for another text.
   std::map<std::shared_ptr<const std::string>, plan::Known> known_;
 };
 
-// The outcome of each, as `read` makes it of what its script returned; on all cores.
+// Outcomes of all evaluations, with the results converted by `read` on all cores.
 template <class Value, class Read>
 std::vector<Outcome<Value>> outcomesOf(Children& children, Shared& shared, const std::vector<Prepared>& all,
                                        const Limits& limits, const Read& read) {
@@ -266,7 +268,7 @@ Json settingsJson(const Settings& sets) {
   return list;
 }
 
-// A name used twice is set to its last value.
+// Settings of the scene or of the pipeline, with the last value of each name.
 Settings lastOfEach(const Settings& sets, bool of_scene) {
   const std::string prefix = "scene.";
   Settings last;

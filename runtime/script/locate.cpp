@@ -10,7 +10,7 @@ namespace strobe::script {
 namespace {
 
 struct Token {
-  std::string_view text;  // of a string its content
+  std::string_view text;  // contents of a string without its quotes
   int line;
   bool word;  // a name or keyword
 };
@@ -43,7 +43,7 @@ class Lexer {
     tokens_.push_back({source_.substr(start, at_ - start), line_, word});
   }
 
-  // "==" and the like must not look like the "=" of a field.
+  // True for "==", "~=", "<=" and ">=": their "=" is not the "=" of a field.
   bool pairAhead() const { return peek(1) == '=' && std::string_view("=~<>").find(peek()) != std::string_view::npos; }
 
   void comment() {
@@ -65,7 +65,7 @@ class Lexer {
     ++at_;
   }
 
-  // Of "[==[" the number of "="; -1 where no long bracket opens.
+  // Number of "=" in "[==["; -1 if no long bracket opens here.
   int longLevel() const {
     size_t level = 0;
     while (peek(1 + level) == '=') ++level;
@@ -97,7 +97,7 @@ bool closes(const Token& token) {
   return token.text == "end" || token.text == "until";
 }
 
-// Whether a field begins at `i`; `value` is then the token behind its "=".
+// True if a field `key` begins at `i`; `value` is then the token after its "=".
 bool fieldAt(const std::vector<Token>& tokens, size_t i, const std::string& key, size_t& value) {
   auto is = [&](size_t at, const char* text) { return at < tokens.size() && tokens[at].text == text; };
   if (!is(i - 1, "{") && !is(i - 1, ",") && !is(i - 1, ";")) return false;
@@ -105,7 +105,7 @@ bool fieldAt(const std::vector<Token>& tokens, size_t i, const std::string& key,
   return is(i, "[") ? is(i + 1, key.c_str()) && is(i + 3, "=") : is(i, key.c_str()) && is(i + 1, "=");
 }
 
-// Whether an entry of a list begins at `i`: a value without a name.
+// True if an entry of a list begins at `i`: a value without a name.
 bool entryAt(const std::vector<Token>& tokens, size_t i) {
   auto is = [&](size_t at, const char* text) { return at < tokens.size() && tokens[at].text == text; };
   if (!is(i - 1, "{") && !is(i - 1, ",") && !is(i - 1, ";")) return false;
@@ -113,11 +113,11 @@ bool entryAt(const std::vector<Token>& tokens, size_t i) {
 }
 
 struct Found {
-  size_t keys = 0;  // of the path
-  int line = 0;     // of the last of them
+  size_t keys = 0;  // number of keys of the path that are found
+  int line = 0;     // line of the last of these keys
 };
 
-// Follows `path` from its key number `done` on through the table that opens at tokens[open].
+// Follows `path`, from key number `done` on, through the table that opens at tokens[open].
 Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vector<std::string>& path, size_t done) {
   Found found{done, tokens[open].line};
   int depth = 1, entries = 0;
@@ -142,7 +142,7 @@ Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vect
 
 struct Source::Read {
   std::vector<Token> tokens;
-  std::set<std::string_view> fields;  // that are read of anything
+  std::set<std::string_view> fields;  // names of fields that are read
 };
 
 Source::Source(std::string text) : text_(std::move(text)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line of a key in the source of a table: Lua knows the line of a call, not of the fields in its braces.
+// Lines of keys in the source of a table. Lua reports the line of a call, but not the lines of the fields of a table.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace strobe::script {
 
-// A source and, once anything is asked about it, what stands where in it.
+// A Lua source. Its tokens are read at the first use.
 class Source {
  public:
   explicit Source(std::string text);
@@ -17,18 +17,18 @@ class Source {
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
-  // Reads it ahead of the questions.
+  // Reads the tokens now.
   void prepare() const;
 
-  // `path` {"reads", "depth"} is the field `depth` of the field `reads` of the table that opens on `line` or the next.
-  // The line of its last key, or of the last one that the source shows, or `line` itself.
+  // Line of a field. `path` {"reads", "depth"} is the field `depth` of the field `reads` of the table that opens on
+  // `line` or on the next line. Returns the line of the last key that is found, or `line` without one.
   int lineOfKey(int line, const std::vector<std::string>& path) const;
 
-  // The same for the table behind the last `return` on the lines first..last; without a path the line of that `return`,
-  // 0 when there is none.
+  // Line of a field in the table after the last `return` on the lines first..last. Returns the line of that `return`
+  // without a path, and 0 without a `return`.
   int lineOfReturn(int first, int last, const std::vector<std::string>& path) const;
 
-  // Whether it reads a field `name` of anything: x.name.
+  // True if the source reads a field `name` of any table: x.name.
   bool readsField(std::string_view name) const;
 
   // Lines that use `p.name` as a condition or compare it, without a call: `if p.name then`, `not p.name`, `p.name ==

@@ -34,10 +34,10 @@ void pushJson(lua_State* lua, const Json& json) {
 
 namespace {
 
-// The way to a value, for errors: keys from the innermost out.
+// Path to a value, for errors: a list of keys from the innermost to the outermost.
 struct Way {
   const Way* outer = nullptr;
-  const char* key = nullptr;  // null: the place in a list
+  const char* key = nullptr;  // null: entry number `place` of a list
   lua_Integer place = 0;
   int depth = 0;
 
@@ -67,7 +67,7 @@ Json arrayAt(lua_State* lua, int index, const Way& way) {
   return array;
 }
 
-// Keys in order, whatever order the table has.
+// Object with sorted keys, independent of the order in the table.
 Json objectAt(lua_State* lua, int index, const Way& way) {
   std::vector<std::pair<std::string, Json>> fields;
   for (lua_pushnil(lua); lua_next(lua, index); lua_pop(lua, 1)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plain data between Lua and JSON.
+// Conversion of plain data between Lua and JSON.
 #pragma once
 
 #include <lua.hpp>
@@ -8,12 +8,12 @@
 
 namespace strobe::script {
 
-// Pushes `json`. To be called where Lua may raise an error (out of memory) past no destructor: see `Sandbox`.
+// Pushes `json`. May raise a Lua error (out of memory), which skips destructors; see `Sandbox` for the callers.
 void pushJson(lua_State* lua, const Json& json);
 
-// The value at `index`. A table with entries 1..n is an array, as is an empty one; else an object with sorted keys.
-// Throws `Error` naming the key of anything that is no plain data: a function, a number that is not finite, a table
-// inside itself, keys that are neither text nor 1..n. Raises no Lua error.
+// The value at `index`. A table with entries 1..n and an empty table become an array; other tables become an object
+// with sorted keys. Throws `Error` naming the key of a value that is not plain data: a function, a number that is not
+// finite, a table inside itself, keys that are neither text nor 1..n. Does not raise Lua errors.
 Json jsonAt(lua_State* lua, int index);
 
 }  // namespace strobe::script

@@ -12,7 +12,7 @@ namespace strobe::script {
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (char c : text) {
-    if (c == '"' || c == '\\' || c == '\n') result += '\\';  // a line's end after a backslash stays one
+    if (c == '"' || c == '\\' || c == '\n') result += '\\';  // a newline after a backslash stays a newline
     if (c == '\r') result += "\\r";
     else result += c;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values as Lua has them, for scripts that the program writes.
+// Values in the syntax of Lua, for scripts that the program writes.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ namespace strobe::script {
 
 std::string quoted(const std::string& text);
 std::string luaOf(const plan::Value& value);
-std::string luaOf(const Json& json);  // numbers, texts and lists of them
+std::string luaOf(const Json& json);  // numbers, texts and lists of both
 
-// "NAME = TEXT", the name in brackets where Lua needs it.
+// "NAME = TEXT"; the name is in brackets if Lua needs them.
 std::string field(const std::string& name, const std::string& text);
 // "{ a = 1, b = 2 }".
 std::string tableOf(const std::vector<std::string>& fields);

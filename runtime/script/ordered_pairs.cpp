@@ -9,11 +9,11 @@ namespace strobe::script {
 
 namespace {
 
-// Of a table, which holds the text.
+// A key of a table. The table owns the text.
 struct Key {
   int type = LUA_TNIL;
   bool whole = false;
-  lua_Integer integer = 0;  // of a boolean 0 or 1
+  lua_Integer integer = 0;  // 0 or 1 for a boolean
   lua_Number number = 0;
   std::string_view text;
 
@@ -28,7 +28,7 @@ struct Key {
 
 static_assert(LUA_TBOOLEAN < LUA_TNUMBER && LUA_TNUMBER < LUA_TSTRING);
 
-// That on top of the stack.
+// The key on top of the stack.
 Key keyOnTop(lua_State* lua) {
   Key key{lua_type(lua, -1)};
   if (key.type == LUA_TBOOLEAN) {
@@ -54,7 +54,7 @@ void push(lua_State* lua, const Key& key) {
   else lua_pushnumber(lua, key.number);
 }
 
-// Room to sort in, kept: Lua's errors jump over destructors.
+// Buffer for sorting. It is kept per thread, because Lua's errors skip destructors.
 std::vector<Key>& room() {
   thread_local std::vector<Key> keys;
   return keys;
@@ -69,7 +69,7 @@ bool enlarge(std::vector<Key>& keys) {
   }
 }
 
-// A list of the keys of the table at 1.
+// Pushes the sorted list of the keys of the table at index 1.
 void pushOrderedKeys(lua_State* lua) {
   std::vector<Key>& keys = room();
   size_t count = 0;
@@ -86,7 +86,7 @@ void pushOrderedKeys(lua_State* lua) {
   }
 }
 
-// Of a list of keys, the table that has them, and the number of the last that was reported.
+// Iterator. Upvalues: the list of keys, the table, and the index of the last key returned.
 int nextPair(lua_State* lua) {
   const int keys = lua_upvalueindex(1), table = lua_upvalueindex(2), last = lua_upvalueindex(3);
   for (lua_Integer i = lua_tointeger(lua, last) + 1; lua_rawgeti(lua, keys, i) != LUA_TNIL; ++i) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Lua's `pairs` and `next` in an order that is the same in every process: false, true, numbers, strings.
+// Lua's `pairs` and `next` with the same order in every process: false, true, numbers, strings.
 #pragma once
 
 #include <lua.hpp>
 
 namespace strobe::script {
 
-// pairs(t). Keys that have gone by their turn are left out; keys of other types are an error at the caller's line.
+// pairs(t). Keys that are removed during the loop are skipped. Keys of other types are an error at the caller's line.
 int orderedPairs(lua_State* lua);
 
 // next(t): the first pair, or nil.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The part of the sandbox that is simplest in Lua: library functions whose results would differ from process to
-// process (order of keys, addresses, unseeded random numbers), and the refusal of globals.
+// The Lua part of the sandbox: replacements of library functions whose results differ between processes (order of keys,
+// addresses, unseeded random numbers), and errors for unknown globals.
 #pragma once
 
 namespace strobe::script {

@@ -14,23 +14,23 @@ namespace strobe::script {
 
 static constexpr const char* kInsideChild = "STROBE_SCRIPT_CHILD";
 
-// The child stops a script itself, with a line, at its limits; those of the process are a little wider and stop what
-// never returns to Lua's loop (a long library call).
+// The child ends a script that exceeds its limits, with the line in the error. The limits of the process are wider and
+// end calls that do not return to Lua's loop (a long library call).
 static Program childOf(const Path& path, const Limits& limits) {
-  // A program that does not know the option would evaluate again, and so on without end.
+  // A program without the option --script-child would evaluate again, and so recurse without end.
   if (std::getenv(kInsideChild)) throw Error("a script child was asked to start another; is STROBE_PROGRAM strobe?");
   Program program{.arguments = {path.string(), "--script-child"},
                   .environment = {std::string(kInsideChild) + "=1"},
                   .errors = Program::Errors::inherited,
                   .wall_s = limits.wall_s,
                   .cpu_s = limits.cpu_s + 0.25};
-#ifndef __SANITIZE_ADDRESS__  // which cannot run in a limited address space
+#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer cannot run in a limited address space
   program.memory_bytes = static_cast<size_t>(limits.memory_mb) << 21;
 #endif
   return program;
 }
 
-// A line that has a child read files ahead of its request.
+// Input line with the files that a child reads before its request.
 static std::string aheadOf(const Home& home, const Limits& limits, const std::vector<Dependency>& files) {
   Json ahead = Json::array();
   for (const Dependency& file : files) ahead.push_back({{"path", file.path.string()}, {"shown", file.shown}});
@@ -66,7 +66,7 @@ AllExpected& allExpected() {
   return all;
 }
 
-// The first that waits for such a request, which no other then gets; empty without one.
+// Removes the first waiting child with this program and these limits from the list; empty without one.
 std::list<Expected> taken(const Path& path, const Limits& limits) {
   AllExpected& all = allExpected();
   std::lock_guard lock(all.mutex);
@@ -104,7 +104,7 @@ void expectChildren(const Home& home, const Limits& limits, size_t count, const 
   try {
     for (; waiting < count; ++waiting) all.children.emplace_back(home, limits, files);
   } catch (const Error&) {
-    // The request itself finds out, and has someone to tell.
+    // The request starts its own child then and reports the error.
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parent's side of a script child.
+// Script children, on the side of the parent.
 #pragma once
 
 #include <string>
@@ -12,19 +12,19 @@ namespace strobe::script {
 struct Dependency;
 struct Limits;
 
-// Exit status of a child that found no memory for its answer.
+// Exit status of a child that could not allocate memory for its answer.
 inline constexpr int kOutOfMemory = 4;
 
-// Starts `program --script-child` within `limits`, or takes one that waits, hands it `input` on stdin and waits for its
-// end. Throws `Error` where no process can be started.
+// Starts `program --script-child` within `limits`, or takes a waiting child. Writes `input` to its stdin and waits for
+// its end. Throws `Error` if the process cannot be started.
 ProgramEnd runChild(const Path& program, const std::string& input, const Limits& limits);
 
-// A child that waits for batches (script/batch.h), one already started if there is one; else as `runChild`.
+// A child for batches (script/batch.h): a waiting child, or a new one.
 WaitingProgram startedChild(const Path& program, const Limits& limits);
 
-// Starts so many children ahead of their requests, less those that wait already: `runChild` with these limits then
-// waits for no start, nor for the reading of those `files` that stay as they are. Each answers one request, as any
-// child. To be called from a thread that goes on, since the system ends children with the thread that started them.
+// Starts children until `count` children with these limits wait for requests. A later `runChild` with these limits
+// takes a waiting child, which has read `files` that did not change since. Each child answers one request. The calling
+// thread must continue to run, because the system ends the children with the thread that started them.
 void expectChildren(const Home& home, const Limits& limits, size_t count, const std::vector<Dependency>& files = {});
 
 }  // namespace strobe::script

@@ -14,7 +14,7 @@ namespace strobe::script {
 
 namespace fs = std::filesystem;
 
-// What C++ throws inside a callback becomes a text; the caller then raises it as a Lua error.
+// Runs `work`. A C++ exception is stored in `text_`, and the caller raises the text as a Lua error.
 bool Sandbox::guarded(const std::function<void()>& work) {
   try {
     work();
@@ -52,7 +52,7 @@ void Sandbox::readAhead(const Path& file, const std::string& shown) {
   ahead_[file.string()] = std::move(ahead);
 }
 
-// What was read ahead of a file, where the file, or what stands in its place, says that still; or null.
+// The data read ahead for a file, or null if the file or its replacement text has changed since.
 Sandbox::Ahead* Sandbox::stillAhead(const Path& file) {
   auto found = ahead_.find(file.string());
   if (found == ahead_.end()) return nullptr;
@@ -70,8 +70,8 @@ void Sandbox::take(const Path& file, Ahead& ahead) {
   files_.push_back({file, ahead.shown, ahead.hash});
 }
 
-// A file of the home folder that was found where it is when it was read ahead. Looking for it in each root, and whether
-// links lead out of them, takes longer than running most modules.
+// Takes a file of the home folder that was read ahead, if it is still the first match in the roots. Searching each
+// root, and checking that links stay inside the roots, takes longer than running most modules.
 bool Sandbox::takeAhead(const Path& relative) {
   for (const Path& place : home_.places(relative)) {
     if (Ahead* ahead = stillAhead(place)) return take(place, *ahead), true;
@@ -95,7 +95,7 @@ void Sandbox::list(const std::string& folder) {
   if (folder.find("..") != std::string::npos || home_.folders(folder).empty())
     throw Error(fmt::format("there is no folder '{}'", folder));
   names_ = home_.namesIn(folder, ".lua");
-  // A folder that a project may get is a dependency as well.
+  // Folders that do not exist yet are dependencies too, because a project may add them.
   for (const Path& path : home_.places(folder)) {
     auto listed = std::find_if(files_.begin(), files_.end(), [&](const Dependency& file) { return file.path == path; });
     if (listed == files_.end()) files_.push_back({path, home_.shown(path), hashOfPath(path)});
@@ -109,7 +109,7 @@ bool Sandbox::liesInHome(const Path& file) const {
 
 bool Sandbox::isThere(const Path& file) const { return task_.texts.count(file.string()) || fs::is_regular_file(file); }
 
-// Where `require` looks: the library, passes and scripts of the home folder, then the folder of the user's own file.
+// Search order of `require`: the library, passes and scripts of the home folder, then the folder of the user's file.
 void Sandbox::resolve(const std::string& module) {
   if (!isModuleName(module)) {
     throw Error(fmt::format("'{}' is not the name of a module (words joined by dots)", module));
@@ -174,8 +174,8 @@ Sandbox::Sandbox(Home home, size_t memory_bytes)
   lua_ = lua_newstate(allocate, this);
   STROBE_ASSERT(lua_ != nullptr);
   *static_cast<Sandbox**>(lua_getextraspace(lua_)) = this;
-  // Garbage is collected at the limit of memory alone: marking what lives would copy its pages in a forked process, and
-  // no finalizer of a script runs at a time of its own.
+  // Garbage is collected only at the memory limit. Marking live objects would copy their pages in a forked process, and
+  // finalizers of a script would run at unpredictable times.
   lua_gc(lua_, LUA_GCSTOP);
   openLibraries();
   loadPrelude();
@@ -210,7 +210,7 @@ void Sandbox::loadPrelude() {
   lua_setfield(lua_, LUA_REGISTRYINDEX, kEnvironment);
 }
 
-// Everything Lua does happens below this protected call.
+// All Lua code runs below this protected call.
 static int protectedRun(lua_State* lua) {
   const Json& request = *static_cast<const Json*>(lua_touserdata(lua, 2));
   const char* function = luaL_checkstring(lua, 1);
@@ -249,7 +249,7 @@ void Sandbox::prepareSources() const {
 
 // ---- errors
 
-// An error is a text with a place in front, or a table { problems = { { place = , message = }, ... } }.
+// Reads an error: a text that begins with a place, or a table { problems = { { place = , message = }, ... } }.
 void Sandbox::collectProblems() {
   if (lua_type(lua_, -1) == LUA_TSTRING) return addProblem(lua_tostring(lua_, -1));
   if (lua_type(lua_, -1) != LUA_TTABLE) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A fresh Lua state with a whitelisted environment: what a script child runs in.
+// A Lua state with a whitelisted environment, for the scripts of a script child.
 //
-// Lua raises errors by jumping over C++ frames, and C++ exceptions must not cross Lua's frames. So every callback
-// takes its arguments first, does its C++ work inside `guarded`, which catches all, and raises a Lua error only from
-// `text_`, a member, when nothing on its own frame needs a destructor.
+// Lua raises errors by jumping over C++ frames, and C++ exceptions must not cross Lua's frames. So every callback first
+// takes its arguments. Then it does its C++ work inside `guarded`, which catches all exceptions. A Lua error is raised
+// only from the member `text_`, when no object in the callback's frame needs a destructor.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@
 
 namespace strobe::script {
 
-// One mistake, at the user's line.
+// A mistake, with the place of the user's line.
 struct Problem {
   Place place;
   std::string message;
@@ -28,31 +28,32 @@ struct Problem {
 
 class Sandbox {
  public:
-  // What scripts are run for.
+  // Files of a run.
   struct Task {
     Path main;                // the file that `native.main` runs
-    std::string shown;        // how errors name it
-    bool own_folder = false;  // its folder is searched by `require` too
+    std::string shown;        // name of the file in errors
+    bool own_folder = false;  // `require` also searches the folder of the file
     Path preset;              // the file that `native.preset` runs, or ""
     std::string preset_shown;
-    std::map<std::string, std::string> texts;  // read instead of the files of these absolute paths
+    std::map<std::string, std::string> texts;  // texts in place of files, by absolute path
   };
 
   explicit Sandbox(Home home, size_t memory_bytes = size_t{256} << 20);
   Sandbox(const Sandbox&) = delete;
   Sandbox& operator=(const Sandbox&) = delete;
-  // There is no destructor: finalizers of a script could run for ever, so a process that held a sandbox must `_exit`.
+  // No destructor: finalizers of a script could run without end, so a process with a sandbox must end with `_exit`.
 
-  // Reads and compiles files, called `shown` in errors, before it is known whether they are asked for. One that changes
-  // after that is read again, and one that cannot be read is left out.
+  // Reads and compiles a file before a script requires it; `shown` is its name in errors. A file that changes later is
+  // read again. A file that cannot be read is left out.
   void readAhead(const Path& file, const std::string& shown);
 
-  // Before the first `run`.
+  // Must be called before the first `run`.
   void setTask(Task task) { task_ = std::move(task); }
-  // Calls `function` of scripts/strobe/run.lua with `request` as a table. False after mistakes: see `problems`.
+  // Calls `function` of scripts/strobe/run.lua with `request` as a table. False after mistakes, which are in
+  // `problems`.
   bool run(const std::string& function, const Json& request, Json& result);
 
-  // Reads what has been loaded ahead of questions about the places in it, for the copies of this process.
+  // Reads the tokens of the loaded sources now, so that forked copies of this process share them.
   void prepareSources() const;
 
   const std::vector<Problem>& problems() const { return problems_; }
@@ -60,21 +61,21 @@ class Sandbox {
   bool outOfMemory() const { return out_of_memory_; }
   lua_State* state() { return lua_; }
 
-  // The nearest running line of the user's own files, from `level` up the stack.
+  // Place of the nearest running line of the user's files, from `level` up the stack.
   static Place userPlace(lua_State* lua, int level);
 
-  // Is a file, as errors name it, not the user's?
+  // True if the file belongs to the library; `shown` is its name in errors.
   bool isLibrary(std::string_view shown) const { return shown.starts_with(library_); }
 
  private:
-  struct Callbacks;  // what Lua calls (callbacks.h)
+  struct Callbacks;  // functions for Lua (callbacks.h)
   static void* allocate(void* self, void* block, size_t old_size, size_t new_size);
 
-  // A file that was read ahead of what asks for it.
+  // A file that was read before a script required it.
   struct Ahead {
     std::string shown, text, hash;
-    Stamps stamps;  // from before it was read
-    int chunk = 0;  // the function, by its number in the registry
+    Stamps stamps;  // taken before the file was read
+    int chunk = 0;  // number of the compiled function in the registry
     std::map<std::string, Source>::node_type source;
   };
 
@@ -97,7 +98,7 @@ class Sandbox {
   Home home_;
   size_t memory_bytes_;
   Task task_;
-  std::string library_;  // the folder scripts/strobe, as errors name it
+  std::string library_;  // the folder scripts/strobe, as in errors
   lua_State* lua_ = nullptr;
   size_t used_bytes_ = 0;
   bool out_of_memory_ = false;
@@ -105,12 +106,12 @@ class Sandbox {
   std::map<std::string, Source> sources_;  // by shown name
   std::map<std::string, Ahead> ahead_;     // by path
   std::vector<Problem> problems_;
-  std::string text_;                // a callback's result or failure
-  plan::Value value_;               // a callback's result
-  std::vector<std::string> names_;  // a callback's result
-  std::string source_;              // of the module that `resolve` or `read` found
-  std::string chunk_;               // "@" and its shown name
-  int ready_chunk_ = 0;             // the function of that text, where it was compiled ahead
+  std::string text_;                // result or error of a callback
+  plan::Value value_;               // result of a callback
+  std::vector<std::string> names_;  // result of a callback
+  std::string source_;              // text of the module that `resolve` or `read` found
+  std::string chunk_;               // "@" and the shown name of `source_`
+  int ready_chunk_ = 0;             // number of the compiled function of `source_`; 0 if not compiled
 };
 
 }  // namespace strobe::script

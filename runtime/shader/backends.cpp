@@ -62,7 +62,7 @@ static const BackendRow& rowNamed(const std::string& name) {
 
 static Backend firstPresent(const gpu::DeviceInfo& device) {
   std::vector<BackendRow> rows = backends();
-  // Devices with units for rays have queries. Others walk structures of the driver by programs, too.
+  // Devices with ray tracing hardware have ray queries. Other devices traverse driver structures in software too.
   if (device.software || !device.has("rayQuery"))
     std::stable_partition(rows.begin(), rows.end(),
                           [](const BackendRow& row) { return row.structures == StructureKind::Own; });

@@ -20,15 +20,15 @@ namespace strobe::shader {
 
 namespace {
 
-// What a shader is made of: its file first, then all that it and the preamble reach through includes, in branches that
-// are compiled or not, each once.
+// Texts of a shader, each once: its file first, then all files that the file and the preamble include, in branches that
+// are compiled or not.
 struct Texts {
   struct One {
     Path file;
     const std::string* text;
   };
   std::vector<One> all;
-  std::string included;  // for each include in the order in which they were found, the number of its text
+  std::string included;  // per include, in the order found: the index of its text
 };
 
 void addIncludes(Sources& sources, const std::string& text, const Path& file, Texts& texts);
@@ -60,12 +60,12 @@ class Includer : public glslang::TShader::Includer {
   IncludeResult* includeSystem(const char* name, const char* includer, size_t) override { return load(name, includer); }
   void releaseInclude(IncludeResult* result) override { delete result; }
 
-  // Numbers, among the texts, of the files that were included, in order of first use.
+  // Indices in the texts of the included files, in order of first use.
   const std::vector<uint32_t>& included() const { return included_; }
 
  private:
   IncludeResult* load(const char* name, const char* includer) {
-    // glslang knows the names of included files, not that of the first.
+    // glslang passes the names of included files, but not the name of the first file.
     std::error_code ignored;
     bool is_file = std::filesystem::is_regular_file(includer, ignored);
     Path file = sources_.included(name, is_file ? Path(includer) : texts_.front().file);
@@ -100,17 +100,18 @@ EShLanguage language(Stage stage) {
   return EShLangCompute;
 }
 
-// What the code before and behind a shader is called in glslang's messages.
+// Names in glslang's messages for the code before and after a shader.
 constexpr const char* kBefore = "generated declarations";
 constexpr const char* kBehind = "generated code";
 
-// An error in the code behind a shader comes of the shader: it has no `run`, or does not end its last block.
+// Message for an error in the code after a shader. Its cause is in the shader: `run` is missing, or a block is not
+// closed.
 std::string errorBehind(const std::string& line, const std::string& message) {
   if (message.rfind("'run'", 0) == 0) return "no function 'void run(ivec2 pixel)'";
   return fmt::format("{} (line {} of the {} behind the shader)", message, line, kBehind);
 }
 
-// glslang says only that a header cannot be processed.
+// Message for an include that is not found. glslang's own message does not have the reason.
 std::string errorOfInclude(const Home& home, const std::string& message) {
   const std::string before = "for header name: ";
   size_t at = message.find(before);
@@ -122,7 +123,7 @@ std::string errorOfInclude(const Home& home, const std::string& message) {
                      didYouMean(name, names));
 }
 
-// Line of the function main in a shader without a function run, else 0.
+// Line of the function main in a shader without a function run, otherwise 0.
 int lineOfMain(const std::string& text) {
   static const std::regex main(R"((^|\n)[ \t]*void\s+main\s*\()"), run(R"((^|\n)[ \t]*void\s+run\s*\()");
   std::smatch found;
@@ -130,8 +131,8 @@ int lineOfMain(const std::string& text) {
   return 1 + int(std::count(text.begin(), text.begin() + found.position() + found.length(1), '\n'));
 }
 
-// glslang says "ERROR: file:line: 'token' : message"; users read "file:line: 'token': message", paths as they know
-// them.
+// glslang's log "ERROR: file:line: 'token' : message" as lines "file:line: 'token': message", with paths as shown to
+// users.
 std::string readable(const Home& home, const std::string& log, const Path& file) {
   static const std::regex form("^ERROR: (.*?):(\\d+): (.*?)\\s*$");
   std::set<std::string> seen;
@@ -160,7 +161,7 @@ void startOnce() {
   STROBE_ASSERT(started, "glslang");
 }
 
-// What all shaders are compiled by; part of the key under which they are kept.
+// Settings of all compilations. They are part of the cache key.
 constexpr int kDialect = 460;
 constexpr auto kClient = glslang::EShTargetVulkan_1_3;
 constexpr auto kTarget = glslang::EShTargetSpv_1_6;
@@ -188,8 +189,8 @@ void startCompiler(const Home& home) {
   }
 }
 
-// All that decides what a shader is compiled to: the compiler and its rules, the stage, every text, and which of them
-// each include means.
+// Cache key of all inputs of a compilation: the compiler and its settings, the stage, every text, and the text of each
+// include.
 static std::string keyOf(const Source& source, Stage stage, const Texts& texts) {
   const glslang::Version compiler = glslang::GetVersion();
   std::string key = fmt::format("{} {}.{}.{}{} {} ", STROBE_VERSION, compiler.major, compiler.minor, compiler.patch,

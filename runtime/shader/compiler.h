@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// GLSL to SPIR-V in process (glslang), with the files a shader came from and errors at the user's own lines.
+// Compiler from GLSL to SPIR-V in this process (glslang). Returns the files of a shader, and reports errors at the
+// user's lines.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +16,30 @@ class Sources;
 
 enum class Stage { Vertex, Fragment, Compute, RayGeneration, Miss, ClosestHit, AnyHit };
 
-// Mistakes are found ahead of the making of SPIR-V, which a check goes without.
+// Result of a compilation. Mistakes are found before SPIR-V is generated, so a check does not need SPIR-V.
 enum class Output { Spirv, None };
 
 struct Source {
-  std::string preamble;  // generated declarations; not part of the user's line numbers
-  Path file;             // below shaders/ or anywhere; the text of the pass
-  std::string epilogue;  // generated code behind it
+  std::string preamble;  // generated declarations before the file; not counted in line numbers
+  Path file;             // shader text of the pass, below shaders/ or elsewhere
+  std::string epilogue;  // generated code after the file
 };
 
 struct Compiled {
   std::vector<uint32_t> spirv;
-  std::vector<Path> files;  // `file` and everything it includes, in order of first use
+  std::vector<Path> files;  // `file` and all included files, in order of first use
 };
 
-// Throws `Error` whose lines each read "file:line: message", all of the compiler's errors at once.
-// `#include "a/b.glsl"` is looked up beside the including file, then in the shaders folder.
-// `sources` (may be null) remembers files between calls.
+// Compiles a shader. Throws `Error` with a line "file:line: message" for each error of the compiler.
+// `#include "a/b.glsl"` is searched in the folder of the including file, then in the shaders folder.
+// `sources` (may be null) keeps the files for later calls.
 Compiled compile(const Home& home, const Source& source, Stage stage, Output output = Output::Spirv,
                  Sources* sources = nullptr);
 
-// The program's own GLSL, without includes. Throws `Error`.
+// Compiles GLSL of the program itself, without includes. Throws `Error`.
 std::vector<uint32_t> compileText(const std::string& glsl, Stage stage);
 
-// Every file `file` reaches through includes, and their joined text; for checks that need no compiler.
+// Joined text of `file` and all files that it includes, for checks without the compiler. `files` receives the paths.
 std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files = nullptr,
                              Sources* sources = nullptr);
 

@@ -60,7 +60,7 @@ static std::string frameText(const Interface& in) {
   return text;
 }
 
-// A head as an indirect dispatch reads it, the number of entries in use, and the entries.
+// A buffer: its head (arguments of an indirect dispatch and the number of entries in use), then the entries.
 static std::string bufferText(const char* access, uint32_t binding, const std::string& block, const std::string& name) {
   return fmt::format(
       "layout(set = 1, binding = {}, scalar) {}buffer {} {{ uvec3 groups; uint count; uint entries[]; }} {}_buf;\n",
@@ -127,17 +127,17 @@ std::string preamble(const Interface& in, Stage stage) {
   return text;
 }
 
-// A software device gives each of its threads one run of consecutive groups, and what costs stands close together in a
-// picture. So rows of groups are dealt out like cards, three times: each eighth of the dispatch has every eighth row.
-// Of a list groups are. Eight invocations run as one: those of a pass that traces, or that asks more of pixels near
-// what moves, are 4x2 pixels, which need the same more often than those of a row.
+// A software device gives each thread a run of consecutive work groups, and expensive pixels are often neighbours. So
+// the rows of groups (in a list: the groups) are shuffled like cards, three times: each eighth of the dispatch then has
+// every eighth row. Eight invocations run together. If the pass traces rays or runs in the moving rectangle, they are
+// 4x2 pixels, because such pixels need the same work more often than eight pixels of a row.
 static const char* kDealt = R"(uint dealt_(uint which, uint count) {
   uint half_ = (count + 1u) / 2u;
   for (int i = 0; i < 3; ++i) which = which < half_ ? 2u * which : 2u * (which - half_) + 1u;
   return which;
 }
 )";
-// The pixel of an invocation of a group.
+// Pixel of an invocation, from its work group.
 static const char* kGroupItself = "uvec2 pixel_of_(uvec2 group) { return group; }\n";
 static const char* kInRows =
     "uvec2 pixel_of_(uvec2 group) { return group * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy; }\n";
@@ -147,7 +147,7 @@ static const char* kInBlocks = R"(uvec2 pixel_of_(uvec2 group) {
 }
 )";
 
-// Which entry of a buffer an invocation runs for.
+// Index of the buffer entry that an invocation runs for.
 static const char* kGroup = "gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x";
 static const char* kGroups = "gl_NumWorkGroups.x * gl_NumWorkGroups.y";
 static const char* kIndexOfLaunch = "gl_LaunchIDEXT.y * gl_LaunchSizeEXT.x + gl_LaunchIDEXT.x";
@@ -178,7 +178,7 @@ std::string epilogue(const Interface& in, Stage stage) {
     text +=
         "  if (frame.iteration > 0u) {\n    pixel_ += frame.moving_rect.xy;\n"
         "    if (any(greaterThanEqual(pixel_, frame.moving_rect.zw))) return;\n  }\n";
-  // Of fewer texels than the picture has pixels, from no farther than the one that the reach begins in.
+  // Images smaller than the frame: begin at, or before, the first texel of the moving rectangle.
   if (in.in_moving_rect)
     text +=
         "  bool whole_ = pass_size() == ivec2(frame.size);\n"
@@ -192,7 +192,7 @@ std::string epilogue(const Interface& in, Stage stage) {
   return text + "}\n";
 }
 
-// True if `text` is == or != between blanks.
+// True if `text` is == or !=, with or without spaces around it.
 static bool isComparison(std::string_view text) {
   size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
   if (first == std::string_view::npos) return false;
@@ -200,7 +200,8 @@ static bool isComparison(std::string_view text) {
   return text == "==" || text == "!=";
 }
 
-// Every name in the code. Members also as "params.x"; a name that a parameter is compared with also as "PARAM_x==name".
+// All names in the code. Members are also listed as "params.x"; names that are compared with a parameter also as
+// "PARAM_x==name".
 static std::unordered_set<std::string> namesIn(const std::string& code) {
   auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
   std::unordered_set<std::string> names;
@@ -225,7 +226,7 @@ static std::unordered_set<std::string> namesIn(const std::string& code) {
   return names;
 }
 
-// Not from the compiler's reflection, which knows one choice of the variants at a time and no macros.
+// Parses the text, because the compiler's reflection covers one choice of the variants at a time and no macros.
 std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files, Sources* sources) {
   std::string code;
   for (const Path& file : shader_files)
@@ -233,14 +234,14 @@ std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Pa
   return namesIn(code);
 }
 
-// The names that GLSL has for them.
+// Names in GLSL.
 static std::string spelled(const Interface::Read& read) { return read.name + (read.buffer ? "_buf" : "_tex"); }
 static std::string spelled(const Interface& in, const Interface::Write& write) {
   return write.name + (write.buffer ? "_buf" : in.raster ? "_out" : "_img");
 }
 
-// Comparisons of a parameter with a name that is not one of its choices: the preprocessor takes such a name as 0,
-// silently.
+// Comparisons of a parameter with a name that is not one of its choices. The preprocessor would replace such a name by
+// 0 without a message.
 static std::vector<std::string> unknownChoices(const Interface& in, const std::string& file,
                                                const std::unordered_set<std::string>& used) {
   std::vector<std::string> problems;
@@ -293,7 +294,7 @@ static std::vector<std::string> declaredNames(const Interface& in) {
   return names;
 }
 
-// Adds to each complaint about an unknown name what the pass declares instead.
+// Adds similar declared names of the pass to each message about an unknown name.
 static std::string withDeclarations(const Interface& in, const std::string& log) {
   static const std::regex unknown("'(\\w+)' : (undeclared identifier|no matching overloaded function found)");
   static const std::regex member("'(\\w+)' : no such field in structure 'params'");
@@ -306,7 +307,7 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
     std::string place = line.substr(0, line.find(": "));
     if (std::regex_search(line, match, unknown)) {
       std::string name = match[1];
-      // What was called with the unknown name is only its consequence.
+      // An error about the call with the unknown name is a consequence of that name.
       if (place == last_unknown_place && match[2] != "undeclared identifier") continue;
       last_unknown_place = place;
       bool generated = name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_buf") ||

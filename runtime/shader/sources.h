@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of shaders, and what their includes mean, each looked at once: for a time in which no edit is to be seen.
+// Files of shaders and targets of their includes, each read once, so edits after the first read have no effect.
 #pragma once
 
 #include <map>
@@ -11,16 +11,16 @@
 
 namespace strobe::shader {
 
-// From any thread.
+// Thread-safe.
 class Sources {
  public:
-  // `home` must outlive it.
+  // `home` must outlive this object.
   explicit Sources(const Home& home) : home_(home) {}
 
-  // The text of a file, which stays where it is. Throws `Error` as Home::read does.
+  // The text of a file; the reference stays valid. Throws `Error` as Home::read does.
   const std::string& read(const Path& file);
-  // What an include of `name` in the file `from` means: a file beside that one, else one in the shaders folders of the
-  // home; empty if it is in neither. A file outside of the home (a test's) includes what lies in its own folder.
+  // The file that `name` in an include of the file `from` refers to: in the folder of `from`, otherwise in the shaders
+  // folders of the home; empty if not found. A file outside of the home (a test's) may include files of its own folder.
   Path included(const std::string& name, const Path& from);
 
  private:

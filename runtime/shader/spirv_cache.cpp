@@ -13,7 +13,7 @@ void append(std::string& bytes, const std::vector<uint32_t>& words) {
   bytes.append(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(uint32_t));
 }
 
-// Reads what `append` wrote and moves on; false where there is less.
+// Reads data that `append` wrote, and advances `bytes`. False if `bytes` is too short.
 bool take(std::string_view& bytes, std::vector<uint32_t>& words) {
   uint32_t count = 0;
   if (bytes.size() < sizeof count) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SPIR-V kept on disk from run to run.
+// Cache of SPIR-V on disk, kept between runs.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace strobe::shader {
 
-// One shader that compiled.
+// Code of one shader without errors.
 struct KeptCode {
-  std::vector<uint32_t> spirv;  // empty where it was checked alone
-  std::vector<uint32_t> files;  // numbers, among the files that its includes reach, of those that were included
+  std::vector<uint32_t> spirv;  // empty if the shader was only checked
+  std::vector<uint32_t> files;  // indices of the included files, in the list of all files that its includes name
 };
 
 class SpirvCache {
  public:
-  // In "spirv" below `folder`; an empty one keeps nothing.
+  // The cache is in the folder "spirv" below `folder`; an empty path disables it.
   explicit SpirvCache(const Path& folder) : files_(folder.empty() ? folder : folder / "spirv") {}
 
   bool empty() const { return files_.empty(); }

@@ -5,8 +5,8 @@
 
 namespace strobe::shader {
 
-// Reads what the compiler knows of the language, which the first shaders would otherwise wait for; from any thread.
-// Does nothing where shaders of earlier runs are kept.
+// Initialises the compiler's language tables, so that the first shaders need not wait. Thread-safe. Does nothing if the
+// cache has shaders of earlier runs.
 void startCompiler(const Home& home);
 
 }  // namespace strobe::shader
