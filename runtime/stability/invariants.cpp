@@ -372,8 +372,8 @@ Finding unmasked(const Subject& subject) {
 // ---- finite, permuted
 
 Finding finite(const Subject& subject) {
-  const double factors[] = {1, 1.1, 1e6,
-                            -1e6};  // 3e38 times these: finite, finite, infinity; negative: infinity times 0
+  // Times 3e38: finite, finite, infinity; negative: infinity times 0.
+  const double factors[] = {1, 1.1, 1e6, -1e6};
   lab::Shot shot = with(without(subject.shot, {"lit"}), "scene.hot", 3e38);
   shot = with(shot, "scene.hot_scale", factors[subject.draw("finite").whole(0, 3)]);
   Picture sharp = subject.batch.color(subject.sharp(shot));

@@ -21,7 +21,7 @@ struct Finding {
 struct Subject {
   lab::Batch& batch;
   const plan::PipelineDesc& pipeline;
-  bool is_base;  // pipeline at its defaults or with a preset
+  bool is_base;  // the variant is the defaults or a preset
   lab::Shot shot;
 
   // The shot without blur, and the shot by ground truth.
