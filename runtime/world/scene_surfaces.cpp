@@ -14,7 +14,7 @@ SceneSurfaces::SceneSurfaces(const gpu::Device& device, const Scene& scene) {
   uploadTextures(device, scene);
 }
 
-// Taps along the direction in which a surface recedes, for textures with linear minification and levels; otherwise 1.
+// Taps of anisotropic filtering, for textures with linear minification and levels; otherwise 1.
 static constexpr uint32_t kMostTaps = 4;
 
 static SceneTextureUse textureUse(const Scene& scene, const TextureUse& use) {
