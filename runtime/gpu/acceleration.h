@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Acceleration structures: one bottom level per mesh, and per pose of what bends; top levels rebuilt for every pose
-// that a frame needs.
+// Acceleration structures. One bottom level per mesh, one per pose of a deformed mesh; top levels are rebuilt for every
+// pose of a frame.
 #pragma once
 
 #include <span>
@@ -12,12 +12,12 @@
 namespace strobe::gpu {
 
 struct TriangleGeometry {
-  VkDeviceAddress vertices = 0;  // address of the first vertex; the position stands first in a vertex
+  VkDeviceAddress vertices = 0;  // address of the first vertex; a vertex begins with its position
   uint32_t vertex_count = 0;
   uint32_t vertex_stride = 0;
   VkDeviceAddress indices = 0;  // uint32, relative to the first vertex
   uint32_t triangle_count = 0;
-  bool opaque = true;  // false: hits are offered to the shader, which may refuse them
+  bool opaque = true;  // false: shaders may reject hits
 };
 
 class Acceleration {
@@ -33,21 +33,21 @@ class Acceleration {
   VkDeviceAddress address_ = 0;
 };
 
-// Builds and waits. At least one triangle in all.
+// Builds and waits. Requires at least one triangle in total.
 Acceleration buildBottomLevel(const Device& device, const std::string& name,
                               const std::vector<TriangleGeometry>& geometries);
 
-// A bottom level over vertices that change, rebuilt in place by `recordBuild`.
+// A bottom level over changing vertices, rebuilt in place by `recordBuild`.
 class BottomLevel {
  public:
   BottomLevel() = default;
-  // At least one triangle in all.
+  // Requires at least one triangle in total.
   BottomLevel(const Device& device, const std::string& name, const std::vector<TriangleGeometry>& geometries);
   VkAccelerationStructureKHR handle() const { return structure_.handle(); }
   VkDeviceAddress address() const { return structure_.address(); }
-  // Records the build alone: whoever traces it, or builds over it, waits for that.
+  // Records the build without a barrier. The caller records a barrier before tracing the structure or building over it.
   void recordBuild(VkCommandBuffer commands) const;
-  // The structure, once it is built for good.
+  // Returns the structure after its last build.
   Acceleration finish() && { return std::move(structure_); }
 
  private:
@@ -65,10 +65,10 @@ class TopLevel {
   TopLevel() = default;
   TopLevel(const Device& device, const std::string& name, uint32_t capacity);
   VkAccelerationStructureKHR handle() const { return structure_.handle(); }
-  // What the next build reads: a VkAccelerationStructureInstanceKHR each.
+  // Input of the next build: an array of VkAccelerationStructureInstanceKHR.
   const Buffer& instances() const { return instances_; }
-  // Records the builds of at least one at once, each over its first `count` instances, for which it has room. Whoever
-  // traces them waits for that.
+  // Records the builds of `levels` (at least one), each over its first `count` instances, at most its capacity. Records
+  // no barrier: the caller records one before tracing.
   static void recordBuilds(VkCommandBuffer commands, std::span<const TopLevel> levels, uint32_t count);
 
  private:

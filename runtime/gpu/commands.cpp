@@ -58,7 +58,7 @@ void Commands::wait(const std::string& what, double allowance_s) {
   VkFence fence = fence_.get();
   VkResult waited = device_->vk().WaitForFences(device_->handle(), 1, &fence, VK_TRUE, device_->limitNs(allowance_s));
   if (waited == VK_TIMEOUT) device_->overrun(what);
-  pending_ = false;  // on a lost device too, which executes nothing any more
+  pending_ = false;  // also if lost: a lost device executes nothing
   device_->check(waited, "waiting for it");
   check(device_->vk().ResetFences(device_->handle(), 1, &fence), "resetting the fence");
 }

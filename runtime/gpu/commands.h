@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands that are recorded, submitted, and waited for when what they did is needed.
+// A command buffer that is recorded, submitted and later waited for.
 #pragma once
 
 #include <functional>
@@ -9,23 +9,23 @@
 
 namespace strobe::gpu {
 
-// One command buffer, and whether the device has executed it. The device must outlive it.
+// One command buffer and its execution state. The device must outlive it.
 class Commands {
  public:
   Commands() = default;
   Commands(const Device& device, const std::string& name);
   Commands(Commands&& other) noexcept { *this = std::move(other); }
   Commands& operator=(Commands&& other) noexcept;
-  // Waits for what was submitted.
+  // Waits for the last submission.
   ~Commands();
 
-  // Records with `record` and submits, behind all that was submitted before. What was submitted through this one must
-  // have been waited for.
+  // Records with `record` and submits, after all earlier submissions. The previous submission of this object must have
+  // been waited for.
   void submit(const std::function<void(VkCommandBuffer)>& record);
-  // Waits for the submitted commands, unless they were waited for already. Throws `DeviceLost`. `what` is the name of
-  // the work in the message of an overrun; `allowance_s` is added to its time limit (`Device::setTimeLimit`).
+  // Waits for the submitted commands, unless already waited for. Throws `DeviceLost`. `what` names the work if the time
+  // limit is exceeded; `allowance_s` is added to the time limit (`Device::setTimeLimit`).
   void wait(const std::string& what = "", double allowance_s = 0);
-  // Submitted, and not waited for.
+  // True if submitted and not waited for.
   bool isPending() const { return pending_; }
 
  private:

@@ -108,8 +108,8 @@ std::string faultOfManifest(const std::string& file) {
   }
 }
 
-// Faults of the manifests that the environment names. `absent`: of files that do not exist, which the loader skips
-// silently; else of damaged files. A damaged manifest lets the loader find no driver, or crash.
+// Faults of the manifests named in the environment. `absent`: of missing files, which the loader skips silently;
+// otherwise of damaged files. With a damaged manifest the loader finds no driver, or crashes.
 std::vector<std::string> faultyManifests(bool absent) {
   std::vector<std::string> faults;
   const char* variables[] = {std::getenv("VK_DRIVER_FILES") ? "VK_DRIVER_FILES" : "VK_ICD_FILENAMES",
@@ -228,7 +228,7 @@ DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
   info.software = core.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   info.shares_memory = info.software || core.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
 
-  // A device older than Vulkan 1.3 does not know the structures below: everything counts as absent.
+  // A device older than Vulkan 1.3 lacks the structures below: all features count as absent.
   std::vector<std::string> extensions = deviceExtensions(vk, device);
   info.measures_memory = Loader::contains(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   FeatureChain chain;
@@ -238,7 +238,7 @@ DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
   return info;
 }
 
-// Real GPUs that suffice first, then software devices that suffice, then the rest.
+// Order: usable GPUs, usable software devices, other devices.
 int rank(const DeviceInfo& info) {
   int suffices = info.missing().empty() ? 0 : 4;
   return suffices + (info.software ? 2 : 0);
@@ -284,7 +284,7 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL onLoaderMessage(VkDebugUtilsMessageSeverit
                                                       VkDebugUtilsMessageTypeFlagsEXT,
                                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
   std::string text = data->pMessage ? data->pMessage : "";
-  // Warnings are about layers too.
+  // Warnings may be about layers; only a warning that names an ICD is kept.
   bool is_error = severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
   if (is_error || text.find("ICD") != std::string::npos)
     static_cast<std::vector<std::string>*>(user)->push_back(std::move(text));
@@ -369,7 +369,7 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   queue_family_ = uint32_t(family - families.begin());
   if (family == families.end()) throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
 
-  // Query what is there, then enable what the table lists and nothing else.
+  // Query the available extensions, then enable only the listed ones.
   std::vector<std::string> available = deviceExtensions(vk_, physical_);
   std::vector<const char*> extensions = wantedExtensions(available);
   std::vector<std::string> enabled(extensions.begin(), extensions.end());
@@ -441,7 +441,7 @@ void Device::overrun(const std::string& what) const {
   std::string text = fmt::format("{}{} ran for more than {:g} s on the device", subject_.empty() ? "" : subject_ + ": ",
                                  what.empty() ? "work without a name" : "'" + what + "'", time_limit_s_);
   if (on_overrun_) on_overrun_(text);
-  // Nothing is destroyed: that would wait for the device.
+  // Destroy nothing: destruction would wait for the device.
   std::fprintf(stderr, "strobe: %s\n", text.c_str());
   std::fflush(stderr);
   std::_Exit(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan device with one queue, and what it can do.
+// A Vulkan device with one queue, its features and its error handling.
 #pragma once
 
 #include <functional>
@@ -14,21 +14,20 @@
 
 namespace strobe::gpu {
 
-// Seconds that work on a device may take where a command sets no limit: far longer than any pass of a picture takes on
-// a software device.
+// Default time limit of a submission, seconds; far longer than any pass of a picture takes on a software device.
 inline constexpr double kTimeLimit_s = 600;
 
 struct DeviceOptions {
-  std::string device;       // index or part of a name; "" takes the best
+  std::string device;       // index or part of a name; "": the best device
   bool validation = false;  // core and synchronization validation; messages are collected, not printed
-  // What a window needs besides (`VK_KHR_surface`, ...; `VK_KHR_swapchain`); refused by name where it is missing.
+  // Extensions that a window needs (`VK_KHR_surface`, ...; `VK_KHR_swapchain`). An error names a missing one.
   std::vector<std::string> instance_extensions = {}, device_extensions = {};
 };
 
-// One row of the features the runtime can use (`strobe doctor` prints them).
+// A device feature that the runtime can use (`strobe doctor` prints them).
 struct Feature {
-  std::string name;      // as Vulkan spells it
-  std::string provides;  // what the user gets from it
+  std::string name;      // Vulkan name
+  std::string provides;  // its use in Strobe
   bool required = false;
   bool present = false;
 };
@@ -38,24 +37,24 @@ struct DeviceInfo {
   std::string driver;  // name and version
   std::string api;     // "1.4.305"
   bool software = false;
-  bool measures_memory = false;  // says how much of it is free
-  bool shares_memory = false;    // its memory is the machine's: a software device, or one inside of the processor
+  bool measures_memory = false;  // reports its free memory
+  bool shares_memory = false;    // uses the machine's memory: a software device or an integrated GPU
   std::vector<Feature> features;
 
   bool has(const std::string& feature) const;
-  // The required features it lacks, as one sentence; "" when it suffices.
+  // The missing required features, as one sentence; "" if none is missing.
   std::string missing() const;
 };
 
-// Every device the loader offers, best first, with no device created. Empty without a loader or driver.
+// Every device the loader offers, best first; creates no device. Empty without a loader or driver.
 std::vector<DeviceInfo> listDevices();
 
 // Failures to load drivers that are installed or named in the environment: messages of the loader, and manifests that
 // do not exist or are damaged. A driver without its hardware is not a failure.
 std::vector<std::string> driverProblems();
 
-// The device is lost: nothing can be drawn or read back any more. Not an `Error`, so that no picture, point or frame is
-// reported as failed for it: it ends the program.
+// The device is lost: drawing and reading back are impossible. Not an `Error`: a lost device ends the program instead
+// of failing one picture, point or frame.
 struct DeviceLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -66,8 +65,8 @@ class Commands;
 // Owns instance, device and queue. Everything made from a Device must be destroyed before it.
 class Device {
  public:
-  // Throws `Error` when there is no device, none of that name, or it lacks a required feature (each is named with
-  // what provides it).
+  // Throws `Error` if no device exists or matches the name, or if it lacks a required feature; the message names each
+  // missing feature and its use.
   explicit Device(const DeviceOptions& options = {});
   ~Device();
   Device(const Device&) = delete;
@@ -90,27 +89,27 @@ class Device {
 
   void setName(VkObjectType type, uint64_t handle, const std::string& name) const;
 
-  // Records with `record`, submits and waits: the device is idle then. Throws `DeviceLost`. `what` names the work,
-  // should it never end; `allowance_s` is added to its time limit.
+  // Records with `record`, submits and waits; the device is then idle. Throws `DeviceLost`. `what` names the work if
+  // the time limit is exceeded; `allowance_s` is added to the time limit.
   void submit(const std::function<void(VkCommandBuffer)>& record, const std::string& what = "",
               double allowance_s = 0) const;
 
-  // Work that takes longer than `seconds` ends in `on_overrun(text)`, which must not return: a shader that never ends
-  // cannot be aborted, so neither can the device be used or destroyed any more. `text` names the work. Without
-  // `on_overrun` the text is printed and the program ends with exit code 1. 0 waits for ever. Default: `kTimeLimit_s`.
+  // Time limit of a submission, seconds; 0: unlimited; default `kTimeLimit_s`. After the limit, `on_overrun(text)` is
+  // called; `text` names the work. It must not return: a running shader cannot be aborted, so the device can be neither
+  // used nor destroyed. Without `on_overrun`, the text is printed and the program ends with exit code 1.
   using OnOverrun = std::function<void(const std::string& text)>;
   void setTimeLimit(double seconds, OnOverrun on_overrun = {});
-  // The point or picture that is drawn from now on, as overruns and a lost device name it; "": it has no name.
+  // Name of the current point or picture, for messages about overruns and a lost device; "": none.
   void setSubject(std::string subject) { subject_ = std::move(subject); }
-  // How long to wait for work, ns, and what ends it.
+  // Time limit of a submission, ns, and the handler for exceeding it.
   uint64_t limitNs(double allowance_s) const;
   [[noreturn]] void overrun(const std::string& what) const;
-  // `gpu::check` with the names of the device and of its subject in `DeviceLost`.
+  // Like `gpu::check`; a `DeviceLost` also names the device and the current subject.
   void check(VkResult result, const std::string& what) const;
 
   // Validation messages since the last call; always empty without validation.
   std::vector<std::string> takeMessages() const;
-  // Throws `Error` of them, if there are any.
+  // Throws `Error` with the validation messages, if any.
   void refuseMessages() const;
 
  private:
@@ -129,7 +128,7 @@ class Device {
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   uint32_t queue_family_ = 0;
-  std::unique_ptr<Commands> commands_;  // those of `submit`
+  std::unique_ptr<Commands> commands_;  // for `submit`
   VkPhysicalDeviceMemoryProperties memory_{};
   VkPhysicalDeviceRayTracingPipelinePropertiesKHR ray_properties_{};
   uint32_t scratch_alignment_ = 256;
@@ -139,10 +138,12 @@ class Device {
   std::string subject_;
 };
 
-// Throws `Error` naming `what` and the result unless `result` is VK_SUCCESS; `DeviceLost` where it says so.
+// Throws `Error` with `what` and the result unless `result` is VK_SUCCESS; throws `DeviceLost` for
+// VK_ERROR_DEVICE_LOST.
 void check(VkResult result, const std::string& what);
 
-// What a call gives that fills `count` items, or says in it how many there are where the list is null.
+// Returns the items of a Vulkan enumeration: `call(count, list)` sets `count` if `list` is null, otherwise fills
+// `list`.
 template <class Item, class Call>
 std::vector<Item> listed(const Call& call) {
   uint32_t count = 0;

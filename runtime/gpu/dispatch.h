@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one table through which every Vulkan call goes.
+// Table of all Vulkan functions that Strobe calls.
 #pragma once
 
 #define VK_NO_PROTOTYPES
@@ -7,7 +7,7 @@
 
 namespace strobe::gpu {
 
-// Lists by hand: clang-format indents one call below the other.
+// Formatted by hand: clang-format puts one call per line.
 // clang-format off
 #define STROBE_INSTANCE_CALLS(X)                                                                                \
   X(DestroyInstance) X(EnumeratePhysicalDevices) X(GetPhysicalDeviceProperties2) X(GetPhysicalDeviceFeatures2)  \
@@ -15,7 +15,7 @@ namespace strobe::gpu {
   X(GetPhysicalDeviceQueueFamilyProperties) X(GetPhysicalDeviceFormatProperties)                                \
   X(EnumerateDeviceExtensionProperties) X(CreateDevice) X(GetDeviceProcAddr)
 
-// Absent (null) where the layer or extension is not there.
+// Null without the layer or extension.
 #define STROBE_OPTIONAL_INSTANCE_CALLS(X) \
   X(CreateDebugUtilsMessengerEXT) X(DestroyDebugUtilsMessengerEXT) X(SetDebugUtilsObjectNameEXT) \
   X(CmdBeginDebugUtilsLabelEXT) X(CmdEndDebugUtilsLabelEXT)                                     \
@@ -38,13 +38,13 @@ namespace strobe::gpu {
   X(CmdCopyImageToBuffer) X(CmdClearColorImage) X(CmdFillBuffer) X(CmdResetQueryPool) X(CmdWriteTimestamp2)          \
   X(CmdBindVertexBuffers) X(CmdPushConstants) X(CmdCopyImage)
 
-// Absent (null) on a device without ray tracing.
+// Null on a device without ray tracing.
 #define STROBE_RAY_CALLS(X)                                                                                    \
   X(CreateAccelerationStructureKHR) X(DestroyAccelerationStructureKHR) X(GetAccelerationStructureBuildSizesKHR) \
   X(GetAccelerationStructureDeviceAddressKHR) X(CmdBuildAccelerationStructuresKHR)                             \
   X(CreateRayTracingPipelinesKHR) X(GetRayTracingShaderGroupHandlesKHR) X(CmdTraceRaysKHR)
 
-// Absent (null) on a device that was made without a window.
+// Null on a device created without a window.
 #define STROBE_WINDOW_CALLS(X)                                                        \
   X(CreateSwapchainKHR) X(DestroySwapchainKHR) X(GetSwapchainImagesKHR)               \
   X(AcquireNextImageKHR) X(QueuePresentKHR)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of device features that the runtime uses, walked once to query them and once to enable them.
+// Table of the device features that the runtime uses, for the query and for device creation.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace strobe::gpu {
 
-// The feature structures, chained; `chain()` is the head for a query or for device creation.
+// Chained feature structures; `chain()` returns the head for a query or for device creation.
 struct FeatureChain {
   VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
   VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
@@ -33,7 +33,7 @@ struct WantedFeature {
 
 const std::vector<WantedFeature>& wantedFeatures();
 
-// The extensions to enable among `available`: those that a requested feature needs, with what they depend on.
+// Extensions to enable among `available`: the extensions of wanted features, with their dependencies.
 std::vector<const char*> wantedExtensions(const std::vector<std::string>& available);
 
 }  // namespace strobe::gpu

@@ -7,7 +7,7 @@
 
 namespace strobe::gpu {
 
-// Free of the largest heap of the device's own.
+// Free bytes of the largest device-local heap; its size if the device does not report free memory.
 static uint64_t freeMemory(const Device& device) {
   VkPhysicalDeviceMemoryBudgetPropertiesEXT budget{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT};
   const bool measured = device.info().measures_memory;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of everything a device takes.
+// Limits of a device: sizes, counts and memory.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@ namespace strobe::gpu {
 
 struct DeviceLimits {
   uint64_t image_side = 0;            // px
-  uint64_t buffer_bytes = 0;          // of a buffer that a shader sees as bound
-  uint64_t array_bytes = UINT64_MAX;  // of a buffer that it reads by address
-  // Free on the device, measured; its size where the device does not say. Of a device that shares the machine's memory
-  // no more than is available there.
+  uint64_t buffer_bytes = 0;          // of a bound storage buffer
+  uint64_t array_bytes = UINT64_MAX;  // of a buffer read by address
+  // Free memory of the device; its size if the device does not report free memory. At most `host_bytes` if the device
+  // uses the machine's memory.
   uint64_t memory_bytes = UINT64_MAX;
-  uint64_t host_bytes = UINT64_MAX;  // of the machine's memory that are available to this process
-  uint64_t instances = UINT64_MAX;   // of an acceleration structure; without these any number
-  uint64_t geometries = UINT64_MAX;  // of a mesh
-  uint64_t triangles = UINT64_MAX;   // of a mesh
+  uint64_t host_bytes = UINT64_MAX;  // free memory of the machine for this process
+  uint64_t instances = UINT64_MAX;   // per acceleration structure; unlimited without hardware structures
+  uint64_t geometries = UINT64_MAX;  // per mesh
+  uint64_t triangles = UINT64_MAX;   // per mesh
 };
 
 DeviceLimits limitsOf(const Device& device);

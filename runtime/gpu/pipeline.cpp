@@ -117,7 +117,7 @@ Pipeline Pipeline::raster(const Device& device, const std::string& name, const R
   multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
   VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = depth.depthWriteEnable = !shaders.overlay;
-  depth.depthCompareOp = VK_COMPARE_OP_GREATER;  // reversed depth; of equal depths the first drawn stays
+  depth.depthCompareOp = VK_COMPARE_OP_GREATER;  // reversed depth; the first of equal depths stays
   VkPipelineColorBlendAttachmentState by_alpha{};
   by_alpha.blendEnable = shaders.overlay;
   by_alpha.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pipelines from SPIR-V, with the descriptor layouts they share.
+// Pipelines from SPIR-V, and their descriptor layouts.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ using Spirv = std::vector<uint32_t>;
 Owned<VkDescriptorSetLayout> makeSetLayout(const Device& device, const std::string& name,
                                            const std::vector<VkDescriptorSetLayoutBinding>& bindings);
 
-// A pool that serves exactly `sets` sets made of `bindings` each, freed together.
+// A pool for exactly `sets` sets of `bindings`, freed together.
 Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::string& name,
                                            const std::vector<VkDescriptorSetLayoutBinding>& bindings, uint32_t sets);
 VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout);
@@ -23,9 +23,9 @@ VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescr
 struct RasterShaders {
   Spirv vertex, fragment;
   std::vector<VkFormat> color_formats;
-  bool overlay = false;         // blended by alpha over what is there, without depth
+  bool overlay = false;         // alpha-blended over the target, without depth
   uint32_t constant_bytes = 0;  // push constants of the vertex shader
-  uint32_t vertex_stride = 0;   // of a vertex buffer; 0: the shader fetches its vertices
+  uint32_t vertex_stride = 0;   // bytes per vertex of a vertex buffer; 0: the shader fetches its vertices
   std::vector<VkVertexInputAttributeDescription> attributes = {};
 };
 
@@ -33,7 +33,7 @@ struct TraceShaders {
   Spirv raygen, miss, closest_hit, any_hit;
 };
 
-// A pipeline with its layout; of a ray tracing pipeline also the shader binding table.
+// A pipeline with its layout; a ray tracing pipeline also has its shader binding table.
 class Pipeline {
  public:
   Pipeline() = default;
@@ -43,7 +43,8 @@ class Pipeline {
 
   static Pipeline compute(const Device& device, const std::string& name, const Spirv& code,
                           const std::vector<VkDescriptorSetLayout>& sets);
-  // Triangles without culling, depth test GREATER on D32 (reversed) but for an overlay, dynamic viewport and scissor.
+  // Triangles without culling, with dynamic viewport and scissor; depth test GREATER on reversed D32, except for an
+  // overlay.
   static Pipeline raster(const Device& device, const std::string& name, const RasterShaders& shaders,
                          const std::vector<VkDescriptorSetLayout>& sets);
   // One ray generation, one miss and one hit group.
@@ -67,13 +68,13 @@ class Pipeline {
   VkStridedDeviceAddressRegionKHR raygen_{}, miss_{}, hit_{}, callable_{};
 };
 
-// GPU time stamps of a frame's steps.
+// GPU time stamps of the steps of a frame.
 class Timer {
  public:
   Timer() = default;
   Timer(const Device& device, uint32_t capacity);
   void recordReset(VkCommandBuffer commands);
-  // Returns the index of the stamp, or -1 when the capacity is used up.
+  // Returns the index of the stamp, or -1 if the capacity is exhausted.
   int recordStamp(VkCommandBuffer commands);
   // Milliseconds since the first stamp, one per stamp recorded since the reset.
   std::vector<double> readMs() const;

@@ -173,7 +173,7 @@ Owned<VkSampler> makeSampler(const Device& device, const std::string& name, cons
   info.addressModeU = desc.wrap_u;
   info.addressModeV = desc.wrap_v;
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  // At 0 nothing would be minified (Vulkan, "Samplers", of filters without levels).
+  // With maxLod 0, a sampler would always magnify (Vulkan, "Samplers", on filters without levels).
   info.maxLod = desc.first_level_only ? 0.25f : VK_LOD_CLAMP_NONE;
   const Dispatch& vk = device.vk();
   return create(device, VK_OBJECT_TYPE_SAMPLER, vk.CreateSampler, vk.DestroySampler, info, "sampler", name);

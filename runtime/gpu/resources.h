@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers, images and samplers as move-only types; each is named at birth, and the name shows in validation messages.
+// Buffers, images and samplers as move-only types; each has a name, which validation messages show.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class Owned {
   Destroy destroy_ = nullptr;
 };
 
-// What a vkCreate... call makes of `info`, named. Throws `Error` "creating KIND NAME".
+// Creates a named object from `info` with the vkCreate... function `make`. Throws `Error` "creating KIND NAME".
 template <class Handle, class Info>
 Owned<Handle> create(const Device& device, VkObjectType type,
                      VkResult(VKAPI_PTR* make)(VkDevice, const Info*, const VkAllocationCallbacks*, Handle*),
@@ -48,14 +48,14 @@ Owned<Handle> create(const Device& device, VkObjectType type,
   return {device.handle(), handle, destroy};
 }
 
-// What happens to memory, and where: before a barrier what was written, after it what waits for that.
+// Pipeline stages and memory accesses on one side of a barrier.
 struct Touch {
   VkPipelineStageFlags2 stages;
   VkAccessFlags2 access;
 };
 void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& before, const Touch& after);
 
-// The same for all levels of an image that changes its layout.
+// Layout change of all levels of an image.
 struct LayoutChange {
   VkImage image;
   VkImageLayout from, to;
@@ -68,12 +68,12 @@ void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& 
 inline constexpr VkBufferUsageFlags kReadByAddress =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
 
-// A storage buffer. Host memory is mapped for its whole life and coherent; device memory is filled through `upload`.
+// A storage buffer. Host memory is coherent and always mapped; device memory is filled by an upload.
 class Buffer {
  public:
   enum class Memory { Host, Device };
   Buffer() = default;
-  // `size` in bytes, at least 4 are allocated so that an empty array can be bound.
+  // `size` in bytes. Allocates at least 4, so that an empty array can be bound.
   Buffer(const Device& device, const std::string& name, size_t size, VkBufferUsageFlags usage, Memory memory);
 
   VkBuffer handle() const { return buffer_.get(); }
@@ -89,14 +89,14 @@ class Buffer {
   void* mapped_ = nullptr;
 };
 
-// Fills a device-local buffer from its beginning, a part at a time: little more than the buffer itself is held.
+// Fills a device-local buffer from its beginning in pieces, with little host memory.
 class Upload {
  public:
-  // `size` in bytes, of the whole buffer.
+  // `size` of the whole buffer, bytes.
   Upload(const Device& device, const std::string& name, size_t size, VkBufferUsageFlags usage);
 
   void append(const void* data, size_t size);
-  // `count` items, each as `item` gives it for its index from 0.
+  // Appends `count` items; `item(i)` returns item i.
   template <class T, class Item>
   void append(size_t count, const Item& item) {
     for (size_t i = 0; i < count;) {
@@ -107,17 +107,17 @@ class Upload {
       for (size_t end = i + most; i < end; ++i, ++to) *to = item(i);
     }
   }
-  // The buffer, once all is copied; what was not appended is undefined.
+  // Returns the buffer after all copies; bytes that were not appended are undefined.
   Buffer finish();
 
  private:
   void flush();
   const Device& device_;
   Buffer buffer_, staging_;
-  size_t done_ = 0, held_ = 0;  // bytes: copied, waiting in the staging buffer
+  size_t done_ = 0, held_ = 0;  // bytes copied; bytes in the staging buffer
 };
 
-// A device-local buffer holding `size` bytes from `data`; waits for the copy.
+// A device-local buffer with `size` bytes from `data`; waits for the copy.
 Buffer uploadBuffer(const Device& device, const std::string& name, const void* data, size_t size,
                     VkBufferUsageFlags usage);
 template <class T>
@@ -133,7 +133,7 @@ struct ImageDesc {
   bool operator==(const ImageDesc&) const = default;
 };
 
-// A 2-D image in device memory. Every image stays in the GENERAL layout once it left UNDEFINED.
+// A 2-D image in device memory, always in the GENERAL layout after the first transition.
 class Image {
  public:
   Image() = default;
@@ -149,10 +149,10 @@ class Image {
   Owned<VkImageView> view_;
 };
 
-// UNDEFINED to GENERAL, for an image nothing has touched yet.
+// Transition from UNDEFINED to GENERAL, for a new image.
 void recordFirstLayout(const Device& device, VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect);
 
-// An image with all `levels` filled (level l is max(1, size >> l)); waits for the copies.
+// An image with all `levels` filled (size of level l: max(1, size >> l)); waits for the copies.
 Image uploadImage(const Device& device, const std::string& name, ImageDesc desc,
                   const std::vector<std::vector<uint8_t>>& levels);
 
@@ -166,8 +166,8 @@ struct SamplerDesc {
 inline constexpr SamplerDesc kLinear = {VK_FILTER_LINEAR, VK_FILTER_LINEAR, VK_SAMPLER_MIPMAP_MODE_LINEAR};
 Owned<VkSampler> makeSampler(const Device& device, const std::string& name, const SamplerDesc& desc);
 
-// Bytes per texel and VkFormat of the format names of a pass ("rgba16f"), of a buffer those of its entries; throws
-// `Error` for an unknown name.
+// Vulkan format and bytes per texel of a pass's format name ("rgba16f"); for a buffer, bytes per entry. `formatInfo`
+// throws `Error` for an unknown name.
 struct FormatInfo {
   VkFormat vk;
   const char* glsl;  // image layout qualifier

@@ -3,7 +3,7 @@
 
 namespace strobe::gpu {
 
-// Little enough to be there for each frame, enough for most frames.
+// Bytes of a part: small enough to allocate for each frame, large enough for most frames.
 static constexpr size_t kPart = size_t{1} << 20;
 
 void* Staging::placeFor(const Buffer& to, size_t at, size_t bytes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the host writes what work on the device reads, without waiting for the work before.
+// Writes data from the host to device buffers without waiting for earlier work.
 #pragma once
 
 #include <vector>
@@ -8,26 +8,24 @@
 
 namespace strobe::gpu {
 
-// Host memory for what is written to buffers of the device until commands copy it there, in their turn: work that was
-// submitted before still reads what it is meant to read. The device must outlive it.
+// Host memory for data that commands copy to device buffers in submission order, so that earlier work still reads the
+// old data. The device must outlive it.
 class Staging {
  public:
   Staging() = default;
   explicit Staging(const Device& device) : device_(&device) {}
 
-  // Writes `count` values, which the next `recordCopies` copies to a buffer of such values, from the one numbered
-  // `first` on. Of two writes to one place, both before that call, neither is sure to last. Throws `Error` where memory
-  // runs out.
+  // Writes `count` values; the next `recordCopies` copies them to `to`, an array of T, from index `first`. Two writes
+  // to one place before one `recordCopies` have an undefined order. Throws `Error` if memory runs out.
   template <class T>
   void write(const Buffer& to, size_t first, const T* values, size_t count) {
     if (count > 0) std::memcpy(placeFor(to, first * sizeof(T), count * sizeof(T)), values, count * sizeof(T));
   }
   bool isEmpty() const { return copies_.empty(); }
 
-  // Records copies of all that was written since the last time, behind all work before, and before all that follows.
+  // Records copies of all writes since the last call, with barriers to earlier and later commands.
   void recordCopies(VkCommandBuffer commands);
-  // All copies that were recorded are executed, or never will be: their memory is used again. What was written and not
-  // recorded is forgotten.
+  // Reuses the memory of all recorded copies; they must have executed, or never will. Discards unrecorded writes.
   void reset();
 
  private:
@@ -35,12 +33,12 @@ class Staging {
     VkBuffer from, to;
     VkBufferCopy region;
   };
-  // In host memory, for bytes that go to a buffer from its byte `at` on.
+  // Host memory for `bytes` bytes, to be copied to `to` from byte `at` on.
   void* placeFor(const Buffer& to, size_t at, size_t bytes);
 
   const Device* device_ = nullptr;
   std::vector<Buffer> parts_;
-  size_t part_ = 0, used_ = 0;  // of the part that is filled
+  size_t part_ = 0, used_ = 0;  // current part; bytes used in it
   std::vector<Copy> copies_;
 };
 

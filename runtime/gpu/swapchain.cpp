@@ -25,7 +25,7 @@ Swapchain::Swapchain(const Device& device, VkSurfaceKHR surface)
   chooseFormat();
 }
 
-// Values are sRGB-encoded before they get here, so the image must not encode them again.
+// Values are sRGB-encoded already, so the image must not encode them again.
 void Swapchain::chooseFormat() {
   auto formats = listed<VkSurfaceFormatKHR>([&](uint32_t* count, VkSurfaceFormatKHR* list) {
     check(device_.vk().GetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface_.get(), count, list),
@@ -68,7 +68,7 @@ void Swapchain::resize(uint32_t width, uint32_t height) {
   info.preTransform = can.currentTransform;
   bool opaque = can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
   info.compositeAlpha = opaque ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
-  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;  // the one every device has
+  info.presentMode = VK_PRESENT_MODE_FIFO_KHR;  // the one mode that every device has
   info.clipped = VK_TRUE;
   info.oldSwapchain = swapchain_.get();
   swapchain_ = create(device_, VK_OBJECT_TYPE_SWAPCHAIN_KHR, vk.CreateSwapchainKHR, vk.DestroySwapchainKHR, info, "the",

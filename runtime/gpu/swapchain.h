@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images of a window that are shown one after the other.
+// The images that a window shows in turn.
 #pragma once
 
 #include <optional>
@@ -9,23 +9,24 @@
 
 namespace strobe::gpu {
 
-// Owns the surface and its swapchain; the window must outlive it. Work on an image is submitted with `Device::submit`,
-// which waits for it, so that neither acquiring nor presenting needs a semaphore.
+// Owns the surface and its swapchain; the window must outlive it. `Device::submit` waits for the work on an image, so
+// neither acquiring nor presenting needs a semaphore.
 class Swapchain {
  public:
-  // Takes over `surface`. Throws `Error` where the device cannot show pictures on it.
+  // Takes ownership of `surface`. Throws `Error` if the device cannot present to it.
   Swapchain(const Device& device, VkSurfaceKHR surface);
 
-  // Image and view to draw on; its content is undefined.
+  // Image and view to draw to; the content is undefined.
   struct Target {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
   };
-  // Nothing where the window has no area, or changed its size: `resize` then.
+  // Empty if the window has no area or has changed its size; call `resize` then.
   std::optional<Target> acquire();
-  // The image last acquired must be in the layout PRESENT_SRC. False where the window changed: `resize` then.
+  // Presents the last acquired image, which must be in the layout PRESENT_SRC. False if the window has changed; call
+  // `resize` then.
   bool present();
-  // Makes the images anew; `width` and `height` count where the window leaves the size open.
+  // Recreates the images; `width` and `height` apply if the window leaves the size open.
   void resize(uint32_t width, uint32_t height);
 
   VkFormat format() const { return format_.format; }

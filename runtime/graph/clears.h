@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Images that are zero when the pass that writes them begins, cleared by compute shaders: what a device has for clears
-// may go through units for drawing, of which it may have few (docs/benchmarks.md, "On a GPU").
+// Compute shaders that clear images to zero before the pass that writes them. A device's own clears may use its drawing
+// units, which can be few (docs/benchmarks.md, "On a GPU").
 #pragma once
 
 #include <map>
@@ -13,11 +13,11 @@ namespace strobe::graph {
 class Clears {
  public:
   explicit Clears(const gpu::Device& device) : device_(device) {}
-  // For the images that nodes of the plan clear; buffers are none. Pipelines are those of the cache, which must outlive
-  // it. Throws `Error`.
+  // Creates pipelines and sets for the images that the plan clears, not for buffers. The pipelines belong to `cache`,
+  // which must outlive this object. Throws `Error`.
   void make(PipelineCache& cache, const plan::Plan& plan, const PlanImages& images);
   bool has(int image) const { return cleared_.count(image) > 0; }
-  // A dispatch over an image that it has.
+  // Records a dispatch over `image`; requires `has(image)`.
   void record(VkCommandBuffer commands, int image) const;
 
  private:

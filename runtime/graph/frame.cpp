@@ -10,7 +10,7 @@ namespace strobe::graph {
 
 using plan::Plan;
 
-// The curve as shaders have it.
+// Copies the shutter curve to the shader constants.
 static void setCurve(const ShutterCurve& curve, shared::FrameData& frame) {
   static_assert(ShutterCurve::kMostKnots <= CURVE_KNOTS);
   vec4* const halves[] = {frame.curve_opening, frame.curve_closing};
@@ -19,7 +19,7 @@ static void setCurve(const ShutterCurve& curve, shared::FrameData& frame) {
     for (size_t i = 0; i < knots.size(); ++i)
       halves[end][i] = vec4(knots[i].distance, knots[i].share, knots[i].weight, knots[i].slope);
     frame.curve_counts[end] = uint32_t(knots.size());
-    double at_capture = end == 0 ? -frame.shutter.x : frame.shutter.y;  // from that end
+    double at_capture = end == 0 ? -frame.shutter.x : frame.shutter.y;  // distance from this end
     frame.curve_sides[end] = float(end == 0 ? curve.shareBefore(at_capture) : 1 - curve.shareBefore(1 - at_capture));
   }
 }
@@ -93,10 +93,10 @@ FrameSetup partSetup(const FrameSetup& setup, const Plan& plan, const plan::Plan
   return frame;
 }
 
-// The time of slice `q` of a part, s.
+// Time of slice `q` of a part, seconds.
 static double sampleTime(const FrameSetup& setup, const plan::PlanLoop& loop, int part, int q) {
   if (loop.times == "frames") return setup.capture_s - (double(part) * loop.slices + q + 1) * setup.frame_s;
-  // Midpoints of the stratum's parts, or a random time in each of them; other times in each loop.
+  // Midpoints of the stratum's equal parts, or one random time in each. Loops differ in their random times.
   double in_stratum = (q + 0.5) / loop.slices;
   if (loop.times == "stratified") {
     uint32_t index = uint32_t(part) * uint32_t(loop.slices) + uint32_t(q);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame is drawn from besides plan and scene, and what it gives.
+// Inputs of a frame besides plan and scene, and its results.
 #pragma once
 
 #include <functional>
@@ -16,27 +16,27 @@
 
 namespace strobe::graph {
 
-// When and how a frame sees its scene; everything an image depends on besides plan and scene.
+// Times, camera poses and random seed of a frame: all inputs of an image besides plan and scene.
 struct FrameSetup {
   std::function<scene::Pose(double time_s)> pose_at;
-  double capture_s = 0;            // scene time of the capture
-  double open_s = 0, close_s = 0;  // the exposure window
-  ShutterCurve curve;              // how much its times count
-  double frame_s = 0;              // time from frame to frame
+  double capture_s = 0;            // scene time of the raster image
+  double open_s = 0, close_s = 0;  // scene time of shutter open and close
+  ShutterCurve curve;              // weight of each time of the exposure
+  double frame_s = 0;              // time between two frames
   uint32_t anchor = 0;             // ANCHOR_* of shaders/shared/frame.h
   uint32_t frame = 0;
   uint32_t seed = 0;
   vec2 subpixel = vec2(0);  // sample position relative to the pixel's centre, px
   scene::Environment environment;
-  scene::PixelArea reach;                                       // where anything that moves can be seen
-  std::function<scene::PixelArea(const scene::Pose&)> area_at;  // the same at one pose; none: not known
-  std::vector<bool> moves;                        // by instance: may it move within the exposure? Empty: each may
-  std::vector<scene::ScreenPath> paths;           // by instance; empty: not known
-  bool camera_rests = false;                      // within the exposure
+  scene::PixelArea reach;  // moving rectangle: all pixels that a moving instance may cover
+  std::function<scene::PixelArea(const scene::Pose&)> area_at;  // moving rectangle at one pose; empty: unknown
+  std::vector<bool> moves;                        // by instance: may move within the exposure; empty: all may
+  std::vector<scene::ScreenPath> paths;           // by instance; empty: unknown
+  bool camera_rests = false;                      // camera static within the exposure
   const std::set<std::string>* wanted = nullptr;  // outputs and taps to read back; null: all
 };
 
-// What was read back of one image: floats, or unsigned integers.
+// Pixels of one image that was read back: floats or unsigned integers.
 struct ReadImage {
   std::string format;
   image::Image floats;
@@ -50,30 +50,30 @@ struct StepTime {
 };
 
 struct FrameResult {
-  std::map<std::string, ReadImage> outputs;                // by name of the output
+  std::map<std::string, ReadImage> outputs;                // by output name
   std::map<std::string, ReadImage> taps;                   // by "node.port"
-  std::vector<std::pair<std::string, uint64_t>> counters;  // "node.counter", in the order of execution
-  std::vector<std::pair<std::string, int>> iterations;     // of each loop, fewer than planned if it stopped early
+  std::vector<std::pair<std::string, uint64_t>> counters;  // "node.counter", in execution order
+  std::vector<std::pair<std::string, int>> iterations;     // by loop; fewer than planned if the loop stopped early
   std::vector<StepTime> times;
-  double gpu_ms = 0;  // spans of the submissions, summed
+  double gpu_ms = 0;  // sum over the submissions
 };
 
-// The frame's block for a plan, as it is outside of loops.
+// Returns the shader constants of a frame, outside of loops.
 shared::FrameData frameData(const plan::Plan& plan, const world::GpuScene& scene, const FrameSetup& setup);
 
-// A part of the exposure as a frame of its own, for a loop that draws parts; the iteration counts from `loop.first`.
-// Parts have equal shares of the curve's weight, and even weight within. The raster time is the middle of the
-// part. Every instance counts as moving, and every pixel as reached.
+// Returns a part of the exposure as a frame, for a loop over parts; `iteration` counts from `loop.first`. Parts have
+// equal shares of the shutter curve's weight; the weight within a part is constant. The raster time is the middle of
+// the part. All instances count as moving, and the moving rectangle is the image.
 FrameSetup partSetup(const FrameSetup& setup, const plan::Plan& plan, const plan::PlanLoop& loop, int iteration);
 
-// Poses what every frame sees: the capture, the ends of the exposure, the frame before.
+// Poses the slices of every frame: raster time, shutter open, shutter close, previous frame.
 void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const FrameSetup& setup);
-// Which of the parts of the exposure an iteration samples, which counts from `loop.first`. A loop that may stop early,
-// or takes some of them, does so by steps of the golden ratio: however many were taken, they lie all over the exposure.
+// Returns the part of the exposure of an iteration, which counts from `loop.first`. A loop that may stop early, or that
+// samples only some parts, steps by the golden ratio: the parts done so far are spread over the whole exposure.
 int partOf(const plan::PlanLoop& loop, int iteration);
-// Poses the sample slices of an iteration, which counts from `loop.first`: midpoints of strata, or a random time in
-// each of their parts. Strata have equal shares of the shutter curve's weight, in loops of even times of the exposure.
-// In a loop of frames a slice is a frame before the last one, and the first of the first part one before the capture.
+// Poses the sample slices of an iteration, which counts from `loop.first`. Sample times are midpoints of the stratum's
+// equal parts, or one random time in each. Strata have equal shares of the shutter curve's weight; with `times` "even",
+// equal durations. With `times` "frames", slice q of part p is (p * slices + q + 1) frames before the raster time.
 void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const FrameSetup& setup,
                  const plan::PlanLoop& loop, int iteration);
 

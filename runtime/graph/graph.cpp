@@ -15,7 +15,8 @@ constexpr uint32_t kUsualSlices = 32;
 uint32_t Graph::sampleSlices(const Plan& plan) {
   uint32_t slices = 0;
   for (const auto& loop : plan.loops) slices = std::max(slices, uint32_t(loop.slices));
-  // Shaders are compiled for a number of slices: of several there is room for as many as are usual.
+  // Shaders are compiled for a number of slices. More than one is rounded up to the usual number, so that plans share
+  // shaders.
   return slices <= 1 ? slices : std::max(slices, kUsualSlices);
 }
 
@@ -33,7 +34,7 @@ static bool traces(const Plan& plan, const std::vector<Step>& steps) {
   });
 }
 
-// Time samples of a loop; of one whose iterations have no time of their own, its iterations.
+// Time samples of a loop. An iteration without sample times counts as one.
 static int samplesOf(const plan::PlanLoop& loop, int iterations) { return iterations * std::max(loop.slices, 1); }
 
 static int samplesOf(const Plan& plan) {
@@ -42,7 +43,7 @@ static int samplesOf(const Plan& plan) {
   return samples;
 }
 
-// The nodes with their pipelines; `ms` is what finding and compiling them took.
+// Returns the nodes with their pipelines; `ms` receives the time to find and compile them.
 static PlanNodes nodesOf(const gpu::Device& device, const Plan& plan, PipelineCache& cache,
                          const world::GpuScene& scene, Backend backend, const PlanNodes* previous,
                          std::vector<std::string>* problems, double& ms) {
@@ -54,8 +55,8 @@ static PlanNodes nodesOf(const gpu::Device& device, const Plan& plan, PipelineCa
   return nodes;
 }
 
-// Whether the host waits for iterations: of loops that end by what they find, and of those that take long, which report
-// how far they are and would fill the memory of what is written for them.
+// True if the host waits for each iteration: for loops that may stop early, and for long loops, which report progress
+// and would fill the staging memory.
 static bool waitsForLoops(const Plan& plan) {
   constexpr int kShort = 4;
   return std::any_of(plan.loops.begin(), plan.loops.end(),
@@ -82,7 +83,7 @@ Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, 
   STROBE_ASSERT(!previous || previous->underWay() == 0);
   try {
     nodes_.make(images_, in_flight_);
-    // One step at a time a software device has nothing faster than its own clears.
+    // For a stepwise software device, Vulkan's own clears are as fast.
     if (!submission_.isStepwise()) clears_.make(cache, plan, images_);
   } catch (...) {
     if (previous) images_.giveBack(previous->images_);
@@ -106,7 +107,7 @@ Graph::~Graph() {
   try {
     drop();
   } catch (const std::exception&) {
-    // The device is lost, which whoever uses it next is told.
+    // The device is lost; the next call on the device reports that.
   }
 }
 
@@ -120,7 +121,7 @@ void Graph::drop() {
   while (!under_way_.empty()) takeFirst();
 }
 
-// The first of those under way, once the device has executed it.
+// Removes the oldest frame in flight after the device has executed it.
 Graph::UnderWay Graph::takeFirst() {
   UnderWay frame = std::move(under_way_.front());
   under_way_.pop_front();
@@ -136,7 +137,8 @@ void Graph::begin(const FrameSetup& setup, const OnIteration& on_iteration) {
   try {
     draw(setup, frame, on_iteration);
   } catch (...) {
-    // The scene takes what was written of it for written, images what was cleared for cleared.
+    // The scene has marked staged data as written, and the images have marked areas as cleared. Submit the staged data
+    // and forget the areas.
     images_.forgetTouched();
     submission_.submit(frame.index, {});
     submission_.wait(frame.index);
@@ -147,7 +149,7 @@ void Graph::begin(const FrameSetup& setup, const OnIteration& on_iteration) {
   under_way_.push_back(std::move(frame));
 }
 
-// Poses the scene for a frame, or for a part of its exposure, and returns the block of that.
+// Poses the scene for a frame or a part of its exposure, and returns the frame's shader constants.
 shared::FrameData Graph::posed(const FrameSetup& setup, const UnderWay& frame) {
   poseFixedSlices(scene_, submission_.staging(frame.index), *plan_, setup);
   return frameData(*plan_, scene_, setup);
@@ -162,8 +164,8 @@ void Graph::draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on
   scene_.setFrame(staging, data);
   frame.samples = samplesOf(*plan_);
 
-  // Steps between loops go to the device together; each iteration of a loop is a submission of its own, because it sees
-  // the scene posed anew.
+  // Steps between loops are one submission. Each iteration of a loop is a separate submission, because it needs the
+  // scene in a new pose.
   Submission::Part part;
   part.slice_count = traces_ ? 1 : 0;
   for (const Step& step : plan_->steps) {

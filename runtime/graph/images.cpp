@@ -40,7 +40,7 @@ PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, size_t frame
   }
 }
 
-// The image of a slot described alike, moved out of `previous`; an empty one if there is none.
+// Moves the image with an equal description out of `previous`; empty if no image matches.
 gpu::Image PlanImages::takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous) {
   for (size_t i = 0; i < previous.plan_->images.size(); ++i) {
     const plan::VirtualImage& other = previous.plan_->images[i];
@@ -60,7 +60,7 @@ void PlanImages::giveBack(PlanImages& previous) {
     if (slot < slots_.size()) previous.slots_[from] = std::move(slots_[slot]);
 }
 
-// Before any of them is allocated.
+// Checks all sizes before any allocation.
 static void requireImages(const gpu::Device& device, const Plan& plan) {
   const gpu::DeviceLimits limits = gpu::limitsOf(device);
   const uint64_t most = limits.image_side;
@@ -186,7 +186,7 @@ void PlanImages::makeUnwired() {
   unwired_ = std::move(made);
 }
 
-// The buffers into which an image of this name and size is read back; none where there is no such image.
+// Read-back buffers of an image of this name and size; empty if no image matches.
 std::vector<PlanImages::SharedBuffer> PlanImages::readBackOf(const std::string& name, size_t bytes) const {
   for (const auto& [image, buffers] : read_back_)
     if (plan_->images[size_t(image)].name == name && buffers.front()->size() == bytes) return buffers;

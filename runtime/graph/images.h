@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images and buffers of one plan: slots of memory that they share, histories kept from frame to frame, buffers to
-// read back.
+// Images and buffers of one plan: shared memory slots, histories kept between frames, read-back buffers.
 #pragma once
 
 #include "gpu/resources.h"
@@ -8,47 +7,47 @@
 
 namespace strobe::graph {
 
-// Bytes of a plan's images, before the first allocation: slots and zeros on the device, read-back buffers, and the
-// pictures that the program makes of these.
+// Bytes of a plan's images, computed before any allocation: slots and zeros on the device, read-back buffers, and host
+// images of the results.
 struct ImageBytes {
   uint64_t on_device = 0, read_back = 0, pictures = 0;
 };
 ImageBytes imageBytes(const plan::Plan& plan, size_t frames);
 
-// The plan and the device must outlive it.
+// Owns the images and buffers of a plan. The plan and the device must outlive it.
 class PlanImages {
  public:
-  // Images and histories that are described alike are moved out of `previous` (may be null), and buffers are shared
-  // with it: drivers take long over each allocation. What is read back has a buffer for each of `frames`, those under
-  // way at once. Throws `Error` where memory or sides do not suffice; `previous` is then as it was.
+  // Moves images and histories with equal descriptions out of `previous` (may be null), and shares buffers with it,
+  // because drivers are slow at allocation. Each image that is read back has one buffer per frame in flight (`frames`).
+  // Throws `Error` if memory runs out or an image is too large; `previous` is then unchanged.
   PlanImages(const gpu::Device& device, const plan::Plan& plan, size_t frames, PlanImages* previous);
 
-  // Goes on with a plan of the same shape.
+  // Continues with a plan of the same shape.
   void setPlan(const plan::Plan& plan) { plan_ = &plan; }
-  // Undoes the taking over.
+  // Moves the images taken from `previous` back into it.
   void giveBack(PlanImages& previous);
 
-  // One of them, as the format of the plan's image says.
+  // Image or buffer of a virtual image; the format of the virtual image decides which one exists.
   const gpu::Image& of(int image) const;
   const gpu::Buffer& buffer(int image) const;
-  // What stands behind optional reads that nothing is wired to.
+  // Placeholders bound to optional reads that are not wired.
   const gpu::Image& unwired(bool uint) const { return uint ? unwired_->uint_image : unwired_->image; }
   const gpu::Buffer& unwiredBuffer() const { return unwired_->buffer; }
   const gpu::Buffer& readBack(int image, size_t frame) const { return *read_back_.at(image)[frame]; }
   ReadImage fetch(int image, size_t frame) const;
 
-  // Of what is zero outside of the reach of a frame: the pixels that may not be zero, null: any; and those that may not
-  // be from now on.
+  // Area that may be non-zero in an image that is zero outside of the moving rectangle; null: any pixel. `touch` sets
+  // the area.
   const scene::PixelArea* touched(int image) const;
   void touch(int image, const scene::PixelArea& area) { touched_[slotOf(image)] = area; }
   void forgetTouched() { touched_.clear(); }
-  // As many bytes of zeros as a quarter of the largest of these has.
+  // Buffer of zeros, a quarter of the size of the largest slot that is zero outside of the moving rectangle.
   const gpu::Buffer& zeros() const { return zeros_; }
 
   bool holdsEarlierFrame(int image) const;
   void frameIsRecorded();
   void forgetHistories();
-  // "node.port" of the histories that were taken over, and of those that begin anew.
+  // History images ("node.port"): taken over from the previous graph, or newly created.
   std::vector<std::string> histories(bool taken_over) const;
 
  private:
@@ -69,14 +68,14 @@ class PlanImages {
   const gpu::Device& device_;
   const plan::Plan* plan_;
   std::vector<gpu::Image> slots_;
-  std::map<int, SharedBuffer> buffers_;  // by slot; its image is then empty
+  std::map<int, SharedBuffer> buffers_;  // by slot; the slot's image is then empty
   std::shared_ptr<const Unwired> unwired_;
   std::map<int, scene::PixelArea> touched_;  // by slot
   gpu::Buffer zeros_;
   std::map<int, std::vector<SharedBuffer>> read_back_;  // by virtual image, then frame
-  std::map<int, bool> history_;                         // by virtual image: holds an earlier frame
-  std::set<std::string> taken_over_;                    // histories of a previous graph
-  std::vector<std::pair<size_t, size_t>> taken_slots_;  // this one's, and that of a previous graph it came from
+  std::map<int, bool> history_;                         // by virtual image: holds the previous frame
+  std::set<std::string> taken_over_;                    // histories taken from the previous graph
+  std::vector<std::pair<size_t, size_t>> taken_slots_;  // slot here, slot in the previous graph
 };
 
 }  // namespace strobe::graph

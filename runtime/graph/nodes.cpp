@@ -23,13 +23,13 @@ const Node* PlanNodes::named(const std::string& name) const {
   return nullptr;
 }
 
-// The pipeline, where it was made for the same names and types; else null.
+// Returns `held` if it was made for the same interface, otherwise null.
 static std::shared_ptr<const NodePipeline> ifItServes(const std::shared_ptr<const NodePipeline>& held,
                                                       const shader::Interface& wanted) {
   return held && textOf(held->interface) == textOf(wanted) ? held : nullptr;
 }
 
-// Passes that fail the same way are one mistake.
+// Removes duplicates: several passes can fail for one reason.
 static void dropTwins(std::vector<std::string>& problems) {
   std::sort(problems.begin(), problems.end());
   problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
@@ -65,7 +65,7 @@ void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene
   throwIfAny(fatal);
 }
 
-// Where each node has its parameters and counters, and the buffer with them.
+// Lays out the parameters and counters of all nodes in one buffer, and creates the buffer.
 void PlanNodes::layOut(size_t frames) {
   constexpr size_t kAlignment = 256;  // no device needs more
   size_t end = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the nodes of a plan hold on a device: pipelines, parameters, counters and the set that binds them to images.
+// Device objects of a plan's nodes: pipelines, parameters, counters and descriptor sets.
 #pragma once
 
 #include "graph/images.h"
@@ -7,22 +7,22 @@
 
 namespace strobe::graph {
 
-// A part of the buffer that all nodes share.
+// A range of the buffer that all nodes share.
 struct BufferPart {
   size_t offset = 0, bytes = 0;
 };
 
-// What a node has in one of the frames that are under way at once.
+// Data of a node for one of the frames in flight.
 struct NodeInFrame {
   VkDescriptorSet set = VK_NULL_HANDLE;
   BufferPart params, counters;
-  uint32_t* counted = nullptr;  // by the device, in `counters`
+  uint32_t* counted = nullptr;  // counters that the device increments, in `counters`
   std::vector<uint64_t> counts;
   double gpu_ms = 0;
   int executions = 0;
 
   void begin();
-  // Moves what the device counted into 64 bits, so that a long loop does not overflow.
+  // Adds the device's 32-bit counts to the 64-bit counts, so that long loops do not overflow.
   void takeCounts();
 };
 
@@ -32,21 +32,21 @@ struct Node {
   std::vector<NodeInFrame> frames;
 };
 
-// The nodes of one plan, in its order. The plan and the device must outlive it.
+// Nodes of one plan, in the plan's order. The plan and the device must outlive it.
 class PlanNodes {
  public:
   PlanNodes(const gpu::Device& device, const plan::Plan& plan);
 
-  // A shader that does not compile keeps the pipeline of the node of that name in `previous` (may be null), if that
-  // serves the same interface; what was wrong is then added to `problems` (null: thrown). Throws `Error` with all that
-  // nothing serves.
+  // A node whose shader does not compile keeps the pipeline of the same node of `previous` (may be null), if the
+  // interface is equal; the error is added to `problems` (null: thrown). Throws `Error` with all errors of nodes
+  // without a pipeline.
   void findPipelines(PipelineCache& cache, const world::GpuScene& scene, Backend backend, const PlanNodes* previous,
                      std::vector<std::string>* problems);
-  // Makes buffers and sets for the images and for each of the frames that are under way at once.
+  // Creates buffers and descriptor sets for the images and for each frame in flight.
   void make(const PlanImages& images, size_t frames);
-  // Goes on with a plan of the same shape.
+  // Continues with a plan of the same shape.
   void setPlan(const plan::Plan& plan);
-  // Readies the nodes for one of these frames, which is not under way.
+  // Prepares the nodes for frame `frame`, which must not be in flight.
   void begin(size_t frame);
 
   size_t size() const { return nodes_.size(); }
@@ -67,8 +67,9 @@ class PlanNodes {
   const gpu::Device& device_;
   const plan::Plan* plan_;
   std::vector<Node> nodes_;
-  gpu::Buffer numbers_;  // parameters and counters of all nodes in all frames: drivers take long over each allocation
-  std::vector<bool> has_params_;  // by frame: those of the plan
+  // Parameters and counters of all nodes and frames, in one buffer: drivers are slow at allocation.
+  gpu::Buffer numbers_;
+  std::vector<bool> has_params_;  // by frame: holds the plan's parameters
   gpu::Owned<VkSampler> nearest_, linear_;
 };
 

@@ -47,7 +47,7 @@ bool hasStages(const shader::Interface& in) {
 
 using Settings = std::vector<std::pair<std::string, plan::Value>>;
 
-// GLSL of a texel of a read that is not wired; "" if the read declares none.
+// GLSL expression for a texel of a read that is not wired; "" if the read declares no replacement.
 static std::string absentText(const plan::PortDesc& read) {
   if (!read.absent_read.empty()) return read.absent_read + "_at(at)";
   if (read.absent.empty()) return "";
@@ -55,7 +55,7 @@ static std::string absentText(const plan::PortDesc& read) {
   return fmt::format("{}vec4({}, {}, {}, {})", read.uint ? "u" : "", v[0], v[1], v[2], v[3]);
 }
 
-// `wired`: which reads are; `values`: of its parameters; both in the order of the declaration.
+// `wired`: by read, true if wired; `values`: parameter values; both in declaration order.
 static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, const std::vector<bool>& wired,
                                      const Settings& values, const std::vector<std::string>& absent = {}) {
   shader::Interface in;
@@ -105,11 +105,11 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   return in;
 }
 
-// Something that is decided when a pass is compiled: a parameter's value, or whether a read is wired.
+// A compile-time decision: a parameter's value, or a read wired or not.
 struct Decision {
   bool read = false;
   size_t index = 0;
-  std::vector<plan::Value> values;  // the declared one first
+  std::vector<plan::Value> values;  // default first
 };
 
 static std::vector<Decision> decisionsOf(const PassDesc& pass) {
@@ -131,14 +131,14 @@ static std::vector<Decision> decisionsOf(const PassDesc& pass) {
 
 std::vector<shader::Interface> interfacesOf(const PassDesc& pass, Backend backend) {
   std::vector<Decision> decisions = decisionsOf(pass);
-  decisions.push_back({true, pass.reads.size(), {true}});  // so that one alone makes a pair
+  decisions.push_back({true, pass.reads.size(), {true}});  // so that a single decision forms a pair
   decisions.push_back({true, pass.reads.size(), {true}});
   std::vector<shader::Interface> interfaces;
   std::set<std::string> seen;
   auto add = [&](const std::vector<bool>& wired, const Settings& values) {
     shader::Interface in = interfaceOf(pass, backend, wired, values);
     in.slices = SLICE_SAMPLE + 1;
-    in.time_slice = SLICE_SHUTTER_CLOSE;  // no other name stands for it
+    in.time_slice = SLICE_SHUTTER_CLOSE;  // the slice of one name only
     if (seen.insert(textOf(in)).second) interfaces.push_back(in);
   };
   for (size_t a = 0; a < decisions.size(); ++a)
@@ -188,7 +188,7 @@ struct StageFile {
   Stage stage;
 };
 
-// Those that a pass has of its own.
+// Stages of the pass itself.
 static std::vector<StageFile> ownStages(const Home& home, const shader::Interface& in, const PassDesc& pass) {
   requireFiles(home, pass);
   if (in.raster)
@@ -197,14 +197,14 @@ static std::vector<StageFile> ownStages(const Home& home, const shader::Interfac
   return {{shaderFile(home, pass, ".glsl"), hasStages(in) ? Stage::RayGeneration : Stage::Compute}};
 }
 
-// Those that all passes of a backend with stages share.
+// Stages shared by all passes of a backend with shader stages.
 static std::vector<StageFile> sharedStages(const Home& home) {
   return {{backendFile(home, "miss.glsl"), Stage::Miss},
           {backendFile(home, "closest_hit.glsl"), Stage::ClosestHit},
           {backendFile(home, "any_hit.glsl"), Stage::AnyHit}};
 }
 
-// The SPIR-V of a pass's stages, in the order that `make` and `compileAlone` expect.
+// SPIR-V of a pass's stages, in the order that `make` and `compileAlone` expect.
 static std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& in,
                                                    const PassDesc& pass) {
   std::vector<shader::Compiled> compiled;
@@ -225,7 +225,7 @@ static std::string interfaceKey(const Home& home, const shader::Interface& in, c
   return fmt::format("{}|{}|{}", shaderFile(home, pass, "").string(), int(pass.kind), textOf(in));
 }
 
-// `files` (may be null): all that were read.
+// `files` (may be null) receives all files that were read.
 static std::string contentKey(const Home& home, const shader::Interface& in, const PassDesc& pass,
                               std::vector<Path>* files = nullptr) {
   std::string key = fmt::format("{}|{}|{}", pass.shader, int(pass.kind), textOf(in));
@@ -235,7 +235,7 @@ static std::string contentKey(const Home& home, const shader::Interface& in, con
     if (files) files->insert(files->end(), reached.begin(), reached.end());
   };
   for (const Path& file : shaderFiles(home, pass)) add(file);
-  // What the generated declarations include.
+  // Includes of the generated declarations.
   add(home.at(in.scene ? "shaders/shared/bindings.glsl" : "shaders/shared/frame.h"));
   if (hasStages(in))
     for (const StageFile& one : sharedStages(home)) add(one.file);
@@ -257,7 +257,7 @@ std::vector<Path> filesOf(const Home& home, const PassDesc& pass, Backend backen
   return {files.begin(), files.end()};
 }
 
-// Instructions that say where code came from.
+// True for SPIR-V instructions that only hold names and source positions.
 static bool isDebugOnly(uint32_t opcode) {
   constexpr uint32_t kSourceContinued = 2, kSource = 3, kSourceExtension = 4, kName = 5, kMemberName = 6, kString = 7,
                      kLine = 8, kNoLine = 317;
@@ -298,7 +298,7 @@ void ShaderCheck::add(const plan::Plan& plan, Backend backend) {
   }
 }
 
-// A shader is read for its names once, however many ways it is compiled in.
+// Reads the names that a shader uses once for all its variants.
 std::set<std::string> ShaderCheck::problemsOf(const std::vector<Job>& jobs) const {
   std::set<std::string> problems;
   std::optional<std::unordered_set<std::string>> used;
@@ -336,7 +336,7 @@ void ShaderCheck::start() {
   Shaders shaders;
   for (auto& [shader, jobs] : jobs_) {
     std::sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.key < b.key; });
-    // Shared stages are the same for all passes that have the same in front of them.
+    // Passes with the same preamble share the compiled shared stages.
     for (Job& job : jobs)
       job.with_shared = hasStages(job.interface) && noted_.insert(preamble(job.interface, Stage::Miss)).second;
     shaders.push_back(std::move(jobs));
@@ -361,7 +361,7 @@ struct PipelineCache::Making {
   std::exception_ptr error;
 };
 
-// What `work` throws; null where it does not.
+// Returns the exception that `work` throws; null if it returns.
 template <typename Work>
 static std::exception_ptr thrownBy(const Work& work) {
   try {
@@ -380,7 +380,7 @@ std::vector<PipelineFound> PipelineCache::get(const std::vector<PipelineRequest>
   std::map<std::string, std::exception_ptr> failed;  // by key
   for (size_t i = 0; i < requests.size(); ++i) {
     const auto& [interface, pass] = requests[i];
-    // Scenes whose sets are laid out alike share pipelines.
+    // Scenes with equal set layouts share pipelines.
     found[i].error = thrownBy([&] { keys[i] = contentOf(interface, *pass) + "|" + scene.layoutText(); });
     if (!found[i].error && !made_.contains(keys[i]) && failed.emplace(keys[i], nullptr).second)
       making.push_back({&requests[i], keys[i], {}, {}, {}});
@@ -418,8 +418,8 @@ PipelineCache::Seen PipelineCache::lookAt(const shader::Interface& in, const Pas
   std::vector<Path> files;
   Seen seen;
   contentKey(home_, in, pass, &files);
-  // A file that appears beside these may be included instead of one of them. Stamps first, contents after: a change in
-  // between makes them differ.
+  // A new file in the same folder may replace an include, so stamp the folder too. Stamp before reading the contents: a
+  // change in between makes the stamps differ.
   for (const Path& file : files) {
     seen.files.add(file);
     seen.files.add(file.parent_path());
@@ -428,9 +428,9 @@ PipelineCache::Seen PipelineCache::lookAt(const shader::Interface& in, const Pas
   return seen;
 }
 
-// Hours of edits would fill the memory: every one leaves pipelines behind.
+// Drops the least recently used pipelines that no graph holds. Each edit of a shader leaves a pipeline behind.
 void PipelineCache::forgetOldest() {
-  constexpr size_t kMost = 512;  // more than all presets of all pipelines have
+  constexpr size_t kMost = 512;  // more than all presets of all pipelines need
   if (made_.size() <= kMost) return;
   while (made_.size() > kMost) {
     auto oldest = made_.end();
@@ -459,7 +459,7 @@ static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interf
   return bindings;
 }
 
-// Nodes of the same key share what the driver makes.
+// Nodes with equal keys share a driver pipeline.
 static std::string driverKey(const NodePipeline& node, const PassDesc& pass,
                              const std::vector<shader::Compiled>& stages, const world::GpuScene& scene) {
   std::string key = pass.name + "|" + scene.layoutText();
@@ -490,7 +490,7 @@ static std::shared_ptr<const DriverPipeline> makeDriver(const gpu::Device& devic
   return driver;
 }
 
-// With the side of a group, the format, and the letter in front of types of unsigned integers.
+// Arguments: side of a work group, format, type prefix ("u" for unsigned integers).
 static constexpr char kClear[] = R"(#version 460
 layout(local_size_x = {0}, local_size_y = {0}) in;
 layout(set = 0, binding = 0, {1}) uniform writeonly {2}image2D cleared;
@@ -529,7 +529,7 @@ void PipelineCache::compile(Making& one) const {
 
 void PipelineCache::make(std::vector<Making>& making, const world::GpuScene& scene) {
   forEachOnAllCores(making.size(), [&](size_t i) { making[i].error = thrownBy([&] { compile(making[i]); }); });
-  // What has the same code is made by the driver once.
+  // The driver makes each distinct code once.
   std::map<std::string, std::vector<Making*>> by_driver;
   for (Making& one : making) {
     if (one.error) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pass's pipeline for the variants, formats and backend of one node, made once per distinct content.
+// Compiles and caches the pipeline of a pass for one combination of variants, formats and backend.
 #pragma once
 
 #include <exception>
@@ -21,7 +21,7 @@ namespace strobe::graph {
 
 using shader::Backend;
 
-// What the driver has of a pass: one for all interfaces that compile to the same code.
+// Vulkan objects of a pass, shared by all interfaces that compile to the same code.
 struct DriverPipeline {
   gpu::Owned<VkDescriptorSetLayout> set_layout;
   gpu::Pipeline pipeline;
@@ -31,36 +31,37 @@ struct NodePipeline {
   std::shared_ptr<const DriverPipeline> driver;
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   shader::Interface interface;
-  std::vector<Path> files;              // its shaders and what they include
-  std::map<Path, std::string> sources;  // `filesOf` with their hashes, as they were compiled
-  mutable bool ran = false;             // software devices compile when it runs first
+  std::vector<Path> files;              // shaders and their includes
+  std::map<Path, std::string> sources;  // hash of each file of `filesOf` at compile time
+  mutable bool ran = false;             // software devices compile in the first run
 };
 
-// The interface a node's shader is compiled against.
+// Returns the interface that a node's shader is compiled against.
 shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices);
 
-// Does it run in the stages of a ray tracing pipeline?
+// True if the pass runs in the stages of a ray tracing pipeline.
 bool hasStages(const shader::Interface& interface);
 
-// What distinguishes two interfaces, as text.
+// Text that identifies an interface: equal texts, equal interfaces.
 std::string textOf(const shader::Interface& interface);
 
-// The shader files of a pass, main file first.
+// Shader files of a pass, main file first.
 std::vector<Path> shaderFiles(const Home& home, const plan::PassDesc& pass);
 
-// Every file that a pass is compiled from: its shaders, the declarations in front of them, the stages that passes of
-// the backend share, and all that these include.
+// All files that a pass is compiled from: its shaders, the shared declarations, the shared stages of the backend, and
+// their includes.
 std::vector<Path> filesOf(const Home& home, const plan::PassDesc& pass, Backend backend);
 
-// What a pass's stages compile to, and the files they come from, the shared declarations among them. Throws `Error`.
+// Hash of a pass's compiled stages and the files they come from, shared declarations included.
 struct PassCode {
-  std::string hash;  // of the SPIR-V without names of files and lines
+  std::string hash;  // of the SPIR-V without debug instructions
   std::vector<Path> files;
 };
+// Compiles the stages of a pass without a device. Throws `Error`.
 PassCode compileAlone(const Home& home, const shader::Interface& interface, const plan::PassDesc& pass);
 
-// The interfaces of a pass alone, without a pipeline: for every pair of what can be chosen when it is compiled
-// (choices, switches, optional reads) all combinations of their values, the rest as declared.
+// Interfaces of a pass for pairwise tests, without a plan: for each pair of compile-time decisions (choices, switches,
+// optional reads) all combinations of their values. The other decisions have their declared values.
 std::vector<shader::Interface> interfacesOf(const plan::PassDesc& pass, Backend backend);
 
 // Compiles shaders without a device, each variant of each pass once, on all cores.
@@ -68,11 +69,11 @@ class ShaderCheck {
  public:
   explicit ShaderCheck(Home home) : home_(std::move(home)), sources_(home_) {}
   ShaderCheck(const ShaderCheck&) = delete;
-  // Notes what the plan's nodes need that has not been noted before. Threads may do so at once.
+  // Adds the shader variants of the plan's nodes that were not added before. Thread-safe.
   void add(const plan::Plan& plan, Backend backend);
-  // Begins to compile what was noted since the last call, on all cores, and returns.
+  // Starts compiling the added variants on all cores and returns without waiting.
   void start();
-  // Waits for all that was started; all problems of all passes, sorted, each once.
+  // Waits for all started work. Returns the problems of all passes, sorted and without duplicates.
   std::vector<std::string> finish();
 
  private:
@@ -80,7 +81,7 @@ class ShaderCheck {
     shader::Interface interface;
     plan::PassDesc pass;
     std::string key;
-    bool with_shared = false;  // the stages that passes share as well
+    bool with_shared = false;  // compile the backend's shared stages too
   };
   using Shaders = std::vector<std::vector<Job>>;
   std::set<std::string> problemsOf(const std::vector<Job>& jobs) const;
@@ -88,39 +89,39 @@ class ShaderCheck {
 
   Home home_;
   mutable shader::Sources sources_;
-  std::mutex mutex_;                              // of what is noted
+  std::mutex mutex_;                              // guards jobs_ and noted_ in `add`
   std::map<std::string, std::vector<Job>> jobs_;  // by shader
   std::set<std::string> noted_;
   std::vector<std::future<std::set<std::string>>> started_;
 };
 
-// A pass by its interface in one node of a plan, which must outlive the request.
+// A pass and its interface in one node. The pass must outlive the request.
 struct PipelineRequest {
   shader::Interface interface;
   const plan::PassDesc* pass;
 };
 
-// The answer to a request.
+// Result of a request.
 struct PipelineFound {
   std::shared_ptr<const NodePipeline> pipeline;
-  std::exception_ptr error;  // why there is none; of a mistake in a shader or a pass an `Error`
+  std::exception_ptr error;  // set if `pipeline` is null; an `Error` for a mistake in a shader or a pass
 };
 
-// Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale
-// can be served and nothing is compiled twice. Of those no longer in use, the last few hundred are kept.
+// Pipelines by content: equal text and options give the same pipeline, so the cache never returns a stale pipeline and
+// compiles nothing twice. Keeps the last few hundred unused pipelines.
 class PipelineCache {
  public:
   PipelineCache(const Home& home, const gpu::Device& device) : home_(home), device_(device) {}
-  // An answer for each request, in their order. What is not held is compiled on all cores, by the driver as well.
+  // Returns one result per request, in order. Compiles missing pipelines on all cores, the driver's part included.
   std::vector<PipelineFound> get(const std::vector<PipelineRequest>& requests, const world::GpuScene& scene);
-  // Clears an image of this format, the one storage image of its only set, to zero: a work group for 8x8 pixels. The
-  // shader is generated source: a bundle need not contain it.
+  // Pipeline that clears an image of `format`, the only binding of its only set, to zero, with one work group per 8x8
+  // pixels. The shader is generated source: a bundle need not contain it.
   const DriverPipeline& clearOf(const std::string& format);
-  // Pipelines of passes made since the cache exists.
+  // Number of pass pipelines made by this cache.
   int compilations() const { return compilations_; }
 
  private:
-  // What the files of an interface said, so that they are read again only when one of them changed.
+  // Content of an interface's files. Files are read again only after a change.
   struct Seen {
     Stamps files;
     std::string content;
@@ -135,13 +136,13 @@ class PipelineCache {
 
   struct Held {
     std::shared_ptr<const NodePipeline> pipeline;
-    uint64_t asked = 0;  // number of the request that used it last
+    uint64_t asked = 0;  // number of the last request that used it
   };
   const Home home_;
   const gpu::Device& device_;
   std::map<std::string, Seen> seen_;                                    // by interface
   std::map<std::string, Held> made_;                                    // by content
-  std::map<std::string, std::weak_ptr<const DriverPipeline>> drivers_;  // by pass, code and what it is bound to
+  std::map<std::string, std::weak_ptr<const DriverPipeline>> drivers_;  // by pass, code and bindings
   std::map<std::string, DriverPipeline> clears_;                        // by format
   uint64_t questions_ = 0;
   int compilations_ = 0;

@@ -17,7 +17,7 @@ static VkPipelineStageFlags2 vulkanStages(uint32_t stages) {
   if (stages & plan::kStageDepth)
     flags |= VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
   if (stages & plan::kStageColor) flags |= VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-  // Clears may be dispatches.
+  // Some clears are compute dispatches.
   if (stages & plan::kStageTransfer)
     flags |= VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
   if (stages & plan::kStageHost) flags |= VK_PIPELINE_STAGE_2_HOST_BIT;
@@ -72,7 +72,7 @@ void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, 
       return pass(commands, size_t(step.index), iteration, stamps);
     case Step::Kind::ReadImage:
       return read(commands, step.index);
-    // Counters live in host memory: the host clears them before the frame and reads them after it.
+    // Counters are in host memory: the host clears them before the frame and reads them after it.
     case Step::Kind::ClearCounters:
     case Step::Kind::ReadCounters:
       return;
@@ -100,8 +100,8 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
 }
 
-// Of what is zero outside of the reach, the part that this frame or the last one to write there reaches, where that is
-// small and known.
+// Clears the union of this frame's moving rectangle and the previous one, for an image that is zero elsewhere. Returns
+// false if the previous rectangle is unknown or the area is larger than the buffer of zeros.
 bool Recording::clearTouched(VkCommandBuffer commands, int image) const {
   const plan::VirtualImage& target = plan_->images[size_t(image)];
   const bool of_pixels = target.width == plan_->width && target.height == plan_->height;
@@ -154,14 +154,14 @@ void Recording::bind(VkCommandBuffer commands, const Node& node) const {
   device_.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
 }
 
-// A compute or trace pass over this many pixels.
+// Dispatches or traces `width` x `height` pixels.
 void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const {
   if (hasStages(node.pipeline->interface)) return node.pipeline->driver->pipeline.recordTrace(commands, width, height);
   const uint32_t group = node.pipeline->interface.group ? 1 : shader::kGroupSize;
   device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
 }
 
-// Over the texels that the reach is in, at least, from where the shader begins (shader/interface.cpp).
+// Dispatches over the texels that cover the moving rectangle; the shader adds the first texel (shader/interface.cpp).
 void Recording::workWithinReach(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
   auto texels = [](int from_px, int to_px, int texels, int pixels) {
     if (texels == pixels) return uint32_t(to_px - from_px);
@@ -195,7 +195,8 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
   if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
-// Before a camera at rest, what moves is nowhere but in the reach: in a loop, the first iteration has cleared the rest.
+// With a static camera, moving instances stay within the moving rectangle. In a loop, the first iteration has cleared
+// the other pixels.
 VkRect2D Recording::drawnArea(const PlanNode& planned, int iteration) const {
   const bool of_reach = isOfMoving(planned) && planned.divide == 1 && iteration > 0;
   if (!of_reach) return {{0, 0}, {uint32_t(planned.width), uint32_t(planned.height)}};

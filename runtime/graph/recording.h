@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a plan's steps become commands.
+// Records the steps of a plan as Vulkan commands.
 #pragma once
 
 #include "graph/clears.h"
@@ -7,7 +7,7 @@
 
 namespace strobe::graph {
 
-// Times of passes on a device with a clock of its own.
+// Time stamps of passes, for a device that measures them.
 struct PassStamps {
   struct Pending {
     size_t node;
@@ -17,14 +17,14 @@ struct PassStamps {
   std::vector<Pending> pending;
 };
 
-// What it refers to must outlive it.
+// Records commands; the constructor's arguments must outlive it.
 class Recording {
  public:
   Recording(const gpu::Device& device, const world::GpuScene& scene, PlanImages& images, const PlanNodes& nodes,
             const Clears& clears)
       : device_(device), scene_(scene), images_(images), nodes_(nodes), clears_(clears) {}
 
-  // Goes on with a plan in one of the frames that are under way at once.
+  // Selects the plan and the frame in flight to record.
   void setFrame(const plan::Plan& plan, size_t frame, const FrameSetup& setup) {
     plan_ = &plan, frame_ = frame;
     wanted_ = setup.wanted, reach_ = setup.reach, camera_rests_ = setup.camera_rests;
@@ -32,13 +32,13 @@ class Recording {
     reaches_all_ = reach.x0 <= 0 && reach.y0 <= 0 && reach.x1 >= plan.width && reach.y1 >= plan.height;
   }
 
-  // A step but a loop. `stamps` may be null.
+  // Records any step except a loop. `stamps` may be null.
   void step(VkCommandBuffer commands, const plan::Step& step, int iteration, PassStamps* stamps) const;
-  // A compute or trace pass on no pixels at all.
+  // Records a compute or trace pass over zero pixels.
   void emptyPass(VkCommandBuffer commands, const Node& node) const;
-  // Lets what follows use the images as earlier frames left them.
+  // Makes the writes of earlier frames available to the commands that follow.
   void frameBarrier(VkCommandBuffer commands) const;
-  // Makes what shaders wrote to host memory visible to the host.
+  // Makes the writes of shaders to host memory visible to the host.
   void hostBarrier(VkCommandBuffer commands) const;
 
  private:

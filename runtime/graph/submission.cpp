@@ -18,19 +18,20 @@ void Submission::submit(size_t frame, const Part& part) {
   else submitStamped(frames_[frame], part);
 }
 
-// What the host wrote, and the structures over it.
+// Records the copies of host writes, then the builds of acceleration structures.
 void Submission::recordScene(VkCommandBuffer commands, Frame& frame, const Part& part) const {
   frame.staging.recordCopies(commands);
   if (part.slice_count > 0) scene_.recordBuild(commands, part.first_slice, part.slice_count);
 }
 
-// Of the node that a step runs, "" for other steps.
+// Returns the name of a pass step's node; "" for other steps.
 std::string Submission::nameOf(const Step& step) const {
   return step.kind == Step::Kind::Pass ? nodes_.name(size_t(step.index)) : "";
 }
 
-// A software device compiles a shader when it is first used, which is not counted as its running. Work on no
-// pixels at all compiles it and runs nothing, so that one that never ends is known as such. Drawing has no such thing.
+// Extra time limit for compiling a shader, seconds. A software device compiles a shader at its first use. An empty
+// dispatch compiles the shader before the timed run, so that the run of an endless shader exceeds the normal limit. A
+// raster pass has no empty dispatch; its first run gets the extra limit.
 static constexpr double kCompileAllowance_s = 120;
 
 double Submission::compileBeforeUse(const Step& step) {
@@ -43,7 +44,8 @@ double Submission::compileBeforeUse(const Step& step) {
   return 0;
 }
 
-// A software device executes when something waits, against its time stamps: one submission per step, by the clock.
+// A software device executes commands only when the host waits, so its time stamps are not usable. Each step is one
+// submission, timed with the host clock.
 void Submission::runStepwise(size_t index, const Part& part) {
   Frame& frame = frames_[index];
   double start_s = clockSeconds();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How steps reach the device, and how long they take there.
+// Submits steps to the device and measures their times.
 #pragma once
 
 #include "gpu/commands.h"
@@ -8,44 +8,44 @@
 
 namespace strobe::graph {
 
-// What it refers to must outlive it.
+// Submits frames in parts; the constructor's arguments must outlive it.
 class Submission {
  public:
-  // `frames`: how many are under way at once.
+  // `frames`: maximum number of frames in flight.
   Submission(const gpu::Device& device, const world::GpuScene& scene, const Recording& recording, PlanNodes& nodes,
              size_t frames);
 
-  // What of a frame goes to the device at once.
+  // Steps of a frame that are submitted together.
   struct Part {
     std::vector<const plan::Step*> steps = {};
     int iteration = 0;
-    uint32_t first_slice = 0, slice_count = 0;  // of which structures are built before
+    uint32_t first_slice = 0, slice_count = 0;  // slices to build acceleration structures for, before the steps
   };
-  // Step by step, each waited for: one frame on a software device.
+  // True if each step is submitted alone and waited for: one frame in flight on a software device.
   bool isStepwise() const { return device_.info().software && frames_.size() == 1; }
-  // Begins one of the frames, which is not under way.
+  // Begins frame `frame`, which must not be in flight.
   void begin(size_t frame) { frames_[frame].gpu_ms = 0; }
-  // Through which the host writes for the part of the frame that is submitted next.
+  // Host writes for the next part that is submitted.
   gpu::Staging& staging(size_t frame) { return frames_[frame].staging; }
-  // Submits a part of a frame, behind all that was submitted before.
+  // Submits a part of a frame after all earlier submissions.
   void submit(size_t frame, const Part& part);
-  // Waits for all parts of a frame that were submitted. Counts and times go to the nodes.
+  // Waits for all submitted parts of a frame and stores counts and times in the nodes.
   void wait(size_t frame);
-  // Spans of the parts of a frame, summed.
+  // GPU time of the submitted parts of a frame, ms.
   double gpuMs(size_t frame) const { return frames_[frame].gpu_ms; }
 
  private:
-  // A part that was submitted.
+  // A submitted part.
   struct Submitted {
     gpu::Commands commands;
     PassStamps stamps;
-    std::string names;  // of its passes
+    std::string names;  // of its passes, for messages
     double allowance_s = 0;
   };
   struct Frame {
     gpu::Staging staging;
-    std::vector<Submitted> parts;  // made when they are first needed
-    size_t pending = 0;            // of them, the first ones
+    std::vector<Submitted> parts;  // created on first use
+    size_t pending = 0;            // parts not waited for, from the first
     double gpu_ms = 0;
   };
   void runStepwise(size_t frame, const Part& part);

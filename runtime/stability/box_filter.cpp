@@ -7,7 +7,7 @@
 
 namespace strobe::stability {
 
-// Times at which one coordinate, `start` + `speed` * t, meets a border of pixels within the window.
+// Appends the times within the window when the coordinate `start` + `speed` * t crosses a pixel border.
 static void addCrossings(std::vector<double>& times, double start, double speed, const Window& window) {
   if (speed == 0) return;
   double a = start + speed * window.from, b = start + speed * window.to;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What uniform motion makes of a picture, computed on the CPU alone: the mean of the picture along the motion.
+// Reference blur of uniform motion on the CPU: the mean of the picture along the motion.
 #pragma once
 
 #include <array>
@@ -8,20 +8,20 @@
 
 namespace strobe::stability {
 
-// The part [from, to] of the exposure, the capture at 0, that a picture blurs over.
+// Interval [from, to] of a picture's exposure, in exposures; 0 is the raster time.
 struct Window {
   double from = -1, to = 0;
 };
 
-// The mean along a segment and how far a mean of samples may be off it.
+// Mean along a segment, with the variation that bounds the error of a mean of samples.
 struct Mean {
   std::array<double, 3> color{};
-  std::array<double, 3> variation{};  // sum of the absolute steps from pixel to pixel
-  bool inside = true;                 // the segment does not leave the picture
+  std::array<double, 3> variation{};  // sum of absolute differences from pixel to pixel
+  bool inside = true;                 // the segment stays in the picture
 };
 
-// The exact mean over t in the window of the pixel that holds the point centre(x, y) - d * t; d in px over the
-// exposure, x right, y down. Each pixel counts by the length of the segment in it: no samples are taken.
+// Exact mean over t in the window of the pixel at centre(x, y) - d * t; d in px over the exposure, x right, y down.
+// Each pixel counts by the length of the segment in it, without sampling.
 Mean meanAlong(const image::Image& picture, int x, int y, double dx, double dy, const Window& window);
 
 }  // namespace strobe::stability

@@ -59,7 +59,7 @@ lab::Shot sized(lab::Shot shot, int width, int height) {
   return with(with(std::move(shot), "scene.width", width), "scene.height", height);
 }
 
-// Sizes, and the tiles that divide both of their sides.
+// A picture size, and tile sizes that divide both sides.
 struct Frame {
   int width, height;
   std::vector<int> tiles;
@@ -67,7 +67,7 @@ struct Frame {
 static const std::vector<Frame> kFrames = {
     {64, 40, {8, 4, 2, 1}}, {48, 48, {16, 12, 6, 48}}, {60, 40, {20, 10, 5}}, {64, 64, {64, 32, 16}}};
 
-// The scene of a case: the same for all variants.
+// Scene of a case; equal for all variants.
 static lab::Shot sceneOf(uint64_t seed, int index) {
   Random random(seed * 1000003 + uint64_t(index), "scene");
   lab::Shot shot;
@@ -93,7 +93,7 @@ bool isChosen(plan::Role role) {
   return role == plan::Role::SampleCount || role == plan::Role::Tile || role == plan::Role::Reach;
 }
 
-// Other numbers: now and then up to four times as large or small.
+// Changes some of the other numbers by a factor from 1/4 to 4.
 static lab::Shot withNumbers(lab::Shot shot, const plan::PipelineDesc& pipeline, Random& random) {
   for (const auto& param : pipeline.params) {
     bool number = param.type == plan::ParamDesc::Type::Int || param.type == plan::ParamDesc::Type::Float;
@@ -121,7 +121,7 @@ lab::Shot generated(const Variant& variant, uint64_t seed, int index) {
     shot = with(shot, samples->name, random.chance(.3) ? random.whole(1, 33) : 16);
   if (const auto* tile = plan::paramOf(pipeline, plan::Role::Tile))
     shot = with(shot, tile->name, frame.tiles[size_t(random.whole(0, int(frame.tiles.size()) - 1))]);
-  // In image widths: 12 px, which is more than anything moves.
+  // In image widths: 12 px, more than any displacement.
   shot = with(shot, pipeline, plan::Role::Reach, 12.0 / frame.width);
   return withNumbers(shot, pipeline, random);
 }

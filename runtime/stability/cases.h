@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Generated shots: a scene drawn by a seed, a size, numbers for the parameters of a variant. Everything is in the shot,
-// so that one command line repeats it.
+// Generated shots: a random scene, a frame size and random parameters for a variant. The shot has all settings, so that
+// one command line repeats it.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace strobe::stability {
 
-// The scene all cases are drawn from.
+// Scene of all cases.
 inline const char* const kScene = "stability/crowd";
 
-// A function of its seed alone, on every machine.
+// Random numbers that depend only on the seed, on every machine.
 class Random {
  public:
   explicit Random(uint64_t seed) : state_(seed) {}
@@ -26,23 +26,23 @@ class Random {
   uint64_t state_;
 };
 
-// A shot with a setting changed; those of the scene are called "scene.x".
+// Returns the shot with one setting changed; settings of the scene are named "scene.x".
 lab::Shot with(lab::Shot shot, const std::string& name, const plan::Value& value);
 lab::Shot with(lab::Shot shot, const std::string& name, double value);
-// The parameter of a role changed; the same shot where the pipeline has none.
+// Returns the shot with the parameter of a role changed; the unchanged shot if the pipeline lacks the role.
 lab::Shot with(lab::Shot shot, const plan::PipelineDesc& pipeline, plan::Role role, double value);
-// The value of a scene's parameter in the shot, or what the scene takes without it.
+// Value of a scene parameter in the shot; `otherwise` if the shot does not set it.
 double knob(const lab::Shot& shot, const std::string& name, double otherwise);
-// The same scene and frame, blurred by another pipeline with its defaults.
+// Returns the shot with another pipeline at its defaults; scene and frame stay.
 lab::Shot by(lab::Shot shot, const std::string& pipeline);
-// The same with another size, of picture and scene.
+// Returns the shot with another size of picture and scene.
 lab::Shot sized(lab::Shot shot, int width, int height);
 
-// Roles of numbers that a case chooses on purpose: samples, tile, reach.
+// True for roles with deliberately chosen values: sample count, tile, maximum displacement.
 bool isChosen(plan::Role role);
 
-// Case `index` of a variant. Pictures of one index have the same scene in all variants, at most 64 px wide and high
-// unless tiles are larger; its sides are multiples of the tiles. Nothing moves farther than the filters handle.
+// Case `index` of a variant. The scene depends on `index`, not on the variant. Pictures have at most 64 x 64 px; the
+// sides are multiples of the tile size. No displacement is larger than the filters handle.
 lab::Shot generated(const Variant& variant, uint64_t seed, int index);
 
 }  // namespace strobe::stability

@@ -33,7 +33,7 @@ bool warnedOf(const lab::Picture& picture, const std::string& text) {
                      [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
 }
 
-// ---- what must hold
+// ---- checks
 
 void drawn(Probe& probe, const ExtremeCheck& check) { probe.picture(check.shot); }
 
@@ -44,7 +44,7 @@ void asCaptured(Probe& probe, const ExtremeCheck& check) {
                fmt::format("{} pixels differ from the raster image, at most {} may", different, check.pixels));
 }
 
-// Weights are not negative and add up to 1: nothing leaves the range of what there is to see.
+// Weights are not negative and add up to 1: no colour leaves the range of the surfaces' colours.
 void within(Probe& probe, const ExtremeCheck& check) {
   const lab::Picture& picture = probe.picture(check.shot);
   if (!check.text.empty() && warnedOf(picture, check.text)) return;
@@ -55,7 +55,7 @@ void within(Probe& probe, const ExtremeCheck& check) {
                fmt::format("colours from {} to {}, of surfaces from {} to {}", least, most, check.low, check.high));
 }
 
-// A filter is worth its name where it brings the picture nearer to truth.
+// A filter must bring the picture nearer to truth.
 void nearer(Probe& probe, const ExtremeCheck& check) {
   const Image &truth = colorIn(probe.truth(check.shot)), &sharp = colorIn(probe.sharp(check.shot));
   double own = image::rootMeanSquaredError(colorIn(probe.picture(check.shot)), truth);
@@ -116,7 +116,7 @@ void silent(Probe& probe, const ExtremeCheck& check) {
   probe.expect(!warnedOf(probe.picture(check.shot), check.text), fmt::format("said without reason: {}", check.text));
 }
 
-// ---- from data
+// ---- reading
 
 lab::Shot readShot(const Json& json, const std::string& what, const Place& place, Problems& problems) {
   Fields fields(json, what, place, problems);
@@ -150,7 +150,7 @@ void readPixel(Fields& fields, ExtremeCheck& check) {
   if (pixel.size() == 2) check.pixel = {int(pixel[0]), int(pixel[1])};
 }
 
-// A number that checks read, and where it goes.
+// A number of a check: its member and its range.
 struct Number {
   double ExtremeCheck::*member;
   double min = -1e9, max = 1e9;
@@ -160,7 +160,7 @@ const std::map<std::string, Number> kNumbers = {
     {"value", {&ExtremeCheck::value}},       {"tolerance", {&ExtremeCheck::tolerance, 0}},
     {"share", {&ExtremeCheck::share, 0, 1}}, {"tolerance_px", {&ExtremeCheck::tolerance_px, 0}}};
 
-// What a check reads besides its shot.
+// Data that a check reads besides its shot.
 struct Kind {
   void (*holds)(Probe&, const ExtremeCheck&);
   std::vector<std::string> numbers;
@@ -205,7 +205,7 @@ ExtremeCheck readCheck(const Json& json, const std::string& what, const Place& p
   std::vector<std::string> names;
   for (const auto& [name, kind] : kinds()) names.push_back(name);
   Fields fields(json, what, place, problems);
-  std::string name = fields.choice("check", std::nullopt, names);  // one of them even where it is a mistake
+  std::string name = fields.choice("check", std::nullopt, names);  // a valid name even after a mistake
   const Kind& kind = kinds().at(name);
   ExtremeCheck check;
   check.holds = kind.holds;

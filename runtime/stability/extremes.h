@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Cases at the edge of what numbers, tiles, cameras and scenes can hold, each for every pipeline of the registry and
-// each of its presets. What must come out is known otherwise: from a closed form, from truth, or from a picture that
-// must be the same. Finite it must be always.
+// Cases at the limits of numbers, tiles, cameras and scenes, for every pipeline of the registry and each of its
+// presets. The expected result comes from a closed form, from truth, or from a picture that must be equal. Every
+// picture must be finite.
 #pragma once
 
 #include <map>
@@ -18,20 +18,20 @@ namespace strobe::stability {
 // A pipeline with its defaults or with a preset.
 struct Method {
   std::string pipeline;
-  script::Settings sets;  // the preset, or none
+  script::Settings sets;  // the preset, or empty
   std::shared_ptr<const plan::PipelineDesc> description;
 
   std::string name() const;  // "pipeline preset=x"
   bool has(const std::string& param) const;
 };
 
-// In the order of the registry. Throws `Error` where one cannot be evaluated.
+// Methods in the order of the registry. Throws `Error` if a pipeline cannot be evaluated.
 std::vector<Method> methodsOf(const Home& home, const script::Limits& limits);
 
 struct Extreme {
   std::string name;
-  std::string clause;  // what it is a case of, one of a few
-  std::string says;    // what must hold
+  std::string clause;  // subject of the case, one of a few
+  std::string says;    // the requirement, a sentence
   std::vector<ExtremeCheck> checks;
 };
 
@@ -42,18 +42,18 @@ struct Arm {
 };
 
 struct Extremes {
-  Arm sharp;                      // the capture as it is
-  Arm truth;                      // that others are compared with
-  script::Settings truth_method;  // of truth where it is the method
+  Arm sharp;                      // the raster image without blur
+  Arm truth;                      // ground truth, for comparison
+  script::Settings truth_method;  // additional settings if truth is the tested method
   std::vector<Extreme> cases;
 };
 
-// scripts/stability/extreme_cases.lua. All cases; only those `with_checks` have their checks (without it: all). Throws
-// `Error` naming all mistakes.
+// Reads scripts/stability/extreme_cases.lua. Returns all cases; only the cases in `with_checks` have their checks
+// (without it: all cases). Throws an `Error` with all mistakes.
 Extremes readExtremes(const Home& home, const script::Limits& limits,
                       const std::optional<std::vector<std::string>>& with_checks = std::nullopt);
 
-// What a check may ask of one method. Pictures are kept until the next case.
+// Pictures of one method for a check. Pictures are kept until the next case.
 class Probe {
  public:
   using Pictures = std::map<std::string, std::shared_ptr<const lab::Picture>>;
@@ -63,15 +63,15 @@ class Probe {
   bool isTruth() const { return method_.pipeline == extremes_.truth.pipeline; }
   bool isSharp() const { return method_.pipeline == extremes_.sharp.pipeline; }
   bool blurs() const { return !isTruth() && !isSharp(); }
-  // Is it a blur that looks as far as displacements reach?
+  // True for a blur with a maximum displacement.
   bool filters() const { return blurs() && plan::paramOf(*method_.description, plan::Role::Reach); }
 
-  // The shot by this method: settings of the pipeline that it does not have are left out. By name: without blur; truth.
+  // Picture of the shot by this method, without settings that the pipeline lacks; without blur; ground truth.
   const lab::Picture& picture(const lab::Shot& shot);
   const lab::Picture& sharp(const lab::Shot& shot) { return drawn(by(extremes_.sharp, shot)); }
   const lab::Picture& truth(const lab::Shot& shot) { return drawn(by(extremes_.truth, shot)); }
 
-  // `text` says what is wrong where `holds` does not.
+  // Records the failure `text` unless `holds`.
   void expect(bool holds, const std::string& text);
   const std::vector<std::string>& failures() const { return failures_; }
   const std::string& lastCommand() const { return last_command_; }
@@ -88,19 +88,19 @@ class Probe {
   std::string last_command_;
 };
 
-// What became of a case under a method: it passes where `failures` is empty.
+// Result of a case under a method: passed if `failures` is empty.
 struct ExtremeOutcome {
   const Extreme* extreme = nullptr;
   std::string method;
   std::vector<std::string> failures;
-  std::string command;  // of the picture that was drawn last
+  std::string command;  // draws the last picture
 };
 
-// One of the cases under every method. What a method throws is a failure of it.
+// Runs one case under every method. An `Error` counts as a failure of the method.
 std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods,
                                        const Extremes& extremes, const Extreme& extreme);
 
-// For the terminal, a line per clause and what failed; the page docs/extreme-cases.md.
+// Text for the terminal, one line per clause and the failures; the page docs/extreme-cases.md.
 std::string textOf(const std::vector<ExtremeOutcome>& outcomes);
 std::string pageOf(const std::vector<ExtremeOutcome>& outcomes);
 

@@ -45,7 +45,7 @@ lab::Shot without(lab::Shot shot, std::initializer_list<const char*> knobs) {
   return shot;
 }
 
-// Another size with the same limit in pixels.
+// Changes the size; keeps the maximum displacement in pixels.
 lab::Shot resized(const Subject& subject, const lab::Shot& shot, int width, int height) {
   lab::Shot result = sized(shot, width, height);
   const plan::ParamDesc* reach = plan::paramOf(subject.pipeline, Role::Reach);
@@ -79,11 +79,11 @@ Finding worse(Finding a, Finding b) {
 
 Finding constant(const Subject& subject) {
   Random draw = subject.draw("constant");
-  const double values[] = {.7, 1.0 / 3, 6e4, 1e-20, 1e-40, 1e6};  // no sky is brighter
+  const double values[] = {.7, 1.0 / 3, 6e4, 1e-20, 1e-40, 1e6};  // the sky's maximum is 1e6
   float value = float(values[draw.whole(0, 5)]);
   lab::Shot shot = with(subject.shot, "scene.value", value);
   double samples = std::max(subject.samples(), 1.0);
-  // Numbers below the smallest normal one may be flushed to 0.
+  // Subnormal numbers may be flushed to 0.
   double ulp = std::max<double>(std::nextafter(value, std::numeric_limits<float>::infinity()) - value, 0);
   double tolerance = value < 1e-30f ? 1e-7 * 1e-30 : 2 * ulp * samples;
   return compare(*subject.batch.color(shot), [&](int, int, int) { return exactly(value, tolerance); }, {shot});
@@ -104,7 +104,7 @@ Finding still(const Subject& subject) {
   return worse(same(subject, at_rest, subject.sharp(at_rest), 0), same(subject, closed, subject.sharp(closed), 0));
 }
 
-// Smallest and largest value around a pixel.
+// Smallest and largest value around a pixel, in all pictures.
 std::optional<Right> rangeAround(const std::vector<Picture>& pictures, int x, int y, int c, int radius,
                                  double tolerance) {
   Right right{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), tolerance};
@@ -119,7 +119,8 @@ std::optional<Right> rangeAround(const std::vector<Picture>& pictures, int x, in
 
 Finding brief(const Subject& subject) {
   lab::Shot shot = without(subject.shot, {"lit", "boxes", "balls", "spin"});
-  // Drawn at other times, gaps between two that are narrower than a pixel show what is seen at no pixel's centre.
+  // A pipeline with loops draws other times too. A gap between two cards, narrower than a pixel, may then show a
+  // surface that no pixel centre of the sharp picture shows.
   if (!subject.pipeline.loops.empty()) shot = with(shot, "scene.cards", 1);
   double reach = knob(shot, "reach", 10);
   lab::Shot hardly = shot, little = shot;
@@ -137,13 +138,14 @@ Finding mirrored(const Subject& subject) {
   Random draw = subject.draw("mirrored");
   lab::Shot shot = without(subject.shot, {"balls", "spin"});
   int sides = draw.whole(0, 3);
-  // Where silhouettes themselves are drawn at other times, ties would put them on pixels' centres.
+  // Pipelines with loops draw silhouettes at other times; ties would put these silhouettes on pixel centres.
   bool ties = draw.chance(.4) && subject.pipeline.loops.empty();
   if (ties) {
     shot = with(with(resized(subject, shot, 64, 32), "scene.ties", 1), "scene.perspective", 0);
     shot = with(with(shot, "scene.lit", 0), "scene.boxes", 0);
     shot = with(shot, subject.pipeline, Role::Tile, 8);
-    // Samples, one of them half of the displacement away: of odd ones exactly between two pixels.
+    // An odd number of samples has one at half of the displacement: exactly between two pixels if the displacement is
+    // odd.
     if (const auto* samples = plan::paramOf(subject.pipeline, Role::SampleCount))
       shot = with(shot, samples->name, draw.chance(.5) ? 1 : 3);
   }
@@ -176,8 +178,8 @@ Finding shifted(const Subject& subject) {
   bool any = grid == 1;
   int by_x = (any ? 5 : grid) * (draw.chance(.5) ? 1 : -1), by_y = (any ? 3 : grid) * draw.whole(-1, 1);
   int room = std::max(std::abs(by_x), std::abs(by_y)) + 1;
-  int margin = 9;  // what a sample outside of the picture would see is known in one of both pictures only
-  shot = resized(subject, shot, 128, 64);  // powers of two, so that places in the picture are exact
+  int margin = 9;                          // a sample outside one picture may be inside the other
+  shot = resized(subject, shot, 128, 64);  // powers of two, so that positions in the picture are exact
   shot = with(with(shot, "scene.inside", room), "scene.reach", std::min(knob(shot, "reach", 10), margin - 1.0));
   lab::Shot other = with(with(shot, "scene.shift_x", by_x), "scene.shift_y", by_y);
   Picture one = subject.batch.color(shot), two = subject.batch.color(other);
@@ -209,7 +211,7 @@ Finding convex(const Subject& subject) {
   for (int peel = 0; peel <= objects; ++peel) layers.push_back(subject.batch.color(with(layer, "scene.peel", peel)));
   int radius = int(std::ceil(knob(shot, "reach", 10))) + 3;
   double tolerance = 1e-5 * std::max(1.0, image::largestColour(*layers.front()));
-  // What is drawn at other times shows what comes in from outside of the layers.
+  // A pipeline with loops shows surfaces that enter the picture from outside of the layers.
   int border = subject.pipeline.loops.empty() ? 0 : radius;
   const Picture& around = layers.front();
   auto at = [&](int x, int y, int c) -> std::optional<Right> {
@@ -234,8 +236,7 @@ Finding uniform(const Subject& subject) {
   double along = std::max(std::abs(dx), std::abs(dy));
   double samples = std::min(numberOf(now, Role::SampleCount, along), std::max(2.0, 2 * std::floor(along / 2)));
   double share = 1 / samples + .5 / along;
-  // What is drawn at other times has its silhouettes between pixels: up to a pixel off where the sharp picture has
-  // them.
+  // A pipeline with loops draws silhouettes between pixels, up to a pixel from the silhouettes of the sharp picture.
   int radius = now.loops.empty() ? 0 : 1;
   if (radius) shot = with(shot, "scene.cards", 1);  // as in brief()
   Picture sharp = subject.batch.color(subject.sharp(shot));
@@ -299,7 +300,7 @@ double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<
   return sum / double(scenes.size());
 }
 
-// The values both have in common, and those of `set`.
+// The shot by another pipeline, with the values that both pipelines have and the values of `set`.
 lab::Shot inCommon(const Subject& subject, lab::Shot shot, const std::string& pipeline,
                    const std::vector<std::pair<std::string, plan::Value>>& set) {
   lab::Shot result = by(shot, pipeline);
@@ -336,7 +337,7 @@ Finding converging(const Subject& subject) {
                moreErrorThan(fine, 1.1 * theirs + 1e-3, "against " + subject.pipeline.compare_with, {many, other}));
 }
 
-// A value of one node has no counterpart in another pipeline.
+// True if the shot sets a value of a node; another pipeline lacks the node.
 bool setsNodes(const lab::Shot& shot) {
   return std::any_of(shot.sets.begin(), shot.sets.end(), [](const auto& s) {
     return s.first.find('.') != std::string::npos && !s.first.starts_with("scene.");
@@ -353,7 +354,7 @@ Finding unmasked(const Subject& subject) {
   if (setsNodes(subject.shot)) return worst;
   for (const plan::EqualDesc& equal : subject.pipeline.equals) {
     lab::Shot shot = subject.shot;
-    bool against = false;  // what the variant is about is what the equality sets
+    bool against = false;  // the equality changes a setting of the variant
     for (const auto& [name, value] : equal.when) {
       against = against || isSet(shot, name, value);
       shot = with(shot, name, value);
@@ -371,7 +372,8 @@ Finding unmasked(const Subject& subject) {
 // ---- finite, permuted
 
 Finding finite(const Subject& subject) {
-  const double factors[] = {1, 1.1, 1e6, -1e6};  // of 3e38: the largest, infinity, and infinity times 0
+  // Times 3e38: finite, finite, infinity; negative: infinity times 0.
+  const double factors[] = {1, 1.1, 1e6, -1e6};
   lab::Shot shot = with(without(subject.shot, {"lit"}), "scene.hot", 3e38);
   shot = with(shot, "scene.hot_scale", factors[subject.draw("finite").whole(0, 3)]);
   Picture sharp = subject.batch.color(subject.sharp(shot));

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Properties of every blur, on any scene (docs/invariants.md). Each is checked on pictures of one generated
-// shot and of what is known to change it in a known way; none looks into the filter.
+// Properties of every blur, on any scene (docs/invariants.md). A check draws a generated shot, and variations of the
+// shot with a known effect on the picture. No check reads the internals of a filter.
 #pragma once
 
 #include "stability/cases.h"
 
 namespace strobe::stability {
 
-// What a check found at the worst pixel of a case.
+// Result of a check at the worst pixel of a case.
 struct Finding {
   bool holds = true;
   bool applies = true;           // false: nothing to check in this case
   int x = 0, y = 0;              // the worst pixel
-  double excess = 0;             // how far it is beyond the tolerance
+  double excess = 0;             // amount beyond the tolerance
   std::string text;              // "pixel (3, 4) is 0.51 where 0.5 is right within 0.001"
-  std::vector<lab::Shot> shots;  // the pictures that contradict each other
+  std::vector<lab::Shot> shots;  // shots with contradictory pictures
 };
 
-// A case that is checked: the shot, and what runs in it.
+// A case to check: the shot and its pipeline.
 struct Subject {
   lab::Batch& batch;
   const plan::PipelineDesc& pipeline;
-  bool is_base;  // of its pipeline's variants, the defaults or a preset
+  bool is_base;  // the variant is the defaults or a preset
   lab::Shot shot;
 
-  // The shot without blur, and as it truly is.
+  // The shot without blur, and the shot by ground truth.
   lab::Shot sharp(const lab::Shot& shot) const;
   lab::Shot truth(const lab::Shot& shot, int samples) const;
-  Random draw(const char* what) const;  // depends on the scene's seed alone, so it stays while a case shrinks
+  Random draw(const char* what) const;  // depends on the scene's seed only, so it stays while a case shrinks
   double samples() const { return numberOf(pipeline, plan::Role::SampleCount, 1); }
 };
 
@@ -37,12 +37,12 @@ struct Invariant {
   Finding (*check)(const Subject&);
 };
 
-// In the order of plan::invariantNames().
+// All invariants, in the order of plan::invariantNames().
 const std::vector<Invariant>& invariants();
-// Throws `Error` (exit code 2) with the nearest for an unknown name.
+// Throws `Error` (exit code 2) with the nearest name if `name` is unknown.
 const Invariant& invariantNamed(const std::string& name);
 
-// Does the blur of the shot change the picture?
+// True if the blur of the shot changes the picture.
 bool blurs(lab::Batch& batch, const lab::Shot& shot);
 
 }  // namespace strobe::stability

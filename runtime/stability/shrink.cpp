@@ -5,7 +5,7 @@
 
 namespace strobe::stability {
 
-// Values a setting is tried with, simplest first. "" takes the setting away.
+// Values to try for a setting, simplest first; "" removes the setting.
 using Simple = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 static Simple simpleValues(const plan::PipelineDesc& pipeline) {
@@ -34,7 +34,7 @@ static lab::Shot without(lab::Shot shot, const std::string& name) {
   return shot;
 }
 
-// Everything that is one step simpler, most helpful first.
+// All shots that are one step simpler, most helpful first.
 static std::vector<lab::Shot> simpler(const lab::Shot& shot, const plan::PipelineDesc& pipeline,
                                       const script::Settings& kept) {
   std::vector<lab::Shot> list;
@@ -49,7 +49,7 @@ static std::vector<lab::Shot> simpler(const lab::Shot& shot, const plan::Pipelin
     if (contains(kept, name) || (!of_scene && !contains(shot.sets, name))) continue;
     for (const std::string& value : values) {
       lab::Shot one = value.empty() ? without(shot, name) : with(shot, name, plan::valueFromText(value));
-      if (one.sets == shot.sets) break;  // the values that follow are less simple than the present one
+      if (one.sets == shot.sets) break;  // later values are less simple than the current one
       list.push_back(one);
     }
   }

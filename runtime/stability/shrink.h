@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a shot that fails to a small one that still fails.
+// Reduces a failing shot to a small shot that still fails.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,11 @@
 
 namespace strobe::stability {
 
-// Is the shot still wrong? An `Error` counts as no.
+// True if the shot still fails. An `Error` counts as false.
 using StillFails = std::function<bool(const lab::Shot&)>;
 
-// Takes away and makes smaller, one thing after the other, as long as it still fails: objects, looks, samples, tiles,
-// size, numbers that were drawn. Never touches `kept`, the settings that make up the variant. `tries` bounds the work.
+// Simplifies the shot step by step while it still fails: objects, appearance, samples, tiles, size, random numbers.
+// Does not change `kept`, the settings of the variant. `tries` limits the number of tests.
 lab::Shot shrunk(lab::Shot shot, const plan::PipelineDesc& pipeline, const script::Settings& kept,
                  const StillFails& still_fails, int tries = 80);
 

@@ -8,7 +8,7 @@
 
 namespace strobe::stability {
 
-// Fewer cases may miss by chance what a declaration is about.
+// Minimum number of cases for a stale declaration: fewer cases may miss the break by chance.
 static constexpr int kEnough = 12;
 
 namespace {
@@ -23,7 +23,7 @@ std::vector<const Invariant*> wanted(const Options& options) {
   return list;
 }
 
-// One pipeline's run.
+// The run of one pipeline.
 class Suite {
  public:
   Suite(lab::Batch& batch, const std::string& pipeline, const Options& options)
@@ -64,7 +64,7 @@ class Suite {
     if (evaluated.pipeline) report_.blurred += blurs(batch_, shot);
   }
 
-  // Variants take turns with the scenes.
+  // Index of a variant's first scene: variants take turns with the scenes.
   static int caseOf(const Variant& variant) { return Random(0, variant.name()).whole(0, 7); }
 
   Finding findingOf(const Invariant& invariant, const Variant& variant, const lab::Shot& shot) {
@@ -109,7 +109,7 @@ class Suite {
       Finding finding = findingOf(invariant, variant, candidate);
       return finding.applies && !finding.holds;
     };
-    bool enough = report_.failures.size() >= 8;  // shrinking takes time; the rest is reported as found
+    bool enough = report_.failures.size() >= 8;  // shrinking is slow; further failures are reported as found
     lab::Shot small = enough ? shot : shrunk(shot, *variant.description, variant.sets, still_fails);
     Finding finding = findingOf(invariant, variant, small);
     Failure failure{variant.name(), invariant.name, finding.text, {}};
@@ -205,7 +205,7 @@ std::string textOf(const Report& report) {
   return text + summaryOf(report);
 }
 
-// A number of cases; none is an empty cell.
+// A number of cases; empty for 0.
 static page::Cell countCell(int count, page::Mark mark = page::Mark::none) {
   if (count == 0) return {};
   return {std::to_string(count), mark};
@@ -226,7 +226,7 @@ static page::Table totalsOf(const Report& report) {
   return page::withoutEmptyColumns(table);
 }
 
-// "mirrored, shifted (2 of 3, refused)": the invariants of which a variant does not hold every case.
+// Invariants with a case that does not hold, and the number of such cases: "mirrored, shifted (2 of 3, refused)".
 static std::string exceptionsIn(const std::map<std::string, Count>& counts) {
   std::vector<std::string> parts;
   for (const Invariant& one : invariants()) {
@@ -244,7 +244,7 @@ static std::string exceptionsIn(const std::map<std::string, Count>& counts) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// The variants with the same exceptions share a row.
+// Variants with equal exceptions share a row.
 static page::Table exceptionsOf(const Report& report) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;
   for (const auto& [variant, counts] : report.variants) {

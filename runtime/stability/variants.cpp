@@ -35,7 +35,7 @@ static const plan::Value& resolved(const PipelineDesc& pipeline, const plan::Bin
 
 // ---- the walk
 
-// Every value of what decides the shader; of numbers that are compiled in the ends and the default.
+// Values to try: all values of switches and choices; for numbers that are compiled in, the bounds and the default.
 static std::vector<std::string> valuesOf(const ParamDesc& param) {
   if (param.type == ParamDesc::Type::Bool) return {"false", "true"};
   if (param.type == ParamDesc::Type::Choice) return param.choices;
@@ -58,18 +58,18 @@ static std::vector<Try> triesOf(const std::string& name, const ParamDesc& param,
   return tries;
 }
 
-// "node pass": where a value puts another pass into a node, that is another node.
+// "node pass": a node with another pass is another node.
 static std::set<std::string> nodesOf(const PipelineDesc& pipeline) {
   std::set<std::string> names;
   for (const auto& node : pipeline.nodes) names.insert(node.name + " " + node.pass);
   return names;
 }
 
-// Values of the pipeline's parameters, and of nodes' own ones, as far as they are not of nodes in `known`.
+// Values to try for the parameters of the pipeline and of its nodes; only for parameters of nodes that are not `known`.
 static std::vector<Try> triesIn(const PipelineDesc& pipeline, const std::set<std::string>& known) {
   std::vector<Try> tries;
   auto add = [&tries](const std::vector<Try>& more) { tries.insert(tries.end(), more.begin(), more.end()); };
-  std::set<std::string> follow;  // parameters of the pipeline that nodes which are not known follow
+  std::set<std::string> follow;  // parameters of the pipeline that nodes outside `known` follow
   for (const auto& node : pipeline.nodes) {
     if (known.count(node.name + " " + node.pass)) continue;
     const PassDesc& pass = passOf(pipeline, node);
@@ -114,7 +114,7 @@ class Walker {
     }
   }
 
-  // What only this value brought into the graph.
+  // Tries the parameters of nodes that only this value adds to the graph.
   void walkNew(const script::Settings& sets, const PipelineDesc& pipeline, const std::set<std::string>& known,
                const std::string& changed) {
     std::set<std::string> more = nodesOf(pipeline);
@@ -126,7 +126,7 @@ class Walker {
     }
   }
 
-  // Notes the variant, unless it is refused or known under another name.
+  // Adds the variant, unless it is refused or its plan is known. Returns the pipeline; null if refused.
   std::shared_ptr<const PipelineDesc> take(const script::Settings& sets) {
     lab::Evaluated evaluated = batch_.evaluate(pipeline_, sets);
     Variant variant{pipeline_, sets, evaluated.pipeline};
@@ -152,7 +152,7 @@ class Walker {
 
 Walk walk(lab::Batch& batch, const std::string& pipeline) { return Walker(batch, pipeline).run(); }
 
-// ---- what is declared
+// ---- declarations
 
 static void addBreaks(std::vector<Declared>& found, const plan::Breaks& breaks, const std::string& invariant,
                       const std::string& where, const std::string& owner) {
@@ -171,7 +171,7 @@ static void addValueBreaks(std::vector<Declared>& found, const ParamDesc& param,
   }
 }
 
-// Does what follows the parameter declare what it breaks? A parameter that is a pass's counts where that pass runs.
+// True for a parameter of a pass. Its declared breaks count only if the pass runs.
 static bool isOfAPass(const ParamDesc& param) { return Home::withoutRoot(param.place.file).starts_with("passes/"); }
 
 std::vector<Declared> declaredBreaks(const PipelineDesc& pipeline, const std::string& invariant) {

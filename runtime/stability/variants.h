@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every variant of a pipeline, found by walking what it declares: its defaults and presets, and from each of these
-// every value of every parameter that decides which shader or which graph runs. A new parameter or file is walked
-// without a word here.
+// Variants of a pipeline, found by walking its declarations: its defaults or presets, and for each of these bases every
+// value of every parameter that selects a shader or a graph. New parameters and files need no change here.
 #pragma once
 
 #include "lab/batch.h"
@@ -13,7 +12,7 @@ struct Variant {
   script::Settings sets;  // the preset first, if any
   std::shared_ptr<const plan::PipelineDesc> description;
 
-  bool isBase() const;       // the defaults or a preset, no other value
+  bool isBase() const;       // the defaults or a preset, without other values
   std::string name() const;  // "preset=best jitter=hash"; "defaults"
 };
 
@@ -23,29 +22,29 @@ struct Refused {
 
 struct Walk {
   std::vector<Variant> variants;
-  std::vector<Refused> refused;  // values that a context does not take
-  int same = 0;                  // values that change nothing there
+  std::vector<Refused> refused;  // values that the pipeline refuses
+  int same = 0;                  // values that give a known plan
 };
 
-// Bases, their values, and the parameters of nodes that only a value brings into the graph. Two variants that run the
-// same plan are one. Throws `Error` where the pipeline alone cannot be evaluated.
+// Walks the bases, their values, and the parameters of nodes that only a value adds to the graph. Settings with equal
+// plans are one variant. Throws `Error` if the pipeline without settings cannot be evaluated.
 Walk walk(lab::Batch& batch, const std::string& pipeline);
 
-// A declaration that an invariant does not hold.
+// A declared break of an invariant.
 struct Declared {
   std::string where;  // "jitter = hash", "pass gather_x", "pipeline"
   std::string reason;
-  std::string key;  // one per declaration, in all pipelines that have it
+  std::string key;  // unique; equal in all pipelines with the declaration
 };
 
-// Those that count for `invariant` in what runs: of the pipeline, of the passes in use and of the values in use.
+// Declared breaks of `invariant` by the pipeline, its passes and its current values.
 std::vector<Declared> declaredBreaks(const plan::PipelineDesc& pipeline, const std::string& invariant);
 
-// The value of a parameter of the pipeline as a number; `otherwise` where there is no such parameter.
+// Value of a pipeline parameter as a number; `otherwise` if the parameter does not exist.
 double numberOf(const plan::PipelineDesc& pipeline, const std::string& param, double otherwise);
 double numberOf(const plan::PipelineDesc& pipeline, plan::Role role, double otherwise);
 
-// The pixels into whose multiples the picture is divided: the least common multiple of what sizes are divided by.
+// Least common multiple of the divisors of all image sizes, px. The sides of a picture must be multiples.
 int gridOf(const plan::PipelineDesc& pipeline);
 
 }  // namespace strobe::stability

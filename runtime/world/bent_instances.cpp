@@ -37,7 +37,7 @@ void BentInstances::pose(gpu::Staging& staging, uint32_t slice, const scene::Pos
   for (size_t i = 0; i < items_.size(); ++i) {
     const dmat4& world = pose.world_from_instance[items_[i].instance];
     const scene::Bend& bend = pose.bends[items_[i].instance];
-    // Joints have vertices in the axes of the world, of which one may be turned round: the matrix is its own inverse.
+    // Vertices with joints are in world axes, possibly with one axis mirrored, so the matrix is its own inverse.
     const dvec3 shift = bend.joints.empty() ? dvec3(0) : dmat3(world) * origin;
     Posed& posed = posed_[slice * items_.size() + i];
     posed.world = glm::translate(world, shift);
@@ -54,7 +54,7 @@ void BentInstances::bend(size_t item, Posed& posed) {
   std::vector<SceneDeformedVertex>& bent = bent_[item];
   bent.clear();
   posed.bounds = {};
-  dvec3 sum(0);  // not finite where one of them is not
+  dvec3 sum(0);  // not finite if a position is not finite
   for (const scene::BentVertex& vertex : scene::bentVertices(scene_, instances_[items_[item].instance], posed.bend)) {
     bent.push_back({vec3(vertex.position - posed.shift), vec3(vertex.normal), packedTangent(vec4(vertex.tangent))});
     posed.bounds.add(dvec3(bent.back().position));

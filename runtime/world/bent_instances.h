@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Instances that bend: their vertices on the device, as they are at each slice.
+// Vertices of deformed instances on the device, at each slice.
 #pragma once
 
 #include <vector>
@@ -14,24 +14,26 @@ namespace strobe::world {
 
 class BentInstances {
  public:
-  // The device and the scene must outlive it. `meshes` are the scene's.
+  // `meshes` belongs to the scene. The device and the scene must outlive it.
   BentInstances(const gpu::Device& device, const scene::Scene& scene, const SceneMeshes& meshes, uint32_t slices);
 
   const std::vector<SceneMeshes::Bending>& items() const { return items_; }
-  // Of all items, at one slice.
+  // Number of vertices of all items at one slice.
   uint32_t vertexCount() const { return vertex_count_; }
-  // Of the first vertex of an item at a slice, whose vertices follow each other; of all at the first slice.
+  // Address of the vertices of an item at a slice; without arguments, of all vertices from the first slice on.
   VkDeviceAddress address(uint32_t slice, size_t item) const;
   VkDeviceAddress address() const { return buffer_.address(); }
 
-  // Bends all items, unless the slice has them thus. Positions are relative to `origin` where joints have them.
+  // Deforms all items at a slice, except items with unchanged deformation. Positions of items with joints are relative
+  // to `origin`.
   void pose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, const dvec3& origin);
-  // World from item, as its vertices are at the slice.
+  // Transform from an item's vertices to world space at a slice.
   const dmat4& world(uint32_t slice, size_t item) const { return at(slice, item).world; }
-  // As they are at a slice that is posed, until the next call; and around them. Not finite where a joint is nowhere.
+  // Vertices of an item at a posed slice, valid until the next call, and their bounds. The bounds are infinite if a
+  // position is not finite.
   const std::vector<shared::SceneDeformedVertex>& vertices(uint32_t slice, size_t item);
   const Bounds& bounds(uint32_t slice, size_t item) const { return at(slice, item).bounds; }
-  // Another number whenever they change.
+  // Changes with the vertices.
   uint64_t version(uint32_t slice, size_t item) const { return at(slice, item).version; }
 
  private:
@@ -51,8 +53,8 @@ class BentInstances {
   std::vector<SceneMeshes::Bending> items_;
   uint32_t first_vertex_ = 0, vertex_count_ = 0;
   std::vector<Posed> posed_;                                    // by slice, then item
-  std::vector<std::vector<shared::SceneDeformedVertex>> bent_;  // by item, those that were asked for last
-  std::vector<uint32_t> bent_at_;                               // and at which slice
+  std::vector<std::vector<shared::SceneDeformedVertex>> bent_;  // by item: the vertices computed last
+  std::vector<uint32_t> bent_at_;                               // by item: slice of these vertices
   gpu::Buffer buffer_;
 };
 

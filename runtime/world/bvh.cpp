@@ -27,14 +27,14 @@ double halfArea(const Box& box) {
 }
 
 struct Split {
-  double cost = HUGE_VAL;  // of both sides, as areas times boxes
+  double cost = HUGE_VAL;  // of both sides: area times number of boxes
   int axis = -1;
-  uint32_t bin = 0;  // the first on the right
+  uint32_t bin = 0;  // first bin on the right
 };
 
 float twiceMiddle(const BvhItem& item, int axis) { return item.box.low[axis] + item.box.high[axis]; }
 
-// A box that is widened fast; the fourth numbers mean nothing.
+// A box in vector registers; the fourth components are unused.
 struct WideBox {
   using Four = float __attribute__((vector_size(16)));
   Four low = {HUGE_VALF, HUGE_VALF, HUGE_VALF}, high = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
@@ -65,7 +65,7 @@ struct Binning {
   uint32_t of(float twice_middle) const { return std::min(uint32_t((twice_middle - low) * scale), kBins - 1); }
 };
 
-// Boxes by where their middles are along each axis.
+// Bounds and counts of items per axis and bin; the bin of an item depends on its centroid.
 struct Bins {
   static constexpr uint32_t kBins = Binning::kBins;
   std::array<std::array<WideBox, kBins>, 3> boxes;
@@ -79,17 +79,18 @@ struct Bins {
   }
 };
 
-// One byte of the plane at `place`, from `origin`, rounded away from what is inside.
+// Quantises the plane at `place` to one byte relative to `origin`; rounds up if `up`, otherwise down.
 uint32_t plane(double place, double origin, double step, bool up) {
   double distance = place - origin;
-  // What the difference is short of, exactly (Knuth, TAOCP 2, 4.2.2): of sizes far apart it rounds to either side.
+  // Exact rounding error of `distance` (Knuth, TAOCP 2, 4.2.2): operands of very different size may round to either
+  // side.
   const double taken = place - distance, rest = (place - (distance + taken)) + (taken - origin);
   if (up ? rest > 0 : rest < 0) distance = std::nextafter(distance, up ? HUGE_VAL : -HUGE_VAL);
   double steps = up ? std::ceil(distance / step) : std::floor(distance / step);
   return uint32_t(std::clamp(steps, 0.0, 255.0));
 }
 
-// Gives a node these children's bounds, and returns what is around them all.
+// Sets the quantised bounds of a node's children and returns their union.
 Box setBounds(shared::BvhNode& node, std::span<const Box> children) {
   Box box;
   for (const Box& child : children) box.add(child);
@@ -111,7 +112,7 @@ Box setBounds(shared::BvhNode& node, std::span<const Box> children) {
   return box;
 }
 
-// The largest coordinate of any plane of a node.
+// Largest absolute coordinate of a node's planes.
 float reachOf(const shared::BvhNode& node) {
   double reach = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -121,22 +122,22 @@ float reachOf(const shared::BvhNode& node) {
   return float(std::min(reach, double(FLT_MAX)));
 }
 
-// Items that one node of two children or one leaf is over.
+// Items of one binary node or of one leaf.
 struct Part {
   uint32_t begin = 0, end = 0;
   int depth = 0;
-  Box box, middles;  // around the items, and around twice their middles
+  Box box, middles;  // bounds of the items; bounds of twice their centroids
   Split split;
   bool leaf = false;
   uint32_t count() const { return end - begin; }
 };
 
 struct Subtree {
-  std::vector<shared::BvhNode> nodes;  // children are numbered within it
-  double cost = 0;                     // as areas
+  std::vector<shared::BvhNode> nodes;  // child indices relative to this subtree
+  double cost = 0;                     // not divided by the area of the root
 };
 
-// Splits parts in two by the heuristic and joins two levels each to nodes of four children.
+// Splits parts in two by the heuristic, and joins the splits to nodes of four children.
 class Builder {
  public:
   Builder(std::vector<BvhItem>& items, const BvhOptions& options)
@@ -155,11 +156,11 @@ class Builder {
     return part;
   }
 
-  // Appends the node over a part and what is below it.
+  // Appends the node of a part and its subtree; returns the index of the node.
   uint32_t append(const Part& root, Subtree& tree) {
     std::array<Part, 4> children = {root};
     size_t count = 1;
-    // The largest is opened first: a line meets it most likely.
+    // Open the largest child first: a random line most likely hits it.
     while (count < 4) {
       auto larger = [](const Part& a, const Part& b) { return worth(a) < worth(b); };
       auto largest = std::max_element(children.begin(), children.begin() + count, larger);
@@ -184,7 +185,7 @@ class Builder {
  private:
   static constexpr uint32_t kFew = 12, kWorthAThread = 50000;
 
-  // Another thread for a task, if there is one; threads change nothing in the tree.
+  // Starts a task on another thread if one is free; otherwise the future is invalid. Threads do not change the tree.
   template <class Task>
   auto started(const Task& task) {
     std::future<decltype(task())> future;
@@ -198,7 +199,7 @@ class Builder {
     return future;
   }
 
-  // The children as trees of their own, one behind the other.
+  // Builds the children as separate subtrees, then appends them in order.
   void appendApart(const std::array<Part, 4>& children, size_t count, uint32_t index, Subtree& tree) {
     std::array<std::future<Subtree>, 4> futures;
     std::array<Subtree, 4> apart;
@@ -230,7 +231,8 @@ class Builder {
     }
   }
 
-  // What `over(begin, end)` gives for halves of a long list, added up.
+  // Returns over(begin, end). For a long range, two halves run in parallel if a thread is free, and the results are
+  // added.
   template <class Over>
   auto summed(uint32_t begin, uint32_t end, const Over& over) {
     if (end - begin <= kWorthAThread) return over(begin, end);
@@ -303,7 +305,7 @@ class Builder {
     return best;
   }
 
-  // The same where there are fewer items than bins.
+  // Best split of at most kFew items: sorts the items instead of filling bins.
   Split bestSplitOfFew(const Part& part) {
     const uint32_t count = part.count();
     Split best;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builds trees over boxes by the surface area heuristic (MacDonald and Booth 1990), binned (Wald 2007), and joins two
-// levels each to nodes of four children. The same tree for any number of threads.
+// Builds trees over boxes by the surface area heuristic (MacDonald and Booth 1990), binned (Wald 2007), with four
+// children per node. The tree does not depend on the number of threads.
 #pragma once
 
 #include <vector>
@@ -29,24 +29,27 @@ struct BvhItem {
 };
 
 struct Bvh {
-  std::vector<shared::BvhNode> nodes;  // the root first, then depth first
-  std::vector<uint32_t> order;         // boxes as leaves have them
-  // Expected cost of a random line that meets the root: a node costs 1, a box in a leaf 1; before levels are joined.
+  std::vector<shared::BvhNode> nodes;  // root first, then depth first
+  std::vector<uint32_t> order;         // box indices in leaf order
+  // Expected cost of a random line through the root, before nodes are joined to four children: 1 per node, 1 per box in
+  // a leaf.
   double cost = 0;
   Box bounds;
 };
 
 struct BvhOptions {
-  uint32_t leaf_boxes = 4;  // at most, up to 4
+  uint32_t leaf_boxes = 4;  // maximum boxes per leaf, 1 to 4
   int depth = BVH_MESH_DEPTH;
 };
 
-// Leaves refer to `order`: with several boxes to a leaf as BVH_LEAF says, with one as BVH_LEAF | order[i] itself. Boxes
-// must be finite; those that are inside out are left out. Without any the tree has one node without children.
+// Builds a tree. With several boxes per leaf, leaves refer to `order` (BVH_LEAF in shared/bvh.h); with one, a leaf is
+// BVH_LEAF | box index. Boxes must be finite; inverted boxes are skipped. A tree without boxes has one node without
+// children.
 Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options = {});
-// The same of items of different indices, which are left as leaves have them; `order` stays empty.
+// Builds a tree over items with any indices, and sorts the items into leaf order; `order` stays empty.
 Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options = {});
-// One tree over two with one box to a leaf, as deep as the deeper and a node on top. `order` stays empty, and `cost` 0.
+// Joins two trees with one box per leaf under a new root; the depth is one more than the depth of the deeper tree.
+// `order` stays empty, and `cost` 0.
 Bvh joined(const Bvh& a, const Bvh& b);
 
 }  // namespace strobe::world

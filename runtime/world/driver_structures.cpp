@@ -12,7 +12,7 @@ namespace {
 constexpr gpu::Touch kBuilt = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
                                VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR};
 
-// Transforms of instances must have an inverse.
+// True if the transform has an inverse, as Vulkan requires of instances.
 bool isInvertible(const shared::SceneTransform& transform) {
   const dvec3 x(transform.row_x), y(transform.row_y), z(transform.row_z);
   return glm::dot(x, glm::cross(y, z)) != 0;
@@ -73,7 +73,7 @@ class DriverStructures : public Structures {
     staging.write(top_levels_[level].instances(), 0, posed.data(), posed.size());
   }
 
-  // Levels have nothing in common, so a device may build them all at once.
+  // Levels are independent, so a device may build them in parallel.
   void recordBuild(VkCommandBuffer commands, uint32_t first_level, uint32_t count) override {
     bool any = false;
     for (uint32_t level = first_level; level < first_level + count; ++level) any |= recordBents(commands, level);
@@ -84,7 +84,7 @@ class DriverStructures : public Structures {
   }
 
  private:
-  // Whether there is any that changed.
+  // Records the builds of changed deformed instances; returns true if there are any.
   bool recordBents(VkCommandBuffer commands, uint32_t level) {
     bool any = false;
     for (size_t item = 0; item < bent_.items().size(); ++item) {
@@ -102,10 +102,10 @@ class DriverStructures : public Structures {
                   {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR});
   }
 
-  // An instance that bends, as it is at a level.
+  // A deformed instance at one level.
   struct Bent {
-    gpu::BottomLevel structure;  // none where it has no triangles
-    uint64_t version = 0;        // of the vertices it was built over
+    gpu::BottomLevel structure;  // empty without triangles
+    uint64_t version = 0;        // of the vertices at the last build
   };
   Bent& bentAt(uint32_t level, size_t item) { return bents_[level * bent_.items().size() + item]; }
 
@@ -129,8 +129,8 @@ class DriverStructures : public Structures {
   std::vector<scene::Instance> instances_;
   BentInstances& bent_;
   uint32_t slices_;
-  std::vector<VkGeometryInstanceFlagsKHR> flags_;        // of instances of each mesh
-  const std::vector<gpu::Acceleration>& bottom_levels_;  // of each mesh
+  std::vector<VkGeometryInstanceFlagsKHR> flags_;        // by mesh, for its instances
+  const std::vector<gpu::Acceleration>& bottom_levels_;  // by mesh
   std::vector<gpu::TopLevel> top_levels_;
   std::vector<Bent> bents_;  // by level, then item
 };

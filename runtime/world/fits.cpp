@@ -13,7 +13,7 @@ using namespace scene;
 namespace {
 
 struct Counts {
-  uint64_t vertices = 0, tangents = 0, indices = 0, bending = 0;  // bending: vertices of deformed instances
+  uint64_t vertices = 0, tangents = 0, indices = 0, bending = 0;  // bending: of deformed instances
   explicit Counts(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes)
       for (const Geometry& geometry : mesh.geometries)
@@ -24,7 +24,7 @@ struct Counts {
   }
 };
 
-// Collects what is beyond a limit.
+// Collects exceeded limits.
 class Beyond {
  public:
   explicit Beyond(const Scene& scene) : scene_(scene) {}
@@ -73,7 +73,7 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   beyond.finish();
 }
 
-// The least number of nodes of the runtime's own trees: four triangles to a leaf, four children to a node.
+// Lower bound for the nodes of the runtime's own trees: four triangles per leaf, four children per node.
 uint64_t unposedBytes(const Scene& scene, shader::StructureKind structures) {
   const Counts counts(scene);
   const uint64_t triangles = structures == shader::StructureKind::Own ? counts.indices / 3 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a device takes a scene, asked before anything is allocated.
+// Tests whether a scene fits a device, before any allocation.
 #pragma once
 
 #include "gpu/limits.h"
@@ -8,14 +8,14 @@
 
 namespace strobe::world {
 
-// Throws `Error` naming every limit of the device that the scene is beyond, posed at `slices` times at once.
+// Throws an `Error` that names every device limit exceeded by the scene with `slices` poses.
 void requireFits(const scene::Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits);
 
-// Throws `Error` where what no pose changes needs more memory than is free, or has more triangles than the runtime's
-// own trees can number.
+// Throws `Error` if the data that no pose changes exceeds the free memory, or if the scene has more triangles than the
+// runtime's own trees can number.
 void requireMemory(const scene::Scene& scene, shader::StructureKind structures, const gpu::DeviceLimits& limits);
 
-// Bytes of a scene on a device: the part that no pose changes, without structures of the driver, and `slices` poses.
+// Bytes of a scene on a device: data that no pose changes, without driver structures; and `slices` poses.
 uint64_t unposedBytes(const scene::Scene& scene, shader::StructureKind structures);
 uint64_t posedBytes(const scene::Scene& scene, uint32_t slices);
 

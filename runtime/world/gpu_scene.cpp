@@ -13,7 +13,7 @@ using namespace scene;
 using namespace shared;
 using shader::StructureKind;
 
-// What SceneArrays of shaders/shared/bindings.glsl has.
+// Layout of SceneArrays in shaders/shared/bindings.glsl.
 struct SceneAddresses {
   VkDeviceAddress vertices, tangents, indices, geometries, instances, draws, materials, lights, transforms, cameras,
       bent;
@@ -120,8 +120,8 @@ void GpuScene::makeSet() {
 
 void GpuScene::setFrame(gpu::Staging& staging, const FrameData& frame) const { staging.write(frame_, 0, &frame, 1); }
 
-// How far behind the near plane of a parallel camera the farthest corner of any bounds is; at least 1024 times half its
-// height, so that depths do not depend on what is far within that.
+// Depth range of an orthographic camera: distance from the near plane to the farthest corner of all bounds; at least
+// 1024 times the half height, so that depths do not depend on distant objects within that range.
 double GpuScene::depthRange(uint32_t slice, const Pose& pose) const {
   const Camera& camera = pose.camera;
   double least = 1024 * camera.half_height, farthest = 0;
@@ -155,7 +155,7 @@ static SceneCamera cameraData(const Pose& pose, double aspect, const dvec3& orig
   return data;
 }
 
-// Single precision has squares of lengths up to 1e18, with room for sums of them.
+// Squares of lengths up to 1e18, and sums of squares, fit single precision.
 constexpr double kFarthest = 1e18;
 
 static SceneTransform transformData(const dmat4& world_from_instance, const dvec3& origin) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene on the device: static buffers, textures and what rays traverse once, and what moves for each slice of time a
-// frame asks for. The structures are those of shaders/shared/scene.h.
+// A scene on the device: static buffers, textures and acceleration structures once; transforms, lights and cameras for
+// each time slice of a frame. The data layouts are in shaders/shared/scene.h.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@
 
 namespace strobe::world {
 
-// What no pose changes of a scene, on the device: once for all its copies that are posed apart.
+// Data of a scene on the device that no pose changes, shared by all copies of the scene that have their own poses.
 struct UnposedScene {
   // The device and the scene must outlive it.
   UnposedScene(const gpu::Device& device, const scene::Scene& scene) : meshes(device, scene), surfaces(device, scene) {}
@@ -29,13 +29,14 @@ struct UnposedScene {
 // Owns descriptor set 0, which every pass is bound to: the frame's uniform block and the scene's arrays.
 class GpuScene {
  public:
-  // `slices`: how many times the scene can be posed at once, at least SLICE_SAMPLE (the capture and its neighbours).
-  // `unposed` is of the scene, which must fit (world/fits.h); the driver's structures need a device that has them.
+  // `slices`: number of simultaneous poses, at least SLICE_SAMPLE (raster time, shutter open, shutter close, previous
+  // frame). `unposed` belongs to `scene`, which must fit the device (world/fits.h). Structures of the driver need a
+  // device with acceleration structures.
   GpuScene(const gpu::Device& device, const scene::Scene& scene, uint32_t slices,
            const std::shared_ptr<UnposedScene>& unposed, shader::StructureKind structures);
 
   VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
-  // What decides the layout of the set: scenes that say the same have compatible layouts.
+  // Text that identifies the layout of the set: equal texts, compatible layouts.
   std::string layoutText() const;
   VkDescriptorSet set() const { return set_; }
   uint32_t slices() const { return slices_; }
@@ -51,21 +52,20 @@ class GpuScene {
   // In the order of instances, then geometries; `gl_InstanceIndex` of draw i is i.
   const std::vector<Draw>& draws() const { return draws_; }
 
-  // What follows is written through `staging`, whose copies must be recorded before work that reads it: later writes of
-  // other frames leave alone what work before them reads.
-  // The frame's block.
+  // The functions below write through `staging`. Its copies must be recorded before work that reads the data. Earlier
+  // work still reads the earlier data.
+  // Writes the frame's uniform block.
   void setFrame(gpu::Staging& staging, const shared::FrameData& frame) const;
-  // Which instances may move within the frame's exposure, as rays may ask for these alone, and how they go over the
-  // picture. Before the poses of the frame; empty: each may, in any way.
+  // By instance: true if it may move within the exposure (rays may be limited to moving instances), and its path on the
+  // screen. Call before posing the frame. Empty: all may move, on any path.
   void setMotion(gpu::Staging& staging, const std::vector<bool>& moves, const std::vector<scene::ScreenPath>& paths);
   uint32_t movingCount() const;
   bool mayMove(uint32_t instance) const { return moves_[instance]; }
-  // Poses slice `slice`; positions become relative to `origin`. `aspect` is width / height, `moving` the pixels in
-  // which something that moves may be seen then. Throws `Error` for a pose that cannot be drawn; what is written by
-  // then must be copied all the same.
+  // Poses a slice; positions are relative to `origin`. `aspect` is width / height, `moving` the moving rectangle at
+  // this pose, px. Throws `Error` for a pose that cannot be drawn; staged data must be copied nevertheless.
   void setPose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin,
                const ivec4& moving);
-  // Records what makes `count` posed slices, at least one, ready to be traced: the capture, or samples.
+  // Records the builds of `count` posed slices (at least one) for tracing: the raster slice, or sample slices.
   void recordBuild(VkCommandBuffer commands, uint32_t first_slice, uint32_t count) const;
 
  private:
@@ -84,7 +84,7 @@ class GpuScene {
   std::vector<shared::SceneInstance> instance_data_;
   std::shared_ptr<UnposedScene> unposed_;
   BentInstances bent_;
-  std::vector<int> bent_items_;  // by instance: its number among those that bend, else -1
+  std::vector<int> bent_items_;  // by instance: index into bent_.items(), or -1
   gpu::Buffer frame_, addresses_, geometry_buffer_, instance_buffer_, draw_buffer_, lights_, transforms_, cameras_;
   std::unique_ptr<Structures> structures_;
   gpu::Owned<VkDescriptorSetLayout> set_layout_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the runtime's own trees can number.
+// Limits of the runtime's own trees.
 #pragma once
 
 #include <array>

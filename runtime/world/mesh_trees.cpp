@@ -25,7 +25,7 @@ class Triangles {
 
   uint32_t count() const { return count_; }
 
-  // Which vertices a triangle has, counted across the geometries.
+  // Vertices of a triangle, numbered across the geometries.
   std::array<uint32_t, 3> verticesOf(uint32_t index) const {
     const size_t g = geometryOf(index);
     uint32_t first = 0;

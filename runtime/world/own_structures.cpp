@@ -17,13 +17,13 @@ namespace {
 
 constexpr VkBufferUsageFlags kRead = gpu::kReadByAddress | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 
-// What SceneBvh of shaders/shared/bindings.glsl has.
+// Layout of SceneBvh in shaders/shared/bindings.glsl.
 struct Addresses {
   VkDeviceAddress nodes, triangles, instances;
   uint32_t first_root, nodes_per_tree;
 };
 
-// A transform by rows, and what it does to sizes: the rounding of a ray that is brought to object space.
+// An affine transform by rows. `ofSizes` transforms absolute values, to bound the rounding of a ray in object space.
 struct Rows {
   std::array<dvec4, 3> rows;
   dvec3 of(const dvec3& p) const { return {dot(0, p), dot(1, p), dot(2, p)}; }
@@ -51,8 +51,8 @@ Rows inverseOf(const Rows& m) {
   return inverse;
 }
 
-// Around a mesh as it is posed, inside out where no ray can be brought to it; with room for what rounds a ray on its
-// way into object space.
+// World-space box of a posed mesh, padded for the rounding of a ray's transform to object space. Inverted if rays
+// cannot be transformed to object space.
 Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_from_world) {
   dvec3 low(HUGE_VAL), high(-HUGE_VAL);
   for (int i = 0; i < 8; ++i) {
@@ -63,7 +63,7 @@ Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_
   dvec3 size = glm::max(glm::abs(low), glm::abs(high));
   dvec3 room = world_from_object.ofSizes(object_from_world.ofSizes(size)) * std::ldexp(1.0, -21);
   low -= room, high += room;
-  // An object that a transform flattens has no object space that a ray could be brought to.
+  // A transform that flattens the object has no inverse, so rays cannot be transformed to object space.
   for (int axis = 0; axis < 3; ++axis)
     if (!(low[axis] > -FLT_MAX && high[axis] < FLT_MAX)) return {};
   return {vec3(low), vec3(high)};
@@ -138,11 +138,11 @@ class OwnStructures : public Structures {
     putTrees(staging, level, boxes, moves);
   }
 
-  // The copies are all.
+  // The copies of the host writes suffice.
   void recordBuild(VkCommandBuffer, uint32_t, uint32_t) override {}
 
  private:
-  // The tree of an instance that bends, as it is at a level.
+  // Tree of a deformed instance at one level.
   struct Fit {
     uint64_t version = 0;
     Box bounds;
@@ -150,11 +150,11 @@ class OwnStructures : public Structures {
   };
   struct Bending {
     BendingTree tree;
-    size_t first_node = 0, first_triangle = 0;  // at each level
-    std::vector<Fit> fits;                      // of each level
+    size_t first_node = 0, first_triangle = 0;  // within each level
+    std::vector<Fit> fits;                      // by level
   };
 
-  // An instance that does not bend, as it was posed last.
+  // Last pose of an instance that is not deformed.
   struct Placed {
     shared::SceneTransform transform;
     BvhInstance posed;
@@ -186,7 +186,7 @@ class OwnStructures : public Structures {
     first_bending_triangle_ = triangles.size() / sizeof(BvhTriangle);
   }
 
-  // Those of all meshes, and room for those of what bends at each level.
+  // Creates a buffer with the triangles of all meshes, and space for the deformed triangles of each level.
   void makeTriangles(const gpu::Buffer& meshes, size_t levels) {
     const size_t bytes = (first_bending_triangle_ + levels * bending_triangles_) * sizeof(BvhTriangle);
     triangles_ = gpu::Buffer(device_, "scene.bvh.all_triangles", bytes, kRead, gpu::Buffer::Memory::Device);
@@ -226,9 +226,9 @@ class OwnStructures : public Structures {
                                     scene, levels, nodes, BVH_MOST_NODES, triangles, size_t{1} << BVH_LEAF_COUNT)));
   }
 
-  // Each level has two trees: of all instances, and of those that move. Where it would take the host longer to build
-  // the first than rays lose by it, the tree over what is at rest is built when that changes, and joined with the
-  // second.
+  // Each level has two trees: over all instances, and over the moving instances. With many static instances, the tree
+  // over the static instances is rebuilt only when their boxes change, and is joined with the tree over the moving
+  // instances: a full build would take the host longer than rays lose with the joined tree.
   void putTrees(gpu::Staging& staging, uint32_t level, const std::vector<Box>& boxes, const std::vector<bool>& moves) {
     constexpr ptrdiff_t kMany = 256;
     std::vector<Box> moving = boxes, resting = boxes;
@@ -261,12 +261,12 @@ class OwnStructures : public Structures {
   std::vector<float> reaches_;
   std::vector<Box> bounds_;
   size_t first_root_ = 0, nodes_per_tree_ = 0;
-  size_t first_bending_node_ = 0, bending_nodes_ = 0;          // of level 0; of each level
-  size_t first_bending_triangle_ = 0, bending_triangles_ = 0;  // the same
+  size_t first_bending_node_ = 0, bending_nodes_ = 0;          // of level 0; per level
+  size_t first_bending_triangle_ = 0, bending_triangles_ = 0;  // of level 0; per level
   gpu::Buffer nodes_, posed_, addresses_;
-  gpu::Buffer triangles_;  // of a scene in which something bends
+  gpu::Buffer triangles_;  // only with deformed instances
   std::vector<Placed> placed_;
-  std::vector<Box> resting_;  // those of instances at rest, of which the tree is
+  std::vector<Box> resting_;  // boxes of static instances in resting_tree_
   Bvh resting_tree_;
 };
 

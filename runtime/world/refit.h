@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Fits a tree to boxes that have moved, for what bends from one time to the next: in a few passes over its nodes, where
-// a build sorts all boxes.
+// Refits a tree to boxes that have moved, for deformed meshes. A refit is a pass over the nodes; a build sorts all
+// boxes.
 #pragma once
 
 #include "world/bvh.h"
 
 namespace strobe::world {
 
-// `bvh`: of buildBvh, with leaves that may have several boxes. `boxes`: as many as it was built over, in that order.
-// Nodes, their children and `order` stay; bounds alone change, to those that a build of this topology would give, so
-// that they depend on nothing that was before. `cost` stays that of the build. The more neighbours part, the more nodes
-// a ray meets. Throws std::out_of_range where there are fewer boxes.
+// `bvh`: from buildBvh, with leaves of several boxes. `boxes`: number and order as in the build. Nodes, children and
+// `order` stay. Only the bounds change, to the bounds that a build with this topology would give, so a refit does not
+// depend on earlier refits. `cost` keeps the value of the build. Rays meet more nodes as neighbours separate. Throws
+// std::out_of_range if there are fewer boxes.
 void refitBvh(Bvh& bvh, const std::vector<Box>& boxes);
 
 }  // namespace strobe::world

@@ -64,7 +64,7 @@ void SceneMeshes::numberBending() {
   }
 }
 
-// The geometries of all meshes, one after the other.
+// Geometries of all meshes, in order.
 static std::vector<const Geometry*> geometriesOf(const Scene& scene) {
   std::vector<const Geometry*> all;
   for (const Mesh& mesh : scene.meshes)
@@ -72,7 +72,7 @@ static std::vector<const Geometry*> geometriesOf(const Scene& scene) {
   return all;
 }
 
-// And of instances that bend.
+// Geometries of the deformed instances, in order.
 static std::vector<const Geometry*> bendingGeometriesOf(const Scene& scene) {
   std::vector<const Geometry*> all;
   for (const Instance& instance : instancesOf(scene))

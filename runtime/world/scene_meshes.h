@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The meshes of a scene on the device: what no pose changes, once for all copies of the scene that are posed apart.
+// Meshes of a scene on the device: data that no pose changes, shared by all copies of the scene that have their own
+// poses.
 #pragma once
 
 #include <memory>
@@ -19,31 +20,31 @@ class SceneMeshes {
   SceneMeshes(const gpu::Device& device, const scene::Scene& scene);
 
   const gpu::Buffer& vertices() const { return vertices_; }
-  // Packed (world/tangent.h), of the geometries that have them.
+  // Packed tangents (world/tangent.h) of the geometries that have tangents.
   const gpu::Buffer& tangents() const { return tangents_; }
   const gpu::Buffer& indices() const { return indices_; }
-  // An instance that bends has vertices and geometries of its own, behind those of all meshes, in the order of
-  // instances: unbent, and over the indices of its mesh.
+  // A deformed instance. Its vertices and geometries follow the vertices and geometries of all meshes, in the order of
+  // instances: undeformed, with the indices of its mesh.
   struct Bending {
     uint32_t instance = 0;
     uint32_t first_geometry = 0;
     uint32_t first_vertex = 0, vertex_count = 0;  // of all its geometries
   };
   const std::vector<Bending>& bending() const { return bending_; }
-  // Those from this one bend.
+  // First vertex of the deformed instances.
   uint32_t firstBendingVertex() const { return first_bending_vertex_; }
-  // Of all meshes and of what bends, and the first of each mesh.
+  // Geometries of all meshes, then of the deformed instances; and the first geometry of each mesh.
   const std::vector<shared::SceneGeometry>& geometries() const { return geometries_; }
   const std::vector<uint32_t>& firstGeometry() const { return first_geometry_; }
-  // Of each mesh, relative to its origin.
+  // Bounds of each mesh, object space.
   const std::vector<Bounds>& bounds() const { return bounds_; }
-  // What the driver's structures are built from, of each mesh.
+  // Build inputs of the driver's structures, by mesh.
   std::vector<std::vector<gpu::TriangleGeometry>> triangles() const;
-  // The driver's structures of each mesh, empty where it has no triangles; built when they are first asked for.
+  // The driver's structures by mesh, empty for a mesh without triangles; built on the first call.
   const std::vector<gpu::Acceleration>& bottomLevels();
 
-  // The runtime's own trees and the buffer of their triangles, built when they are first asked for. Throws `Error`
-  // where there are more nodes than can be numbered.
+  // The runtime's own trees and the buffer of their triangles, built on the first call of `trees`. Throws `Error` if
+  // the trees have more nodes than can be numbered.
   const MeshTrees& trees();
   const gpu::Buffer& treeTriangles() const { return tree_triangles_; }
 

@@ -14,7 +14,7 @@ SceneSurfaces::SceneSurfaces(const gpu::Device& device, const Scene& scene) {
   uploadTextures(device, scene);
 }
 
-// Only what blends texels blends several along the direction in which a surface recedes.
+// Taps of anisotropic filtering, for textures with linear minification and levels; otherwise 1.
 static constexpr uint32_t kMostTaps = 4;
 
 static SceneTextureUse textureUse(const Scene& scene, const TextureUse& use) {
@@ -34,7 +34,7 @@ static uint32_t flagsOf(const Material& material) {
          (material.double_sided ? 0 : MATERIAL_ONE_SIDED);
 }
 
-// One colour for all of a material: its factor times the mean of its texture.
+// Mean colour of a material: its factor times the mean of its texture.
 static vec3 meanColor(const Scene& scene, const Material& material) {
   vec3 factor(material.base_color);
   int texture = material.base_color_texture.texture;
@@ -84,14 +84,14 @@ static gpu::SamplerDesc samplerOf(const Texture& texture) {
   return desc;
 }
 
-// Of a texture whose one level is looked up by one filter at any size, no other level is needed.
+// Levels to upload. A texture without level selection and with equal filters needs one level.
 static size_t levelsOf(const Texture& texture) {
   bool alike = texture.between == Texture::Levels::None && texture.magnify == texture.minify;
   return alike ? 1 : texture.levels.size();
 }
 
 void SceneSurfaces::uploadTextures(const gpu::Device& device, const Scene& scene) {
-  // A white texel stands in where a scene has none, so that the array is never empty.
+  // A white texel replaces an empty list of textures, because the array must not be empty.
   Texture white;
   white.name = "white";
   white.width = white.height = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials and textures of a scene on the device, once for all copies of the scene that are posed apart.
+// Materials and textures of a scene on the device, shared by all copies of the scene that have their own poses.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ class SceneSurfaces {
   SceneSurfaces(const gpu::Device& device, const scene::Scene& scene);
 
   const gpu::Buffer& materials() const { return materials_; }
-  // Each with its sampler; a white texel where the scene has none.
+  // Textures with their samplers; one white texel for a scene without textures.
   const std::vector<VkDescriptorImageInfo>& textures() const { return infos_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What rays traverse: over the triangles of each mesh once, over those that bend and the instances for every pose. Pure
-// interface; a row of shader/backends.h says which kind a tracing backend needs.
+// Acceleration structures for tracing: over the triangles of each mesh once; over deformed meshes and over the
+// instances for every pose. Pure interface; a row of shader/backends.h selects the kind for a tracing backend.
 #pragma once
 
 #include <memory>
@@ -19,32 +19,32 @@ namespace strobe::world {
 class Structures {
  public:
   virtual ~Structures() = default;
-  // The binding of set 0 that names them, and what is written there.
+  // Binding of the structures in set 0, and the write of its descriptors.
   virtual VkDescriptorSetLayoutBinding binding(uint32_t number) const = 0;
   virtual void write(VkDescriptorSet set, uint32_t number) const = 0;
-  // Poses the instances at a level: 0 is the capture, 1 + i sample i. World-from-object transforms, and whether it
-  // moves (rays may ask for these alone), one of each instance; what bends is posed already.
+  // Poses the instances at a level: level 0 is the raster time, level 1 + i is sample i. By instance: transform from
+  // object to world space, and true if the instance moves (rays may be limited to moving instances). Deformed instances
+  // must be posed before.
   virtual void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,
                     const std::vector<bool>& moves) = 0;
-  // Records what makes the poses of `count` levels ready to be traced by later work, behind the copies of what was
-  // written.
+  // Records the builds of `count` levels for later tracing, after the copies of host writes.
   virtual void recordBuild(VkCommandBuffer commands, uint32_t first_level, uint32_t count) = 0;
 };
 
-// Are all its triangles of materials that are seen from one side alone? A driver then leaves out what is behind.
+// True if all triangles of the mesh have one-sided materials. A driver then culls back faces.
 bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh);
 
-// Acceleration structures of the driver. `meshes` are the scene's; they and `bent` must outlive it.
+// Acceleration structures of the driver. `meshes` belongs to the scene; `meshes` and `bent` must outlive the result.
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
                                                  SceneMeshes& meshes, BentInstances& bent, uint32_t slices);
 
-// The runtime's own trees (shaders/shared/bvh.h). `triangles`: those of the trees, on the device; it and `bent` must
-// outlive it.
+// The runtime's own trees (shaders/shared/bvh.h). `triangles` holds the triangles of `trees` on the device; `triangles`
+// and `bent` must outlive the result.
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
                                               const MeshTrees& trees, const gpu::Buffer& triangles, BentInstances& bent,
                                               uint32_t slices);
 
-// Whose level a slice's pose is; slices between the capture and the samples are never traced.
+// Level of a traced slice. Slices between the raster time and the samples are never traced.
 inline bool isTraced(uint32_t slice) { return slice == SLICE_RASTER || slice >= SLICE_SAMPLE; }
 inline uint32_t levelOf(uint32_t slice) { return slice < SLICE_SAMPLE ? 0 : slice - SLICE_SAMPLE + 1; }
 inline uint32_t sliceOf(uint32_t level) { return level == 0 ? SLICE_RASTER : level - 1 + SLICE_SAMPLE; }

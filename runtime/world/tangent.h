@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tangents of vertices as shaders read them (shaders/shared/scene.h).
+// Vertex tangents in the packed format of shaders/shared/scene.h.
 #pragma once
 
 #include "shared/scene.h"
