@@ -39,8 +39,7 @@ static std::vector<std::string> commandsWith(const std::string& option, const CL
   return names;
 }
 
-// Message for the first argument that looks like an option and is unknown to the command; "" if there is no such
-// argument.
+// Message for the first argument that looks like an option and is unknown to the command, or "".
 static std::string unknownOption(const CLI::App& program, const CLI::App& command, int argc, char** argv) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
