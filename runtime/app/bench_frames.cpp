@@ -111,7 +111,7 @@ void requireSound(const FramesOptions& options) {
     throw Error("--within goes with no program in --against: each of its --blocks has --rounds rounds", {}, 2);
 }
 
-// ---- measuring
+// ---- measurement
 
 // Runs and their comparison. `comparison` points into `run` or `turns.first`, which must stay in place.
 struct Measured {

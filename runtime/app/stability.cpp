@@ -54,8 +54,8 @@ void runExtremes(const Home& home, const StabilityOptions& options) {
 void run(const Home& home, const StabilityOptions& options) {
   if (options.extremes) return runExtremes(home, options);
   for (const std::string& name : options.suite.invariants) stability::invariantNamed(name);
-  for (const std::string& name : options.pipelines)
-    script::evaluatePipeline(home, {name, {}});  // report mistakes before a device is created
+  // Report mistakes before a device is created.
+  for (const std::string& name : options.pipelines) script::evaluatePipeline(home, {name, {}});
   lab::Workbench bench(home, options.device, validationWanted());
   lab::Batch batch(bench);
   std::vector<std::string> pipelines = options.pipelines.empty() ? script::pipelineNames(home) : options.pipelines;
