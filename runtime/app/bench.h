@@ -7,7 +7,7 @@
 
 namespace strobe::app {
 
-// `strobe bench`: `reload`, `frames`, `slopes`.
+// Registers `strobe bench` with `reload`, `frames` and `slopes`.
 void registerBench(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

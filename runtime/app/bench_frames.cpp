@@ -28,15 +28,15 @@ struct FramesOptions {
   std::string out, save, against;
   double moved = 0.05;
   int blocks = 8;
-  size_t in_flight = 0;  // 0: what suits the device
+  size_t in_flight = 0;  // 0: chosen by the device
   bool json = false;
 };
 
-// FramesOptions of a shot that may be given several times.
+// Shot options that may be given several times.
 const std::set<std::string> kSeveral = {"scene", "size"};
 constexpr const char* kUsualSize = "320x180";
 
-// ---- what the command line asks for
+// ---- command line
 
 void requireDifferent(const std::string& what, const std::vector<std::string>& texts) {
   std::set<std::string> seen;
@@ -44,7 +44,7 @@ void requireDifferent(const std::string& what, const std::vector<std::string>& t
     if (!seen.insert(text).second) throw Error(fmt::format("{} '{}' is given twice", what, text), {}, 2);
 }
 
-// The raster image without blur first, as the base of the others.
+// Pipelines without blur first: the first is the base of the others.
 std::vector<std::string> shippedMethods(const Home& home) {
   std::vector<std::string> names;
   for (plan::PipelineDesc::Kind kind : {plan::PipelineDesc::Kind::Sharp, plan::PipelineDesc::Kind::Method})
@@ -75,7 +75,7 @@ lab::Rounds roundsOf(const FramesOptions& options) {
   return rounds;
 }
 
-// What is measured, as words of a command line; another program understands them too.
+// Arguments that repeat the measurement, also with the program of another revision.
 std::vector<std::string> wordsOf(const FramesOptions& options, const bench::Subject& subject) {
   std::vector<std::string> words = {"bench", "frames"};
   words.insert(words.end(), options.methods.begin(), options.methods.end());
@@ -87,7 +87,7 @@ std::vector<std::string> wordsOf(const FramesOptions& options, const bench::Subj
   return words;
 }
 
-// The command as somebody would repeat it.
+// Command line that repeats the run.
 std::string commandOf(const FramesOptions& options, const bench::Subject& subject) {
   std::string line = "strobe";
   for (const std::string& word : wordsOf(options, subject)) line += " " + lab::shellWord(word);
@@ -111,9 +111,9 @@ void requireSound(const FramesOptions& options) {
     throw Error("--within goes with no program in --against: each of its --blocks has --rounds rounds", {}, 2);
 }
 
-// ---- measuring
+// ---- measurement
 
-// What was measured; the comparison is with `first`, which is not moved any more.
+// Runs and their comparison. `comparison` points into `run` or `turns.first`, which must stay in place.
 struct Measured {
   bench::Run run;
   bench::Turns turns;
@@ -144,7 +144,7 @@ void measureInTurn(const Home& home, const FramesOptions& options, const bench::
   measured.comparison = bench::compared(measured.turns.first, measured.turns.second, options.moved);
 }
 
-// ---- what is written
+// ---- output
 
 Json jsonOf(const Measured& measured) {
   Json json = bench::toJson(measured.run);

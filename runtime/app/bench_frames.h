@@ -7,7 +7,7 @@
 
 namespace strobe::app {
 
-// `bench frames`: what a frame of each method costs (docs/benchmarks.md).
+// Registers `bench frames`: frame time of each method (docs/benchmarks.md).
 void registerBenchFrames(CLI::App& bench, const Home& home);
 
 }  // namespace strobe::app

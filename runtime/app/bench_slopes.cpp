@@ -29,9 +29,9 @@ struct SlopesOptions {
 
 constexpr std::array<std::array<int, 2>, 2> kDemandSizes = {{{1920, 1080}, {3840, 2160}}};
 
-// ---- what is measured
+// ---- measurement
 
-// The points of an axis in one shot of the experiment.
+// Points of an axis in one shot of the experiment.
 struct Points {
   size_t axis = 0, shot = 0;
   std::vector<const study::Group*> groups;
@@ -65,7 +65,8 @@ std::vector<bench::NamedShot> shotsOf(const study::Experiment& experiment, const
   return shots;
 }
 
-// What is counted in the picture of each shot; where it has nothing to count, what the first has that has it.
+// Value of a measure in the picture of each shot. A picture without a value gets the first value of the list. Throws
+// `Error` if no picture has a value.
 std::vector<double> counted(lab::Batch& batch, const std::vector<bench::NamedShot>& shots, const std::string& measure) {
   std::vector<double> counts;
   for (const bench::NamedShot& one : shots) {
@@ -83,7 +84,7 @@ std::vector<double> counted(lab::Batch& batch, const std::vector<bench::NamedSho
   return counts;
 }
 
-// Of each of a group's shots, how much of what varies it has.
+// Position of each shot of a group on the axis: the axis value, or a measure of the shot's picture.
 std::vector<double> placesOf(lab::Batch& batch, const study::Experiment& experiment, const study::Group& group,
                              const std::vector<bench::NamedShot>& shots) {
   const study::Axis& axis = experiment.axes[group.at.front().axis];
@@ -113,7 +114,7 @@ bench::AxisRun measured(lab::Workbench& bench, const study::Experiment& experime
   return axis;
 }
 
-// Of every method in every shot of the experiment as it is, without axes.
+// Demand of every method in every shot, without the experiment's axes, at each of kDemandSizes.
 std::vector<bench::Demand> demandsOf(lab::Workbench& bench, const study::Experiment& experiment) {
   std::vector<bench::Demand> demands;
   lab::Batch batch(bench);

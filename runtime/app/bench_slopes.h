@@ -7,7 +7,7 @@
 
 namespace strobe::app {
 
-// `bench slopes`: how the time of a frame follows what it has (docs/benchmarks.md).
+// Registers `bench slopes`: growth of the frame time along one axis at a time (docs/benchmarks.md).
 void registerBenchSlopes(CLI::App& bench, const Home& home);
 
 }  // namespace strobe::app

@@ -31,7 +31,7 @@ void capture(const Home& home, const CaptureOptions& options) {
   requireWritable(order.folder);
   const Path zip = archive::zipBeside(order.folder);
   if (options.zip) requireWritable(zip.parent_path());
-  archive::readCapture(home, order.file, order.size);  // mistakes come before anything is written
+  archive::readCapture(home, order.file, order.size);  // report mistakes before anything is written
   archive::Captured captured = archive::runCapture(home, order, [](const std::string& line) { note(line); });
   if (options.zip) archive::writeZip(order.folder, zip);
   if (options.json) {

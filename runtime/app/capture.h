@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe capture`, `verify`, `diff`: pictures that can be taken again bit for bit.
+// `strobe capture`, `verify`, `diff`: pictures that are reproducible bit for bit.
 #pragma once
 
 #include <CLI/CLI.hpp>

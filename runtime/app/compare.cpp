@@ -54,7 +54,7 @@ void printTable(const image::Comparison& result) {
   fmt::print("{}\n{} pixels\n", page::textOf(table), result.pixels);
 }
 
-// The HDR map where there is one. A name that ends in .exr gets the values, any other the picture in magma.
+// Writes the HDR map if there is one, else the LDR map: values in a .exr file, the colour map magma in a PNG otherwise.
 void writeMap(const Path& file, const image::Comparison& result) {
   const image::Image& map = result.hdr_flip ? result.hdr_map : result.ldr_map;
   if (file.extension() != ".exr") return image::writePng(file, image::heatMap(map, 0, 1));

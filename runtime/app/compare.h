@@ -6,7 +6,7 @@
 
 namespace strobe::app {
 
-// Adds the command and what it does to the program; it throws `Error` from within the parsing of the command line.
+// Adds the command. Its callback throws `Error` while the command line is parsed.
 void registerCompare(CLI::App& program);
 
 }  // namespace strobe::app

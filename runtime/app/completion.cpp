@@ -16,7 +16,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// A line up to the cursor, behind the program's name: whole words, and the one that is being written.
+// Command line up to the cursor, after the program's name: the complete words, and the unfinished last word.
 struct Line {
   Names before;
   std::string word;
@@ -32,7 +32,7 @@ Names topics(const Home& home, const Line&) {
   return names;
 }
 
-// Files of the experiments that are presets.
+// Presets below experiments/.
 Names presetFiles(const Home& home) {
   Names files;
   for (const std::string& name : home.namesBelow("experiments", ".lua")) {
@@ -42,7 +42,7 @@ Names presetFiles(const Home& home) {
   return files;
 }
 
-// "PARAM=" of the pipeline that the line names; once that is written, "PARAM=CHOICE".
+// "PARAM=" of the pipeline named on the line. After the "=", "PARAM=CHOICE".
 Names settings(const Home& home, const Line& line) {
   Names known = script::pipelineNames(home), names;
   auto named = std::find_if(line.before.begin(), line.before.end(), [&](const std::string& word) {
@@ -63,7 +63,7 @@ Names settings(const Home& home, const Line& line) {
   return names;
 }
 
-// What has names that the program knows, by option. The type of another says its choices ("close|centre|open").
+// Options with a list of known names as values. Other options list their choices in their type ("end|centre|start").
 const std::map<std::string, Names (*)(const Home&, const Line&)> kNamesOf = {
     {"pipeline", pipelines}, {"pipelines", pipelines}, {"base", pipelines},
     {"vs", pipelines},       {"truth", pipelines},     {"topic", topics},
@@ -90,10 +90,10 @@ Names commandsOf(const CLI::App& command) {
   return names;
 }
 
-// All that can stand in place of the last word; {} where that is a file or free text.
+// All candidates for the last word; {} if the word is a file or free text.
 Names candidates(const CLI::App& program, const Home& home, const Line& line) {
   const CLI::App* command = &program;
-  const CLI::Option* awaits = nullptr;  // the option whose value comes next
+  const CLI::Option* awaits = nullptr;  // option whose value comes next
   size_t given = 0;
   for (const std::string& word : line.before) {
     if (awaits) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe complete LINE`: what the last word of a command line may become. completion.bash asks it.
+// `strobe complete LINE`: completions of the last word of a command line. Called by completion.bash.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that commands are told about.
+// Files and folders named on the command line.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace strobe::app {
 
-// `file`, or that of this name in the home where there is none here.
+// `file` if it exists or is absolute, else the file of this name in the home, else `file`.
 std::string hereOrAtHome(const Home& home, const std::string& file);
 
-// Throws `Error` (exit code 2) for a folder that cannot be written to, before anything is rendered or made.
+// Throws `Error` (exit code 2) if the folder is not writable. Call before anything is rendered or created.
 void requireWritable(const Path& folder, const std::string& option = "--out");
 
-// Whether a script is a preset (scripts/strobe/preset.lua), by its text.
+// True if the script requires strobe.preset (scripts/strobe/preset.lua).
 bool isPreset(const Home& home, const Path& file);
 
 }  // namespace strobe::app

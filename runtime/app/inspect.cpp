@@ -34,7 +34,8 @@ void addOnce(std::vector<std::string>& problems, const std::string& problem) {
   if (std::find(problems.begin(), problems.end(), problem) == problems.end()) problems.push_back(problem);
 }
 
-// Runs `step`, keeping what it complains about; where it does what the command line says, misuse of that is thrown.
+// Runs `step` and adds its error to `problems`. With `as_given`, rethrows errors with exit code 2: the command line is
+// wrong.
 template <class Step>
 void collect(std::vector<std::string>& problems, const Step& step, bool as_given = false) {
   try {
@@ -45,7 +46,7 @@ void collect(std::vector<std::string>& problems, const Step& step, bool as_given
   }
 }
 
-// The problems that `check` adds to a list, found beside other work.
+// Runs `check` in another thread. The future holds the problems that `check` adds to a list.
 template <class Check>
 std::future<std::vector<std::string>> beside(const Check& check) {
   return std::async(std::launch::async, [check] {
@@ -55,7 +56,7 @@ std::future<std::vector<std::string>> beside(const Check& check) {
   });
 }
 
-// Which passes there are to choose from: the names of the files of each folder.
+// Names of the passes in each folder below passes/.
 std::vector<std::vector<std::string>> passFolders(const Home& home) {
   std::set<Path> folders;
   for (const std::string& pass : home.namesBelow("passes", ".lua")) folders.insert(Path(pass).parent_path());
@@ -64,7 +65,7 @@ std::vector<std::vector<std::string>> passFolders(const Home& home) {
   return names;
 }
 
-// Does it choose among the files of a folder of passes?
+// True if the parameter chooses between passes: two or more choices are files of one folder.
 bool choosesPasses(const std::vector<std::vector<std::string>>& folders, const plan::ParamDesc& param) {
   return std::any_of(folders.begin(), folders.end(), [&](const std::vector<std::string>& files) {
     auto is_file = [&](const auto& choice) { return std::find(files.begin(), files.end(), choice) != files.end(); };
@@ -77,7 +78,7 @@ script::Settings with(script::Settings sets, const std::string& name, const plan
   return sets;
 }
 
-// Does anything come of a parameter as a pipeline stands: another graph, or another shader of a node that follows it?
+// True if the parameter has an effect: it decides the graph, or a parameter of a node follows it.
 bool counts(const plan::PipelineDesc& pipeline, const plan::ParamDesc& param) {
   auto follows = [&](const plan::NodeDesc& node) {
     return std::any_of(node.params.begin(), node.params.end(),
@@ -86,8 +87,7 @@ bool counts(const plan::PipelineDesc& pipeline, const plan::ParamDesc& param) {
   return plan::decidesGraph(pipeline, param.name) || std::any_of(pipeline.nodes.begin(), pipeline.nodes.end(), follows);
 }
 
-// Values of a parameter by which a pipeline may be another graph: passes that it chooses among, and the bounds of a
-// number that is compiled in.
+// Values of a parameter that may change the graph: passes to choose from, and the bounds of a compiled-in number.
 std::vector<plan::Value> shapingValues(const std::vector<std::vector<std::string>>& folders,
                                        const plan::ParamDesc& param) {
   std::vector<plan::Value> values;
@@ -98,7 +98,7 @@ std::vector<plan::Value> shapingValues(const std::vector<std::vector<std::string
   return values;
 }
 
-// The presets of a pipeline but for the one that it has.
+// Presets of a pipeline, except its current preset.
 std::vector<script::PipelineRequest> presetsOf(const std::string& name, const plan::PipelineDesc& pipeline) {
   std::vector<script::PipelineRequest> presets;
   for (const auto& preset : pipeline.presets)
@@ -106,7 +106,7 @@ std::vector<script::PipelineRequest> presetsOf(const std::string& name, const pl
   return presets;
 }
 
-// Every value that may make another graph of what `request` gives.
+// Requests for all values that may change the graph of `request`.
 std::vector<script::PipelineRequest> shapesOf(const std::vector<std::vector<std::string>>& folders,
                                               const script::PipelineRequest& request,
                                               const plan::PipelineDesc& pipeline) {
@@ -120,7 +120,7 @@ std::vector<script::PipelineRequest> shapesOf(const std::vector<std::vector<std:
   return shapes;
 }
 
-// Plans what was evaluated, and notes which shaders that needs.
+// Plans the pipeline for every backend and adds the shaders of the plans.
 void addPlans(const plan::PipelineDesc& pipeline, graph::ShaderCheck& shaders) {
   lab::Shot shot;
   shot.width = 64;
@@ -129,8 +129,8 @@ void addPlans(const plan::PipelineDesc& pipeline, graph::ShaderCheck& shaders) {
     shaders.add(lab::planOf(shot, pipeline, row.backend), row.backend);
 }
 
-// Checks pipelines and, of those that are sound, with `shapes` every preset, and in each every value that makes another
-// graph of it.
+// Checks pipelines. With `shapes`, also checks every preset of a sound pipeline, and every value that changes the graph
+// of the pipeline or of a preset.
 void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>& requests, bool shapes,
                     std::vector<std::string>& problems) {
   graph::ShaderCheck shaders(home);
@@ -175,7 +175,7 @@ void checkScenes(const Home& home, const std::vector<std::string>& names, std::v
     });
 }
 
-// Everything in scripts/pipelines by name, and what looks into a picture, in scripts/inspect, by path.
+// Pipelines of scripts/pipelines by name, and pipelines of scripts/inspect by path.
 std::vector<std::string> shippedPipelines(const Home& home) {
   std::vector<std::string> names = script::pipelineNames(home);
   const Path folder = "scripts/inspect";
@@ -202,7 +202,7 @@ bool liesInProject(const Home& home, const Path& file, const Path& folder) {
                      [&](const Path& one) { return liesIn(one, home.project()) && liesIn(file, one); });
 }
 
-// The scripts of the project in a folder, experiments or captures.
+// Experiments or captures of the project in a folder, without presets and libraries.
 std::vector<std::string> ownFiles(const Home& home, const Path& folder) {
   std::vector<std::string> files;
   for (const std::string& name : home.namesBelow(folder, ".lua")) {
@@ -218,7 +218,8 @@ struct Checked {
   std::vector<std::string> pipelines, scenes, experiments, captures;
 };
 
-// "" of a pipeline, and of a file with a mistake, which is named where it is read as one.
+// "experiment", "capture" or "". Returns "" for a pipeline, and for a file with a mistake: the check of pipelines
+// reports it.
 std::string kindOf(const Home& home, const std::string& name_or_file) {
   try {
     return hasExtension(name_or_file, ".lua") ? script::kindOfFile(home, name_or_file) : "";
@@ -237,7 +238,7 @@ Checked byKind(const Home& home, const std::vector<std::string>& files) {
   return checked;
 }
 
-// Everything that ships, and the scripts of a project.
+// All shipped pipelines and scenes, and the scripts of the project.
 Checked allFiles(const Home& home) {
   Checked checked{shippedPipelines(home), script::sceneNames(home), {}, {}};
   if (!home.hasProject()) return checked;
@@ -247,7 +248,7 @@ Checked allFiles(const Home& home) {
   return checked;
 }
 
-// "1 pipeline and 2 experiments are sound", of files that were given.
+// "1 pipeline and 2 experiments are sound", for given files.
 std::string soundText(const Checked& checked) {
   std::vector<std::string> counts;
   const size_t pipelines = checked.pipelines.size(), experiments = checked.experiments.size(),
@@ -259,7 +260,7 @@ std::string soundText(const Checked& checked) {
                      pipelines + experiments + captures == 1 ? "is" : "are");
 }
 
-// The numbers of pipelines and scenes; in a project those of each root.
+// Numbers of pipelines and scenes, in a project per root.
 std::string soundText(const Home& home, const Checked& checked) {
   const auto& [pipelines, scenes, experiments, captures] = checked;
   auto text = [](size_t pipelines, size_t scenes) {
@@ -321,7 +322,7 @@ struct PlanOptions {
   bool json = false, dot = false;
 };
 
-// What rays have to go through in the shot's scene; needs no device.
+// Size of the shot's scene, and tree nodes that a random line meets. Needs no device.
 std::string treeText(const lab::Shot& shot, const scene::Scene& scene) {
   scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
   scene::SceneTree tree = scene::treeOf(scene, pose);
@@ -338,7 +339,7 @@ std::string motionText(const lab::Shot& shot, const scene::Scene& scene, int ear
                      reach.y1 - reach.y0, shot.width, shot.height);
 }
 
-// Which facts hold in the frame, and what the plan has less than `whole`, which is made for any frame.
+// Facts of the frame, and the passes and memory that `planned` does not need. `whole`: the plan for any frame.
 std::string factsText(const lab::Shot& shot, const scene::Scene& scene, const plan::Plan& planned,
                       const plan::Plan& whole) {
   std::string text = fmt::format("frame {} of {}\n", shot.frame, shot.scene);
@@ -358,7 +359,7 @@ void plan(const Home& home, const PlanOptions& options) {
   lab::fillShot(shot, {});
   lab::checkShot(shot);
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
-  // Which of them runs in compute makes no difference to the plan.
+  // The plan is the same for all backends that trace rays in compute.
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
   plan::Plan planned = lab::planOf(shot, pipeline, backend, lab::absentFacts(in_scene, loaded.scene, pipeline));
   std::string text = options.dot    ? plan::toDot(planned)
@@ -391,7 +392,8 @@ std::string featuresOf(const gpu::DeviceInfo& info) {
   return page::textOf(table);
 }
 
-// llvmpipe uses half of the widest vectors that some processors have; its name says how many bits.
+// True if the processor has vectors of 512 bits and llvmpipe uses 256, according to its name. llvmpipe does not use the
+// widest vectors on some processors.
 bool mayBeWider([[maybe_unused]] const gpu::DeviceInfo& info) {
 #ifdef __x86_64__
   const bool has_wider = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe check`, `strobe plan`, `strobe doctor`: what scripts, graphs and machines are like, before drawing anything.
+// `strobe check`, `strobe plan`, `strobe doctor`: checks of scripts, graphs and the machine, without drawing.
 #pragma once
 
 #include <CLI/CLI.hpp>

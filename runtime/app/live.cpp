@@ -17,7 +17,7 @@ struct LiveCommandOptions {
   double time_limit_s = 10, budget_ms = 0;
 };
 
-// What cannot run is refused before a window is opened.
+// Throws `Error` for a pipeline that cannot run, before a window opens.
 void checkPipelines(const Home& home, const live::DeskOptions& desk) {
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {desk.shot.pipeline, desk.shot.sets});
   if (desk.budget_ms > 0) lab::budgetedParam(pipeline);

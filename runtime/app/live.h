@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `strobe live PIPELINE --scene S`: a window.
+// `strobe live PIPELINE --scene S`: shows a pipeline in a window.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -25,13 +25,13 @@
 #include "base/project.h"
 #include "script/evaluate.h"
 
-// Every failure ends here: one line (or one per mistake) on stderr, exit code 1, or 2 for a wrong command line.
+// Prints a failure to stderr, one line per mistake. Exit code: 1, or 2 for a wrong command line.
 static int report(const std::string& text, int exit_code) {
   std::fprintf(stderr, "strobe: %s\n", text.c_str());
   return exit_code;
 }
 
-// Names of the commands that have the option.
+// Names of the commands with this option.
 static std::vector<std::string> commandsWith(const std::string& option, const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({}))
@@ -39,7 +39,7 @@ static std::vector<std::string> commandsWith(const std::string& option, const CL
   return names;
 }
 
-// What is said of the first argument that looks like an option of the command and is none, or "".
+// Message for the first argument that looks like an option and is unknown to the command, or "".
 static std::string unknownOption(const CLI::App& program, const CLI::App& command, int argc, char** argv) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -62,7 +62,8 @@ static std::string unknownOption(const CLI::App& program, const CLI::App& comman
   return "";
 }
 
-// CLI11 says that a command is missing, or an argument unexpected, where one is misspelt: name it and the nearest.
+// Names a misspelt command and the nearest known command. CLI11 only reports a missing command or an unexpected
+// argument.
 static std::string usageText(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
   const CLI::App* at = &program;
   std::string called = program.get_name();
@@ -83,8 +84,8 @@ static std::string usageText(const CLI::App& program, const CLI::ParseError& err
   return text.ends_with('?') ? text : fmt::format("{}; {} --help lists what it takes", text, called);
 }
 
-// Refuses a project with files under shipped names, even if the command does not need the files. Commands that explain
-// or create something still work; `check` lists all mistakes itself.
+// Refuses a project with files under shipped names, even if the command does not need the files. Commands that describe
+// or create something still work. `check` lists all mistakes itself.
 static void requireNames(const CLI::App& program, const strobe::Home& home) {
   const std::set<std::string> always = {"help", "doctor", "new", "complete", "compare", "check"};
   for (const CLI::App* command : program.get_subcommands())

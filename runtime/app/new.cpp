@@ -42,7 +42,7 @@ void copyTo(const Path& target, const Home& home, const Path& from, const std::s
   writeFileAtomically(target, text);
 }
 
-// Copies the files of project/examples, in folders as they are there.
+// Copies the files of project/examples with their folders.
 void addExamples(const Home& home, const Path& folder, const std::string& name) {
   const Path project = home.shipped() / "project", examples = project / "examples";
   for (const auto& entry : fs::recursive_directory_iterator(examples)) {

@@ -7,7 +7,7 @@
 
 namespace strobe::app {
 
-// `strobe new DIR`.
+// Registers `strobe new DIR`.
 void registerNew(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

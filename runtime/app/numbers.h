@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that options take.
+// Validators for numbers in options.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace strobe::app {
 
-// CLI11's own says the largest double with all its digits.
+// Accepts finite numbers above 0. CLI11's own validator prints the largest double with all its digits.
 inline CLI::Validator aboveZero() {
   auto refusal = [](const std::string& text) -> std::string {
     double number = 0;

@@ -43,7 +43,7 @@ void printCounters(const Json& record) {
     if (count.get<uint64_t>() != 0) note(fmt::format("  {} {}", name, count.get<uint64_t>()));
 }
 
-// Where the picture goes if --out does not say; "" where something else was asked for.
+// Default path of the picture; "" if another output was given.
 std::string usualOut(const RenderOptions& options, const lab::Shot& shot) {
   if (options.asksForPicture()) return "";
   bool exr = !shot.taps.empty() || options.asksForExr();
@@ -65,9 +65,9 @@ void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
     throw Error("--half, --multipart and --cryptomatte are of .exr files; name one with -o", {}, 2);
 }
 
-// Draws frames until their times decide the pipeline's quality. Sets it in `shot`, as if it had been set by hand.
+// Draws frames until their times determine the pipeline's quality parameter. Sets the parameter in `shot`, like --set.
 void settle(lab::Workbench& bench, double budget_ms, lab::Shot& shot) {
-  constexpr int kMostFrames = 200;  // where times never come to rest
+  constexpr int kMostFrames = 200;  // limit if the times do not settle
   static const std::set<std::string> kNoOutputs;
   lab::Session session(bench, shot);
   const plan::PipelineDesc& pipeline = session.running().evaluation().pipeline;
@@ -88,7 +88,7 @@ void settle(lab::Workbench& bench, double budget_ms, lab::Shot& shot) {
   else warn(fmt::format("{}, more than the budget of {:g} ms", text, budget_ms));
 }
 
-// The picture; with `--pixel` also what every pass left there.
+// Renders the picture. With `--pixel`, also fills `trail` with the values of every pass at the pixel.
 lab::Picture renderedBy(lab::Workbench& bench, const RenderOptions& options, const lab::Shot& shot, lab::Trail& trail) {
   std::unique_ptr<Progress> progress;
   auto advance = [&](int done, int of) {
@@ -108,7 +108,7 @@ void sendTo(lab::Tev& viewer, const lab::Picture& picture) {
       if (!viewer.send(name, read)) return;
 }
 
-// Every output and tap as the window shows it, named after its port.
+// Writes every output and tap as the window shows it. The port names the file.
 std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::Picture& picture, const Path& folder) {
   image::Image color = lab::colorOf(picture);
   shot.width = color.width, shot.height = color.height;
@@ -124,7 +124,7 @@ std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::P
   return files;
 }
 
-// The shot for Mitsuba 3; needs no device.
+// Exports the shot for Mitsuba 3. Needs no device.
 void exportShot(const Home& home, const RenderOptions& options, lab::Shot shot) {
   requireWritable(options.mitsuba, "--export-mitsuba");
   const lab::LoadedScene loaded = lab::loadScene(home, shot);
@@ -161,7 +161,7 @@ void render(const Home& home, RenderOptions options) {
   std::unique_ptr<lab::Tev> viewer;
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
-  // While the device is made: the processes that scripts run in, and what the compiler has to read first.
+  // Start the script processes and the shader compiler while the device is created.
   script::expectChildren(home, {}, lab::isGltf(shot.scene) ? 1 : 2);
   std::future<void> started = std::async(std::launch::async, shader::startCompiler, std::cref(home));
   lab::Workbench bench(home, shot.device, validationWanted());

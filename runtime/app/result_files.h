@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The results of an experiment as files: numbers, tables, page, figures.
+// Results of an experiment as files: numbers, tables, page, figures.
 #pragma once
 
 #include "study/results.h"
 
 namespace strobe::app {
 
-// The files that results consist of, by the names they have in their folder; "" for a sheet that is not written.
+// Names of the result files in their folder. An empty `sheet` is not written.
 struct ResultNames {
   std::string page = "report.html", sheet = "report.png", results = "result.json", text = "result.md",
               table = "table.csv", passes = "passes.csv";
   std::string outline =
-      "unfinished.json";  // while they are made: every point, of which numbers are in the folder's points
+      "unfinished.json";  // of an unfinished run: every point; the numbers drawn so far are in the folder "points"
 };
 
-// Writes them and gives their names. `still`: the page has figures and tables, without points to click through.
+// Writes the result files and returns their paths. `still`: the page has figures and tables, without points to click.
 std::vector<Path> writeResults(const study::Results& results, const Path& folder, const ResultNames& names = {},
                                bool still = false);
 

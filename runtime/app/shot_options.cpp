@@ -14,7 +14,7 @@ void ShotOptions::addWithPipeline(CLI::App& command) {
   command.add_option("--record", record, "a run record: its shot instead of the defaults; options given beside it win");
 }
 
-// The sentence of an option, with what holds where it is not given.
+// Help text of an option, with its default.
 static std::string helpOf(const lab::ShotOption& option) {
   std::vector<std::string> otherwise;
   for (const lab::ShotField& field : option.fields)
@@ -38,7 +38,7 @@ void ShotOptions::addTo(CLI::App& command, const std::set<std::string>& several)
     CLI::Option* added = command.add_option(spelled(option), given_[option.name], helpOf(option));
     bool list = !option.fields.front().isValue() && jsonOf(option, fresh).is_array();
     if (list || several.count(option.name)) added->allow_extra_args(false);
-    else added->expected(1)->allow_extra_args(false);  // what follows is the pipeline
+    else added->expected(1)->allow_extra_args(false);  // the next word is the pipeline
     bool stated = option.fields.front().isValue() && !option.fields.front().isOpen(fresh);
     std::string otherwise = stated ? plan::textOf(option.fields.front().get(fresh)) : "";
     if (!otherwise.empty()) added->default_str(otherwise);
@@ -53,7 +53,7 @@ void ShotOptions::addTo(CLI::App& command, const std::set<std::string>& several)
       ->allow_extra_args(false);
 }
 
-// More frame intervals than a shutter is open for, or its angle in degrees.
+// Warns of an exposure of more frame intervals than usual: the number may be the shutter angle in degrees.
 static void warnOfLongExposure(const lab::Shot& shot) {
   constexpr double kLongest = 4;
   if (shot.exposure <= kLongest) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options that every command taking a picture shares: one spelling each.
+// Options shared by all commands that take a picture, each with one spelling.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,38 +10,40 @@
 
 namespace strobe::app {
 
-// What a command line says of a shot, as text until `resolve`.
+// Shot options of a command line, as text until `resolve`.
 struct ShotOptions {
   std::string pipeline, shading, record;
   std::vector<std::string> sets;
   int samples = 0;
 
-  // Those of `several` may be given more than once: `given` has all, `resolve` takes the last.
+  // Options in `several` may be given more than once: `given` returns all texts, `resolve` uses the last.
   void addTo(CLI::App& command, const std::set<std::string>& several = {});
-  // The same with the pipeline as first argument, and `--record FILE`, a run record whose shot is taken instead of the
-  // defaults: what is given beside it wins.
+  // Like addTo, with the pipeline as first argument and `--record FILE`, a run record. The record's shot replaces the
+  // defaults. Options given beside the record win.
   void addWithPipeline(CLI::App& command);
-  // Throws `Error` with exit code 2 for text that does not parse, or without a pipeline.
+  // Throws `Error` with exit code 2 if a text does not parse, or if the pipeline is missing.
   lab::Shot resolve() const;
-  // The texts of an option, none where it was not given.
+  // Texts of an option; empty if the option was not given.
   std::vector<std::string> given(const std::string& option) const;
-  // What was given, as words of a command line, without the pipeline and these options.
+  // Given options as arguments of a command line, without the pipeline and without the options in `without`.
   std::vector<std::string> words(const std::set<std::string>& without) const;
 
  private:
   std::map<std::string, std::vector<std::string>> given_;  // texts by option
 };
 
-// `--tev [HOST:PORT]`: leaves "" in `address` when it is not given, what was given or the viewer's own port otherwise.
+// `--tev [HOST:PORT]`: sets `address` to the text, or to the viewer's default port if the text is empty. Without the
+// option, `address` stays "".
 void addTev(CLI::App& command, std::string& address);
 
-// `--time-limit S`: after how long work on the device ends the program (gpu::Device::setTimeLimit).
+// `--time-limit S`: seconds of work on the device after which the program ends (gpu::Device::setTimeLimit).
 void addTimeLimit(CLI::App& command, double& seconds);
 
-// `--budget-ms B`: longest time of a frame, which the pipeline's parameter of the role Quality is set for; 0: none.
+// `--budget-ms B`: largest frame time, milliseconds; 0: no budget. Chooses the pipeline parameter with the role
+// Quality.
 void addBudget(CLI::App& command, double& ms);
 
-// Validation is on when STROBE_VALIDATION is set to anything but 0.
+// True if the environment variable STROBE_VALIDATION is set, not empty and not 0.
 bool validationWanted();
 
 }  // namespace strobe::app

@@ -20,7 +20,8 @@ struct StabilityOptions {
   bool json = false, extremes = false;
 };
 
-// Told only where everything was tried: fewer invariants or variants leave declarations without a case.
+// Declared breaks without a failing case. Empty unless all invariants and variants ran: a partial run leaves
+// declarations without a case.
 std::vector<stability::Declaration> staleIn(const StabilityOptions& options,
                                             const std::vector<stability::Report>& reports) {
   bool all = options.suite.invariants.empty() && options.suite.only.empty();
@@ -35,7 +36,7 @@ Json jsonOf(const std::vector<stability::Report>& reports, const std::vector<sta
   return json;
 }
 
-// Every extreme case by every pipeline and preset.
+// Runs every extreme case with every pipeline and preset.
 void runExtremes(const Home& home, const StabilityOptions& options) {
   lab::Workbench bench(home, options.device, validationWanted());
   std::vector<stability::Method> methods = stability::methodsOf(home, bench.limits);
@@ -53,7 +54,8 @@ void runExtremes(const Home& home, const StabilityOptions& options) {
 void run(const Home& home, const StabilityOptions& options) {
   if (options.extremes) return runExtremes(home, options);
   for (const std::string& name : options.suite.invariants) stability::invariantNamed(name);
-  for (const std::string& name : options.pipelines) script::evaluatePipeline(home, {name, {}});  // before a device is
+  // Report mistakes before a device is created.
+  for (const std::string& name : options.pipelines) script::evaluatePipeline(home, {name, {}});
   lab::Workbench bench(home, options.device, validationWanted());
   lab::Batch batch(bench);
   std::vector<std::string> pipelines = options.pipelines.empty() ? script::pipelineNames(home) : options.pipelines;

@@ -7,7 +7,7 @@
 
 namespace strobe::app {
 
-// `strobe stability`.
+// Registers `strobe stability`.
 void registerStability(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

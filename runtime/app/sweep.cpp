@@ -34,18 +34,18 @@ struct SweepOptions {
   double truth_error = 0, time_limit_s = gpu::kTimeLimit_s;
 };
 
-// Results as far as they are there.
+// Results of an unfinished run, with the points drawn so far.
 study::Results resultsSoFar(const Path& file) {
   study::Results results = study::resultsIn(file);
   study::takePoints(results, file.parent_path());
   return results;
 }
 
-// The figure is that of the capture.
+// No sheet: the capture has its own figure.
 const ResultNames kDemoNames = {"demo.html", "",           "demo.json",           "demo.md",
                                 "table.csv", "passes.csv", "demo.unfinished.json"};
 
-// The command as somebody would repeat it.
+// Command line that repeats the run.
 std::string commandOf(const Home& home, const std::string& name, const SweepOptions& options) {
   std::string line = "strobe " + name;
   auto add = [&line](const char* option, const std::string& value) {
@@ -59,8 +59,8 @@ std::string commandOf(const Home& home, const std::string& name, const SweepOpti
   return line;
 }
 
-// Prints results and names of files, those of `besides` too. A point that failed or is missing, a damaged file,
-// or an expectation that the results contradict ends the command with exit code 1.
+// Prints the results and the names of all files, including `besides`. Throws `Error` (exit code 1) if a point failed or
+// is missing, a file is damaged, or the results contradict an expectation.
 void show(const study::Results& results, const Path& folder, const ResultNames& names, bool json, bool still = false,
           const std::vector<Path>& besides = {}, const std::vector<Path>& damaged = {}) {
   std::vector<Path> files = writeResults(results, folder, names, still);
@@ -101,7 +101,7 @@ void list(const study::Experiment& experiment, bool json) {
   fmt::print("{}, {}\n", countText(experiment.points(), "point"), countText(experiment.truths(), "truth"));
 }
 
-// What is interrupted can be laid out as far as it came.
+// Writes the outline at the start, so that an interrupted run can be laid out.
 study::Started keptOutline(const Path& outline, const std::string& command) {
   return [=](study::Results results) {
     results.command = command;
@@ -109,14 +109,14 @@ study::Started keptOutline(const Path& outline, const std::string& command) {
   };
 }
 
-// Laid out from the numbers as they are written, so that `report` gives the same page.
+// Reads the results back from their JSON, so that `report` gives the same page. Removes the outline.
 study::Results concluded(study::Results results, const std::string& command, const Path& outline) {
   results.command = command;
   std::filesystem::remove(outline);
   return study::resultsFrom(study::toJson(results), "the results");
 }
 
-// Adds the number of kept points to the message of a pass that runs too long.
+// Adds the number of kept points to the message of a pass that exceeds the time limit.
 void limitTime(lab::Workbench& bench, double seconds, const Path& outline) {
   bench.device().setTimeLimit(seconds, [outline](const std::string& text) {
     std::fprintf(stderr, "strobe: %s (--time-limit); %s\n", text.c_str(), study::keptIn(outline).c_str());
@@ -125,7 +125,7 @@ void limitTime(lab::Workbench& bench, double seconds, const Path& outline) {
   });
 }
 
-// The same for a lost device.
+// Adds the number of kept points to the message of a lost device.
 template <class Run>
 study::Results ranTo(const Path& outline, const Run& run) {
   try {
@@ -167,7 +167,7 @@ void sweep(const Home& home, const SweepOptions& options) {
   show(concluded(std::move(results), command, outline), options.out, names, options.json);
 }
 
-// The experiment's pictures are those of the capture: each is drawn once, when the experiment first asks for it.
+// Runs the experiment on the pictures of the capture. Each picture is drawn once, when the experiment first needs it.
 study::Results measured(const study::Experiment& experiment, archive::Capturing& capturing, const study::Store& store,
                         const study::Started& started) {
   lab::Batch batch(capturing.bench());
@@ -187,7 +187,7 @@ void demo(const Home& home, const SweepOptions& options) {
   order.device = options.device, order.validation = validationWanted();
   if (!options.size.empty()) order.size = lab::parseSize(options.size);
   requireWritable(options.out);
-  // Mistakes come before anything is written.
+  // Report mistakes before anything is written.
   archive::readCapture(home, order.file, order.size);
   study::Experiment experiment = experimentOf(home, order.file, options);
   study::Store store(options.out);

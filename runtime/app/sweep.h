@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `strobe sweep`: runs an experiment. `strobe report`: lays its results out again. `strobe demo`: the first experiment
-// that people see.
+// `strobe sweep`: runs an experiment. `strobe report`: lays out its results again. `strobe demo`: takes a capture and
+// measures it.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -32,7 +32,7 @@ struct TuneOptions {
   bool json = false;
 };
 
-// ---- what the command line asks for
+// ---- command line
 
 void requireKnown(const std::string& option, const std::string& name, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
@@ -41,7 +41,7 @@ void requireKnown(const std::string& option, const std::string& name, const std:
               {}, 2);
 }
 
-// Measures that are less where a picture is better, and have a value for a region.
+// Measures with a value per region that are lower for a better picture.
 std::vector<std::string> errorNames() {
   std::vector<std::string> names;
   for (const study::Measure& measure : study::measures()) {
@@ -89,7 +89,7 @@ study::Wish wishOf(const TuneOptions& options) {
   return wish;
 }
 
-// The command as somebody would repeat it.
+// Command line that repeats the run.
 std::string commandOf(const TuneOptions& options, const study::Wish& wish) {
   std::string line = lab::commandOf(wish.shot);
   line.replace(0, line.find(" render ") + 8, "strobe tune ");
@@ -110,7 +110,7 @@ std::string commandOf(const TuneOptions& options, const study::Wish& wish) {
   return line;
 }
 
-// ---- what is said of it
+// ---- output
 
 std::string goalText(const study::Wish& wish, const std::string& base) {
   using Limit = study::Wish::Limit;
@@ -174,7 +174,7 @@ Json jsonOf(const study::Tuned& tuned, const Path& file) {
   return json;
 }
 
-// What draws the picture with the preset: the shot without what the preset holds.
+// Command that renders with the preset: the shot without the settings that the preset holds.
 std::string renderCommand(lab::Shot shot, const Path& file) {
   std::erase_if(shot.sets, [](const script::Setting& set) { return set.first.find('.') == std::string::npos; });
   shot.sets.emplace_back(plan::kPresetSetting, file.string());
@@ -216,7 +216,7 @@ void tune(const Home& home, TuneOptions options) {
   if (options.out.empty()) options.out = (Path("out/tune") / Path(wish.shot.pipeline).stem()).string() + ".lua";
   Path file = options.out, folder = file.parent_path() / file.stem();
   if (file.extension() != ".lua") throw Error(fmt::format("--out '{}': a preset is a .lua file", options.out), {}, 2);
-  // Before anything is written.
+  // Report mistakes before anything is written.
   study::spaceOf(script::evaluatePipeline(home, {wish.shot.pipeline, wish.shot.sets}), {}, wish);
   if (!wish.base.empty()) script::evaluatePipeline(home, {wish.base, {}});
   requireWritable(folder);
@@ -227,7 +227,7 @@ void tune(const Home& home, TuneOptions options) {
   bench.device().refuseMessages();
   explain(wish, tuned);
   tuned.results.command = commandOf(options, wish);
-  // Laid out from the numbers as they are written, so that `report` gives the same page.
+  // Read back from their JSON, so that `report` gives the same page.
   study::Results results = study::resultsFrom(study::toJson(tuned.results), "the results");
   std::vector<Path> files = writeResults(results, folder);
   std::string goal = goalText(wish, results.arms[1].name);

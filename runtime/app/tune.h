@@ -7,7 +7,7 @@
 
 namespace strobe::app {
 
-// `strobe tune`: the best setting of a pipeline within a budget or an error, as a preset.
+// Registers `strobe tune`: best setting of a pipeline within a budget or an error, as a preset.
 void registerTune(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

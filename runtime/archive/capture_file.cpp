@@ -43,7 +43,7 @@ CapturedShot shotFrom(const Home& home, const Json& json, const Path& script, ui
   result.shot.sets = lab::settingsFrom(json, "scene_set", "scene.");
   result.truth = lab::settingsFrom(json, "truth");
   result.steps = stepsFrom(json);
-  // What options move is at rest at the first of all frames.
+  // Nodes that options move are at rest at the first frame.
   std::vector<int> frames = lab::framesFrom(json);
   if (!frames.empty() && result.shot.rest_frame < 0) result.shot.rest_frame = frames.front();
   result.scene_name = result.shot.scene;
@@ -69,7 +69,7 @@ CapturedArm armFrom(const Json& json, const Path& script) {
   return arm;
 }
 
-// Names of files are made of theirs.
+// Throws `Error` if two names give the same file name.
 template <class Named>
 void refuseSameFiles(const std::vector<Named>& list, const char* what, const std::string& script) {
   std::map<std::string, std::string> names;
@@ -136,7 +136,7 @@ lab::Shot shotOf(const CaptureFile& capture, const CapturedShot& captured, const
   auto scaled = [](int own, int size, int of_file) {
     return std::max(1, int(std::lround(double(own) * size / of_file)));
   };
-  bool has_size = shot.width > 0;  // of its own, which goes with the capture's
+  bool has_size = shot.width > 0;  // the shot's own size, scaled with the capture's
   shot.width = has_size ? scaled(shot.width, capture.width, capture.file_width) : capture.width;
   shot.height = has_size ? scaled(shot.height, capture.height, capture.file_height) : capture.height;
   shot.pipeline = arm.pipeline;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A capture script (scripts/strobe/capture.lua) as values: shots, drawn by arms, each at one step or at a sequence of
-// them.
+// steps.
 #pragma once
 
 #include "image/tone.h"
@@ -8,65 +8,66 @@
 
 namespace strobe::archive {
 
-// What a step of a sequence sets.
+// Options and settings of one step of a sequence.
 struct Step {
   std::string label;  // "frame 3", "exposure = 0.5"; "" of a shot without a sequence
-  Json options;       // of the shot, as lab::setOptions takes them
+  Json options;       // of the shot, for lab::setOptions
   script::Settings sets;
 };
 
 struct CapturedShot {
   std::string name, title, attribution;
-  lab::Shot shot;          // without pipeline; settings of the scene alone
-  script::Settings truth;  // on top of those of the truth arm
+  lab::Shot shot;          // without pipeline; settings of the scene only
+  script::Settings truth;  // added to the settings of the truth arm
   std::vector<Step> steps = {Step()};
   image::ToneMap tone;
-  std::string scene_name;  // as the script has it
-  std::string missing;     // why its scene is not there; "": it is
+  std::string scene_name;  // as in the script
+  std::string missing;     // reason why the scene is missing; "": not missing
 
   bool isSequence() const { return steps.size() > 1 || !steps.front().label.empty(); }
 };
 
 // Layers of a picture besides its colour.
 struct Layers {
-  bool all = false;  // every output, and what every pass wrote
+  bool all = false;  // all outputs, and the images that every pass wrote
   std::vector<std::string> names;
 };
 
 struct CapturedArm {
   std::string name, pipeline;
   script::Settings sets;
-  std::vector<std::string> shots;  // those that it draws; empty: all
+  std::vector<std::string> shots;  // shots that the arm draws; empty: all
   std::optional<Layers> layers;
-  Path files;  // a folder beside the script, whose files take the place of the home's own (FrozenHome); or ""
+  Path files;  // folder beside the script with replacements for the home's files (FrozenHome); or ""
 
   bool draws(const std::string& shot) const;
 };
 
 struct CaptureFile {
-  std::string file;  // as it was given
+  std::string file;  // as given
   std::string title, note, truth;
-  int file_width = 0, file_height = 0, width = 0, height = 0;  // pixels: as the file says; as it is drawn
-  bool measured = false;                                       // it is an experiment too
-  double most_flip = 0.005;  // mean FLIP up to which a picture of another device counts as the same
+  int file_width = 0, file_height = 0, width = 0, height = 0;  // pixels: in the file; as drawn
+  bool measured = false;                                       // also an experiment
+  double most_flip = 0.005;  // largest mean FLIP of a picture from another device that counts as the same
   std::vector<CapturedShot> shots;
   std::vector<CapturedArm> arms;
   std::optional<Layers> layers;
-  std::vector<Json> figures, films;         // as scripts/strobe/figure.lua leaves them, with the sizes of the capture
-  std::vector<script::Dependency> scripts;  // that were read
+  std::vector<Json> figures, films;         // from scripts/strobe/figure.lua, with the sizes of the capture
+  std::vector<script::Dependency> scripts;  // scripts that were read
 
-  const CapturedShot& shot(const std::string& name) const;  // throws `Error` for one that there is not
+  const CapturedShot& shot(const std::string& name) const;  // throws `Error` for an unknown name
   const CapturedArm& arm(const std::string& name) const;
 };
 
-// The file, checked: throws `Error`, all mistakes at once, each at its place. A scene "shared:FILE" is looked for in
-// the shared data. `size` {0, 0}: the file's own.
+// Reads and checks the file. Throws one `Error` with all mistakes, each with its place. A scene "shared:FILE" is
+// searched in the shared data. `size`: pixels; {0, 0}: from the file.
 CaptureFile readCapture(const Home& home, const std::string& file, std::array<int, 2> size = {});
 
-// What is drawn, with its settings; `step` is one of the shot's.
+// Shot of a picture, with its settings. `step` is an index of the captured shot's steps.
 lab::Shot shotOf(const CaptureFile& capture, const CapturedShot& shot, const CapturedArm& arm, size_t step);
 
-// Those of a picture: the arm's, else the capture's, else all of a single picture and none of a sequence's.
+// Layers of a picture: from the arm, else from the capture. By default a single picture has all layers, and a picture
+// of a sequence has no layers.
 Layers layersOf(const CaptureFile& capture, const CapturedShot& shot, const CapturedArm& arm);
 
 }  // namespace strobe::archive

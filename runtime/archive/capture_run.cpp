@@ -18,7 +18,7 @@ Path inputCopy(const std::string& name) {
   return Path(kInputsFolder) / name.substr(0, colon) / Path(name.substr(colon + 1)).relative_path();
 }
 
-// Copies of what was used, and of nothing else; their names.
+// Copies the used inputs, removes all other copies, and returns the names of the copies.
 static std::set<std::string> copyInputs(const Inputs& inputs, const InputNames& names, const Path& folder, bool all) {
   std::set<std::string> wanted;
   for (const auto& [name, input] : inputs) {
@@ -57,7 +57,8 @@ bool Capturing::isFigure(const std::string& name) const {
   return false;
 }
 
-// Scripts and shaders of an arm's own, used or not: without them the script cannot be read.
+// Adds the scripts and shaders of an arm's own folder, used or not: the capture script cannot be read without the
+// folder.
 void Capturing::addFiles(const Path& folder) {
   if (folder.empty()) return;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -65,7 +66,7 @@ void Capturing::addFiles(const Path& folder) {
       addInput(used_, taker_.names(), entry.path(), hashText(readText(entry.path())));
 }
 
-// The shots that its cells show, each once.
+// Shots that the cells show, each once.
 std::vector<const CapturedShot*> Capturing::shotsOf(const Json& figure) const {
   std::vector<const CapturedShot*> shots;
   for (const Json& cell : figure.at("cells")) {
@@ -102,7 +103,8 @@ void Capturing::drawFigures() {
     }
 }
 
-// What is said once for all pictures goes out of the entry.
+// Adds the entry of a picture to the manifest. Moves inputs and files out of the entry: the manifest lists them once
+// for all pictures.
 void Capturing::collect(const Frame& frame) {
   Json entry = taker_.entry(frame);
   for (const auto& [name, input] : inputsFrom(entry["inputs"])) {
@@ -125,7 +127,7 @@ Json Capturing::captureJson(const std::string& name) const {
                {"most_flip", capture_.most_flip},
                {"bundle", order_.bundle}};
   if (!capture_.note.empty()) json["note"] = capture_.note;
-  // A script of no root is found from the manifest.
+  // A script outside of the roots is found relative to the manifest.
   if (name.starts_with("capture:"))
     json["from_here"] = fs::absolute(order_.file).lexically_relative(fs::absolute(order_.folder)).generic_string();
   if (!order_.only.empty()) json["only"] = order_.only;

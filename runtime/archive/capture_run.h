@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A capture from its script to a folder: pictures, figures, films, manifest.json, ro-crate-metadata.json, inputs,
-// SHA256SUMS, timings.json.
+// Takes a capture: from its script to a folder with pictures, figures, films, manifest.json, ro-crate-metadata.json,
+// inputs, SHA256SUMS and timings.json.
 #pragma once
 
 #include "archive/manifest.h"
@@ -9,42 +9,42 @@
 namespace strobe::archive {
 
 struct Order {
-  std::string file;              // the capture script
-  Path folder;                   // where everything is written
-  std::string only;              // "", or the beginning of names of pictures
-  std::array<int, 2> size = {};  // pixels; {0, 0}: the script's
-  bool bundle = false;           // every file that was used goes into FOLDER/inputs, not texts alone
+  std::string file;              // capture script
+  Path folder;                   // output folder
+  std::string only;              // "", the beginning of picture names, or a figure
+  std::array<int, 2> size = {};  // pixels; {0, 0}: from the script
+  bool bundle = false;           // copy every used file to FOLDER/inputs, not only texts
   std::string device;            // index or part of the name of a Vulkan device
   bool validation = false;
 };
 
 struct Captured {
   Manifest manifest;
-  std::vector<Path> figures, pictures;  // written for people: figures and films, pictures
+  std::vector<Path> figures, pictures;  // written files: figures and films; PNG pictures
 };
 
 using Report = std::function<void(const std::string&)>;
 
-// A capture in the making. What was taken by an earlier one with the same inputs stays; a file that is there under its
-// final name is whole. Inputs are frozen at the start: what is edited meanwhile does not count. `report` gets a line
-// for each picture that `finish` takes, and for each figure. All throw `Error`. The home must outlive it.
+// A capture in progress. Pictures of an earlier capture with the same inputs are kept. A file under its final name is
+// complete. Inputs are frozen at the start: later edits do not count. `report` gets a line for each picture that
+// `finish` takes, and for each figure. All functions may throw `Error`. The home must outlive the object.
 class Capturing {
  public:
   Capturing(const Home& home, const Order& order, Report report = {});
   Capturing(const Capturing&) = delete;
 
   const FrozenHome& inputs() const { return frozen_; }
-  lab::Workbench& bench() { return *bench_; }  // its pictures are drawn on it
+  lab::Workbench& bench() { return *bench_; }  // draws the pictures
 
-  // The pictures that are asked for, in order.
+  // Requested pictures, in order.
   const std::vector<Frame>& frames() const { return frames_; }
   lab::Shot shot(const Frame& frame) const { return shotOf(capture_, *frame.shot, *frame.arm, frame.step); }
-  // Takes one of them before its turn; as `Taker::draw`.
+  // Takes a picture before its turn, as `Taker::draw`.
   std::shared_ptr<const lab::Picture> draw(const Frame& frame, const Taker::Progress& progress) {
     return taker_.draw(frame, progress);
   }
 
-  // Takes what is left, draws figures and films, writes the manifest and what belongs to it.
+  // Takes the remaining pictures, draws figures and films, and writes manifest, crate, inputs, timings and sums.
   Captured finish();
 
  private:
@@ -73,7 +73,7 @@ inline Captured runCapture(const Home& home, const Order& order, const Report& r
   return Capturing(home, order, report).finish();
 }
 
-// Folder of the copies of inputs, and the roots in it ("inputs/strobe/passes/x.lua").
+// Folder of the copied inputs, with a folder for each root ("inputs/strobe/passes/x.lua").
 inline constexpr const char* kInputsFolder = "inputs";
 Path inputCopy(const std::string& name);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kSpecification = "https://w3id.org/ro/crate/1.1";
 constexpr const char* kProfile = "https://w3id.org/ro/wfrun/process/0.5";
-// The context of RO-Crate 1.1 has no term for it.
+// The context of RO-Crate 1.1 has no term for SHA-256.
 constexpr const char* kSha256Term = "https://w3id.org/ro/terms/workflow-run#sha256";
 constexpr const char* kMit = "https://spdx.org/licenses/MIT";
 
@@ -43,7 +43,7 @@ std::string formatOf(const std::string& name) {
   return "application/octet-stream";
 }
 
-// A path as a relative URI; letters beyond ASCII stay (RO-Crate 1.1, "Encoding file paths").
+// Path as a relative URI. Letters beyond ASCII stay (RO-Crate 1.1, "Encoding file paths").
 std::string uriOf(const std::string& path) {
   std::string uri;
   for (char c : path) {
@@ -82,7 +82,7 @@ std::string commandOf(const Json& capture) {
   return command + (capture.value("bundle", false) ? " --bundle" : "");
 }
 
-// What a scene's file, or the text beside it, says of author and licence.
+// Author and licence of a scene, from its file or from the text beside it.
 Json sceneOf(const std::string& id, const std::string& shot, const Json& attribution) {
   auto text = [](const Json& json, const char* name) {
     return json.is_object() && json.contains(name) && json[name].is_string() ? json[name].get<std::string>() : "";
@@ -133,10 +133,10 @@ class Crate {
     entities_.push_back(std::move(entity));
   }
 
-  // Pictures, figures and films; pictures with the scene that they show, where its author is known.
+  // Adds pictures, figures and films. A picture links to its scene if the scene has an attribution.
   void addPictures() {
-    std::map<std::string, std::string> based_on;  // by name of the file: @id of the scene
-    std::map<std::string, std::string> known;     // by what is said of a scene: its @id
+    std::map<std::string, std::string> based_on;  // by file name: @id of the scene
+    std::map<std::string, std::string> known;     // by attribution: @id of the scene
     for (const Json& picture : manifest_.at("pictures")) {
       const Json scene = picture.at("record").value("scene", Json::object());
       const Json attribution = scene.value("attribution", Json::object());
@@ -152,7 +152,7 @@ class Crate {
     }
   }
 
-  // A file that is not in the crate may be no File of it.
+  // A file that is not in the crate must not have the type File.
   void addInputs(const std::set<std::string>& names) {
     for (const Json& input : manifest_.at("inputs")) {
       const std::string name = input.at("name").get<std::string>(), copy = inputCopy(name).generic_string();

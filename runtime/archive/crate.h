@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ro-crate-metadata.json: what a capture is for programs that know nothing of Strobe, as an RO-Crate 1.1 after the
-// profile Process Run Crate 0.5 (https://w3id.org/ro/wfrun/process/0.5). All of it is derived from the manifest.
+// ro-crate-metadata.json: description of a capture for other programs, as an RO-Crate 1.1 after the profile Process Run
+// Crate 0.5 (https://w3id.org/ro/wfrun/process/0.5). Derived from the manifest.
 #pragma once
 
 #include "archive/manifest.h"
@@ -9,13 +9,13 @@ namespace strobe::archive {
 
 inline constexpr const char* kCrateFile = "ro-crate-metadata.json";
 
-// The day of publication that a crate must state, "2020-07-19" in UTC, which two runs state alike: that of the
-// environment's SOURCE_DATE_EPOCH (seconds since 1970), else of the revision of the sources, where git knows, else
-// 1970-01-01. Throws `Error` for a SOURCE_DATE_EPOCH that is no such number.
+// Date of publication, which a crate must state: "2020-07-19", UTC. Two runs state the same date. Source: the
+// environment variable SOURCE_DATE_EPOCH (seconds since 1970), else the revision of the sources in git, else
+// 1970-01-01. Throws `Error` if SOURCE_DATE_EPOCH is not such a number.
 std::string crateDate(const Home& home);
 
-// `manifest`: as it lies in its folder. `names`: the files of that folder besides; an input that is not among them was
-// not copied, and is described without a place. Throws `Error` where manifest.json cannot be read.
+// `manifest`: as in its folder. `names`: the other files of the folder. An input that is not in `names` was not copied,
+// and is described without a place. Throws `Error` if manifest.json cannot be read.
 Json crateOf(const Manifest& manifest, const std::set<std::string>& names, const std::string& date);
 
 }  // namespace strobe::archive

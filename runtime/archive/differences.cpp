@@ -20,7 +20,7 @@ namespace {
 
 // ---- images
 
-// Representable numbers in their order, as integers: neighbours differ by 1, and 0 and -0 are one.
+// Index of a number in the order of representable numbers: neighbours differ by 1, and 0 and -0 are equal.
 int64_t ordinal(float value) {
   int32_t bits = std::bit_cast<int32_t>(value);
   return bits < 0 ? -int64_t(bits & 0x7fffffff) : bits;
@@ -37,7 +37,7 @@ void addNumber(ImageDifference& result, Sums& sums, double difference, double ul
   sums.mean += difference, sums.mean_ulp += ulp;
 }
 
-// Calls `visit(x, y, channel, was, is)` for each pair of numbers that is not bit for bit the same.
+// Calls `visit(x, y, channel, was, is)` for each pair of numbers with different bits.
 template <class Pixels, class Visit>
 void forDifferences(const Pixels& was, const Pixels& is, const Visit& visit) {
   for (int y = 0; y < was.height; ++y)
@@ -72,7 +72,7 @@ bool sameSize(const graph::ReadImage& a, const graph::ReadImage& b) {
   return same(a.floats, b.floats) && same(a.uints, b.uints);
 }
 
-// |a - b| of each pixel, its largest difference white.
+// |a - b| of each pixel, scaled so that the largest difference is white.
 image::Image mapOf(const graph::ReadImage& was, const graph::ReadImage& is, double largest) {
   bool uints = !was.uints.values.empty();
   image::Image map(uints ? was.uints.width : was.floats.width, uints ? was.uints.height : was.floats.height, 1);
@@ -109,7 +109,7 @@ std::vector<std::string> textLines(const Path& file) {
   return lines;
 }
 
-// The first line in which the kept texts of an input differ.
+// Sets the first different line of an input, if its texts are kept.
 void findLine(InputDifference& difference, const Path& was_folder, const Path& is_folder) {
   Path was = was_folder / inputCopy(difference.name), is = is_folder / inputCopy(difference.name);
   if (!fs::is_regular_file(was) || !fs::is_regular_file(is)) return;
@@ -180,7 +180,7 @@ class PictureComparer {
   }
 
  private:
-  // The first pass, in the order of execution, that is not there any more or left another output.
+  // Finds the first pass, in the order of execution, that is missing or has a different output. Counts all such passes.
   void findPass(PictureDifference& difference, const Json& was, const Json& is) {
     std::map<std::string, const Json*> now;
     for (const Json& pass : is.at("passes")) now[pass.at("node").get<std::string>()] = &pass;
@@ -234,7 +234,7 @@ class PictureComparer {
   std::optional<Images> was_images_, is_images_;
 };
 
-// Figures and films: files that are no picture's.
+// Figures and films that differ: all files except pictures.
 std::vector<std::string> fileDifferences(const Manifest& stated, const Manifest& now) {
   std::vector<std::string> lines;
   const Json &was = stated.json.at("files"), &is = now.json.at("files");

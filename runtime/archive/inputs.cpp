@@ -98,7 +98,7 @@ void addInput(Inputs& inputs, const InputNames& names, const Path& file, const s
   inputs[name] = {name, sha256(text), text.size()};
 }
 
-// What every shader of a pass is compiled with.
+// Adds the files that every shader of a pass is compiled with.
 static void addCommonShaders(Inputs& inputs, const InputNames& names, const Home& home) {
   for (const char* folder : {"shaders/shared", "shaders/backend"})
     for (const Path& place : home.folders(folder))

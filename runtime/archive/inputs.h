@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files that pictures are made of, by names that mean the same on any machine.
+// Files that pictures are made of, with names that mean the same on any machine.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace strobe::archive {
 
-// Names begin with the root that a file lies in: "strobe:" what ships, "project:", "shared:" the shared data,
-// "capture:" the folder of the capture script, where that lies in none of these. Any other file has no such name.
+// A name begins with the root of the file: "strobe:" for shipped files, "project:", "shared:" for shared data, or
+// "capture:" for the folder of the capture script, if the file lies in no other root. Any other file has no such name.
 struct Input {
   std::string name;
   std::string sha256;
@@ -20,22 +20,23 @@ struct Input {
 using Inputs = std::map<std::string, Input>;  // by name
 
 Json toJson(const Inputs& inputs);    // [{ name, sha256, bytes }], by name
-Inputs inputsFrom(const Json& json);  // throws JSON's exceptions
+Inputs inputsFrom(const Json& json);  // throws Json::exception
 
-// A script or a shader, by the ending of its name, or a list of those that are not there (FrozenHome).
+// True for a script or a shader, by extension, and for a list of absent files (FrozenHome).
 bool isText(const Path& file);
 
 class InputNames {
  public:
-  // `home`: that files are read from, a copy of `original` or itself. `capture_file`: the script.
+  // `home`: home of the files, `original` or its copy. `capture_file`: the script.
   InputNames(const Home& home, const Home& original, const Path& capture_file);
-  // Of a home in which files of the folder `other` take the place of its own (FrozenHome): those have the names that
-  // the names given have for the folder's.
+  // Names for a home with replacements from the folder `other` (FrozenHome). A replacement has the name that `names`
+  // gives to its file in `other`.
   InputNames(const Home& home, const InputNames& names, const Path& other);
 
-  // Throws `Error` naming a file that lies in no root; with `allow_outside` it is "outside:" and its absolute path.
+  // Throws `Error` naming a file that lies in no root. With `allow_outside`, the name is "outside:" and the absolute
+  // path.
   std::string nameOf(const Path& file, bool allow_outside) const;
-  // Where a name lies here.
+  // Path of a named file on this machine.
   Path pathOf(const std::string& name) const;
 
  private:
@@ -50,12 +51,12 @@ class InputNames {
   std::string other_name_;
 };
 
-// Reads and adds a file whose content had the hash `was` (base/hash.h, hashText) when it was used; throws `Error` where
-// it changed since. Of a folder, of which names were looked at, its scripts.
+// Adds a file. `was`: hash of the file's content when it was used (base/hash.h, hashText). Throws `Error` if the file
+// changed since. For a folder that was listed, adds its scripts.
 void addInput(Inputs& inputs, const InputNames& names, const Path& file, const std::string& was,
               bool allow_outside = false);
 
-// What a drawing was made of: scripts, shaders with what they include, the scene's files.
+// Adds the inputs of a drawing: scripts, shaders with their includes, the scene's files.
 void addInputs(Inputs& inputs, const InputNames& names, const Home& home, const lab::Drawing& drawing,
                bool allow_outside);
 

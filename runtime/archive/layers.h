@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images of a picture in its file, and back without loss.
+// Images of a picture in one file, without loss.
 #pragma once
 
 #include "lab/workbench.h"
@@ -11,10 +11,11 @@ using Images = std::map<std::string, graph::ReadImage>;  // by output, or "node.
 // { format, size, hash } of each image, by name.
 Json layersJson(const Images& images);
 
-// Writes the images with the picture's attributes, a part each; `record` is what the file says of itself.
+// Writes a part for each image, with the picture's attributes. `record` is stored in the file.
 void writeLayers(const Path& file, const lab::Picture& picture, const Json& record, const Images& images);
 
-// What `writeLayers` wrote. Throws `Error` naming the file where it is not as `layers` says (what `layersJson` gave).
+// Reads a file written by `writeLayers`. Throws `Error` naming the file if the images differ from `layers` (see
+// `layersJson`).
 Images readLayers(const Path& file, const Json& layers);
 
 }  // namespace strobe::archive

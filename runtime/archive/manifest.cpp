@@ -18,7 +18,7 @@ namespace strobe::archive {
 
 namespace fs = std::filesystem;
 
-// What git says of the sources; nothing where they are not in a repository of it, or git is not installed.
+// Output of a git command in a folder; nothing if the folder is not in a repository, or if git is not installed.
 static std::optional<std::string> git(const Path& folder, const std::vector<std::string>& arguments) {
   std::vector<std::string> line = {"git", "--no-optional-locks", "-C", folder.string()};
   line.insert(line.end(), arguments.begin(), arguments.end());
@@ -60,7 +60,7 @@ Json deviceJson(const gpu::DeviceInfo& device) {
   return json;
 }
 
-// The sum that SHA256SUMS states for a file beside it; "" if it does not list the file.
+// Sum of a file in the SHA256SUMS beside it; "" if SHA256SUMS does not list the file.
 static std::string statedSum(const Path& file) {
   Path sums = file.parent_path() / kSumsFile;
   if (!fs::is_regular_file(sums)) return "";

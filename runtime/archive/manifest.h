@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// manifest.json: what a capture took, of what, by what, and the hash of all that came of it. docs/captures.md has it
-// field by field. No time, date or path of a machine is in it.
+// manifest.json: pictures, inputs, program and device of a capture, and the hashes of all results. docs/captures.md
+// describes each field. A manifest contains no time, date or path of a machine.
 #pragma once
 
 #include "archive/capture_file.h"
@@ -13,27 +13,27 @@ inline constexpr int kManifestVersion = 1;
 inline constexpr const char* kManifestFile = "manifest.json";
 inline constexpr const char* kSumsFile = "SHA256SUMS";
 
-// The program: version, the hash of its file, the revision of its sources and whether they were changed since, where
-// git knows, and the libraries it was built with.
+// Program: version, hash of its file, and libraries. With git, also the revision of the sources and whether they were
+// changed since.
 Json programJson(const Home& home);
-// When that revision was made, in seconds since 1970, where git knows. It is no part of a manifest.
+// Time of the revision, seconds since 1970; nothing without git. Not part of a manifest.
 std::optional<int64_t> revisionTime(const Home& home);
-// The device: name, driver, interface, what its name says of LLVM and the width of vectors.
+// Device: name, driver, API. If the name states them, also the version of LLVM and the width of vectors.
 Json deviceJson(const gpu::DeviceInfo& device);
 
 struct Manifest {
-  Path folder;  // that it lies in
+  Path folder;  // folder of the manifest
   Json json;
 };
 
-// Of a file, or of the one in a folder. Throws `Error` (place: the file) where there is none, where it is none, is cut
-// short, or of a newer format.
+// Reads a manifest from a file or from its folder. Throws `Error` (place: the file) if the file is missing, is not a
+// manifest, is cut short, or has a newer format.
 Manifest readManifest(const Path& file_or_folder);
 
 // { sha256, bytes } of a file.
 Json fileEntry(const Path& file);
 
-// Lines that `sha256sum -c` takes, of files of a folder.
+// Lines for `sha256sum -c`, for files of a folder.
 std::string sumsOf(const Path& folder, const std::set<std::string>& names);
 
 }  // namespace strobe::archive

@@ -32,7 +32,7 @@ const std::string& nameOf(const plan::Plan& plan, const plan::PlanNode& node) {
 
 std::string portOf(const plan::VirtualImage& image) { return image.name.substr(image.name.rfind('.') + 1); }
 
-// Every pass in the order of execution, with what it left.
+// Every pass in the order of execution, with its outputs.
 Json passesOf(const plan::Plan& plan, const lab::Picture& picture) {
   Json passes = Json::array();
   for (const plan::PlanNode& node : plan.nodes)
@@ -65,7 +65,7 @@ Json parametersOf(const lab::Shot& shot, const lab::Drawing& drawing) {
   return list;
 }
 
-// The record without what a manifest says once for all pictures.
+// Record without the parts that a manifest states once for all pictures.
 Json recordOf(const lab::Picture& picture, const CapturedShot& shot) {
   Json record = picture.record;
   for (const char* part : {"strobe", "device", "scripts", "shaders", "taps"}) record.erase(part);
@@ -109,7 +109,7 @@ bool isThere(const Path& folder, const Json& files) {
   return true;
 }
 
-// Images that the files of a picture hold, by name; the color always.
+// Images in the file of a picture, by name; always with the color.
 Images layersIn(const lab::Picture& picture, const Layers& layers, const std::string& name) {
   Images all = picture.frame.outputs;
   all.insert(picture.frame.taps.begin(), picture.frame.taps.end());
@@ -167,7 +167,7 @@ void Taker::refuseMessages() const {
   for (const auto& [folder, other] : others_) other->bench->device().refuseMessages();
 }
 
-// With every pass's output tapped.
+// Drawing with the outputs of all passes tapped.
 std::unique_ptr<lab::Drawing> Taker::drawingOf(lab::Workbench& bench, lab::Shot& shot) {
   std::shared_ptr<const lab::Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
   std::shared_ptr<lab::HeldScene> scene = bench.scene(shot, true);
@@ -175,7 +175,7 @@ std::unique_ptr<lab::Drawing> Taker::drawingOf(lab::Workbench& bench, lab::Shot&
   return std::make_unique<lab::Drawing>(bench, scene, lab::plannedOf(bench, shot, evaluation->pipeline), evaluation);
 }
 
-// Of all that makes the files: what is drawn, by which program, on which device, and what is kept of it.
+// Hash of everything that determines the files: shot, program, device, and the kept layers.
 std::string Taker::keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const {
   const gpu::DeviceInfo& device = own_.bench.device().info();
   const Layers layers = layersOf(capture_, *frame.shot, *frame.arm);
@@ -206,7 +206,7 @@ Json Taker::entry(const Frame& frame) {
   return entries_.at(frame.name());
 }
 
-// As it would be without taps.
+// The picture as drawn without taps.
 static std::shared_ptr<const lab::Picture> withoutTaps(lab::Picture picture) {
   picture.frame.taps.clear();
   picture.record.erase("taps");

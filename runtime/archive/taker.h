@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes the pictures of a capture: each is drawn once, written whole or not at all, and read back for figures and
-// films.
+// Takes the pictures of a capture. Each picture is drawn once, written completely or not at all, and read back for
+// figures and films.
 #pragma once
 
 #include <list>
@@ -18,40 +18,41 @@ struct Frame {
   const CapturedArm* arm = nullptr;
   size_t step = 0;
 
-  // "SHOT.ARM", of a sequence "SHOT.ARM.0012": as files have it.
+  // "SHOT.ARM", or "SHOT.ARM.0012" in a sequence. The names of the files begin with it.
   std::string name() const;
 };
-// Shots in their order, then arms, then steps; without those whose scene is not there. `only`: "", or the beginning of
-// names; throws `Error` (exit code 2) where none begins so.
+// Pictures by shot, then by arm, then by step, without shots with a missing scene. `only`: "", or the beginning of
+// names. Throws `Error` (exit code 2) if no name begins so.
 std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only = "");
 
 class Taker {
  public:
   using Progress = std::function<void(int done, int of)>;
-  // Makes the bench for arms with files of their own.
+  // Creates the bench for an arm with files of its own.
   using MakeBench = std::function<std::unique_ptr<lab::Workbench>(const Home& home)>;
 
-  // Files go to FOLDER/pictures. `original`: the home that the bench's is a copy of. All must outlive it.
+  // Files go to FOLDER/pictures. `original`: the home that the bench's home is a copy of, or the same home. All
+  // references must outlive the taker.
   Taker(lab::Workbench& bench, const Home& original, const CaptureFile& capture, const Path& folder, MakeBench make);
 
-  // Draws a picture, and writes its files, unless the folder has it as it would be. Gives it, without taps, where it
-  // was drawn now.
+  // Draws a picture and writes its files, unless the folder has the same picture. Returns the picture, without taps, if
+  // it was drawn, else null.
   std::shared_ptr<const lab::Picture> draw(const Frame& frame, const Progress& progress = {});
-  // The entry of a picture in a manifest (docs/captures.md); drawn where it was not.
+  // Entry of a picture in a manifest (docs/captures.md). Draws the picture if necessary.
   Json entry(const Frame& frame);
-  // Whether a picture was asked for, by itself or by a figure.
+  // True if the picture was requested, directly or by a figure.
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
-  // As it was taken; valid as `figure::FindTaken` says.
+  // The picture as taken. Valid as stated at `figure::FindTaken`.
   const figure::Taken& find(const std::string& shot, const std::string& arm, int step);
-  int drawn() const { return drawn_; }  // pictures drawn by this taker; the others were there
+  int drawn() const { return drawn_; }  // pictures drawn by this taker, without pictures that were in the folder
   const InputNames& names() const { return own_.names; }
-  // Throws `Error` with what validation said of any bench.
+  // Throws `Error` with the validation messages of all benches.
   void refuseMessages() const;
   // Milliseconds of each picture drawn, by name.
   const Json& timings() const { return timings_; }
 
  private:
-  // What arms draw on, and the names of the files there.
+  // Bench of an arm, and the names of the arm's files.
   struct Place {
     lab::Workbench& bench;
     InputNames names;
@@ -67,7 +68,7 @@ class Taker {
   std::string keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const;
   Json take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const lab::Picture& picture,
             uint64_t runs);
-  // Whether files named as inputs have the content now that they had then.
+  // True if the inputs still have the content that was recorded.
   bool areCurrent(const Json& inputs);
   figure::Taken readBack(const Json& entry) const;
 
@@ -76,9 +77,9 @@ class Taker {
   MakeBench make_bench_;
   Place own_;
   std::map<Path, std::unique_ptr<OwnPlace>> others_;  // by the folder of an arm's files
-  std::map<std::string, std::string> sums_;           // SHA-256 of inputs as they are, by name
-  std::map<std::string, Json> entries_;               // of pictures asked for, by name
-  std::list<figure::Taken> kept_;                     // the used last first, kPicturesFound of them
+  std::map<std::string, std::string> sums_;           // SHA-256 of the current inputs, by name
+  std::map<std::string, Json> entries_;               // of requested pictures, by name
+  std::list<figure::Taken> kept_;                     // last used first, at most kPicturesFound
   int drawn_ = 0;
   Json timings_ = Json::object();
 };

@@ -30,7 +30,7 @@ class TemporaryFolder {
   Path path_;
 };
 
-// A bundle holds what it was made of, as it was.
+// Throws `Error` if an input in a bundle is missing or was altered.
 void checkBundle(const Manifest& manifest) {
   std::vector<std::string> problems;
   for (const auto& [name, input] : inputsFrom(manifest.json.at("inputs"))) {

@@ -22,7 +22,7 @@ namespace {
 constexpr zip_uint16_t kFirstDay = 1 << 5 | 1;  // 1980-01-01: years since 1980, month, day
 constexpr zip_uint32_t kPlainFile = zip_uint32_t{S_IFREG | 0644} << 16;
 
-// Lines "SHA-256, two spaces, name".
+// Names in lines of the form "SHA-256, two spaces, name".
 std::set<std::string> listedIn(const Path& folder) {
   std::set<std::string> names = {kSumsFile, kCrateFile};
   std::istringstream lines(readText(folder / kSumsFile));
@@ -33,7 +33,7 @@ std::set<std::string> listedIn(const Path& folder) {
 
 class Zip {
  public:
-  // `shown`: the file's name in errors.
+  // `shown`: file name in errors.
   Zip(const Path& file, const Path& shown) : shown_(shown) {
     int code = 0;
     zip_.reset(::zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));

@@ -7,7 +7,7 @@
 
 namespace strobe {
 
-// Calls `work(0)` to `work(count - 1)`, several at a time, in no order. `work` throws nothing.
+// Calls `work(0)` to `work(count - 1)`, several at a time, in no order. `work` must not throw.
 void forEachOnAllCores(size_t count, const std::function<void(size_t)>& work);
 
 }  // namespace strobe

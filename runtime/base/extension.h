@@ -6,7 +6,7 @@
 
 namespace strobe {
 
-// True if the name ends in `extension` (".lua"), in capital or small letters.
+// True if the name ends in `extension` (".lua"), ignoring case.
 bool hasExtension(std::string_view name, std::string_view extension);
 
 }  // namespace strobe

@@ -43,7 +43,7 @@ static void writeAll(int descriptor, std::string_view bytes) {
   }
 }
 
-// EINVAL: the file system does not flush folders. EACCES: the folder may be written to and not read.
+// Ignores EINVAL (the file system does not flush folders) and EACCES (the folder is writable, but not readable).
 std::error_code flushFolder(const Path& folder) {
   int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   bool failed = descriptor < 0 || ::fsync(descriptor) != 0;

@@ -24,14 +24,14 @@ namespace {
 const std::set<std::string> kTexts = {".lua", ".glsl", ".h"};
 const std::vector<std::string> kData = {".glb", ".gltf", ".bin", ".png", ".jpg", ".jpeg"};
 
-// The same file under another name where the file system can do that.
+// Hard link, or a copy if the file system cannot link.
 void link(const Path& from, const Path& to) {
   std::error_code failed;
   fs::create_hard_link(from, to, failed);
   if (failed) fs::copy_file(from, to);
 }
 
-// As deep as they lie, but for hidden folders.
+// Copies recursively, without hidden folders.
 void copyFolder(const Path& from, const Path& to, bool with_data) {
   for (auto entries = fs::recursive_directory_iterator(from); entries != fs::end(entries); ++entries) {
     const fs::directory_entry& entry = *entries;
@@ -50,7 +50,7 @@ void copyFolder(const Path& from, const Path& to, bool with_data) {
 
 std::string rootName(const Home& home, const Path& root) { return root == home.shipped() ? "strobe" : "project"; }
 
-// Takes the files that a list names out of the copies of the roots.
+// Removes the files named in a list from the copies of the roots.
 void leaveOut(const Home& home, const std::vector<Path>& copies, const Path& list) {
   std::istringstream lines(readText(list));
   std::string line;
@@ -73,7 +73,7 @@ Home copy(const Home& home, const Path& folder, const Path& other) {
     fs::create_directories(roots.back());
     if (fs::exists(root / Home::kProjectFile))
       fs::copy_file(root / Home::kProjectFile, roots.back() / Home::kProjectFile);
-    // An experiment's folder has its results as well.
+    // No data from experiments: the folder also holds results.
     for (const std::string part : FrozenHome::kParts)
       if (fs::is_directory(root / part)) copyFolder(root / part, roots.back() / part, part != "experiments");
     Path others = other / rootName(home, root);

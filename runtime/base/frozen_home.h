@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The files that pictures are made of, as they were at one moment: what is edited afterwards does not count, and what
-// is edited in the copy changes nothing else.
+// Fixed copy of the files that pictures are made of. Later edits of the originals do not count, and edits of copied
+// texts do not change the originals.
 #pragma once
 
 #include "base/home.h"
 
 namespace strobe {
 
-// A copy of the Lua and GLSL files of a home, removed at the end. Models and pictures beside scenes and captures are
-// linked, not copied. What lies outside of the home's roots is left where it is.
+// A copy of the Lua and GLSL files of a home, removed by the destructor. Models and pictures beside scenes and captures
+// are linked, not copied. Files outside of the home's roots are not copied.
 class FrozenHome {
  public:
   static constexpr const char* kAbsent = "absent.txt";
@@ -16,16 +16,16 @@ class FrozenHome {
   static constexpr const char* kParts[] = {"passes", "shaders",  "scripts",    "pipelines",
                                            "scenes", "captures", "experiments"};
 
-  // The copy is made in `folder`, in place of what is there. Files in `other`/strobe and `other`/project, named as in
-  // those roots, take the place of the home's own; what `other`/absent.txt names, "strobe/passes/x.lua", one a line, is
-  // left out. Throws `WriteError` with the system's reason, and `Error` for a name that leads out; leaves nothing then.
-  // Throws `Error` (exit code 2) where another process holds a copy in this folder.
+  // Copies into `folder`, in place of its content. Files in `other`/strobe and `other`/project, named as in the roots,
+  // replace the home's files. `other`/absent.txt lists files to omit, one per line ("strobe/passes/x.lua"). Throws
+  // `WriteError` with the system's reason, and `Error` for a name outside of the roots; both leave nothing behind.
+  // Throws `Error` (exit code 2) if another process holds a copy in this folder.
   FrozenHome(const Home& home, const Path& folder, const Path& other = {});
   FrozenHome(const FrozenHome&) = delete;
   ~FrozenHome();
 
   const Home& home() const { return home_; }
-  // Where a file of the home's roots is now; others as they are.
+  // Path of the copy if `file` lies in a root and was copied, else `file`.
   std::string at(const std::string& file) const;
 
  private:

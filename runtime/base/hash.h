@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Identity of content: XXH3-128 within the program, SHA-256 where others check it.
+// Content hashes: XXH3-128 within the program, SHA-256 for checks by other programs.
 #pragma once
 
 #include <cstddef>

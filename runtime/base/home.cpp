@@ -24,7 +24,7 @@ std::optional<Path> fromVariable(const char* name) {
 }
 
 Path cacheFolder() {
-  if (const char* named = std::getenv("STROBE_CACHE")) return named;  // "" is none
+  if (const char* named = std::getenv("STROBE_CACHE")) return named;  // "": no cache
   if (std::optional<Path> shared = fromVariable("XDG_CACHE_HOME")) return *shared / "strobe";
   std::optional<Path> own = fromVariable("HOME");
   return own ? *own / ".cache/strobe" : Path();
@@ -40,7 +40,7 @@ bool isFolder(const Path& path) {
   return fs::is_directory(path, ignored);
 }
 
-// Links followed. By the C library where all of it is there, which takes a tenth of the time.
+// Path with links followed. realpath takes a tenth of the time, but requires that the path exists.
 Path real(const Path& path) {
   if (std::unique_ptr<char, decltype(&std::free)> whole(::realpath(path.c_str(), nullptr), &std::free); whole)
     return whole.get();
@@ -49,13 +49,13 @@ Path real(const Path& path) {
   return failed ? path : found;
 }
 
-// Both without links.
+// True if `file` lies below `folder`. Both paths are without links.
 bool isBelow(const Path& file, const Path& folder) {
   Path relative = file.lexically_relative(folder);
   return !relative.empty() && *relative.begin() != "..";
 }
 
-// What a project has, by the name of it in the shipped folder.
+// Folders of a project, by their names in the shipped folder.
 constexpr std::pair<const char*, const char*> kProjectFolders[] = {
     {"passes", "passes"},         {"shaders", "shaders"},           {"scripts/pipelines", "pipelines"},
     {"scripts/scenes", "scenes"}, {"scripts/captures", "captures"}, {"experiments", "experiments"}};
@@ -69,7 +69,7 @@ std::optional<Path> inProject(const Path& name) {
   return std::nullopt;
 }
 
-// The line that says "replaces = true" among the comment lines which a file begins with; 0 where none does.
+// Number of the line "replaces = true" among the first comment lines of a file; 0 if the file has no such line.
 int lineOfReplaces(const Path& file) {
   std::ifstream lines(file);
   std::string line;
@@ -81,7 +81,7 @@ int lineOfReplaces(const Path& file) {
   return 0;
 }
 
-// The project that a folder lies in.
+// Project that contains a folder.
 std::optional<Path> projectAround(Path folder) {
   for (;; folder = folder.parent_path()) {
     if (isThere(folder / Home::kProjectFile)) return folder;
@@ -137,7 +137,8 @@ void Home::requireInside(const Path& file) const {
   if (!inside) throw Error("is a link that leads out of the folders in which files are looked for", {shown(file)});
 }
 
-// An own file has a shipped one's name where it says so, and says so where it has one.
+// Throws `Error` if a project's file has a shipped name without the declaration, or the declaration without a shipped
+// name.
 void Home::requireDeclared(const Path& own, const Path& shipped) const {
   int line = lineOfReplaces(own);
   bool replaces = isThere(shipped);
@@ -186,7 +187,7 @@ std::vector<Path> Home::folders(const Path& name) const {
   return found;
 }
 
-// A name in two lists is looked for, which finds out whether it may be.
+// Union of the lists. `find` refuses a name in two lists without the declaration.
 std::vector<std::string> Home::joined(const Path& folder, std::string_view extension,
                                       const std::vector<std::vector<std::string>>& lists) const {
   std::set<std::string> names;
@@ -214,7 +215,7 @@ std::vector<std::string> Home::namesBelow(const Path& folder, std::string_view e
   return joined(folder, extension, lists);
 }
 
-// One may lie in the other.
+// Innermost root of a file. One root may lie in the other.
 std::optional<size_t> Home::rootOf(const Path& file, const std::vector<Path>& roots) {
   std::optional<size_t> found;
   for (size_t i = 0; i < roots.size(); ++i)
@@ -227,7 +228,7 @@ std::optional<std::string> Home::nameOf(const Path& file) const {
   return root ? std::optional<std::string>(file.lexically_relative(roots_[*root]).string()) : std::nullopt;
 }
 
-// With the name of its root in front, except that of `bare`.
+// Name with the prefix of its root, except for the root `bare`.
 std::optional<std::string> Home::named(const Path& file, std::optional<size_t> bare) const {
   Path path = fs::absolute(file).lexically_normal();
   const std::vector<Path>* roots = &roots_;
@@ -264,7 +265,7 @@ std::string Home::read(const Path& file) const {
   }
 }
 
-// A link that leads out of the project is left to whatever reads it.
+// Skips links that lead out of the project: their readers report them.
 std::vector<std::string> misnamedInProject(const Home& home) {
   std::vector<std::string> mistakes;
   std::error_code ignored;

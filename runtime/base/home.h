@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where Strobe's own files and those of a project are found: a value, made once by main() (or a test) and passed on.
+// Locations of Strobe's own files and of a project's files: a value, created once by main() or by a test, and passed
+// on.
 #pragma once
 
 #include <optional>
@@ -11,74 +12,75 @@
 
 namespace strobe {
 
-// Files are named as they lie in the shipped folder: "passes/mask/moving.lua", "scripts/pipelines/none.lua". Before it
-// may stand the folder of a project, which has "pipelines/x.lua" for "scripts/pipelines/x.lua". A project's file under
-// a shipped name is an `Error`, unless one of the comment lines that it begins with is "replaces = true"; so is one
-// that says so and replaces nothing, and one that a link leads to out of the roots.
+// Files are named by their path in the shipped folder: "passes/mask/moving.lua", "scripts/pipelines/none.lua". The
+// folder of a project may precede the shipped folder, and has "pipelines/x.lua" for "scripts/pipelines/x.lua". `find`
+// throws `Error` for a project's file with a shipped name, unless "replaces = true" is one of its first comment lines;
+// for a file with this line but without a shipped name; and for a link that leads out of the roots.
 class Home {
  public:
   static constexpr const char* kProjectFile = "strobe.project.lua";
 
   static constexpr const char* kOwnProgram = "/proc/self/exe";
 
-  // In front of names of files, where it matters in which root they lie.
+  // Prefixes of file names that state the root.
   static constexpr const char *kProjectPrefix = "project:", *kShippedPrefix = "strobe:", *kSharedPrefix = "shared:";
 
-  // `roots`: the project's folder, if any, and the shipped one. `data` is the folder of shared data; without it,
-  // `shared` beside that one. `cache` is a folder for what can be made again; empty: none.
+  // `roots`: the project's folder, if any, then the shipped folder. `data`: folder of shared data; default: `shared`
+  // beside the shipped folder. `cache`: folder for files that can be made again; empty: no cache.
   explicit Home(const std::vector<Path>& roots, std::optional<Path> data = {}, Path program = kOwnProgram,
                 Path cache = {});
-  // Other roots and other shared data, the rest as there.
+  // Other roots and other shared data, program and cache as in `other`.
   Home(const Home& other, const std::vector<Path>& roots, std::optional<Path> data)
       : Home(roots, std::move(data), other.program(), other.cache()) {}
   explicit Home(const Path& shipped) : Home(std::vector<Path>{shipped}) {}
 
-  // The project that the current folder lies in, if any; STROBE_HOME, else what is shipped with this program;
-  // STROBE_DATA; STROBE_PROGRAM; STROBE_CACHE, else XDG_CACHE_HOME/strobe, else ~/.cache/strobe.
+  // From the environment. Roots: the project that contains the current folder, if any, then STROBE_HOME, or
+  // shippedWith(this program). Shared data: STROBE_DATA. Program: STROBE_PROGRAM, or this program. Cache: STROBE_CACHE,
+  // else XDG_CACHE_HOME/strobe, else ~/.cache/strobe.
   static Home fromEnvironment();
-  // PREFIX/share/strobe of a program that is PREFIX/bin/strobe. Where that has no scripts: the source tree this program
-  // was built from, if there is one.
+  // PREFIX/share/strobe for the program PREFIX/bin/strobe. If it has no scripts: the source tree of this build, if it
+  // exists.
   static Path shippedWith(const Path& program);
 
-  // Absolute folders; the shipped one is the last.
+  // Absolute folders; the shipped folder is the last.
   const std::vector<Path>& roots() const { return roots_; }
   const Path& shipped() const { return roots_.back(); }
   bool hasProject() const { return roots_.size() > 1; }
   const Path& project() const { return roots_.front(); }
-  // Shared test data, where there is such a folder.
+  // Shared test data, if the folder exists.
   std::optional<Path> data() const;
-  // What is started to evaluate a script.
+  // Program that evaluates a script.
   const Path& program() const { return program_; }
   const Path& cache() const { return cache_; }
 
-  // The file or folder of this name in the first root that has it.
+  // File or folder of this name in the first root that has it.
   std::optional<Path> find(const Path& name) const;
-  // The same; where no root has it, the place it would have in the shipped folder.
+  // Like `find`; if no root has the name, its path in the shipped folder.
   Path at(const Path& name) const;
-  // The places that a folder of this name has in the roots, whether it is there or not.
+  // Paths of a folder of this name in the roots, existing or not.
   std::vector<Path> places(const Path& name) const;
-  // Those that are there.
+  // Existing folders of this name in the roots.
   std::vector<Path> folders(const Path& name) const;
-  // Names of the files with this extension in a folder of any root, without it, sorted.
+  // Sorted names of the files with this extension in a folder of any root, without the extension.
   std::vector<std::string> namesIn(const Path& folder, std::string_view extension) const;
-  // The same of all folders below ("bar", "oracles/bar").
+  // Like `namesIn`, including all folders below ("bar", "oracles/bar").
   std::vector<std::string> namesBelow(const Path& folder, std::string_view extension) const;
 
-  // Of all files of the project: those that `find` refuses. There is a project.
+  // Messages for all files of the project that `find` refuses. Requires a project.
   std::vector<std::string> mistakesOfProject() const;
 
-  // An absolute path that lies in a root, relative to that.
+  // Path relative to the root of the file; nothing if the file lies in no root. `file` is absolute.
   std::optional<std::string> nameOf(const Path& file) const;
-  // That with the root in front, "project:passes/x.lua" or "strobe:passes/x.lua", as records have it; of shared data
-  // "shared:scenes/x.glb"; `outside` for any other file (links followed).
+  // Name in records: with its root, "project:passes/x.lua" or "strobe:passes/x.lua"; for shared data
+  // "shared:scenes/x.glb"; `outside` for any other file. Links are followed.
   std::string recorded(const Path& file, const std::string& outside) const;
-  // As errors have it: the same without the prefix of the first root; `file` as it is where it lies in none.
+  // Name in errors: with its root, except for the first root; `file` itself if it lies in no root.
   std::string shown(const Path& file) const;
-  // The file that `shown` gave this name.
+  // File of a name that `shown` returned.
   Path fileShown(const std::string& name) const;
-  // What `shown` gave, without a root in front.
+  // Name that `shown` returned, without its root.
   static std::string withoutRoot(const std::string& name);
-  // The file's text; errors name it as `shown` does.
+  // Text of the file. Errors name the file as `shown` does.
   std::string read(const Path& file) const;
 
  private:
@@ -95,7 +97,7 @@ class Home {
   Path program_, cache_;
 };
 
-// Does `file` lie in `folder`, links followed?
+// True if `file` lies in `folder`, with links followed.
 bool liesIn(const Path& file, const Path& folder);
 
 }  // namespace strobe

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kNone = std::string::npos;
 
-// Position behind the next `close` from `at` on; the end of the text without one.
+// Position after the next `close` from `at` on; the end of the text if there is no `close`.
 size_t behind(const std::string& text, const std::string& close, size_t at) {
   size_t found = text.find(close, at);
   return found == kNone ? text.size() : found + close.size();
@@ -21,7 +21,7 @@ size_t behind(const std::string& text, const std::string& close, size_t at) {
 
 size_t endOfLine(const std::string& text, size_t at) { return std::min(text.find('\n', at), text.size()); }
 
-// Position behind the long bracket "[==[ ... ]==]" that begins at `at`; std::nullopt without one.
+// Position after the long bracket "[==[ ... ]==]" that begins at `at`; std::nullopt without one.
 std::optional<size_t> behindLongBracket(const std::string& text, size_t at) {
   if (at >= text.size() || text[at] != '[') return std::nullopt;
   size_t second = text.find_first_not_of('=', at + 1);
@@ -29,7 +29,7 @@ std::optional<size_t> behindLongBracket(const std::string& text, size_t at) {
   return behind(text, "]" + std::string(second - at - 1, '=') + "]", second + 1);
 }
 
-// Position behind the Lua string that begins at `at`; `at` without one.
+// Position after the Lua string that begins at `at`; `at` without one.
 size_t behindString(const std::string& text, size_t at) {
   const char quote = text[at];
   if (quote != '"' && quote != '\'') return behindLongBracket(text, at).value_or(at);
@@ -43,7 +43,7 @@ size_t behindBlanks(const std::string& text, size_t at) {
 
 bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Position behind the help text `doc = STRING .. STRING` or `fails = STRING` that begins at `at`; `at` without one.
+// Position after the help text `doc = STRING .. STRING` or `fails = STRING` that begins at `at`; `at` without one.
 size_t behindHelpText(const std::string& text, size_t at) {
   if (at > 0 && isWordCharacter(text[at - 1])) return at;
   for (const std::string field : {"doc", "fails"}) {
@@ -61,7 +61,7 @@ size_t behindHelpText(const std::string& text, size_t at) {
   return at;
 }
 
-// Position behind the comment that begins at `at`; `at` without one.
+// Position after the comment that begins at `at`; `at` without one.
 size_t behindComment(const std::string& text, Language language, size_t at) {
   auto is = [&](const char* mark) { return text.compare(at, 2, mark) == 0; };
   if (language == Language::lua) return is("--") ? behindLongBracket(text, at + 2).value_or(endOfLine(text, at)) : at;

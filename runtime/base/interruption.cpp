@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM};
 
-// The end of the pipe that the handler writes to; -1 while nothing reads it.
+// End of the pipe that the handler writes to; -1 if the pipe has no reader.
 std::atomic<int> writing_end = -1;
 
 void passOn(int signal) {
@@ -59,7 +59,7 @@ Interruption::~Interruption() {
   ::close(writing_end.exchange(-1));
 }
 
-// The progress line of a terminal goes first.
+// Waits for a signal, erases the progress line of a terminal, and prints the last message.
 void Interruption::wait() {
   unsigned char signal = 0;
   while (::read(reading_, &signal, 1) < 0 && errno == EINTR) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Last words of a program that the user ends with Ctrl-C.
+// Last message of a program that the user ends with Ctrl-C.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace strobe {
 
-// While it lives, SIGINT and SIGTERM print the line that `last_words` returns, on a thread of its own, and then end the
-// process as they would without it. A signal that is ignored stays ignored. One at a time.
+// While the object exists, SIGINT and SIGTERM print the line returned by `last_words`, on a separate thread, and then
+// end the process by their default action. An ignored signal stays ignored. One object at a time.
 class Interruption {
  public:
   explicit Interruption(std::function<std::string()> last_words);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON whose keys keep the order in which they were written.
+// JSON values that keep the order of their keys.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -10,7 +10,7 @@ namespace strobe {
 
 namespace {
 
-// Takes the library's events. An object or a list is made when it ends, of the size that it then has.
+// Handles the library's events. Creates an object or a list at its end, with its final size.
 class Builder : public Json::json_sax_t {
  public:
   bool null() override { return add(nullptr); }
@@ -60,8 +60,9 @@ class Builder : public Json::json_sax_t {
   }
 
   std::string key_;
-  std::vector<std::pair<std::string, Json>> fields_;  // of all that is open, those of the innermost last; lists: no key
-  std::vector<size_t> begins_;                        // where the fields of each begin
+  // Entries of all open objects and lists, the innermost last. Entries of a list have no key.
+  std::vector<std::pair<std::string, Json>> fields_;
+  std::vector<size_t> begins_;  // index of the first entry of each open object or list
 };
 
 }  // namespace

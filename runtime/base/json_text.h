@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// JSON from text and to text. The reader is for large texts: the library's own copies the fields of an object whenever
-// it grows.
+// JSON from text and to text. The reader is for large texts: the library's own reader copies the fields of an object
+// whenever it grows.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace strobe {
 
-// `is_discarded()` where the text is no JSON. An object that has a key twice keeps both; the first is found.
+// `is_discarded()` if the text is not JSON. An object with a duplicate key keeps both values; a lookup finds the first.
 Json jsonFromText(const std::string& text);
 
-// JSON on one line. Bytes that are not UTF-8 (of a file name, of a setting) become replacement characters.
+// JSON on one line. Bytes that are not UTF-8 (in file names, in settings) become replacement characters.
 std::string textOf(const Json& json);
 
 }  // namespace strobe

@@ -17,8 +17,8 @@ namespace {
 
 constexpr size_t kHashDigits = 32;
 
-// Is it time to look whether there is room: before the first file that this process keeps in the folder, and again
-// after every `step` bytes.
+// True if the size must be checked: before the first file that this process keeps in the folder, and again after every
+// `step` bytes.
 bool isDue(const Path& folder, size_t bytes, size_t step) {
   static std::mutex mutex;
   static std::map<Path, size_t> left;
@@ -59,7 +59,7 @@ void KeptFiles::keep(const std::string& key, std::string_view bytes) const {
   try {
     writeFileAtomically(folder_ / key, whole, Flush::no);
   } catch (const Error&) {
-    // A folder that cannot be written costs time, no more.
+    // An unwritable folder costs time only.
   }
 }
 

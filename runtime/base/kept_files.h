@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be made again, kept on disk from run to run, each file under a hash of all that it was made of: nothing
-// stale can be found.
+// Cache of files on disk between runs. Each file is stored under a hash of everything it was made of, so that a stale
+// file is never found.
 #pragma once
 
 #include <cstddef>
@@ -16,17 +16,17 @@ class KeptFiles {
  public:
   static constexpr size_t kMost = size_t(256) << 20;
 
-  // In `folder`, which need not be there; an empty name keeps nothing. Where there are more than `most` bytes, which is
-  // looked at as a quarter of it is new, the oldest files make way.
+  // `folder` may be missing; an empty path keeps nothing. If the files exceed `most` bytes, the oldest are removed. The
+  // size is checked once per `most` / 4 new bytes.
   explicit KeptFiles(Path folder, size_t most = kMost) : folder_(std::move(folder)), most_(most) {}
 
   bool empty() const;
-  // What was kept under this key; nothing where the file is not there or not whole.
+  // Content stored under this key; nothing if the file is missing or damaged.
   std::optional<std::string> find(const std::string& key) const;
-  // Does nothing where that cannot be written.
+  // Does nothing if the file cannot be written.
   void keep(const std::string& key, std::string_view bytes) const;
 
-  // Removes the oldest files but for three quarters of `most` bytes, where there are more than that.
+  // If the files exceed `most` bytes, removes the oldest until three quarters of `most` are left.
   void makeRoom() const;
 
  private:

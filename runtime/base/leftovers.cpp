@@ -19,7 +19,7 @@ bool isNumber(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
-// "12" of "x.png.12.part" and of ".recorded.12"; "" of other names.
+// "12" for "x.png.12.part" and ".recorded.12"; "" for other names.
 std::string processOf(const Path& name) {
   if (name.extension() != ".part" && name.stem() != ".recorded") return "";
   const Path with_number = name.extension() == ".part" ? name.stem() : name;

@@ -9,11 +9,11 @@
 
 namespace strobe {
 
-// Removes those whose process is gone from a folder and the folders in it. `.inputs_N` names no process: none that
-// makes such folders may be at work there.
+// Removes leftovers of ended processes from a folder and the folders in it. `.inputs_N` does not name its process: no
+// process that creates such folders may be running there.
 void removeLeftovers(const Path& folder);
 
-// Removes files and folders whose process is gone and whose names begin with `beginning`, from `folder` alone.
+// Removes leftovers of ended processes from `folder` only, if their names begin with `beginning`.
 void removeLeftovers(const Path& folder, const std::string& beginning);
 
 }  // namespace strobe

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Strobe cannot do with any pipeline. Each room declares its own limits in its limits.h; messages and the
+// Limits of Strobe that hold for every pipeline. Each folder declares its own limits in its limits.h; messages and the
 // reference page quote them. The limits of passes are declared with their counters (docs/writing-a-pass.md).
 #pragma once
 
@@ -9,13 +9,13 @@
 namespace strobe {
 
 struct Limit {
-  // Known: never reported, since nearly every picture meets it or it cannot be detected. Warned: the picture is made,
-  // with a warning. Refused: an error before anything is drawn.
+  // Known: never reported, because nearly every picture meets the limit or because it cannot be detected. Warned: the
+  // picture is made, with a warning. Refused: an error before anything is drawn.
   enum class Kind { Known, Warned, Refused };
   std::string_view name;
   Kind kind = Kind::Warned;
-  std::string_view met;     // when it is met
-  std::string_view result;  // what is done then, and what to do about it
+  std::string_view met;     // condition
+  std::string_view result;  // consequence and remedy
 
   // "`facts`; RESULT", for an error or a warning.
   std::string text(const std::string& facts) const { return facts + "; " + std::string(result); }

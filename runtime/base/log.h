@@ -10,15 +10,16 @@
 
 namespace strobe {
 
-// A line for the user; colours only on a terminal and never when NO_COLOR is set.
+// Prints a line for the user. Colours only on a terminal, and never if NO_COLOR is set.
 void note(const std::string& text);
 void warn(const std::string& text);
 
-// A line on a terminal that each `show` replaces, at most five times a second; cleared at its end. Nothing elsewhere.
+// Status line on a terminal. `show` replaces it at most five times a second; the destructor clears it. Prints nothing
+// if stderr is not a terminal.
 class StatusLine {
  public:
   ~StatusLine();
-  // `text` is called when the line is shown.
+  // Calls `text` only if the line is shown.
   template <class Text>
   void show(const Text& text) {
     if (isDue()) print(text());
@@ -30,15 +31,14 @@ class StatusLine {
   double shown_s_ = 0;
 };
 
-// Progress over a known number of units as a status line. The rate is measured from the first report on.
+// Progress over a known number of units, as a status line. The rate is measured from the first report on.
 class Progress {
  public:
   Progress(std::string label, int total, std::string unit)
       : label_(std::move(label)), unit_(std::move(unit)), total_(total) {}
-  // So many units are done, at most the total.
+  // Reports that `done` units are done, at most the total.
   void reach(int done);
-  // "truth 120/256 time samples  41.2/s  3 s left". Without rate and time left within a fifth of a second of the
-  // first report.
+  // "truth 120/256 time samples  41.2/s  3 s left". Without rate and time left during 0.2 s after the first report.
   std::string text(double now_s) const;
 
  private:
@@ -48,7 +48,7 @@ class Progress {
   StatusLine line_;
 };
 
-// Seconds of a monotonic clock; for progress and timings only, never for anything that reaches an image.
+// Monotonic time, seconds. For progress and timings only: an image must not depend on it.
 double clockSeconds();
 
 }  // namespace strobe

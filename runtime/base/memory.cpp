@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint64_t kUnlimited = UINT64_MAX;
 
-// The number after each first word of a line: "MemAvailable: 12 kB", "inactive_file 4096".
+// First number of each line, by the line's first word: "MemAvailable: 12 kB", "inactive_file 4096".
 std::map<std::string, uint64_t> numbersByName(const Path& file) {
   std::map<std::string, uint64_t> numbers;
   std::ifstream stream(file);
@@ -38,7 +38,7 @@ uint64_t leftOfSystem(const Path& root) {
   return 1024 * (numbers["MemAvailable:"] + numbers["SwapFree:"]);
 }
 
-// Files and counters of the two versions of control groups.
+// Files and counters in the two versions of control groups.
 struct GroupFiles {
   const char *limit, *usage, *inactive, *active;
 };
@@ -46,7 +46,7 @@ constexpr GroupFiles kFirstVersion = {"memory.limit_in_bytes", "memory.usage_in_
                                       "total_active_file"};
 constexpr GroupFiles kSecondVersion = {"memory.max", "memory.current", "inactive_file", "active_file"};
 
-// Pages of files count as used and are freed on demand.
+// Memory left in a group. Cached pages of files count as free: the system frees them on demand.
 uint64_t leftOfGroup(const Path& folder, const GroupFiles& files) {
   std::optional<uint64_t> limit = numberIn(folder / files.limit), usage = numberIn(folder / files.usage);
   if (!limit || !usage) return kUnlimited;
@@ -56,7 +56,7 @@ uint64_t leftOfGroup(const Path& folder, const GroupFiles& files) {
   return *limit - std::min(used, *limit);
 }
 
-// The limits of a group and of all groups above it.
+// Memory left in a group and in all groups above it, the smallest.
 uint64_t leftOfGroups(const Path& mount, const Path& group, const GroupFiles& files) {
   uint64_t left = kUnlimited;
   for (Path at = group.relative_path();; at = at.parent_path()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers in a text.
+// Numbers in texts.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace strobe {
 
-// The `count` numbers of a text like "3,4" that is nothing but them with `between` in between; else nothing.
+// The `count` numbers of a text like "3,4", separated by `between`. Nothing if the text has any other form.
 template <class Number, size_t count>
 std::optional<std::array<Number, count>> numbersIn(std::string_view text, char between) {
   std::array<Number, count> numbers{};
@@ -24,7 +24,7 @@ std::optional<std::array<Number, count>> numbersIn(std::string_view text, char b
   return numbers;
 }
 
-// "1 truth", "2 truths": for nouns whose plural ends in "s".
+// "1 truth", "2 truths": for nouns with a plural in "s".
 inline std::string countText(size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }

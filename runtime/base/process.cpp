@@ -49,7 +49,7 @@ class Descriptor {
   throw Error(fmt::format("'{}' cannot be started: {}: {}", program.arguments[0], what, std::strerror(reason)));
 }
 
-// In memory, so that a child that never reads cannot block its parent.
+// Writes the input to a file in memory, so that a child that never reads cannot block its parent.
 void fill(Descriptor& file, const Program& program) {
   file.reset(::memfd_create("strobe-input", MFD_CLOEXEC));
   if (file.get() < 0) failed(program, "memfd_create");
@@ -61,7 +61,7 @@ void fill(Descriptor& file, const Program& program) {
   ::lseek(file.get(), 0, SEEK_SET);
 }
 
-// What a child is fed: a socket, since writing to one that is not read any more raises no signal.
+// Input stream of a child. A socket: sending to a closed socket raises no signal.
 class Feeding {
  public:
   Feeding(const Program& program, Descriptor& child_end) : program_(program), rest_(program.input) {
@@ -73,7 +73,7 @@ class Feeding {
 
   int descriptor() const { return descriptor_.get(); }
 
-  // After what the child has not been given yet. What is not the last stays open after it.
+  // Appends `text` to the unsent input. The stream stays open unless `is_last`.
   void give(const std::string& text, bool is_last) {
     rest_.erase(0, std::exchange(done_, 0));
     rest_ += text;
@@ -81,7 +81,8 @@ class Feeding {
   }
   bool hasMore() const { return is_last_ || done_ < rest_.size(); }
 
-  // As much as the child takes at once; it is closed after the last of it, and where the child reads no more.
+  // Sends as much as the child takes at once. Closes the stream after the last input, or if the child does not read any
+  // more.
   void write() {
     if (rest_.size() == done_) rest_ = program_.more_input ? program_.more_input() : "", done_ = 0;
     if (rest_.empty()) return descriptor_.reset();
@@ -98,7 +99,7 @@ class Feeding {
   bool is_last_ = true;
 };
 
-// A stream of the child and what has been read from it.
+// A stream of the child, and the text read from it.
 struct Stream {
   Descriptor reading, writing;
   std::string text;
@@ -129,8 +130,8 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// All that the child needs between its birth and its program, where it shares memory with this process: nothing there
-// may allocate or throw.
+// Everything that the child needs until it has become the program. The child shares memory with this process until
+// then, so it must not allocate or throw.
 struct Birth {
   char* const* arguments;
   char* const* environment;
@@ -145,7 +146,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   ::setrlimit(resource, &limits);
 }
 
-// Returns errno where the program cannot be started.
+// Returns errno if the program cannot be started.
 int become(const Birth& birth) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -154,7 +155,7 @@ int become(const Birth& birth) {
   ::dup2(birth.output, STDOUT_FILENO);
   if (birth.errors >= 0) ::dup2(birth.errors, STDERR_FILENO);
   ::closefrom(STDERR_FILENO + 1);
-  // The first is a signal that a program may catch; the second ends it.
+  // The soft limit sends a signal that a program may catch; the hard limit ends the program.
   if (birth.cpu_s) limit(RLIMIT_CPU, birth.cpu_s, birth.cpu_s + 1);
   if (birth.memory_bytes) limit(RLIMIT_AS, birth.memory_bytes, birth.memory_bytes);
   if (birth.cpu_s || birth.memory_bytes) limit(RLIMIT_CORE, 0, 0);
@@ -163,7 +164,8 @@ int become(const Birth& birth) {
   return errno;
 }
 
-// Handlers of this process must not run in the child, which shares its memory until it has become the program.
+// Blocks signals: handlers of this process must not run in the child, which shares its memory until it has become the
+// program.
 pid_t start(const Program& program, const Descriptor& input, const Stream& output, const Stream& errors) {
   std::vector<std::string> arguments = program.arguments, variables = variablesOf(program);
   std::vector<char*> argument_list = pointersTo(arguments), variable_list = pointersTo(variables);
@@ -195,7 +197,7 @@ pid_t start(const Program& program, const Descriptor& input, const Stream& outpu
   return child;
 }
 
-// False where the child has closed its end.
+// False if the child has closed its end.
 bool readInto(Stream& stream, const Program& program, ProgramEnd& end) {
   char buffer[65536];
   ssize_t got = ::read(stream.reading.get(), buffer, sizeof buffer);
@@ -211,10 +213,10 @@ double leftOf(const Program& program, double started_s) {
   return program.wall_s > 0 ? started_s + program.wall_s - clockSeconds() : 1e9;
 }
 
-// Whether what a child has written to stdout is all that it is waited for; empty: it is waited for its end.
+// True if stdout of a child is the complete answer. An empty function waits for the child's end.
 using IsWhole = std::function<bool(const std::string& output)>;
 
-// Until the child closes its streams, or its time or its room is used up; true where what it wrote is whole before.
+// Reads until the child closes its streams or exceeds its time or room. Returns true if the answer is complete before.
 bool collect(const Program& program, std::array<Stream, 2>& streams, Feeding* feeding, double started_s,
              const IsWhole& is_whole, ProgramEnd& end) {
   for (;;) {
@@ -257,14 +259,14 @@ void reap(pid_t child, const Program& program, double started_s, ProgramEnd& end
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
 }
 
-// A child and what connects it with this process.
+// A child and its connections to this process.
 struct Child {
   std::array<Stream, 2> streams;
   std::optional<Feeding> feeding;
   pid_t id = -1;
 };
 
-// With `feeds` the child is fed, else its input is there when it starts.
+// With `feeds`, the child gets a stream of input; otherwise all of its input exists at the start.
 void start(Child& child, const Program& program, bool feeds) {
   STROBE_ASSERT(!program.arguments.empty());
   Descriptor input;
@@ -276,7 +278,7 @@ void start(Child& child, const Program& program, bool feeds) {
   for (Stream& stream : child.streams) stream.writing.reset();
 }
 
-// What it has written by its end, or by when that is whole: true.
+// Collects the output until the answer is complete (true) or the child has ended (false).
 bool answered(Child& child, const Program& program, const IsWhole& is_whole, ProgramEnd& end) {
   const double started_s = clockSeconds();
   bool whole = false;
@@ -311,7 +313,7 @@ struct WaitingProgram::State {
 WaitingProgram::WaitingProgram(Program program) : state_(std::make_unique<State>()) {
   state_->program = std::move(program);
   start(state_->child, state_->program, true);
-  // As much of it as is taken now; what is left goes with the next.
+  // Sends as much as the child takes now. The rest follows with the next input.
   Feeding& feeding = *state_->child.feeding;
   feeding.give("", false);
   if (feeding.hasMore()) feeding.write();

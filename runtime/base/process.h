@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs another program and waits for its end: what it reads, its environment, its limits, what it wrote.
+// Runs another program and waits for its end, with input, environment and limits, and collects its output.
 #pragma once
 
 #include <functional>
@@ -12,64 +12,65 @@
 namespace strobe {
 
 struct Program {
-  // The first is the program: a path, or a name that PATH knows.
+  // The first argument is the program: a path, or a name in PATH.
   std::vector<std::string> arguments;
-  // "NAME=value", in place of variables of this process with these names; the child has the others too.
+  // "NAME=value", replacing variables of this process with the same names. The child inherits all other variables.
   std::vector<std::string> environment;
-  // What the child reads on stdin.
+  // Stdin of the child.
   std::string input;
-  // More of it, for what does not fit into memory at once: called when the child has taken all before; an empty text is
-  // the end. What it throws ends the child and is thrown by `run`.
+  // Further input, if it does not fit into memory at once. Called when the child has read all earlier input; an empty
+  // text is the end. An exception ends the child, and `run` rethrows it.
   std::function<std::string()> more_input;
-  // Where stderr goes: into `errors` of the end, in among the output, or where this process has its own.
+  // Destination of stderr: `errors` of the end, the output, or the stderr of this process.
   enum class Errors { apart, with_output, inherited };
   Errors errors = Errors::apart;
 
-  // Limits; 0 is none. At the wall clock's the whole process group of the child is killed; the system enforces the
-  // others (SIGXCPU, memory that is not given).
+  // Limits; 0: no limit. At the wall-clock limit, the whole process group of the child is killed. The system enforces
+  // the other limits (SIGXCPU, failed allocations).
   double wall_s = 0;
-  double cpu_s = 0;  // in whole seconds, rounded up
+  double cpu_s = 0;  // whole seconds, rounded up
   size_t memory_bytes = 0;
-  // Bytes kept of each stream. A child that writes more is killed, or with `drops_rest` goes on unheard.
+  // Bytes kept of each stream. A child that writes more is killed, or with `drops_rest` continues and the rest is
+  // dropped.
   size_t output_bytes = size_t{64} << 20;
   bool drops_rest = false;
 
-  // Called every 20 ms or more often while the child runs.
+  // Called at least every 20 ms while the child runs.
   std::function<void()> meanwhile;
 };
 
 struct ProgramEnd {
   std::string output, errors;
-  int exit_status = 0;  // where it ended without a signal
-  int signal = 0;       // that ended it, or 0
+  int exit_status = 0;  // if it ended without a signal
+  int signal = 0;       // signal that ended it, or 0
   bool timed_out = false;
-  bool too_long = false;  // it wrote more than is kept
+  bool too_long = false;  // output exceeded output_bytes
   double seconds = 0;
 
-  // As a shell counts: the exit status, or 128 + signal.
+  // Exit code of a shell: the exit status, or 128 + signal.
   int code() const { return signal ? 128 + signal : exit_status; }
   bool succeeded() const { return code() == 0 && !timed_out; }
 };
 
-// Waits until the child has closed its streams and has ended. The child leads a process group of its own and is killed
-// where this process ends first. Throws `Error` where the program cannot be started.
+// Runs the program until it has closed its streams and has ended. The child leads its own process group. It is killed
+// if this process ends first. Throws `Error` if the program cannot be started.
 ProgramEnd run(const Program& program);
 
-// A program that is started before it is known what it reads, so that its start takes no time later, or that reads and
-// answers again and again. It is ended with this object, unless it has ended; and, by the system, with the thread that
-// made it.
+// A program that is started before its input exists, to save the start time later, or that answers several inputs. The
+// destructor ends the program, unless it has ended. The system ends it with the thread that created it.
 class WaitingProgram {
  public:
-  // Hands it `program.input` at once, which is not the last. Throws `Error` where it cannot be started.
+  // Starts the program and writes `program.input`; more input follows. Throws `Error` if the program cannot be started.
   explicit WaitingProgram(Program program);
   WaitingProgram(WaitingProgram&&) noexcept;
   ~WaitingProgram();
-  // Whether it still waits.
+  // True if the program still waits for input.
   bool waits() const;
-  // As `run` with this input, and the last; the limit of the wall clock counts from here.
+  // Writes the last input and waits for the end, as `strobe::run`. The wall-clock limit counts from this call.
   ProgramEnd run(const std::string& input);
-  // Hands it `input` and waits until `is_whole` says so of what it has written to stdout since; then it waits again.
-  // Where it ends before, or exceeds a limit, it is over, as the end says. `wall_s` counts from here.
+  // Writes `input` and waits until `is_whole` returns true for the text written to stdout since this call. The program
+  // then waits for the next input. If it ends before or exceeds a limit, it is over, and the result states why.
+  // `wall_s` counts from this call.
   ProgramEnd ask(const std::string& input, double wall_s,
                  const std::function<bool(const std::string& output)>& is_whole);
 

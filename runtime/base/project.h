@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names in the two roots of a project: for checks and for messages.
+// File names in the two roots of a project, for checks and messages.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace strobe {
 
-// Mistakes of names in scripts and shaders of the project, if there is one: a shipped name without "replaces = true",
-// or that line without a shipped name.
+// Mistakes in the names of the project's scripts and shaders, if there is a project: a shipped name without "replaces =
+// true", or that line without a shipped name.
 std::vector<std::string> misnamedInProject(const Home& home);
 
 // "/p/shaders or /s/shaders", for messages on missing files.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON files that show damage: the hash of all other fields is the field "sum".
+// JSON files with a checksum: the field "sum" is the hash of all other fields.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace strobe {
 
-// Text of a file of `object` and its sum.
+// File text of `object` with its sum.
 std::string sealed(Json object);
 
 // The object without its sum; nothing if the text is not an object in JSON or differs from its sum.

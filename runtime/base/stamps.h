@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Whether files are as they were when they were read, without reading them again.
+// Test if files changed since they were read, without reading them again.
 #pragma once
 
 #include "base/files.h"
 
 namespace strobe {
 
-// Size, place on the disk and time of the last change of files and folders. A file that changed within the last few
-// hundredths of a second may change again within the same tick of the clock: it does not count as current.
+// Size, inode and time of the last change of files and folders. A file that changed within the last 50 ms may change
+// again within the same tick of the clock, and does not count as current.
 class Stamps {
  public:
-  // As it is now; one that is missing counts too.
+  // Stores the present state. The path may be missing.
   void add(const Path& path);
   bool current() const;
 

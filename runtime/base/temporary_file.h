@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A file that a library or another program writes, which gets its name when it is whole.
+// A file that a library or another program writes under a temporary name. It gets its final name when it is complete.
 #pragma once
 
 #include "base/files.h"
 
 namespace strobe {
 
-// "FILE.PID.part" beside a file; removed unless it was kept.
+// "FILE.PID.part" beside a file. The destructor removes it unless it was kept.
 class TemporaryFile {
  public:
   explicit TemporaryFile(Path file);
@@ -14,7 +14,7 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   const Path& path() const { return path_; }
 
-  // Flushes to disk, renames to the file, and flushes the folder. Throws `WriteError` with the system's reason.
+  // Flushes to disk, renames to the final name, and flushes the folder. Throws `WriteError` with the system's reason.
   void keep();
 
  private:

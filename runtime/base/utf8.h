@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text as people see it: code points and columns, not bytes.
+// Text as code points and columns, not bytes.
 #pragma once
 
 #include <string>
@@ -8,13 +8,14 @@
 
 namespace strobe {
 
-// The code points of UTF-8. A byte that begins none stands for itself; a sequence that ends early ends with the text.
+// Code points of UTF-8. A byte that begins no sequence stands for itself. A sequence that is cut short ends with the
+// text.
 std::vector<char32_t> codePoints(std::string_view text);
 
-// Columns of a terminal: combining marks take none, wide East Asian characters and emoji two, all others one.
+// Width in terminal columns: combining marks 0, wide East Asian characters and emoji 2, all others 1.
 size_t displayWidth(std::string_view text);
 
-// `text` followed or preceded by as many blanks as `width` columns need; longer text stays as it is.
+// `text` padded on the right or left with blanks to `width` columns. Longer text is unchanged.
 std::string paddedRight(std::string_view text, size_t width);
 std::string paddedLeft(std::string_view text, size_t width);
 

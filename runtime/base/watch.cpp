@@ -10,11 +10,11 @@ namespace strobe {
 
 namespace fs = std::filesystem;
 
-// An in-place save counts when the file is closed. A creation counts for folders and links alone.
+// An in-place save counts when the file is closed. A creation counts for folders and links only.
 static constexpr uint32_t kEvents =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE | IN_DELETE_SELF | IN_ONLYDIR;
 
-// Between looks where the system reports nothing.
+// Time between true results if the system cannot watch, seconds.
 static constexpr double kBlindly_s = 0.1;
 
 Watch::Watch() : descriptor_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {}
@@ -23,7 +23,7 @@ Watch::~Watch() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-// The system knows a folder that is watched already, under any name that it was added by.
+// The system returns the same descriptor for a folder that is watched already, under any of its names.
 void Watch::addOne(const Folder& folder) {
   int watch = ::inotify_add_watch(descriptor_, folder.path.c_str(), kEvents);
   if (watch < 0) return;
@@ -34,7 +34,7 @@ void Watch::addOne(const Folder& folder) {
 void Watch::addFlat(const Path& folder) { addOne({folder, false}); }
 
 void Watch::addBehind(const Path& link) {
-  constexpr int kMostLinks = 40;  // as many as the system follows
+  constexpr int kMostLinks = 40;  // limit of the system
   std::error_code failed;
   Path at = link;
   for (int i = 0; i < kMostLinks && fs::is_symlink(at, failed); ++i) {
@@ -55,7 +55,7 @@ void Watch::add(const Path& folder) {
   }
 }
 
-// A link has its text at once, and no end of a write follows.
+// True for a link, symbolic or hard. A link is complete at once: no event for the end of a write follows.
 static bool isLink(const Path& file) {
   std::error_code ignored;
   return fs::is_symlink(file, ignored) || fs::hard_link_count(file, ignored) > 1;

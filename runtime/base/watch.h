@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports that something below some folders changed; what it was is for the caller to find out.
+// Reports changes below folders. The caller finds the changed files.
 #pragma once
 
 #include <map>
@@ -8,9 +8,8 @@
 
 namespace strobe {
 
-// Sees files that were written and closed, renamed, made by renaming or linking, or removed; not those still being
-// written. Folders that appear later are followed too. Where the system cannot watch, `changed` is true ten times a
-// second.
+// Reports files that were written and closed, renamed, linked, or removed, but not files that are still being written.
+// Watches new folders too. If the system cannot watch, `changed` is true ten times a second.
 class Watch {
  public:
   Watch();
@@ -20,22 +19,22 @@ class Watch {
 
   // Watches `folder`, all folders below it, and the targets of links in them. Ignores a missing folder.
   void add(const Path& folder);
-  // `folder` alone: what lies around a user's own file may be a whole disk.
+  // Watches `folder` only. The folders around a user's file may be a whole disk.
   void addFlat(const Path& folder);
   // Watches the folders of a link and of its targets, along a chain of links. Ignores files that are not links.
   void addBehind(const Path& link);
-  // Whether anything happened since the last call. Does not block.
+  // True if anything changed since the last call. Does not block.
   bool changed();
 
  private:
   struct Folder {
     Path path;
-    bool deep = false;  // what appears in it is watched as well
+    bool deep = false;  // new folders and links in it are watched too
   };
   void addOne(const Folder& folder);
 
   int descriptor_ = -1;
-  double look_again_s_ = 0;        // where there is none
+  double look_again_s_ = 0;        // time of the next true result if the system cannot watch
   std::map<int, Folder> folders_;  // by watch descriptor
 };
 

@@ -11,20 +11,20 @@ namespace strobe::bench {
 
 namespace {
 
-// Milliseconds by round of a part of a shot, "" for its frame; null where it has no such part.
+// Milliseconds by round of a part of a shot, or of its frame if `name` is ""; null if the shot lacks the part.
 const std::vector<double>* msOf(const ShotTimes& shot, const std::vector<PassTimes>& parts, const std::string& name) {
   if (name.empty()) return &shot.ms;
   auto found = std::find_if(parts.begin(), parts.end(), [&](const PassTimes& part) { return part.name == name; });
   return found == parts.end() ? nullptr : &found->ms;
 }
 
-// 1 for what takes longer, -1 for what is faster, 0 for what cannot be told from 1.
+// 1: slower, -1: faster, 0: within `share` of 1, or the interval contains 1.
 int directionOf(const Estimate& ratio, double share) {
   if (std::abs(ratio.value - 1) <= share) return 0;
   return ratio.low > 1 ? 1 : ratio.high < 1 ? -1 : 0;
 }
 
-// A shot of one run, or of one block, with its parts.
+// A shot of a run, with its parts.
 struct Side {
   const ShotTimes* shot;
   std::vector<PassTimes> parts;
@@ -32,7 +32,7 @@ struct Side {
 
 Side sideOf(const Run& run, size_t shot) { return {&run.shots[shot], run.shots[shot].parts()}; }
 
-// The names of the parts that both have, the frame first; adds the others to the lists.
+// Names of the parts in both runs, the frame first. Adds the other parts to the lists of the comparison.
 std::vector<std::string> namesOf(const Side& now, const Side& before, Comparison& comparison) {
   std::vector<std::string> names = {""};
   auto lists = [](const Side& side, const std::string& name) { return msOf(*side.shot, side.parts, name) != nullptr; };
@@ -44,7 +44,7 @@ std::vector<std::string> namesOf(const Side& now, const Side& before, Comparison
   return names;
 }
 
-// A part of a shot in both runs: medians, ratios as they are compared, ratios in milliseconds.
+// Times of a part of a shot in both runs: medians, ratios in the basis of the comparison, ratios of milliseconds.
 struct Times {
   double now_ms = 0, before_ms = 0;
   Estimate compared, ms;
@@ -101,7 +101,7 @@ Times timesOfRuns(const Run& now, const Run& before, size_t shot, const std::str
   return times;
 }
 
-// The median of each block, as a multiple of that of the block beside it.
+// Ratio of the median of each block to the median of its pair.
 Times timesOfBlocks(const std::vector<Run>& now, const std::vector<Run>& before, size_t shot, const std::string& part) {
   auto medians = [&](const std::vector<Run>& blocks) {
     std::vector<double> ms;

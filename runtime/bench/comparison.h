@@ -1,49 +1,50 @@
 // SPDX-License-Identifier: MIT
-// Two runs of the same shots by two revisions of the program: which pass takes another time.
+// Comparison of two runs of the same shots by two revisions of the program: the passes whose time changed.
 //
-// Runs of two sessions differ in more than the program: load, clocks and temperature of the machine. On one device that
-// is no software device, milliseconds are compared. Otherwise times are first divided by the frame time of the base
-// (the first method of the same scene and size) in the same round, which takes away what slows all methods alike. What
-// slows some passes more than others stays, and so does what the base itself gained or lost: a part has moved only
-// where its milliseconds say so too. The frame of a base has milliseconds alone and never counts as moved: nobody can
-// tell a base that changed from a machine that did.
+// Runs of two sessions also differ in load, clocks and temperature of the machine. On the same device and driver, if
+// the device is not software, milliseconds are compared. Otherwise times are first divided by the frame time of the
+// base (the first method of the same scene and size) in the same round. The division removes a slowdown common to all
+// methods. It does not remove a slowdown of single passes or a change of the base itself: a part has moved only if its
+// milliseconds have moved too. The frame of a base has milliseconds only and never counts as moved: a change of the
+// base cannot be distinguished from a change of the machine.
 //
-// Runs that alternate in one session, block by block, are compared in milliseconds: each block with the one beside it.
+// Runs that alternate in one session, block by block, are compared in milliseconds: each block with its pair.
 #pragma once
 
 #include "bench/times.h"
 
 namespace strobe::bench {
 
-// A part of a frame, or a frame, in both runs.
+// A frame, or a part of a frame, in both runs.
 struct Change {
   const ShotTimes* shot = nullptr;   // of the present run
   std::string pass;                  // "" for the frame; kRest
-  double before_ms = 0, now_ms = 0;  // medians, of blocks those of their medians
-  Estimate ratio;                    // of the present time to the earlier one, as they are compared
-  Estimate ms_ratio;                 // in milliseconds
-  bool is_base = false;              // the frame of a base, whose ratio is one of milliseconds in any case
-  bool moved = false;                // intervals exclude 1, and ratios are further from it than the share
+  double before_ms = 0, now_ms = 0;  // medians; in blocks, medians of the blocks' medians
+  Estimate ratio;                    // present time divided by earlier time, in the basis of the comparison
+  Estimate ms_ratio;                 // present milliseconds divided by earlier milliseconds
+  bool is_base = false;              // frame of a base, with a ratio of milliseconds in every basis
+  // Both intervals exclude 1, and both ratios differ from 1 by more than `share` in the same direction.
+  bool moved = false;
 };
 
 struct Comparison {
-  enum class Kind { base, milliseconds, blocks };  // how times are compared: see above
+  enum class Kind { base, milliseconds, blocks };  // basis of the ratios, see above
   Kind kind = Kind::base;
-  std::string against;              // the file or program
-  double share = 0;                 // of a time by which it has to change to have moved
-  size_t blocks = 0;                // that alternated
-  std::vector<std::string> differ;  // in what the runs differ besides times: "driver Mesa 25, now Mesa 26"
-  std::vector<Change> changes;      // of each shot its frame, then its parts
-  // Passes that one of the runs alone has: "tiles of METHOD, living_room, 320x180".
+  std::string against;              // file or program
+  double share = 0;                 // smallest relative change of a time that counts as moved
+  size_t blocks = 0;                // number of alternating blocks
+  std::vector<std::string> differ;  // differences besides times: "driver Mesa 25, now Mesa 26"
+  std::vector<Change> changes;      // for each shot its frame, then its parts
+  // Passes in only one of the runs: "tiles of METHOD, living_room, 320x180".
   std::vector<std::string> gone, added;
 
   size_t moved() const;
 };
 
-// `now` must outlive what is returned, and the runs have the same shots (requireSameShots).
+// The runs have the same shots (requireSameShots). `now` must outlive the result.
 Comparison compared(const Run& now, const Run& before, double share);
 
-// Runs that alternated, one of each at a time. `now` must outlive what is returned.
+// Comparison of alternating runs, one pair per block. `now` must outlive the result.
 Comparison compared(const std::vector<Run>& now, const std::vector<Run>& before, double share);
 
 Json toJson(const Comparison& comparison);

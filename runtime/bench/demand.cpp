@@ -19,7 +19,7 @@ uint64_t Demand::rays() const {
 }
 
 double Demand::leastMs(const Gpu& gpu) const {
-  constexpr double kMsPerGiga = 1e-6;  // of what is done at one giga per second
+  constexpr double kMsPerGiga = 1e-6;  // ms per byte or ray, at 1e9 per second
   double ms = 0;
   for (const PassTimes& pass : passes)
     ms += kMsPerGiga * std::max(double(pass.bytes()) / gpu.gigabytes_per_s, double(pass.rays) / gpu.gigarays_per_s);

@@ -5,7 +5,7 @@
 
 namespace strobe::bench {
 
-// Its last line, which says why it ended.
+// Last line of a program's output, with the reason of its end.
 static std::string lastLine(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   size_t before = text.rfind('\n');

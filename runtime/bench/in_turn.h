@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two programs that take turns at the same shots.
+// Two programs that draw the same shots alternately.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,13 @@
 namespace strobe::bench {
 
 struct Turns {
-  std::vector<Run> first, second;  // a block of each program
+  std::vector<Run> first, second;  // one run per block and program
 };
 
-// Starts each program with these arguments, which make it print a run as JSON, `blocks` times; who begins changes from
-// block to block, so that a machine that gets slower or faster serves neither. `progress` is called after each block of
-// both. Throws `Error` with what a program said where it fails or prints something else, and where the two print runs
-// of other shots.
+// Runs each program `blocks` times. `arguments` make a program print a run as JSON. The first program to run alternates
+// from block to block, so that a drift of the machine's speed favours neither. `progress` is called after each block of
+// both. Throws `Error` with a program's message if the program fails or prints anything but a run, and if the two runs
+// have different shots.
 Turns runInTurn(const std::string& first, const std::string& second, const std::vector<std::string>& arguments,
                 int blocks, const std::function<void(int done)>& progress);
 

@@ -25,7 +25,7 @@ Method methodFrom(const std::string& text) {
 
 namespace {
 
-// What changes the speed of a software device.
+// Variables that change the speed of a software device.
 std::map<std::string, std::string> driverEnvironment() {
   std::map<std::string, std::string> found;
   for (const char* name : {"GALLIVM_PERF", "LP_NATIVE_VECTOR_WIDTH", "LP_NUM_THREADS"})
@@ -43,7 +43,7 @@ lab::Shot shotOf(const Subject& subject, const std::string& scene, const std::ar
   return shot;
 }
 
-// Shots with their gaps filled, and the run that has them without times.
+// Shots with all options filled in, and their run without times.
 struct Prepared {
   std::vector<lab::Shot> shots;
   Run run;
@@ -58,7 +58,7 @@ std::vector<NamedShot> shotsOf(const Subject& subject) {
   return shots;
 }
 
-// A method that does not take its settings is a mistake of the command line.
+// Throws `Error` with exit code 2 if a method does not accept its settings.
 void requirePlan(lab::Batch& batch, const lab::Shot& shot, const std::string& method) {
   try {
     batch.planOf(shot);
@@ -86,7 +86,7 @@ Prepared prepared(lab::Batch& batch, const std::vector<NamedShot>& shots) {
   return result;
 }
 
-// Bytes and rays of the frame that was drawn last.
+// Adds bytes and rays of the last frame.
 void addWork(std::vector<PassTimes>& passes, const plan::Plan& plan, const lab::Timing& timing) {
   std::map<std::string, plan::Traffic> traffic = trafficByPass(plan);
   for (size_t i = 0; i < passes.size(); ++i) {
@@ -121,7 +121,7 @@ Run measure(lab::Workbench& bench, const Subject& subject, const lab::Rounds& ro
 Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const lab::Rounds& rounds) {
   lab::Batch batch(bench);
   Prepared of = prepared(batch, shots);
-  // A graph that is made again would pay for new memory in each round.
+  // Keep every graph: a new graph would allocate its memory again in each round.
   batch.kept_graphs = of.shots.size();
   batch.kept_image_bytes = std::numeric_limits<size_t>::max();
   std::vector<lab::Timing> timings = batch.timeInTurn(of.shots, rounds);

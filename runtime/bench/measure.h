@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the frames that are timed.
+// Measures frame times.
 #pragma once
 
 #include "bench/times.h"
@@ -8,17 +8,17 @@
 
 namespace strobe::bench {
 
-// A pipeline with settings of its own: "PIPELINE", or "PIPELINE:preset=fast,samples=32". Text behind the first ':' is
-// NAME=VALUE with ',' between them.
+// A pipeline with its settings: "PIPELINE", or "PIPELINE:preset=fast,samples=32". The settings after the first ':' are
+// NAME=VALUE, separated by ','.
 struct Method {
-  std::string text;  // as it was given: what it is called
+  std::string text;  // as given; also the method's name
   std::string pipeline;
   script::Settings sets;
 };
-// Throws `Error` (exit code 2) for what is not written so. Whether the pipeline has the settings is not looked at.
+// Throws `Error` (exit code 2) if the text has another form. Does not check that the pipeline has the settings.
 Method methodFrom(const std::string& text);
 
-// What a run is of: every method on every scene at every size, all else as in `shot`. No list is empty.
+// Shots of a run: every method on every scene at every size. All other options are as in `shot`. No list is empty.
 struct Subject {
   std::vector<std::string> scenes;
   std::vector<std::array<int, 2>> sizes;
@@ -26,20 +26,20 @@ struct Subject {
   lab::Shot shot;
 };
 
-// A frame that is timed, and what it goes by in the run.
+// A timed shot, and the names of its scene and method in the run.
 struct NamedShot {
   std::string scene, method;
   lab::Shot shot;
 };
 
-// The run without times: its shots with what scenes suggest, device and program. Throws `Error`, with exit code 2 where
-// a method does not take its settings.
+// Run without times: the shots with the suggestions of their scenes, the device and the program. Throws `Error`, with
+// exit code 2 if a method does not accept its settings.
 Run outlineOf(lab::Workbench& bench, const Subject& subject);
 
-// What an execution of each pass of a plan touches, by the node's name. A frame that is timed may run fewer of them.
+// Traffic of one execution of each pass of a plan, by node name. A timed frame may run fewer passes.
 std::map<std::string, plan::Traffic> trafficByPass(const plan::Plan& plan);
 
-// The run: a frame of every shot in turn, round after round. There is a shot at least.
+// Draws one frame of every shot per round. `shots` is not empty.
 Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const lab::Rounds& rounds);
 Run measure(lab::Workbench& bench, const Subject& subject, const lab::Rounds& rounds);
 

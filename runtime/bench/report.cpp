@@ -17,7 +17,7 @@ namespace {
 using page::Cell;
 using page::shownShare;
 
-// ---- how numbers are written
+// ---- numbers
 
 std::string shownRatio(double ratio) {
   if (std::isnan(ratio)) return page::kNotMeasured;
@@ -46,7 +46,7 @@ uint64_t raysOf(const ShotTimes& shot) {
 
 // ---- places
 
-// The shots of each scene and size, in the order of the run.
+// Shots grouped by scene and size, in the order of the run.
 std::vector<std::vector<const ShotTimes*>> placesOf(const Run& run) {
   std::vector<std::vector<const ShotTimes*>> places;
   for (const ShotTimes& shot : run.shots) {
@@ -115,7 +115,7 @@ page::Table passTable(const ShotTimes& shot) {
 
 // ---- waterfalls
 
-// One bar for each part at medians, one after the other.
+// One bar per part at its median, one after the other.
 page::Waterfall waterfallOf(const ShotTimes& shot) {
   page::Waterfall waterfall;
   waterfall.about = fmt::format("{}: its passes one after the other, the table below has the numbers", shot.name());
@@ -173,7 +173,7 @@ void addChange(page::Table& table, const Change& change, bool names_shot) {
              Cell(shownRange(change.ratio, shownRatio), mark), Cell(verdictOf(change), mark)});
 }
 
-// Frames and what moved, or all.
+// Frames and moved passes, or all.
 page::Table changesTable(const Comparison& comparison, bool all) {
   page::Table table;
   table.columns = {"shot", "pass", {"before", true}, {"now", true}, {"ratio", true}, {"95 % interval", true}, "moved"};

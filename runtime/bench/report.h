@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run for people: as text for a terminal, and as a page.
+// Report of a run: text for a terminal, and a page.
 #pragma once
 
 #include "bench/comparison.h"
@@ -7,12 +7,12 @@
 
 namespace strobe::bench {
 
-// Of each scene and size the methods with medians, intervals and ratios; the frames and moved passes of the comparison
-// (may be null); on what it ran, and what may be read from it.
+// Methods of each scene and size with medians, intervals and ratios; the device, and the limits of the measurement;
+// frames and moved passes of the comparison (may be null).
 std::string textOf(const Run& run, const Comparison* comparison);
 
-// Self-contained: the same tables, all of the comparison, and of each method a waterfall of its passes and what each of
-// them touches.
+// Self-contained page: the same tables, the whole comparison, and for each method a waterfall and a table of its
+// passes.
 page::Page pageOf(const Run& run, const Comparison* comparison);
 
 }  // namespace strobe::bench

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kGrowths = {"constant", "linear", "logarithmic"};
 constexpr std::array kVerdicts = {"", "holds", "fails"};
 
-// The most special expectation: of this part before that of every pass.
+// Most specific expectation: for the part itself, else for every pass.
 std::optional<Expected> expectedOf(const AxisRun& axis, const std::string& method, const std::string& part) {
   auto find = [&](const std::string& name) {
     return std::find_if(axis.expected.begin(), axis.expected.end(), [&](const Expected& one) {
@@ -39,7 +39,7 @@ Verdict verdictOf(const Fit& fit) {
 
 double fittedOver(double x, bool logarithmic) { return logarithmic ? std::log2(std::max(x, 1.0)) : x; }
 
-// Of one method: its shots, and x of each.
+// Shots of one method, with their x.
 struct Along {
   std::string method;
   std::vector<double> x;
@@ -61,7 +61,7 @@ std::vector<Along> methodsOf(const AxisRun& axis) {
   return methods;
 }
 
-// Milliseconds of a part by shot; empty where one of them lacks it.
+// Milliseconds of a part by shot; empty if a shot lacks the part.
 std::vector<Estimate> msOf(const Along& along, const std::string& part) {
   std::vector<Estimate> ms;
   for (const std::vector<PassTimes>& parts : along.parts)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the time of a frame and of its passes follows what a frame has: a straight line through the medians of shots that
-// differ in one thing.
+// Growth of the time of a frame and of its passes: a straight line through the medians of shots that differ in one
+// value.
 #pragma once
 
 #include <optional>
@@ -12,38 +12,36 @@ namespace strobe::bench {
 
 enum class Growth { constant, linear, logarithmic };
 const char* nameOf(Growth growth);
-// Asserts that it is the name of one.
+// Asserts that `name` is the name of a growth.
 Growth growthNamed(const std::string& name);
 
-inline constexpr const char* kFrame = "frame";       // the part that is all of it
-inline constexpr const char* kEveryPass = "passes";  // each that no other expectation names, of an expectation
+inline constexpr const char* kFrame = "frame";       // part name of the whole frame
+inline constexpr const char* kEveryPass = "passes";  // in an expectation: each pass without an expectation of its own
 
-// How the time of a part of a frame is expected to grow.
+// Expected growth of the time of a part of a frame.
 struct Expected {
-  std::string part, method;  // method "": of each
+  std::string part, method;  // method "": every method
   Growth growth = Growth::linear;
   std::string why;
 };
 
-// Shots that differ in one thing alone.
+// Shots that differ in one value only.
 struct AxisRun {
   std::string name, title, unit;
   Run run;
-  std::vector<double> x;  // of each shot of the run: how much of it there is, at least 0
+  std::vector<double> x;  // for each shot of the run: amount of the varied quantity, at least 0
   std::vector<Expected> expected;
 };
 
-// What a constant time may change by along an axis, as a share of its mean, and how much of the variation a line has to
-// explain where a time grows.
+// Largest change of a constant time along an axis, as a share of its mean; smallest R2 of a growing time.
 inline constexpr double kConstantShare = 0.1, kLeastR2 = 0.9;
 
-// Whether a time grows as expected. Constant: the 95 % interval of the change along the axis reaches into
-// +- kConstantShare of the mean time. Otherwise: the interval of the slope is above 0, and R2 at least kLeastR2.
-enum class Verdict { unknown, holds, fails };  // unknown: nothing is expected, or three points are not there
+// Outcome of an expectation. Constant time: the 95 % interval of the change along the axis overlaps +- kConstantShare
+// of the mean time. Growing time: the interval of the slope is above 0, and R2 is at least kLeastR2.
+enum class Verdict { unknown, holds, fails };  // unknown: no expectation, or fewer than three points
 const char* nameOf(Verdict verdict);
 
-// Of a part of a method's frames: the medians of the rounds over x, or over the binary logarithm of x where that is
-// expected.
+// Line of a part of a method's frames: medians of the rounds over x, or over log2(x) if logarithmic growth is expected.
 struct Fit {
   std::string method, part;  // part: kFrame, a pass, kRest
   std::vector<double> x;
@@ -53,13 +51,13 @@ struct Fit {
   Verdict verdict = Verdict::unknown;
 
   bool isLogarithmic() const { return expected && expected->growth == Growth::logarithmic; }
-  double at(double x) const;  // the line's milliseconds
+  double at(double x) const;  // milliseconds of the line
 };
 
-// Of each method the frame, then the parts that all its frames have.
+// For each method the frame, then the parts that all its frames have.
 std::vector<Fit> fitsOf(const AxisRun& axis);
 
-// Throws `Error` (exit code 2) where an expectation is of a part that no frame has: a slip.
+// Throws `Error` (exit code 2) if an expectation names a part that no frame has.
 void requireKnownParts(const AxisRun& axis, const std::vector<Fit>& fits);
 
 Json toJson(const AxisRun& axis, const std::vector<Fit>& fits);

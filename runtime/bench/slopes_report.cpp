@@ -14,9 +14,9 @@ namespace {
 
 using page::Cell;
 
-// ---- how numbers are written
+// ---- numbers
 
-// Milliseconds, be they of a frame or of a pixel.
+// Time in milliseconds, microseconds or nanoseconds: slopes per pixel are small.
 std::string shownAny(double ms) {
   if (std::isnan(ms)) return page::kNotMeasured;
   double size = std::abs(ms);
@@ -45,7 +45,7 @@ void addFit(page::Table& table, const Fit& fit, bool names_method) {
              fit.expected ? fit.expected->why : ""});
 }
 
-// Frames, what is expected by name, and what fails.
+// True for frames, for expectations by name, and for failed expectations.
 bool isShort(const Fit& fit) {
   bool is_named = fit.expected && fit.expected->part == fit.part;
   return fit.part == kFrame || is_named || fit.verdict == Verdict::fails;
@@ -71,7 +71,7 @@ page::Table slopeTable(const AxisRun& axis, const std::vector<Fit>& fits, bool a
   return page::withoutEmptyColumns(std::move(table));
 }
 
-// The frames' medians with their intervals, and a line through those of each method.
+// Medians of the frames with their intervals, and the line of each method.
 page::Chart chartOf(const AxisRun& axis, const std::vector<Fit>& fits) {
   page::Chart chart;
   chart.about = fmt::format("Time of a frame against {}, the table below has the lines", axis.title);

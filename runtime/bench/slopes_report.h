@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slopes and demands for people: as text for a terminal, and as a page.
+// Report of slopes and demands: text for a terminal, and a page.
 #pragma once
 
 #include "bench/demand.h"
@@ -10,7 +10,7 @@ namespace strobe::bench {
 
 struct Slopes {
   std::string command, title, question;
-  std::vector<AxisRun> axes;           // one at least
+  std::vector<AxisRun> axes;           // at least one
   std::vector<std::vector<Fit>> fits;  // of each axis
   std::vector<Demand> demands;
   Gpu gpu;
@@ -18,10 +18,11 @@ struct Slopes {
 
 Json toJson(const Slopes& slopes);
 
-// Of each axis the frames, and the passes for which something is expected by name or fails.
+// For each axis the frames, the passes with an expectation by name, and the passes that fail their expectation.
 std::string textOf(const Slopes& slopes);
 
-// Self-contained: of each axis a chart of the frames with their lines, the same table, and one of all passes.
+// Self-contained page. For each axis: a chart of the frames with their lines, the same table, and a table of all
+// passes.
 page::Page pageOf(const Slopes& slopes);
 
 }  // namespace strobe::bench

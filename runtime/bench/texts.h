@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How numbers of a run are written, and what is said beside them.
+// Texts of a run: formatted numbers, device, and limits of the measurement.
 #pragma once
 
 #include "bench/times.h"
@@ -7,20 +7,20 @@
 
 namespace strobe::bench {
 
-// Passes of a GPU take microseconds.
+// Microseconds below 0.1 ms: passes of a GPU are that short.
 std::string shownTime(double ms);
-// "LOW to HIGH"; kNotMeasured where there is no interval.
+// "LOW to HIGH"; kNotMeasured without an interval.
 std::string shownRange(const Estimate& estimate, std::string (*shown)(double));
-// kNotMeasured for none.
+// kNotMeasured for 0.
 std::string shownBytes(uint64_t bytes);
 std::string shownCount(uint64_t count);
 
 std::string roundsOf(const Run& run);
-// Device, driver and what else decides its speed.
+// Device, driver, backend, threads and driver environment.
 std::string deviceOf(const Run& run);
-// What may not be read from milliseconds of this device.
+// Limits on comparing milliseconds of this device.
 std::string cautionOf(const Run& run);
 
-extern const char* const kWorkNote;  // what bytes are
+extern const char* const kWorkNote;  // definition of the counted bytes
 
 }  // namespace strobe::bench

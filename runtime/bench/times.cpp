@@ -127,7 +127,7 @@ static Run runFrom(const Json& json) {
   return run;
 }
 
-// Every pass, and the interval, has a time in each round in which its frame has one.
+// True if the frame has times, and every pass and the frame interval have a time for each round.
 static bool isWhole(const ShotTimes& shot) {
   if (!shot.interval_ms.empty() && shot.interval_ms.size() != shot.ms.size()) return false;
   return !shot.ms.empty() && std::all_of(shot.passes.begin(), shot.passes.end(),
@@ -150,7 +150,7 @@ Run runFrom(const Json& json, const std::string& file) {
 
 Run readRun(const std::string& file) { return runFrom(Json::parse(readText(file), nullptr, false), file); }
 
-// ---- whether two runs are of the same
+// ---- comparable runs
 
 static std::vector<std::string> lackingIn(const Run& run, const Run& others) {
   std::vector<std::string> names;
@@ -160,8 +160,8 @@ static std::vector<std::string> lackingIn(const Run& run, const Run& others) {
   return names;
 }
 
-// The options that differ, with what they are in the second. One that is not there has its default: it was left open,
-// or the other revision does not know it.
+// Options that differ, with their values in `other`. A missing option has its default: it was not set, or the other
+// revision does not have it.
 static std::string otherOptions(const Json& shot, const Json& other) {
   const Json defaults = lab::toJson(lab::Shot());
   auto valueIn = [&](const Json& from, const std::string& name) {
