@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Tan, Cui and Bhojan 2020, "Hybrid MBlur: Using Ray Tracing to Solve the Partial Occlusion Artifacts in Real-Time
--- Rendering of Motion Blur Effect", SIGGRAPH '20 Posters. Each section of the paper has a function here.
+-- Tan, Cui and Bhojan 2020, "Hybrid MBlur", SIGGRAPH '20 Posters. Each section of the paper has a function here.
 local pipeline    = require "strobe.pipeline"
 local candidate   = require "passes.hybrid.displaced_position"
 local range_check = require "passes.hybrid.range_check"
@@ -45,8 +44,7 @@ local text = {
   weights = "mcguire2012",
 }
 -- Settings of the preset `paper`: the settings `text`, except for two where the text of the paper is silent or contradicts the
--- paper's claims. With these two, a ray passes the whole foreground object at once, and each tap has an equal share of the
--- exposure.
+-- paper's claims: a ray passes the whole foreground object at once, and each tap has an equal share of the exposure.
 local paper = { text, advance = "instance_filter", weights = "uniform" }
 
 return pipeline {
@@ -69,8 +67,7 @@ return pipeline {
     directions   = mcguire2012.params.directions,
   },
   presets = {
-    paper = { doc = "settings that make the paper's claims hold: a ray passes the foreground object at once, and each tap " ..
-                    "stands for an equal share of the exposure",
+    paper = { doc = "settings that make the claims of the paper hold: rays ignore the foreground object, and taps have equal weights",
               set = paper },
     text = { doc = "settings that follow the text of the paper to the letter", set = text },
     geometry_index = { doc = "settings of `paper`, but a ray ends at another geometry instead of another luminance, as the " ..
