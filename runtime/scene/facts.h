@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Requirements of a scene in a frame, so that passes skip other work.
+// Facts of a frame: the features that its scene uses. Work for other features is skipped.
 #pragma once
 
 #include <optional>
