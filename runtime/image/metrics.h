@@ -12,7 +12,7 @@
 namespace strobe::image {
 
 double meanSquaredError(const Image& test, const Image& reference, const Image& mask = {});      // mean (x-r)^2
-double rootMeanSquaredError(const Image& test, const Image& reference, const Image& mask = {});  // its root
+double rootMeanSquaredError(const Image& test, const Image& reference, const Image& mask = {});  // square root of MSE
 
 // mean (x-r)^2 / (r^2 + 0.01), without the factor 1/2 of some programs.
 double relativeMse(const Image& test, const Image& reference, const Image& mask = {});

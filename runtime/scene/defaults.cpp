@@ -60,7 +60,7 @@ static bool hasCamera(const Scene& scene) {
   return std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const Node& node) { return node.camera >= 0; });
 }
 
-// Distance at which all corners of the bounds are inside a 16:9 picture, with a margin of 8 %.
+// Distance of the camera such that a 16:9 picture contains all corners of the bounds, with a margin of 8 %.
 static double framingDistance(const Bounds& bounds, const dmat3& world_from_camera, double vertical_fov) {
   double up = std::tan(vertical_fov / 2), right = up * 16 / 9, distance = 0;
   for (int corner = 0; corner < 8; ++corner) {

@@ -14,7 +14,7 @@ namespace strobe::scene {
 
 struct DepthBounds {
   double near_m = 0, far_m = 0;  // view depths between which all motion is kept, 0 <= near_m <= far_m
-  double soft_m = 0;             // distance beyond these depths over which the share falls from 1 to 0
+  double soft_m = 0;             // width of the soft ends beyond these depths; the share falls there from 1 to 0
 
   // "NEAR,FAR" or "NEAR,FAR,SOFT", metres; FAR may be "inf". Throws `Error` (exit code 2).
   static DepthBounds from(const std::string& text);

@@ -90,10 +90,10 @@ static void addMaterials(const Scene& scene, const Mesh& mesh, Facts& facts) {
   }
 }
 
-// First and last time at which an object is posed.
+// First and last time of an object's poses.
 using Span = std::pair<double, double>;
 
-// Moving parts of a scene, cached by time span. Each object has its own time span.
+// Moving parts of a scene, cached by time span, because each object may have another span.
 class Driven {
  public:
   Driven(const Scene& scene, const std::string& animation) : scene_(scene), animation_(animation) {}

@@ -13,7 +13,7 @@ struct FrameTimes {
   // share * (t - capture).
   double camera_share = 1, object_share = 1;
   int followed = -1;              // node that, with its descendants, has the camera's share; -1: no node
-  std::vector<double> cuts = {};  // seconds at which all objects jump, besides the scene's cuts
+  std::vector<double> cuts = {};  // times, s, of jumps of all objects, besides the scene's cuts
 };
 
 class FramePoser {

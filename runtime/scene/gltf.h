@@ -13,7 +13,7 @@ struct GltfOptions {
   uint64_t most_bytes = UINT64_MAX;  // limit of the memory of images, besides the available memory
 };
 
-// Loads the default scene of the file (else its first scene, else all nodes): meshes, metallic-roughness and unlit
+// Loads the default scene of the file, or its first scene, or all nodes: meshes, metallic-roughness and unlit
 // materials, textures with all levels, cameras, punctual lights (see `moderateLights`), skins, morph targets, and
 // animation of nodes, weights, lenses and lights. Nodes keep the order and the names of the file. Nodes without a name
 // are "node_N"; repeated names get "#2", "#3", ... Throws a one-line `Error` for a file that is missing, cut short or
