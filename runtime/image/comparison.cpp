@@ -55,7 +55,7 @@ static bool fillsDisplay(const Picture& picture) {
          areaOf(picture.data) == areaOf(picture.display);
 }
 
-// The pixels of `image`, which has the window `from`, in the window `to`; 0 outside of `from`.
+// Copies `image` from the window `from` to the window `to`. Pixels outside of `from` are 0.
 static Image cutTo(const Image& image, const Window& from, const Window& to) {
   Image cut(to.width, to.height, image.channels);
   Window common = intersection(from, to);
@@ -115,7 +115,7 @@ static std::string sizeOf(const Picture& picture) {
   return fmt::format("{}x{} pixels{}", picture.display.width, picture.display.height, windows);
 }
 
-// Gives a picture the pixels of `area`, which lies in the display window.
+// Crops or extends a picture to `area`, a part of the display window.
 static void placeIn(const Window& area, Picture& picture) {
   size_t shown = areaOf(intersection(picture.data, picture.display)), hidden = areaOf(picture.data) - shown;
   if (hidden > 0)

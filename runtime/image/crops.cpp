@@ -26,7 +26,7 @@ Rectangle densestCrop(const Image& mask, int width, int height) {
   for (int y = 0; y + height <= h; ++y)
     for (int x = 0; x + width <= w; ++x) {
       int64_t inside = sum(x + width, y + height) - sum(x, y + height) - sum(x + width, y) + sum(x, y);
-      // Of equally dense places the one whose middle is fullest.
+      // Among equal windows, choose the window with the most mask pixels in its middle.
       int qx = width / 4, qy = height / 4;
       double middle = double(sum(x + width - qx, y + height - qy) - sum(x + qx, y + height - qy) -
                              sum(x + width - qx, y + qy) + sum(x + qx, y + qy));

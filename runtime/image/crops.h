@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where crops lie.
+// Placement of crops.
 #pragma once
 
 #include "image/draw.h"
@@ -7,10 +7,10 @@
 
 namespace strobe::image {
 
-// `crop` in a picture whose sides are so many times those it was written for; at least a pixel, inside the picture.
+// Scales `crop` with the sides of a picture. The result has at least one pixel and lies inside the picture.
 Rectangle scaledCrop(const Rectangle& crop, double scale_x, double scale_y, const Image& picture);
 
-// Where most of a mask lies: the best place for a window of this size; of equally dense ones that with the fullest
+// Window of this size with the most pixels of a mask. Of several windows, the window with the most mask pixels in its
 // middle.
 Rectangle densestCrop(const Image& mask, int width, int height);
 

@@ -87,7 +87,7 @@ struct Rank {
   uint32_t id = 0, samples = 0;
 };
 
-// Names are asked for once: pixels are many, what they show is not.
+// Cached ids by instance and geometry. Many pixels share few names, so each name is requested once.
 class Ids {
  public:
   explicit Ids(const CryptomatteLayer& layer) : layer_(layer) {}
@@ -138,7 +138,7 @@ size_t addCryptomatte(ExrPart& part, const CryptomatteLayer& layer, const IdCove
 }
 
 void addCryptomatteTexts(std::map<std::string, std::string>& texts, const CryptomatteLayer& layer) {
-  std::map<std::string, std::string> manifest;  // JSON in the order of names
+  std::map<std::string, std::string> manifest;  // sorted by name
   for (const std::string& name : layer.names) manifest[name] = fmt::format("{:08x}", cryptomatteId(name));
   std::string key = fmt::format("cryptomatte/{}/", fmt::format("{:08x}", murmurHash3(layer.name)).substr(0, 7));
   texts[key + "name"] = layer.name;

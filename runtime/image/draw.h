@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Composing pictures for people: insets, labels. Everything here takes and gives display images
-// (sRGB-encoded values in [0,1], tone.h makes them) of three channels. Pixels outside an image are skipped.
+// Drawing of insets and labels. All functions take and return three-channel display images (sRGB-encoded values in
+// [0,1], made by tone.h). Pixels outside of an image are skipped.
 #pragma once
 
 #include <string>
@@ -21,26 +21,27 @@ struct Rectangle {
 
 Image filled(int width, int height, const Colour& colour);
 
-// The part of `image` inside `area`, which is first cut to the image; any channel count. Throws `Error` when nothing
+// Pixels of `image` inside `area`. `area` is first clipped to the image; any channel count. Throws `Error` if no pixel
 // is left.
 Image crop(const Image& image, Rectangle area);
 
-// Every pixel becomes a square of factor x factor equal ones; any channel count.
+// Repeats each pixel factor x factor times; any channel count.
 Image magnify(const Image& image, int factor);
 
-// Each pixel is the mean of those below it, so give it linear colour; neither side grows, at least a pixel is left.
+// Shrinks a linear image: each pixel is the mean of the pixels that it covers. No side grows, and at least one pixel is
+// left.
 Image shrunk(const Image& linear, int width, int height);
 
 void fill(Image& onto, Rectangle area, const Colour& colour);
 void paste(Image& onto, const Image& what, int x, int y);  // top left corner of `what` at (x, y)
 
-// Blend `colour` over the pixel (x, y); coverage in [0,1].
+// Blends `colour` over the pixel (x, y); coverage in [0,1].
 void blend(Image& onto, int x, int y, const Colour& colour, float coverage);
 
-// DejaVu Sans, the font of everything the program draws. Throws `Error` saying what to install when it is absent.
+// File of DejaVu Sans, the font of all drawn text. Throws `Error` with the package to install if the file is missing.
 Path fontFile();
 
-// One line of text in DejaVu Sans, the top of its line box at (x, y); `size_px` is the height of that box. UTF-8.
+// Draws one line of UTF-8 text in DejaVu Sans. The line box has its top left corner at (x, y) and the height `size_px`.
 void drawText(Image& onto, int x, int y, const std::string& text, float size_px, const Colour& colour);
 int textWidth(const std::string& text, float size_px);
 

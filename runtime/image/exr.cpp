@@ -30,7 +30,7 @@
 namespace strobe::image {
 namespace {
 
-// OpenEXR multiplies row vectors from the left; its matrices therefore lie in memory as ours do.
+// OpenEXR multiplies row vectors from the left, so its matrices have the memory layout of GLM matrices.
 Imath::M44f toExr(const glm::mat4& matrix) {
   Imath::M44f result;
   std::memcpy(result.getValue(), glm::value_ptr(matrix), sizeof result);
@@ -82,7 +82,7 @@ Imf::Header headerOf(const ExrPart& part, const ExrFile& content) {
   return header;
 }
 
-// What OpenEXR writes a part from; refers to it.
+// Pixels of a part in the form that OpenEXR writes. Refers to the part.
 struct PartSource {
   std::vector<std::vector<half>> halfs;
   Imf::FrameBuffer frame;
@@ -128,7 +128,7 @@ void writeParts(const ExrFile& content, Imf::OStream& stream) {
   }
 }
 
-// String attributes but for those by which OpenEXR itself describes a part.
+// String attributes of a part. `name` and `type` are left out, because OpenEXR itself describes a part by them.
 std::map<std::string, std::string> textsIn(const Imf::Header& header) {
   std::map<std::string, std::string> texts;
   for (auto it = header.begin(); it != header.end(); ++it) {
@@ -158,8 +158,8 @@ void readAttributes(const Imf::Header& header, ExrFile& content) {
   content.display_height = display.max.y - display.min.y + 1;
 }
 
-// A file's header may claim any size; refuse before memory is allocated. Even a constant image in OpenEXR's densest
-// compression (256 lines to a block) stays below a factor of 65536.
+// A header may state any size, so the size is checked before memory is allocated. Even a constant image in OpenEXR's
+// densest compression (256 lines to a block) stays below a factor of 65536.
 void checkSize(const Imath::Box2i& window, size_t channel_count, size_t file_bytes) {
   int64_t width = int64_t(window.max.x) - window.min.x + 1;
   int64_t height = int64_t(window.max.y) - window.min.y + 1;
@@ -183,7 +183,8 @@ ExrChannel emptyChannel(const std::string& name, const Imf::Channel& described, 
   return channel;
 }
 
-// Points OpenEXR at the memory of `channel`. Halfs are converted on the way in, never on the way out (see encodeExr).
+// Points OpenEXR at the memory of `channel`. OpenEXR converts half floats when it reads; encodeExr converts them before
+// it writes.
 void insertSlice(Imf::FrameBuffer& frame, ExrChannel& channel, const Imath::Box2i& window) {
   size_t width = static_cast<size_t>(window.max.x - window.min.x + 1);
   bool uint = channel.kind == ExrKind::uint;
@@ -216,7 +217,7 @@ ExrPart decodedPart(Imf::MultiPartInputFile& input, int index, size_t file_bytes
   return part;
 }
 
-// The index of the part to read alone; -1: all.
+// Returns the index of the only part to read, or -1 for all parts.
 using ChoosePart = std::function<int(const Imf::MultiPartInputFile&)>;
 
 ExrFile decode(const std::string& bytes, const ChoosePart& choose) {
@@ -264,7 +265,7 @@ std::string channelName(const std::string& layer, const std::string& component) 
   return layer.empty() ? component : fmt::format("{}.{}", layer, component);
 }
 
-// `values`: where a channel of this kind keeps them.
+// `values`: the member that holds the values of this kind.
 template <class Pixels, class Number>
 void addLayer(ExrPart& content, const std::string& layer, const std::vector<std::string>& components,
               const Pixels& image, ExrKind kind, std::vector<Number> ExrChannel::*values) {
@@ -289,7 +290,7 @@ const ExrChannel* ExrPart::find(const std::string& channel) const {
   return nullptr;
 }
 
-// Infinite values (the depth of the sky) stay infinite.
+// Clamps finite values. Infinite values (the depth of the sky) stay infinite.
 static size_t clampToHalf(std::vector<float>& values) {
   constexpr float kLargest = 65504;
   size_t clamped = 0;
@@ -384,13 +385,13 @@ UintImage idsOf(const ExrPart& content, const std::vector<std::string>& names, c
   return image;
 }
 
-// The channels that make the red, green and blue of a layer; empty when it has no colour.
+// Names of the red, green and blue channels of a layer; empty if the layer has no colour.
 static std::vector<std::string> colourChannels(const ExrPart& content, const std::string& layer) {
   std::vector<std::string> colour;
   for (const char* component : {"R", "G", "B"}) colour.push_back(channelName(layer, component));
   auto present = [&](const std::string& name) { return content.find(name) != nullptr; };
   if (std::all_of(colour.begin(), colour.end(), present)) return colour;
-  // With an X beside it, Y is a direction, not a luminance.
+  // Y beside X is a direction, not a luminance.
   std::string grey = channelName(layer, "Y");
   if (present(grey) && !present(channelName(layer, "X"))) return {grey, grey, grey};
   std::vector<std::string> own;

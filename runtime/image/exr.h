@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// OpenEXR files: one part or several, any number of layers. A channel's name is its layer and component ("R",
-// "velocity.X"), in a part of its own too: programs take layers from there.
+// OpenEXR files with one or several parts and any number of layers. The name of a channel is LAYER.COMPONENT
+// ("velocity.X") or COMPONENT ("R"). Parts with a name keep the full channel names, because programs derive layers from
+// channel names.
 #pragma once
 
 #include <array>
@@ -23,13 +24,13 @@ struct ExrChannel {
   std::string name;
   ExrKind kind = ExrKind::real;
   std::vector<float> values;  // width * height, top row first; empty for `uint`
-  std::vector<uint32_t> ids;  // the same for `uint`; empty otherwise
+  std::vector<uint32_t> ids;  // values of `uint`; empty for other kinds
 };
 
-// Channels of one size.
+// Part of a file: channels of one size.
 struct ExrPart {
-  std::string name;  // unique among several; of a single part also ""
-  int x = 0, y = 0;  // of the top left pixel in the display window of the file
+  std::string name;  // unique in a file of several parts; a single part may have ""
+  int x = 0, y = 0;  // position of the top left pixel in the display window of the file
   int width = 0;
   int height = 0;
   std::vector<ExrChannel> channels;
@@ -37,21 +38,21 @@ struct ExrPart {
 
   const ExrChannel* find(const std::string& channel) const;  // nullptr when absent
 
-  size_t clamped = 0;  // finite values beyond the 65504 of a half float, which are stored as that
+  size_t clamped = 0;  // number of finite values beyond the largest half float, stored as 65504
 
-  // Adds the channels of `image` as layer.component, or without a layer when it is empty; `components` has one letter
-  // or "name" per channel of the image. Sets the size of an empty part, asserts it otherwise.
+  // Adds the channels of `image` as LAYER.COMPONENT, or as COMPONENT if `layer` is empty. `components` has one letter
+  // or "name" per channel of the image. Sets the size of an empty part; asserts the size of others.
   void add(const std::string& layer, const std::vector<std::string>& components, const Image& image,
            ExrKind kind = ExrKind::real);
   void add(const std::string& layer, const std::vector<std::string>& components, const UintImage& image);
 };
 
-// The whole content of a file: its first part, what holds for all parts, and the parts that follow. The standard
-// attributes keep the meaning OpenEXR gives them, and stand in every part.
+// Content of a file: its first part, the attributes of all parts, and the further parts. The standard attributes have
+// the meaning that OpenEXR defines, and every part has them.
 struct ExrFile : ExrPart {
   std::vector<ExrPart> further;
-  int display_width = 0, display_height = 0;            // display window of all parts; 0: as large as the first
-  std::optional<Primaries> primaries;                   // chromaticities; none: Rec. 709
+  int display_width = 0, display_height = 0;            // display window of all parts; 0: size of the first part
+  std::optional<Primaries> primaries;                   // chromaticities; absent: Rec. 709
   std::optional<std::array<int, 2>> frames_per_second;  // numerator, denominator
   std::optional<float> shutter_angle;                   // degrees
   std::optional<float> exposure_s;                      // expTime
@@ -62,25 +63,24 @@ struct ExrFile : ExrPart {
   const ExrPart* part(const std::string& part_name) const;  // nullptr when absent
 };
 
-// ZIP compression, no date: the bytes depend on nothing but the content.
+// Encodes with ZIP compression and without a date, so that equal content gives equal bytes.
 std::string encodeExr(const ExrFile& content);
 void writeExr(const Path& file, const ExrFile& content);
 
-// Reads any flat file, scan lines or tiles; the data window of a part becomes its image, with its place in the display
-// window.
-// Throws `Error` naming the file when it is missing, cut short, not an OpenEXR, deep or subsampled.
+// Reads a flat file with scan lines or tiles. The image of a part is its data window, with its place in the display
+// window. Throws `Error` naming the file if it is missing, cut short, not an OpenEXR, deep or subsampled.
 ExrFile readExr(const Path& file);
 
-// The part alone that has a layer: the one of that name, else the first with channels of the layer, else the first.
-// Other parts may be what `readExr` refuses.
+// Reads one part: the part with the name of the layer, else the first part with channels of the layer, else the first
+// part. Other parts may have content that `readExr` refuses.
 ExrFile readExrLayer(const Path& file, const std::string& layer);
 
-// The colour of a layer ("" is the unnamed one) as RGB; the name of a part is that of its first layer too. A layer with
-// neither R, G, B but a single channel, or Y, becomes grey RGB. Throws `Error` (place: `file`) listing the channels
-// there are when it is absent.
+// Colour of a layer as RGB; "" is the unnamed layer. The name of a part selects its first layer too. A layer without R,
+// G, B that has Y or a single channel becomes grey RGB. Throws `Error` (place: `file`) with the list of channels if the
+// layer is absent.
 Image colourOf(const ExrPart& content, const std::string& layer, const Path& file);
 
-// The named channels as one image; throws `Error` as above, with the nearest name.
+// Named channels as one image. Throws `Error` with the nearest name if a channel is absent.
 Image channelsOf(const ExrPart& content, const std::vector<std::string>& names, const Path& file);
 UintImage idsOf(const ExrPart& content, const std::vector<std::string>& names, const Path& file);
 

@@ -10,7 +10,7 @@
 namespace strobe::image {
 namespace {
 
-// colourAt(i) for every pixel i in reading order.
+// Image with colourAt(i) at every pixel i, in reading order.
 template <class ColourAt>
 Image painted(int width, int height, ColourAt colourAt) {
   Image display(width, height, 3);
@@ -27,18 +27,18 @@ void assertAlike(const Image& a, const Image& b) {
   STROBE_ASSERT(sameSize(a, b), "{}x{} and {}x{}", a.width, a.height, b.width, b.height);
 }
 
-// Channel `c` of three, of an image with any number of channels.
+// Channel `c`, 0 to 2, of pixel `i`. The last channel stands in for missing channels.
 float colourOf(const Image& image, size_t i, int c) {
   return image.values[i * image.channels + std::min(c, image.channels - 1)];
 }
 
-// hue in [0,1), full saturation.
+// Colour of full saturation; hue in [0,1).
 Colour pureHue(float hue) {
   auto ramp = [](float h) { return unit(std::abs(6 * (h - std::floor(h)) - 3) - 1); };
   return {ramp(hue), ramp(hue + 2 / 3.0f), ramp(hue + 1 / 3.0f)};
 }
 
-// `t` of the way from `from` to `to`.
+// Linear interpolation from `from` to `to`.
 Colour mix(const Colour& from, const Colour& to, float t) {
   Colour result;
   for (int c = 0; c < 3; ++c) result[c] = from[c] + t * (to[c] - from[c]);
@@ -115,7 +115,7 @@ Image idColours(const UintImage& ids) {
 }
 
 Image depthColours(const Image& depth, float near_m, float far_m) {
-  // The darkest tenth of magma is left to "nothing there".
+  // The darkest tenth of magma is reserved for pixels without a depth.
   float span = std::max(std::log(far_m / near_m), 1e-6f);
   return painted(depth.width, depth.height, [&](size_t i) {
     float value = depth.values[i * depth.channels];

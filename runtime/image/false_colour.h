@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of what is not colour: differences, scalars, velocities, ids, depths. Results are display images (tone.h).
+// False colours for differences, scalars, velocities, ids and depths. Results are display images (tone.h).
 #pragma once
 
 #include "image/image.h"
@@ -7,27 +7,29 @@
 
 namespace strobe::image {
 
-// |a - b| * gain per colour channel, shown as it is (no encoding): black is no difference.
+// |a - b| * gain per colour channel, not encoded. Equal pixels are black.
 Image absoluteDifference(const Image& a, const Image& b, float gain = 1);
 
-// Marks pixels of `display` (three channels) if a colour of `data` is not finite there: magenta for NaN, else yellow.
+// Marks pixels of `display` (three channels) with a colour of `data` that is not finite: magenta for NaN, yellow for
+// infinity.
 inline constexpr Colour kNanColour = {1, 0, 1}, kInfiniteColour = {1, 1, 0};
 void markNotFinite(Image& display, const Image& data);
 
-// The mean of |a - b| over the colour channels in magma; its upper end is 1/gain.
+// Mean of |a - b| over the colour channels in magma, from 0 to 1/gain.
 Image differenceHeat(const Image& a, const Image& b, float gain = 1);
 
-// The first channel in magma, `low` to `high`.
+// First channel in magma, from `low` to `high`.
 Image heatMap(const Image& scalar, float low, float high);
 
-// x and y (down) in pixels: hue is the direction (right red, down green-yellow, left cyan, up violet), brightness the
-// length up to `full_px`; black stands still, longer than `full_px` pales.
+// Velocity x, y (down) in pixels. Hue is the direction (right red, down green-yellow, left cyan, up violet). Brightness
+// is the length up to `full_px`; longer velocities become paler. Black is 0.
 Image velocityColours(const Image& velocity, float full_px);
 
-// A colour of its own for every id, the same in every image; 0 (nothing) is black.
+// One colour per id, the same in every image. Black is id 0 (nothing).
 Image idColours(const UintImage& ids);
 
-// View depth in metres: magma on a logarithmic scale, `near_m` pale, `far_m` dark; nothing (infinity) is black.
+// View depth in metres, in magma on a logarithmic scale from `near_m` (pale) to `far_m` (dark). Infinity (nothing) is
+// black.
 Image depthColours(const Image& depth, float near_m, float far_m);
 
 }  // namespace strobe::image

@@ -37,7 +37,7 @@ Vec3 xyzFromLinear(const Vec3& rgb) {
   return {x / kWhite[0], y / kWhite[1], z / kWhite[2]};
 }
 
-// The inverse, clamped to what a display can show.
+// Inverse of `xyzFromLinear`, clamped to [0,1].
 Vec3 linearFromXyz(const Vec3& relative) {
   float x = relative[0] * kWhite[0], y = relative[1] * kWhite[1], z = relative[2] * kWhite[2];
   auto clamped = [](float v) { return std::min(std::max(v, 0.0f), 1.0f); };
@@ -51,7 +51,7 @@ float labCurve(float v) {
   return v > delta * delta * delta ? std::cbrt(v) : v / (3 * delta * delta) + 4 / 29.0f;
 }
 
-// CIELab with the Hunt effect: dark colours differ less in chroma.
+// CIELab with the Hunt effect: the chroma of dark colours is reduced.
 Vec3 huntLabFromLinear(const Vec3& rgb) {
   Vec3 xyz = xyzFromLinear(rgb);
   float x = labCurve(xyz[0]), y = labCurve(xyz[1]), z = labCurve(xyz[2]);
@@ -65,7 +65,7 @@ float hyabDistance(const Vec3& p, const Vec3& q) {
 
 // ---- filters ------------------------------------------------------------------------------------------------------
 
-// Borders repeat the outermost pixel.
+// Convolution of each row. Borders repeat the outermost pixel.
 Plane alongRows(const Plane& in, const std::vector<float>& taps) {
   int radius = static_cast<int>(taps.size()) / 2;
   Plane out(in.width, in.height);
@@ -95,15 +95,15 @@ Plane alongColumns(const Plane& in, const std::vector<float>& taps) {
 
 Plane blurred(const Plane& in, const std::vector<float>& taps) { return alongColumns(alongRows(in, taps), taps); }
 
-// One Gaussian term a sqrt(pi/b) exp(-pi^2 r^2 / b) of a contrast sensitivity function, r in degrees: its normalised
-// taps, and its integral over the image, by which the terms of a sum are weighed.
+// Gaussian term a sqrt(pi/b) exp(-pi^2 r^2 / b) of a contrast sensitivity function, r in degrees: normalised taps, and
+// the integral over the image, which is the weight of the term in a sum.
 struct Sensitivity {
   std::vector<float> taps;
   double integral;
 };
 
 Sensitivity sensitivity(double a, double b, double pixels_per_degree) {
-  // Every filter has the radius of the widest: three standard deviations of b = 0.04.
+  // All filters have the radius of the widest filter: three standard deviations of b = 0.04.
   int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * kPi * kPi)) * pixels_per_degree));
   std::vector<double> weights;
   for (int i = -radius; i <= radius; ++i) {
@@ -116,7 +116,8 @@ Sensitivity sensitivity(double a, double b, double pixels_per_degree) {
   return result;
 }
 
-// Gaussian, first and second derivative as wide as a visible feature; each lobe of a derivative sums to 1 or -1.
+// Gaussian and its first and second derivatives, with the width of a visible feature. Each lobe of a derivative sums to
+// 1 or -1.
 struct FeatureTaps {
   std::vector<float> gaussian, edge, point;
 };
@@ -142,10 +143,10 @@ FeatureTaps featureTaps(double pixels_per_degree) {
   return {normaliseLobes(gaussian), normaliseLobes(edge), normaliseLobes(point)};
 }
 
-// ---- one image as it is seen --------------------------------------------------------------------------------------
+// ---- an image as perceived ----------------------------------------------------------------------------------------
 
 struct Seen {
-  std::vector<Vec3> colour;  // Hunt-adjusted CIELab after the eye's blur
+  std::vector<Vec3> colour;  // Hunt-adjusted CIELab after the blur of the eye
   Plane edge, point;         // strength of features
 };
 
@@ -181,7 +182,7 @@ std::vector<Vec3> seenColours(const Plane& y, const Plane& cx, const Plane& cz) 
   return colours;
 }
 
-// `image` holds linear RGB in [0,1], three channels.
+// `image`: linear RGB in [0,1], three channels.
 Seen see(const Image& image, double ppd) {
   Plane y(image.width, image.height), cx = y, cz = y;
   for (size_t i = 0; i < y.values.size(); ++i) {
@@ -200,7 +201,7 @@ Seen see(const Image& image, double ppd) {
   return {seenColours(seen_y, seen_cx, blurBlueYellow(cz, ppd)), std::move(edge), std::move(point)};
 }
 
-// ---- their difference ---------------------------------------------------------------------------------------------
+// ---- difference of two perceived images ---------------------------------------------------------------------------
 
 constexpr float kColourExponent = 0.7f;
 
@@ -208,7 +209,7 @@ float largestColourError() {
   return std::pow(hyabDistance(huntLabFromLinear({0, 1, 0}), huntLabFromLinear({0, 0, 1})), kColourExponent);
 }
 
-// Differences up to 0.4 of the largest fill [0,0.95]; the rest is squeezed into what is left.
+// Maps differences up to 0.4 of the largest to [0,0.95], and larger differences to [0.95,1].
 float remapColourError(float error, float largest) {
   float knee = 0.4f * largest;
   if (error < knee) return 0.95f / knee * error;
@@ -228,7 +229,7 @@ Image differenceOf(const Seen& test, const Seen& reference) {
   return map;
 }
 
-// `test` and `reference` in [0,1], three channels. The two images are seen at the same time on two cores.
+// `test` and `reference`: three channels in [0,1]. The two images are filtered in parallel.
 Image flipOfDisplayable(const Image& test, const Image& reference, double ppd) {
   auto seen_test = std::async(std::launch::async, [&] { return see(test, ppd); });
   Seen seen_reference = see(reference, ppd);
@@ -247,7 +248,7 @@ Rational coefficients(FlipCurve curve) {
   return {0, 1, 0, 0, 1, 1};
 }
 
-// Where the curve reaches `level`: the larger root of a quadratic.
+// Input of the curve for the output `level`: the larger root of a quadratic.
 double inputFor(const Rational& k, double level) {
   double a = k[0] - level * k[3], b = k[1] - level * k[4], c = k[2] - level * k[5];
   if (a == 0) return -c / b;
@@ -339,7 +340,7 @@ HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions&
   const Exposures& range = result.exposures;
   STROBE_ASSERT(range.count >= 1 && range.start <= range.stop, "{} to {} in {}", range.start, range.stop, range.count);
   double step = range.count > 1 ? (range.stop - range.start) / (range.count - 1) : 0;
-  // One constant exposure need not be looked at twice.
+  // Equal exposures need one map.
   int looks = step > 0 ? range.count : 1;
   for (int i = 0; i < looks; ++i) {
     double stops = range.start + i * step;

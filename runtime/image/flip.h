@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// FLIP: the difference a person sees when alternating between two images (Andersson et al. 2020, "FLIP: A Difference
-// Evaluator for Alternating Images"), and its high dynamic range form (Andersson et al. 2021, "Visualizing and
-// Communicating Errors in Rendered Images"). Follows the published program, version 1.6.
-// Images are linear RGB of the same size; one channel is taken as grey, alpha is not compared.
-// A map has one channel, 0 (no difference) to 1. Symmetric in its two images (HDR: at given exposures).
+// FLIP: the difference that a person perceives when alternating between two images (Andersson et al. 2020, "FLIP: A
+// Difference Evaluator for Alternating Images"), and its high dynamic range form (Andersson et al. 2021, "Visualizing
+// and Communicating Errors in Rendered Images"). The implementation follows the published program, version 1.6.
+// Images are linear RGB of the same size. A single channel is grey; alpha is not compared.
+// A map has one channel, from 0 (no difference) to 1. FLIP is symmetric in its two images (HDR: at given exposures).
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@
 
 namespace strobe::image {
 
-// A 3840-pixel, 0.7 m wide display seen from 0.7 m.
+// Display with a width of 3840 px and 0.7 m, at a distance of 0.7 m.
 constexpr double kPixelsPerDegree = 0.7 * 3840 / 0.7 * kPi / 180;
 
-// LDR-FLIP of the values clamped to [0,1] (so also of the clamped form of a high dynamic range image).
+// LDR-FLIP of the values clamped to [0,1].
 Image ldrFlip(const Image& test, const Image& reference, double pixels_per_degree = kPixelsPerDegree);
 
 enum class FlipCurve { aces, hable, reinhard };
 
-// The exposures at which HDR-FLIP looks: `count` stops spaced evenly from `start` to `stop`, both included.
+// Exposures of HDR-FLIP: `count` stops, evenly spaced from `start` to `stop`, both included.
 struct Exposures {
   enum class Source {
     given,      // by the caller
-    reference,  // from the largest and the median luminance of the reference
-    positive,   // its median is 0: the smallest positive luminance stands in for it
-    test,       // the reference is black: as above, from the test image
-    none,       // both are black: 0 to 0
+    reference,  // largest and median luminance of the reference
+    positive,   // the median of the reference is 0; replaced by its smallest positive luminance
+    test,       // the reference is black; from the test image in the same way
+    none,       // both images are black; 0 to 0
   };
   double start = 0;
   double stop = 0;
@@ -37,18 +37,18 @@ struct Exposures {
 };
 const char* exposureSourceName(Exposures::Source source);
 
-// start = log2(x/Ymax), stop = log2(x/Ymedian), x where the curve reaches 0.85; count = max(2, ceil(stop - start)).
-// Unlike the published program, which returns no error for any test image when at least half of the reference is
-// black, a median of 0 is replaced as `source` says.
+// start = log2(x/Ymax), stop = log2(x/Ymedian), count = max(2, ceil(stop - start)). The curve reaches 0.85 at x. A
+// median of 0 is replaced, see `Exposures::Source`. The published program does not replace the median; it returns no
+// error for any test image if at least half of the reference is black.
 Exposures automaticExposures(const Image& test, const Image& reference, FlipCurve curve = FlipCurve::aces);
 
 struct HdrFlipOptions {
   FlipCurve curve = FlipCurve::aces;
-  std::optional<Exposures> exposures;  // give them to compare numbers across images of one scene
+  std::optional<Exposures> exposures;  // set these to compare numbers across images of one scene
   double pixels_per_degree = kPixelsPerDegree;
 };
 struct HdrFlip {
-  Image map;  // per pixel the largest LDR-FLIP of all exposures
+  Image map;  // per pixel, the largest LDR-FLIP of all exposures
   Exposures exposures;
 };
 HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions& options = {});

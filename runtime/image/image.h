@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CPU images: what passes' outputs become when they are read back, what metrics compare and files hold.
+// Images on the CPU: outputs of passes that are read back, operands of metrics, contents of files.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace strobe::image {
 
 // width x height pixels, top row first, `channels` interleaved values per pixel. Colour is linear and scene-referred
-// unless the function that takes it says otherwise.
+// unless a function states otherwise.
 struct Image {
   int width = 0;
   int height = 0;
@@ -27,10 +27,10 @@ struct Image {
 
 bool sameSize(const Image& a, const Image& b);
 
-// Without alpha; the last of fewer channels stands for those that are missing.
+// The image without alpha. If channels are missing, the last channel is repeated.
 Image threeChannels(const Image& image);
 
-// The same for integers (instance, geometry and primitive ids).
+// Image of integers (instance, geometry and primitive ids).
 struct UintImage {
   int width = 0;
   int height = 0;

@@ -15,7 +15,7 @@ constexpr Colour kInk = {0.96f, 0.96f, 0.97f};
 constexpr Colour kSoftInk = {0.72f, 0.73f, 0.76f};
 constexpr Colour kBorder = {0.03f, 0.03f, 0.04f};
 
-// A machine without the font shows pictures without words.
+// True if the font is installed. Legends without the font have no text.
 bool hasFont() {
   static const bool has = [] {
     try {
@@ -51,7 +51,7 @@ void drawPlate(Image& onto, const Rectangle& area) {
 
 int padOf(float text) { return int(std::lround(text * 0.55f)); }
 
-// A plate for content of that size, in the corner; the content's own rectangle is returned.
+// Draws a plate for content of this size in the lower right corner. Returns the rectangle of the content.
 Rectangle cornerPlate(Image& onto, int width, int height, float text) {
   int pad = padOf(text);
   Rectangle plate = {onto.width - width - 3 * pad, onto.height - height - 3 * pad, width + 2 * pad, height + 2 * pad};
@@ -66,7 +66,8 @@ float distanceToSegment(vec2 p, vec2 a, vec2 b) {
   return glm::length(p - a - t * ab);
 }
 
-// Negative inside the triangle; exact along its sides, which is all that smooth rims need.
+// Signed distance to a triangle, negative inside. Exact along its sides but not at its corners, which is sufficient for
+// antialiasing.
 float distanceToTriangle(vec2 p, vec2 a, vec2 b, vec2 c) {
   auto side = [&p](vec2 from, vec2 to) {
     vec2 along = glm::normalize(to - from);

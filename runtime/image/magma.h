@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The colour map of error maps and heat maps: black, violet, orange, pale yellow; even steps look even.
+// Colour map of error maps and heat maps: black, violet, orange, pale yellow; perceptually uniform.
 #pragma once
 
 #include <array>

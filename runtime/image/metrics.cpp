@@ -24,7 +24,7 @@ void assertAlike(const Image& test, const Image& reference) {
   STROBE_ASSERT(colourCount(test) == colourCount(reference), "{} and {} channels", test.channels, reference.channels);
 }
 
-// The mean of error(x, r) over the colour channels, for every pixel that counts, in reading order.
+// Mean of error(x, r) over the colour channels of every selected pixel, in reading order.
 template <class ErrorOf>
 std::vector<double> pixelErrors(const Image& test, const Image& reference, const Image& mask, ErrorOf errorOf) {
   assertAlike(test, reference);
@@ -45,7 +45,7 @@ std::vector<double> pixelErrors(const Image& test, const Image& reference, const
 double squaredError(double x, double r) { return (x - r) * (x - r); }
 double relativeError(double x, double r) { return (x - r) * (x - r) / (r * r + 0.01); }
 
-// One channel in double precision, as the windowed statistics need it.
+// One channel in double precision, for the windowed statistics.
 struct Plane {
   int width = 0, height = 0;
   std::vector<double> values;
@@ -78,7 +78,7 @@ std::vector<double> windowTaps() {
   return taps;
 }
 
-// The Gaussian mean around every pixel whose window lies inside: the result is 10 pixels smaller each way.
+// Gaussian mean around every pixel with a window inside the plane. The result is 10 pixels smaller each way.
 Plane windowed(const Plane& plane) {
   static const std::vector<double> taps = windowTaps();
   int width = plane.width - kWindow + 1, height = plane.height - kWindow + 1;
@@ -93,7 +93,7 @@ Plane windowed(const Plane& plane) {
   return result;
 }
 
-// The two factors of SSIM around every pixel whose window lies inside.
+// The two factors of SSIM around every pixel with a window inside the plane.
 struct Similarity {
   Plane luminance, contrast_structure;
 };

@@ -50,19 +50,19 @@ void writePng(const Path& file, const Image& display) { writeFileAtomically(file
 
 namespace {
 
-// Samples of a file and the colour that its chunks state.
+// Samples of a file, and the colour that its chunks state.
 struct Decoded {
   uint32_t width = 0, height = 0;
   int channels = 0, bytes_per_sample = 1;
   std::vector<png_byte> samples;  // 16 bits: the high byte first
   bool says_srgb = false;
-  double gamma = 0;  // gAMA; 0: none
+  double gamma = 0;  // gAMA; 0: absent
   bool has_primaries = false;
   Primaries primaries;  // cHRM
   std::string icc_profile;
   std::vector<int> code_points;  // cICP: primaries, transfer, matrix, full range
   std::vector<std::string> warnings;
-  std::string why;  // refused, "" otherwise
+  std::string why;  // reason of the refusal; "": not refused
 };
 
 void refuse(png_structp png, png_const_charp why) {
@@ -81,7 +81,8 @@ void takeBytes(png_structp png, png_bytep into, size_t count) {
   rest->remove_prefix(count);
 }
 
-// A header may claim any size; refuse before memory is allocated. Deflate shrinks by a factor of 1032 at most.
+// A header may state any size, so the size is checked before memory is allocated. Deflate shrinks by a factor of 1032
+// at most.
 void takeSize(png_structp png, png_infop info, size_t file_bytes, Decoded& into) {
   into.width = png_get_image_width(png, info), into.height = png_get_image_height(png, info);
   if (into.width > 65536 || into.height > 65536) png_error(png, "larger than 65536 pixels");
@@ -105,7 +106,8 @@ void takeColour(png_structp png, png_infop info, Decoded& into) {
     into.code_points.assign(unknown[i].data, unknown[i].data + unknown[i].size);
 }
 
-// False: refused, for `into.why`. All that needs a destructor lives in `into`, since libpng leaves by longjmp.
+// False if the file is refused, with the reason in `into.why`. Objects with a destructor must be in `into`, since
+// libpng leaves by longjmp.
 bool decode(png_structp png, png_infop info, size_t file_bytes, Decoded& into) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, reinterpret_cast<png_const_bytep>("cICP"), 1);
@@ -149,7 +151,7 @@ Image storedImage(const Decoded& decoded) {
   return stored;
 }
 
-// A file of sRGB values has a gAMA of 1/2.2 for programs that do not know the chunk sRGB.
+// True for sRGB values. Their gAMA is 1/2.2, for programs without support for the chunk sRGB.
 bool isSrgb(const Decoded& decoded) {
   return decoded.says_srgb || decoded.gamma == 0 || std::abs(decoded.gamma - 1 / 2.2) < 5e-4;
 }

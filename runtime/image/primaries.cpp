@@ -16,14 +16,14 @@ static dvec3 xyzOf(dvec2 chromaticity) {
   return {chromaticity.x / chromaticity.y, 1, (1 - chromaticity.x - chromaticity.y) / chromaticity.y};
 }
 
-// From linear RGB to XYZ: RGB (1, 1, 1) is white of luminance 1.
+// Matrix from linear RGB to XYZ. RGB (1, 1, 1) is white of luminance 1.
 static dmat3 xyzFrom(const Primaries& primaries) {
   dmat3 columns(xyzOf(primaries.red), xyzOf(primaries.green), xyzOf(primaries.blue));
   dvec3 luminance = glm::inverse(columns) * xyzOf(primaries.white);
   return dmat3(columns[0] * luminance.r, columns[1] * luminance.g, columns[2] * luminance.b);
 }
 
-// From XYZ to the cone responses of Bradford (Lam 1985).
+// Matrix from XYZ to the cone responses of Bradford (Lam 1985).
 static const dmat3 kBradford =
     glm::transpose(dmat3(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296));
 

@@ -14,7 +14,7 @@ namespace {
 
 int coloursOf(const Image& image) { return std::min(image.channels, 3); }
 
-// Calls `visit(x, y)` for each pixel that counts, in reading order.
+// Calls `visit(x, y)` for each selected pixel, in reading order.
 template <class Visit>
 void forPixels(const Image& image, const Image& mask, Visit visit) {
   bool fits = mask.empty() || sameSize(mask, image);
@@ -24,7 +24,7 @@ void forPixels(const Image& image, const Image& mask, Visit visit) {
       if (isIn(mask, x, y)) visit(x, y);
 }
 
-// Calls `visit(x, y, difference)` with the largest difference of the channels of each pixel that counts.
+// Calls `visit(x, y, difference)` for each selected pixel with the largest difference of its channels.
 template <class Visit>
 void forDifferences(const Image& a, const Image& b, const Image& mask, Visit visit) {
   bool alike = sameSize(a, b) && coloursOf(a) == coloursOf(b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text of draw.h, rasterised with stb_truetype.
+// Text of draw.h, rasterised by stb_truetype.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -44,10 +44,10 @@ const Font& font() {
 
 struct Glyph {
   int point;
-  float x;  // pen position in pixels
+  float x;  // pen position, px
 };
 
-// Pen positions from 0; `end` is where the next glyph would stand.
+// Pen positions from 0. `end` is the pen position after the last glyph.
 std::vector<Glyph> layOut(const std::string& text, float scale, float& end) {
   std::vector<Glyph> glyphs;
   std::vector<int> points;

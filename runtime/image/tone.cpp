@@ -5,7 +5,7 @@
 
 namespace strobe::image {
 
-// NaN fails both comparisons' "greater" branch and ends as 0.
+// NaN fails the first comparison and becomes 0.
 static float clampUnit(float value) { return value > 0 ? (value < 1 ? value : 1.0f) : 0.0f; }
 
 float encodeSrgb(float linear) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between linear, scene-referred colour and what a display shows: sRGB-encoded values in [0,1] ("display" images).
+// Conversion between linear, scene-referred colour and display images: sRGB-encoded values in [0,1].
 #pragma once
 
 #include "image/image.h"
@@ -10,16 +10,16 @@ namespace strobe::image {
 float encodeSrgb(float linear);
 float decodeSrgb(float encoded);
 
-// The same for the colour channels of an image; a fourth channel is alpha and is only clamped.
-// `encodeSrgb` is the transform on which PSNR and SSIM are measured: clamp to [0,1], then encode.
+// Conversion of the colour channels of an image; a fourth channel is alpha and is only clamped. `encodeSrgb` is the
+// transform for PSNR and SSIM: clamp to [0,1], then encode.
 Image encodeSrgb(const Image& linear);
 Image decodeSrgb(const Image& display);
 
-// How a linear image is made visible: multiplied by 2^stops, bent by the curve, clamped, sRGB-encoded.
+// Tone mapping of a linear image: multiply by 2^stops, apply the curve, clamp, encode as sRGB.
 struct ToneMap {
   enum class Curve {
-    clamp,   // none: what metrics see
-    filmic,  // Narkowicz's rational fit of the ACES curve, input scaled by 0.6: rolls highlights off, for looking only
+    clamp,   // no curve, as in metrics
+    filmic,  // Narkowicz's rational fit of the ACES curve, input scaled by 0.6: compresses highlights; for viewing only
   };
   float stops = 0;
   Curve curve = Curve::clamp;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box along the axes.
+// Axis-aligned bounding boxes.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace strobe {
 
-// Grows around the points that are added; empty before the first.
+// Axis-aligned box. Empty until the first point is added.
 struct Bounds {
   dvec3 low = dvec3(HUGE_VAL), high = dvec3(-HUGE_VAL);
 
@@ -23,7 +23,7 @@ struct Bounds {
   bool empty() const { return !(low.x <= high.x); }
   dvec3 middle() const { return (low + high) * 0.5; }
   double radius() const { return glm::length(high - low) * 0.5; }
-  // One of eight.
+  // Corner `i`, 0 to 7. Bit 0 selects high.x, bit 1 high.y, bit 2 high.z.
   dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
 };
 

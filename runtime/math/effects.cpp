@@ -12,14 +12,14 @@ namespace strobe {
 
 namespace {
 
-constexpr double kTail = 0.025;  // of each side of an interval
+constexpr double kTail = 0.025;  // tail probability on each side of an interval
 
 double tQuantile(double degrees) {
   return boost::math::quantile(boost::math::complement(boost::math::students_t(degrees), kTail));
 }
 
-// Blocks of observations that are alike in all factors but `varied`: by those levels, then by cell of the varied ones.
-// Equal observations of a cell count as their mean.
+// Groups observations into blocks with equal levels of all factors except `varied`. Within a block, observations are
+// grouped into cells by their levels of `varied`. Observations that lack a varied factor are left out.
 using Cells = std::map<std::vector<int>, std::vector<double>>;
 std::map<std::vector<int>, Cells> blocksOf(const Observations& observations, const std::vector<size_t>& varied) {
   std::map<std::vector<int>, Cells> blocks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A straight line through points, by least squares: every point counts alike.
+// Straight line through points by least squares, with equal weights.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 namespace strobe {
 
 struct Line {
-  Estimate slope;  // with its t interval of n - 2 degrees of freedom: NaN with fewer than three points
+  Estimate slope;  // t interval with n - 2 degrees of freedom; the interval is NaN for fewer than three points
   double intercept = std::numeric_limits<double>::quiet_NaN();
-  double r2 = std::numeric_limits<double>::quiet_NaN();  // share of the variation of y; NaN where y does not vary
+  double r2 = std::numeric_limits<double>::quiet_NaN();  // coefficient of determination; NaN if y does not vary
 
   double at(double x) const { return intercept + slope.value * x; }
 };
 
-// All NaN where x does not vary. Both have as many values, all finite.
+// `x` and `y` have the same size and finite values. All results are NaN if x does not vary.
 Line lineThrough(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace strobe

@@ -7,8 +7,9 @@
 
 namespace strobe {
 
-// Which points no other dominates, that is: has no larger first and no larger second value, and one smaller. Indices by
-// growing first value; of equal points the first. Points with a value that is not finite are left out.
+// Indices of the points that no other point dominates, by ascending first value; the first of equal points. A point
+// dominates another one if neither of its values is larger and one is smaller. Points with a value that is not finite
+// are left out.
 std::vector<size_t> paretoFront(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace strobe

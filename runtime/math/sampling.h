@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random sequences as hashes of what they belong to: nothing depends on the order in which they are drawn.
+// Random sequences as hashes of their indices. The numbers do not depend on the order of the draws.
 #pragma once
 
 #include <cstdint>

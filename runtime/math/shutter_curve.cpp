@@ -11,7 +11,7 @@ namespace strobe {
 
 using Points = std::vector<ShutterCurve::Point>;
 
-// The weight between two points.
+// Area under the curve between two points.
 static double between(const ShutterCurve::Point& a, const ShutterCurve::Point& b) {
   return (b.time - a.time) * 0.5 * (a.weight + b.weight);
 }
@@ -37,10 +37,10 @@ static double numberIn(const std::string& text, const std::string& part) {
   return number->front();
 }
 
-// So that the distance from either end is exact.
+// Rounds a time to a multiple of 2^-40, so that the distance from either end is exact.
 static double rounded(double time) { return std::nearbyint(std::ldexp(time, 40)) / std::ldexp(1, 40); }
 
-// What a name stands for, after its colon.
+// The numbers after the colon of a name; `otherwise` if the text has no colon.
 static std::vector<double> argumentsOf(const std::string& text, std::vector<double> otherwise) {
   size_t colon = text.find(':');
   if (colon == std::string::npos) return otherwise;
@@ -59,7 +59,7 @@ static Points trapezoid(const std::string& text) {
 }
 
 static Points gaussian(const std::string& text) {
-  constexpr int kSteps = 30;  // to either side
+  constexpr int kSteps = 30;  // on each side
   const double sigma = argumentsOf(text, {1.0 / 6})[0];
   if (!(sigma >= 0.01 && sigma <= 10)) refuse(text, "the standard deviation is 0.01 to 10 of the exposure");
   const double step = std::floor(std::ldexp(std::min(0.5, 4 * sigma) / kSteps, 40)) / std::ldexp(1, 40);
@@ -114,7 +114,7 @@ ShutterCurve ShutterCurve::from(const std::string& text) {
 
 // ---- the curve
 
-// The time that it takes from a knot until so much more of the weight has passed.
+// Time from a knot until the weight `more` has passed.
 static double lengthOf(const ShutterCurve::Knot& knot, double more) {
   if (!(more > 0)) return 0;
   double twice_mean = knot.weight + std::sqrt(std::max(knot.weight * knot.weight + 2 * knot.slope * more, 0.0));

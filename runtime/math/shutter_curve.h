@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much the times of an exposure count: a weight over the time from the opening of the shutter (0) to its closing
-// (1), piecewise linear. Whoever takes samples at `timeOf` of even shares has samples that count alike.
+// Shutter curve: the weight of each time of an exposure, piecewise linear, from shutter open (0) to shutter close (1).
+// Samples at `timeOf` of evenly spaced shares have equal weights.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@ namespace strobe {
 
 class ShutterCurve {
  public:
-  // The weight from one knot on, as counted from one end of the exposure.
+  // Knot of the curve, measured from one end of the exposure, with the weight up to the next knot.
   struct Knot {
-    double distance = 0;  // from that end, share of the exposure's length
-    double share = 0;     // of all weight, from that end to here
-    double weight = 0;    // here; its mean over the exposure is 1
+    double distance = 0;  // from that end, as a share of the exposure's length
+    double share = 0;     // of the total weight, between that end and the knot
+    double weight = 0;    // at the knot; the mean weight over the exposure is 1
     double slope = 0;     // of the weight, up to the next knot
   };
   static constexpr size_t kMostKnots = 64;
@@ -24,26 +24,30 @@ class ShutterCurve {
     double time = 0, weight = 0;
   };
 
-  // All times count alike.
+  // All times have equal weights.
   ShutterCurve() = default;
 
-  // "box"; "triangle"; "trapezoid", "trapezoid:OPENING,CLOSING" (shares of the exposure during which the shutter opens
-  // and closes, 0 to 1 together; 0.25 each); "gaussian", "gaussian:SIGMA" (standard deviation as a share of the
-  // exposure, 0.01 to 10; 1/6), about its middle, cut off four of them away; weights "0,1,1,0.5" at even distances from
-  // the opening to the closing; "TIME=WEIGHT,..." from 0 to 1, two of one time for a jump. Weights are relative, none
-  // below 0, one above. Throws `Error` (exit code 2).
+  // Reads a curve. Shares are relative to the exposure.
+  // - "box", "triangle"
+  // - "trapezoid" or "trapezoid:OPENING,CLOSING": shares during which the shutter opens and closes, 0 to 1 together;
+  //   default 0.25 each
+  // - "gaussian" or "gaussian:SIGMA": standard deviation as a share, 0.01 to 10; default 1/6. The curve is centred and
+  //   cut off at four standard deviations.
+  // - "0,1,1,0.5": weights at even distances from shutter open to shutter close
+  // - "TIME=WEIGHT,...": times from 0 to 1; two points at one time make a jump
+  // Weights are relative. Weights are not negative, and one is positive. Throws `Error` (exit code 2) for other texts.
   static ShutterCurve from(const std::string& text);
 
   bool isBox() const { return knots_[0].empty(); }
 
-  // The time before which the share lies, both in [0, 1]. Of a curve that is its own mirror image 1 - share is at 1 -
-  // time, to the last bit. Where nothing counts in between, the middle of that.
+  // Time before which the share of the weight lies; both in [0, 1]. A symmetric curve has 1 - share at 1 - time, to the
+  // last bit. If the weights around share 1/2 are 0, timeOf(1/2) is the middle of that interval.
   double timeOf(double share) const;
-  // The share before the time.
+  // Share of the weight before the time.
   double shareBefore(double time) const;
 
-  // From the opening (0) or the closing (1) to the middle of the weight, where `share` is 1/2: at most kMostKnots. None
-  // of a box. The two of a curve that is its own mirror image are alike to the last bit.
+  // Knots from shutter open (0) or shutter close (1) to the middle of the weight, where `share` is 1/2; at most
+  // kMostKnots. Empty for a box. For a symmetric curve, both lists are equal to the last bit.
   const std::vector<Knot>& knotsFrom(int end) const { return knots_[size_t(end)]; }
 
  private:

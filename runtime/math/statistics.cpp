@@ -19,7 +19,7 @@ double quantile(std::vector<double> values, double q) {
   auto lower = values.begin() + std::ptrdiff_t(rank);
   std::nth_element(values.begin(), lower, values.end());
   double share = rank - std::floor(rank);
-  // A neighbour that has no share must not count: 0 times infinity is no number.
+  // Skip a neighbour with share 0, because 0 times infinity is NaN.
   return share == 0 ? *lower : std::lerp(*lower, *std::min_element(lower + 1, values.end()), share);
 }
 
@@ -28,7 +28,7 @@ double median(std::vector<double> values) { return quantile(std::move(values), 0
 std::array<double, 2> medianInterval(std::vector<double> values, double confidence) {
   std::sort(values.begin(), values.end());
   double n = double(values.size()), below = 0;
-  size_t left_out = 0;  // at either end
+  size_t left_out = 0;  // at each end
   for (; left_out < values.size(); ++left_out) {
     double k = double(left_out);
     below += std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) - n * std::log(2.0));

@@ -7,7 +7,7 @@
 
 namespace strobe::scene {
 
-// An index into a list that is put after `before` others; -1 stays.
+// Index into a list that follows `before` other elements; -1 stays.
 static int shifted(int index, int before) { return index < 0 ? index : index + before; }
 
 Attacher::Shared Attacher::share(const Scene& part) {
@@ -43,7 +43,7 @@ static std::string creditOf(const Json& attribution) {
   return "";
 }
 
-// Warnings, assumptions and credits, with the name of the node.
+// Copies warnings, assumptions and credits, with the name of the node.
 void Attacher::attachTexts(const Scene& part, const std::string& name) {
   for (const std::string& warning : part.warnings) scene_.warnings.push_back(name + ": " + warning);
   for (const std::string& assumption : part.assumptions) scene_.assumptions.push_back(name + ": " + assumption);
@@ -57,7 +57,7 @@ void Attacher::attachTexts(const Scene& part, const std::string& name) {
 
 void Attacher::attach(const std::string& key, const Scene& part, int node, const std::string& animation) {
   std::vector<const Animation*> clips = clipsOf(part, animation);
-  if (animation == "all") {  // clips that yield included: `yieldClips` decides for the whole scene
+  if (animation == "all") {  // including clips that yield: `yieldClips` decides for the whole scene
     clips.clear();
     for (const Animation& clip : part.animations) clips.push_back(&clip);
   }

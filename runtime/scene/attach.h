@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene as a part of another: a glTF file at a node.
+// Attachment of a scene to a node of another scene, such as a glTF file.
 #pragma once
 
 #include <map>
@@ -8,19 +8,20 @@
 
 namespace strobe::scene {
 
-// Attaches scenes to one. Meshes, materials and textures of a part are added once, however often it is attached.
+// Attaches scenes as parts of one scene. Meshes, materials and textures of a part are added once, even if the part is
+// attached several times.
 class Attacher {
  public:
   explicit Attacher(Scene& scene) : scene_(scene) {}
 
-  // Adds a part below `node`, which takes over the cuts of the part. "NAME/" of the node is put before the names of
-  // nodes, clips, cameras and lights of the part. `animation` chooses clips: "all", "none" or a name. Equal parts have
-  // equal keys. Throws `Error` for an unknown clip.
+  // Adds a part below `node`. The node takes over the cuts of the part. The names of the part's nodes, clips, cameras
+  // and lights get the prefix "NAME/", where NAME is the name of `node`. `animation` chooses clips: "all", "none" or a
+  // name. Equal parts have equal keys. Throws `Error` for an unknown clip.
   void attach(const std::string& key, const Scene& part, int node, const std::string& animation);
 
  private:
   struct Shared {
-    int meshes = 0, materials = 0, textures = 0;  // index of the first of the part
+    int meshes = 0, materials = 0, textures = 0;  // index of the part's first one
   };
   Shared share(const Scene& part);
   void attachClip(Animation clip, const std::string& prefix, int nodes, int cameras, int lights);

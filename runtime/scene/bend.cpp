@@ -9,7 +9,7 @@ namespace strobe::scene {
 
 static const Mesh& meshOf(const Scene& scene, const Instance& instance) { return scene.meshes[size_t(instance.mesh)]; }
 
-// Do several joints of a skin have its vertices?
+// True if the vertices follow several joints of a skin.
 static bool followsJoints(const Scene& scene, const Instance& instance) {
   const Node& node = scene.nodes[size_t(instance.node)];
   return node.skin >= 0 && node.sole_joint < 0;
@@ -38,8 +38,8 @@ std::vector<dmat4> jointsOf(const Scene& scene, const Instance& instance, const 
 
 namespace {
 
-// Normals go with the cofactors of the matrix, and keep their side where it mirrors. A normal in the plane of a sheet
-// is not one of the sheet: 0.
+// Transforms a normal by the cofactors of the matrix. A matrix that mirrors keeps the side of the normal. Returns 0 for
+// a normal in the plane of a sheet.
 dvec3 normalBy(const dmat4& matrix, const dvec3& normal) {
   dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
   dvec3 along_x = glm::cross(y, z) * normal.x, along_y = glm::cross(z, x) * normal.y,
@@ -59,7 +59,7 @@ dvec3 unitOrNone(const dvec3& normal) {
   return largest > 0 && std::isfinite(largest) ? glm::normalize(normal / largest) : dvec3(0);
 }
 
-// Vertices of one geometry as they are bent.
+// Deformed vertices of one geometry.
 class Bending {
  public:
   Bending(const Mesh& mesh, const Geometry& geometry, const Bend& bend)
@@ -81,7 +81,7 @@ class Bending {
   }
 
  private:
-  // None of a direction without a length.
+  // Returns 0 for a direction without a length.
   static dvec4 tangentOf(const dvec3& direction, double handedness) {
     const dvec3 unit = unitOrNone(direction);
     return unit == dvec3(0) ? dvec4(0) : dvec4(unit, handedness);
@@ -99,7 +99,7 @@ class Bending {
     return vertex;
   }
 
-  // Mean matrix of the vertex's joints; the only matrix of an instance that flattens.
+  // Weighted mean of the matrices of the vertex's joints; the only matrix of an instance that flattens.
   dmat4 matrixOf(size_t v) const {
     const Influences& influences = geometry_.influences;
     if (bend_.joints.size() == 1) return bend_.joints[0];
@@ -156,7 +156,7 @@ Bounds posedBounds(const Scene& scene, const std::vector<Instance>& instances, s
   return bounds;
 }
 
-// Adds a vertex to what is around others of its geometry.
+// Adds a vertex, and its offsets in the morph targets, to `bounds`.
 static void addVertex(const Geometry& geometry, size_t vertex, const dvec3& origin, VertexBounds& bounds) {
   bounds.rest.add(origin + dvec3(geometry.vertices[vertex].position));
   std::vector<Bounds>& targets = bounds.targets;

@@ -29,7 +29,7 @@ bool jumpsAtTheEnd(const Animation& clip, const Track& track) {
 
 namespace {
 
-// A target as a key of maps, and its name.
+// A target as a key of maps, and a target with its name.
 using TargetKey = std::array<int, 3>;
 using NamedTarget = std::pair<TargetKey, std::string>;
 

@@ -18,7 +18,7 @@ static Bounds boundsOf(const Mesh& mesh) {
   return bounds;
 }
 
-// `worlds`: world from node, of every node, of which the pose is made.
+// Bounds of all instances of `pose`. `worlds`: world-from-node of every node in this pose.
 static Bounds boundsOf(const Scene& scene, const std::vector<Bounds>& meshes, const std::vector<dmat4>& worlds,
                        const Pose& pose) {
   Bounds all;
@@ -41,7 +41,7 @@ static std::vector<Bounds> meshBounds(const Scene& scene) {
 
 Bounds boundsOf(const Scene& scene) { return boundsOf(scene, meshBounds(scene), restWorlds(scene), restPose(scene)); }
 
-// Of all poses of the scene's animations, by samples over the longest clip.
+// Bounds over all poses of the scene's animations, sampled over the longest clip.
 static Bounds boundsInTime(const Scene& scene) {
   double duration_s = 0;
   for (const Animation& clip : scene.animations) duration_s = std::max(duration_s, clip.duration);
@@ -60,7 +60,7 @@ static bool hasCamera(const Scene& scene) {
   return std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const Node& node) { return node.camera >= 0; });
 }
 
-// The least distance at which all corners of the bounds are within the angle, in a picture of 16:9.
+// Distance of the camera such that a 16:9 picture contains all corners of the bounds, with a margin of 8 %.
 static double framingDistance(const Bounds& bounds, const dmat3& world_from_camera, double vertical_fov) {
   double up = std::tan(vertical_fov / 2), right = up * 16 / 9, distance = 0;
   for (int corner = 0; corner < 8; ++corner) {

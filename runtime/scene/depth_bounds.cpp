@@ -18,7 +18,7 @@ DepthBounds DepthBounds::from(const std::string& text) {
   if (auto three = numbersIn<double, 3>(text, ',')) bounds = {(*three)[0], (*three)[1], (*three)[2]};
   else if (auto two = numbersIn<double, 2>(text, ',')) bounds = {(*two)[0], (*two)[1], 0};
   else throw Error(fmt::format("--motion-depths '{}': expected NEAR,FAR or NEAR,FAR,SOFT, in metres", text), {}, 2);
-  const bool rising = bounds.near_m >= 0 && bounds.far_m >= bounds.near_m;  // not of NaN
+  const bool rising = bounds.near_m >= 0 && bounds.far_m >= bounds.near_m;  // false for NaN
   if (!rising || !std::isfinite(bounds.near_m))
     throw Error(fmt::format("--motion-depths '{}': depths rise from 0 or more", text), {}, 2);
   if (!(bounds.soft_m >= 0) || !std::isfinite(bounds.soft_m))
@@ -46,7 +46,7 @@ std::vector<double> motionShares(const Scene& scene, const Pose& capture, const 
   return shares;
 }
 
-// As seen from the camera of `pose`, where `own` has it.
+// Gives an instance the place relative to the camera of `pose` that it has relative to the camera of `own`.
 static void place(Pose& pose, const Pose& own, size_t index) {
   pose.world_from_instance[index] = own.world_from_instance[index];
   pose.bends[index] = own.bends[index];

@@ -12,7 +12,7 @@
 
 namespace strobe::scene {
 
-// Does its value change between two times of the clip? Jumps never do within a frame.
+// True if the value of a track changes between two times of the clip. STEP tracks do not change within a frame.
 static bool varies(const Track& track, double from_s, double to_s) {
   if (track.interpolation == Track::Interpolation::Step) return false;
   if (to_s <= track.times.front() || from_s >= track.times.back()) return false;
@@ -39,7 +39,7 @@ static bool isMotion(const ConstantMotion& motion) {
   return motion.velocity != dvec3(0) || motion.angular_velocity != 0;
 }
 
-// By node: may it, or what it hangs on, move between two times?
+// By node: true if the node or an ancestor may move between two times.
 static std::vector<bool> movingNodes(const Scene& scene, const std::string& animation, double from_s, double to_s) {
   std::vector<bool> moves(scene.nodes.size(), false);
   for (const Animation* clip : clipsOf(scene, animation))
@@ -54,7 +54,7 @@ static std::vector<bool> movingNodes(const Scene& scene, const std::string& anim
   return moves;
 }
 
-// By node: may the weights of its morph targets change between two times?
+// By node: true if the weights of its morph targets may change between two times.
 static std::vector<bool> morphingNodes(const Scene& scene, const std::string& animation, double from_s, double to_s) {
   std::vector<bool> morphs(scene.nodes.size(), false);
   for (const Animation* clip : clipsOf(scene, animation))
@@ -63,7 +63,7 @@ static std::vector<bool> morphingNodes(const Scene& scene, const std::string& an
   return morphs;
 }
 
-// May what a node shows move, given which nodes do? The joints of a skin decide, not the node.
+// True if the mesh of a node may move. `moves`: the nodes that may move. The joints of a skin decide, not the node.
 static bool showsMotion(const Scene& scene, int index, const std::vector<bool>& moves) {
   const Node& node = scene.nodes[size_t(index)];
   if (node.skin < 0) return moves[size_t(index)];
@@ -79,7 +79,7 @@ static bool isEmpty(const Mesh& mesh) {
   return std::none_of(mesh.geometries.begin(), mesh.geometries.end(), hasTriangles);
 }
 
-// What the materials of a mesh's triangles ask for.
+// Adds the requirements of the materials of a mesh's triangles.
 static void addMaterials(const Scene& scene, const Mesh& mesh, Facts& facts) {
   for (const Geometry& geometry : mesh.geometries) {
     if (!hasTriangles(geometry)) continue;
@@ -90,10 +90,10 @@ static void addMaterials(const Scene& scene, const Mesh& mesh, Facts& facts) {
   }
 }
 
-// From the first to the last of the times at which something is posed.
+// First and last time of an object's poses.
 using Span = std::pair<double, double>;
 
-// What drives a scene, asked for the times that each thing has of its own.
+// Moving parts of a scene, cached by time span, because each object may have another span.
 class Driven {
  public:
   Driven(const Scene& scene, const std::string& animation) : scene_(scene), animation_(animation) {}
@@ -105,7 +105,7 @@ class Driven {
     return showsMotion(scene_, instance.node, moving.nodes) || moving.morphs[size_t(instance.node)];
   }
 
-  // Do keys of a camera's lens, or of what a light sends out, change?
+  // True if keys change the lens of a camera or the emission of a light.
   bool isProperty(bool of_camera, int index, Span span) const {
     for (const Animation* clip : clipsOf(scene_, animation_))
       for (const PropertyTrack& track : clip->properties)

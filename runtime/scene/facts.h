@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene in a frame requires, so that what it does not require is not paid for.
+// Facts of a frame: the features that its scene uses. Work for other features is skipped.
 #pragma once
 
 #include <optional>
@@ -10,31 +10,30 @@
 
 namespace strobe::scene {
 
-// Whose camera a frame sees through, and when it poses the scene: at the times of its exposure and at `previous_s`, by
-// a `FramePoser`.
+// Camera and times of a frame. A `FramePoser` poses the scene at the times of the exposure and at `previous_s`.
 struct FrameView {
   int camera_node = -1;
   std::string animation = "all";
   FrameTimes times;
   double previous_s = 0;
-  std::optional<bool> camera_moves;  // with time, where something else than the scene moves the camera
+  std::optional<bool> camera_moves;  // set for a camera that the scene does not move; true if the camera moves
 };
 
 // Facts of a frame. Conservative: false only if proven false.
 struct Facts {
-  bool camera_moves = true;  // within the times of the frame: from the first to the last of them
-  bool motion = true;        // the camera, a light or anything with triangles moves within them
-  std::vector<bool> moves;   // by instance: does it move within them? Empty: each may
-  bool alpha = true;         // something with triangles is cut out or blended by its alpha
-  bool blend = true;         // something with triangles is blended by its alpha
-  bool one_sided = true;     // something with triangles is not seen from behind
+  bool camera_moves = true;  // between the first and the last time of the frame
+  bool motion = true;        // the camera, a light or an instance with triangles moves in that interval
+  std::vector<bool> moves;   // by instance: true if it may move in that interval; empty: all may
+  bool alpha = true;         // an instance with triangles is cut out or blended by its alpha
+  bool blend = true;         // an instance with triangles is blended by its alpha
+  bool one_sided = true;     // an instance with triangles is not visible from behind
   bool shadows = true;       // a light casts shadows
-  bool deforms = true;       // joints, morph targets or a flat transform may deform something with triangles
+  bool deforms = true;       // joints, morph targets or a flat transform may deform an instance with triangles
 };
 
-// By the keys and rates that drive nodes, not by poses, which are equal at both ends of a motion that returns; and by
-// the poses at the four times, which must be equal to the last bit. What the frame keeps no motion of (a share of 0, a
-// cut, an exposure of 0 where nothing is asked of the frame before) does not move.
+// Computes the facts from the keys and rates that drive nodes, since poses are equal at both ends of a motion that
+// returns; and from the poses at the four times, which must be equal to the last bit. Motion that the frame does not
+// keep does not count: a share of 0, a cut, or an exposure of 0 without use of the previous frame.
 Facts factsOf(const Scene& scene, const FrameView& view);
 
 }  // namespace strobe::scene

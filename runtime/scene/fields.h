@@ -9,7 +9,7 @@ namespace strobe::scene {
 
 class Fields : public strobe::Fields {
  public:
-  // Constructors of the scene's Lua tag what they make.
+  // Constructors in Lua add these keys to their tables.
   Fields(const Json& json, std::string what, const Place& outer, Problems& problems)
       : strobe::Fields(json, std::move(what), outer, problems) {
     allow("kind");

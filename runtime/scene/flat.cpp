@@ -12,15 +12,16 @@ namespace {
 
 double normOf(const dmat3& m) { return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2])); }
 
-// Cofactors: the inverse, transposed, times the determinant.
+// Matrix of cofactors: the inverse, transposed, times the determinant.
 dmat3 cofactorsOf(const dmat3& m) {
   return dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
 }
 
 dmat3 absoluteOf(const dmat3& m) { return dmat3(glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])); }
 
-// Growth of the rounding of a point on its way to object space and back, at most: the norm of |M| |M^-1| (Skeel,
-// "Scaling for Numerical Stability in Gaussian Elimination", 1979). Scales along the object's own axes do not count.
+// Upper bound of the growth of rounding errors when a point is transformed to object space and back: the norm of |M|
+// |M^-1| (Skeel, "Scaling for Numerical Stability in Gaussian Elimination", 1979). Scales along the object's own axes
+// do not count.
 double roundingOf(const dmat3& m, const dmat3& cofactors, double determinant) {
   const dmat3 product = absoluteOf(m) * absoluteOf(glm::transpose(cofactors));
   double most = 0;
@@ -28,11 +29,11 @@ double roundingOf(const dmat3& m, const dmat3& cofactors, double determinant) {
   return most / std::abs(determinant);
 }
 
-constexpr double kLine = 1e-10;         // share of the greatest area below which a transform leaves a line or a point
+constexpr double kLine = 1e-10;         // share of the greatest area below which only a line or a point is left
 constexpr double kSheet = 1e-6;         // thickness of a sheet, as a share of its width
 constexpr double kMostRounding = 4096;  // a quarter of a pixel at 1000 px
 
-// Values that a scale takes, with the controls of the Bezier curves that a cubic spline lies within.
+// Values of a scale track, including the control points of the Bezier curves that enclose a cubic spline.
 std::vector<dvec3> scalesOf(const Track& track) {
   std::vector<dvec3> scales;
   if (track.interpolation != Track::Interpolation::CubicSpline) {
@@ -52,7 +53,7 @@ std::vector<dvec3> scalesOf(const Track& track) {
 
 dmat3 matrixOf(const dvec3& scale) { return dmat3(scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z); }
 
-// May a mix of these scales be flat? Scales of one shape shrink to a point instead.
+// True if a mix of these scales may be flat. Scales of one shape shrink to a point instead.
 bool mayFlatten(const std::vector<dvec3>& scales) {
   dvec3 low(HUGE_VAL), high(-HUGE_VAL), longest(0);
   for (const dvec3& scale : scales) {

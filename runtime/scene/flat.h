@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Transforms that flatten an object to a sheet. A sheet has no object space that a ray could be transformed to, so the
-// vertices of the object are transformed to world space instead (scene/bend.h).
+// vertices of the object are transformed to world space instead (`scene/bend.h`).
 #pragma once
 
 #include "scene/scene.h"

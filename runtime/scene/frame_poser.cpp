@@ -35,7 +35,7 @@ void FramePoser::NodeTime::add(const NodeTime& other) {
     if (std::find(clips.begin(), clips.end(), clip) == clips.end()) clips.push_back(clip);
 }
 
-// A clip's cuts are those of the nodes that it drives, or whose cameras, lights and weights it does.
+// Adds the clips that have cuts to the nodes that they drive, directly or by a camera, a light or weights.
 void FramePoser::addClips(const Scene& scene, const std::string& animation, std::vector<NodeTime>& nodes) const {
   for (const Animation* clip : clipsOf(scene, animation)) {
     if (clip->cuts.empty()) continue;
@@ -48,7 +48,7 @@ void FramePoser::addClips(const Scene& scene, const std::string& animation, std:
   }
 }
 
-// What a skin bends follows the joints too.
+// A mesh with a skin also follows the joints.
 FramePoser::NodeTime FramePoser::ofInstance(const Scene& scene, const Instance& instance,
                                             const std::vector<NodeTime>& nodes) const {
   NodeTime time = nodes[size_t(instance.node)];
@@ -68,8 +68,8 @@ bool FramePoser::isCut(const NodeTime& node, double from_s, double to_s) const {
                      [&](const Animation* clip) { return comesToACut(*clip, from_s, to_s); });
 }
 
-// A frame whose exposure spans a cut stands still: it shows the side of the cut that its capture is on. Of the poses
-// outside of the exposure only those beyond a cut do.
+// A frame with a cut in its exposure is static, on the raster time's side of the cut. Other poses of the frame are held
+// at the raster time only if a cut is between them and the raster time.
 double FramePoser::timeOf(const NodeTime& node, double time_s) const {
   const double capture_s = times_.capture_s;
   if (isCut(node, std::min(times_.open_s, capture_s), std::max(times_.close_s, capture_s))) return capture_s;
@@ -86,7 +86,7 @@ const Pose& FramePoser::posed(double time_s, std::vector<std::pair<double, Pose>
 }
 
 Pose FramePoser::at(double time_s) const {
-  std::vector<std::pair<double, Pose>> poses;  // by time; those of objects, of the capture
+  std::vector<std::pair<double, Pose>> poses;  // by time
   const double camera_s = cameraTime(time_s);
   Pose pose = poser_.at(camera_s, times_.capture_s);
   for (size_t i = 0; i < instances_.size(); ++i) {

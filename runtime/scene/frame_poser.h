@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The poses of one frame: the scene at its times, without what must not blur. What jumps (STEP channels, cuts) stands
-// as it does at the raster time; of the motion of the camera and of objects a share is kept. Whoever draws the frame
-// has these poses, truth and filters alike.
+// Poses of one frame, without motion that must not blur. Jumps (STEP channels, cuts) keep the state of the raster time.
+// The motion of the camera and of objects is reduced to a share. Ground truth and filters draw the same poses.
 #pragma once
 
 #include "scene/scene.h"
@@ -10,32 +9,32 @@ namespace strobe::scene {
 
 struct FrameTimes {
   double capture_s = 0, open_s = 0, close_s = 0;
-  // Shares of the motion that are kept, 0 (none) to 1: at a time t things are where they truly are at capture + share *
-  // (t - capture).
+  // Shares of the motion that are kept, 0 (none) to 1: at time t, an object has its true pose of the time capture +
+  // share * (t - capture).
   double camera_share = 1, object_share = 1;
-  int followed = -1;              // a node that keeps the camera's share instead, with all below it; -1: none
-  std::vector<double> cuts = {};  // seconds at which everything jumps, beside the scene's own
+  int followed = -1;              // node that, with its descendants, has the camera's share; -1: no node
+  std::vector<double> cuts = {};  // times, s, of jumps of all objects, besides the scene's cuts
 };
 
 class FramePoser {
  public:
-  // `scene` must outlive it. Throws as `Poser` does.
+  // `scene` must outlive the poser. Throws as `Poser` does.
   FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameTimes& times);
 
   Pose at(double time_s) const;
-  // The times at which the camera, an instance and a light (of instancesOf and lightsOf) are where `at(time_s)` has
-  // them.
+  // Times of the true poses that `at(time_s)` has for the camera, for an instance (index into instancesOf) and for a
+  // light (index into lightsOf).
   double cameraTime(double time_s) const { return timeOf(camera_, time_s); }
   double instanceTime(size_t instance, double time_s) const { return timeOf(instances_[instance], time_s); }
   double lightTime(size_t light, double time_s) const { return timeOf(lights_[light], time_s); }
 
  private:
-  // Whose time a node follows.
+  // Share of the motion that a node follows.
   enum class Clock { Objects, Camera };
   struct NodeTime {
     Clock clock = Clock::Objects;
-    std::vector<double> cuts;             // of the node and all above it, the scene's and the frame's
-    std::vector<const Animation*> clips;  // with cuts, that drive the node or one above it
+    std::vector<double> cuts;             // of the node and its ancestors, the scene and the frame
+    std::vector<const Animation*> clips;  // clips with cuts that drive the node or an ancestor
     void add(const NodeTime& other);
   };
 

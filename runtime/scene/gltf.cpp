@@ -57,7 +57,7 @@ class Loader {
  private:
   void warn(const std::string& text) { scene_.warnings.push_back(text); }
 
-  // The number of the variant asked for, -1 for none.
+  // Index of the requested variant; -1 without a request.
   int readVariants() {
     const Json& variants = file_.list(file_.extension(file_.json(), "KHR_materials_variants"), "variants", "");
     scene_.variants = file_.uniqueNames(variants, "variant");
@@ -209,7 +209,7 @@ class Loader {
     }
   }
 
-  // The cuts of the shown scene. Nodes that are not in it stay in the list, but show nothing.
+  // Reads the cuts of the shown scene. Nodes outside of this scene stay in the list, but show nothing.
   void readShownScene() {
     const Json& scenes = file_.all("scenes");
     if (scenes.empty()) return;

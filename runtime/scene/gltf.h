@@ -9,16 +9,16 @@ namespace strobe::scene {
 
 struct GltfOptions {
   bool allow_outside = false;
-  std::string variant = "";          // a set of materials of KHR_materials_variants, "" for those that primitives name
-  uint64_t most_bytes = UINT64_MAX;  // that images may take, where more memory is available
+  std::string variant = "";          // variant of KHR_materials_variants; "": the materials that primitives name
+  uint64_t most_bytes = UINT64_MAX;  // limit of the memory of images, besides the available memory
 };
 
-// The file's default scene (else its first, else all of it): meshes, metallic-roughness and unlit materials, textures
-// with all levels, cameras, punctual lights (see `moderateLights`), skins, morph targets, animation of nodes, weights,
-// lenses and lights. Nodes keep the file's order and names (unnamed ones are "node_N"; of equal names the later get
-// "#2", "#3"...). Throws `Error` in one line for a file that is missing, cut short, inconsistent, needs an unsupported
-// extension, has images that take more memory than is available, or names a file that lies outside of its own folder,
-// links followed (with `allow_outside` those are read); exit code 2 for a variant that it does not have.
+// Loads the default scene of the file, or its first scene, or all nodes: meshes, metallic-roughness and unlit
+// materials, textures with all levels, cameras, punctual lights (see `moderateLights`), skins, morph targets, and
+// animation of nodes, weights, lenses and lights. Nodes keep the order and the names of the file. Nodes without a name
+// are "node_N"; repeated names get "#2", "#3", ... Throws a one-line `Error` for a file that is missing, cut short or
+// inconsistent, that requires an unsupported extension, that has images larger than the available memory, or that names
+// a file outside of its own folder, links followed (`allow_outside` permits these). Exit code 2 for an unknown variant.
 Scene loadGltf(const Path& file, const GltfOptions& options = {});
 
 }  // namespace strobe::scene

@@ -64,7 +64,7 @@ class AnimationReader {
     animation.tracks.push_back(std::move(track));
   }
 
-  // What a channel drives; nothing, and a warning, where that cannot be moved here.
+  // Target of a channel; nothing, with a warning, for a target that cannot be animated.
   std::optional<PointerTarget> targetOf(const Json& channel, const std::string& where) {
     file_.require(channel, "target", where);
     const Json& target = file_.object(channel, "target", where);
@@ -91,7 +91,7 @@ class AnimationReader {
 
   static std::string pointerTo(int node, const std::string& path) { return fmt::format("/nodes/{}/{}", node, path); }
 
-  // Channels of one animation drive different things.
+  // Returns the target. Refuses a target that another channel of the animation drives.
   std::optional<PointerTarget> once(const PointerTarget& target, const std::string& pointer, const std::string& where) {
     if (!driven_.insert(pointer).second)
       file_.refuse(where, fmt::format("drives {}, as another channel does", pointer));
@@ -114,7 +114,7 @@ class AnimationReader {
     }
   }
 
-  // What the sampler has for each key, `each` values for a number of a key.
+  // Output values of the sampler: `each` per key, and three times as many for cubic splines.
   Values outputOf(const Json& sampler, const std::string& where, const std::string& type, size_t each,
                   const Track& track) {
     Values values = file_.accessor(file_.index(sampler, "output", "accessors", where), where, {type});
@@ -137,7 +137,7 @@ class AnimationReader {
     }
   }
 
-  // A track for each weight: the values of a key (or of its tangents) are those of all weights, one after the other.
+  // Adds a track for each weight. A key stores the values (or the tangents) of all weights in order.
   void readWeights(const Json& sampler, const std::string& where, const PointerTarget& target, Animation& animation) {
     Track keys;
     readKeys(sampler, where, keys);
@@ -153,7 +153,7 @@ class AnimationReader {
 
   const GltfFile& file_;
   Scene& scene_;
-  std::set<std::string> driven_;  // by channels of the animation that is read, as pointers
+  std::set<std::string> driven_;  // targets of the current animation, as pointers
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace strobe::scene {
 
-// Adds the animations of the file to the scene, whose nodes are read already. Nodes that are animated get their
-// transform in parts. What is left out is added to the warnings.
+// Adds the animations of the file to a scene with its nodes. Animated nodes get translation, rotation and scale in
+// place of a matrix. Parts that are left out are added to the warnings.
 void readAnimations(const GltfFile& file, Scene& scene);
 
 }  // namespace strobe::scene

@@ -64,7 +64,7 @@ class CheckedDecoder : public Decoder {
     return Decoder::DecodeConnectivity();
   }
 
-  // The attributes are listed by now, but not yet allocated.
+  // Called when the attributes are listed, but not yet allocated.
   bool DecodeAllAttributes() override {
     const draco::PointCloud& points = *this->point_cloud();
     if (points.num_points() != stream_.vertices)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decoders of EXT_meshopt_compression and KHR_draco_mesh_compression. Streams are not trusted: sizes in their headers
-// are compared with the sizes that the file states before anything is decoded.
+// Decoders of EXT_meshopt_compression and KHR_draco_mesh_compression. Streams are not trusted: before decoding, the
+// sizes in their headers are compared with the sizes that the file states.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,29 @@
 
 namespace strobe::scene {
 
-// Bytes of a buffer view.
+// Compressed bytes of a buffer view, and their format.
 struct MeshoptStream {
   std::span<const uint8_t> bytes;
-  size_t count = 0, stride = 0;  // elements, and bytes of each
-  std::string mode, filter;      // as the extension names them; an empty filter is "NONE"
+  size_t count = 0, stride = 0;  // number of elements, and bytes per element
+  std::string mode, filter;      // as named by the extension; an empty filter is "NONE"
 };
 
-// `count` elements of `stride` bytes. Throws `std::runtime_error` with the reason for a stream that is damaged, or of a
-// mode or filter that does not go with its stride.
+// Returns `count` elements of `stride` bytes. Throws `std::runtime_error` with the reason for a damaged stream, or if
+// the mode or the filter does not go with the stride.
 std::vector<uint8_t> decodeMeshopt(const MeshoptStream& stream);
 
-// Numbers that a Draco stream holds for an accessor.
+// Attribute of a Draco stream that an accessor refers to.
 struct DracoNumbers {
   uint32_t id = 0;         // of the attribute in the stream
-  int component_type = 0;  // as glTF numbers them
-  int width = 0;           // components
+  int component_type = 0;  // component type of glTF
+  int width = 0;           // number of components
 };
 
 struct DracoStream {
   std::span<const uint8_t> bytes;
-  size_t vertices = 0, indices = 0;           // as the accessors state them
+  size_t vertices = 0, indices = 0;           // as stated by the accessors
   int index_type = 0;                         // component type of the indices
-  std::map<std::string, DracoNumbers> asked;  // by the names of attributes
+  std::map<std::string, DracoNumbers> asked;  // requested attributes, by name
 };
 
 struct DracoMesh {

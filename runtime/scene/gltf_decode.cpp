@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compressed streams of a glTF file (gltf_file.h).
+// Decompression of the streams of a glTF file (gltf_file.h).
 #include "scene/gltf_compression.h"
 #include "scene/gltf_file.h"
 
@@ -72,7 +72,7 @@ void GltfFile::decodePrimitive(const Json& primitive, const Json& json, const st
   }
 }
 
-// Primitives may share a stream and its accessors, but an accessor has one content.
+// Primitives may share a stream and its accessors, but every accessor has only one content.
 void GltfFile::keepDecoded(int accessor, std::vector<uint8_t> bytes, const std::string& where) {
   auto [known, is_new] = decoded_accessors_.try_emplace(accessor, bytes);
   if (!is_new && known->second != bytes)

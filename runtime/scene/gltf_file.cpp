@@ -15,7 +15,7 @@ namespace strobe::scene {
 namespace {
 
 uint32_t word(const std::vector<uint8_t>& bytes, size_t at) {
-  uint32_t value;  // little endian, as this program's machines are
+  uint32_t value;  // little endian, like the supported machines
   std::memcpy(&value, bytes.data() + at, 4);
   return value;
 }
@@ -27,11 +27,11 @@ double loaded(const uint8_t* at) {
   return double(value);
 }
 
-// A type of the components of an accessor.
+// Component type of an accessor.
 struct ComponentType {
   size_t size;
   double (*load)(const uint8_t*);
-  double largest = 0;  // what a normalised integer is divided by; 0: never normalised
+  double largest = 0;  // divisor of normalised integers; 0: never normalised
 };
 
 const std::map<int, ComponentType> kComponents = {
@@ -67,7 +67,7 @@ int AccessorFormat::width() const {
 size_t AccessorFormat::elementSize() const {
   const size_t component = componentSize(component_type);
   if (!type.starts_with("MAT")) return component * size_t(width());
-  const size_t columns = size_t(type.back() - '0');  // each begins at a multiple of four bytes
+  const size_t columns = size_t(type.back() - '0');  // each column begins at a multiple of four bytes
   return columns * ((columns * component + 3) / 4 * 4);
 }
 
@@ -88,7 +88,7 @@ void GltfFile::readContainer() {
   std::vector<uint8_t> bytes(text.begin(), text.end());
   size_t json_at = 0, json_size = bytes.size();
   if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) readChunks(bytes, json_at, json_size);
-  // Nesting is bounded because copying and printing such values recurse.
+  // The depth is limited, because copying and printing such values recurse.
   auto shallow = [&](int depth, Json::parse_event_t, Json&) {
     if (depth > 200) refuse("", "its JSON is nested deeper than 200");
     return true;
@@ -103,7 +103,7 @@ void GltfFile::readContainer() {
   if (!json_.is_object()) refuse("", "is not a glTF asset: its JSON is no object");
 }
 
-// JSON first, then the binary chunk, then chunks of kinds that are not read.
+// Reads the JSON chunk, then the binary chunk. Chunks of other kinds are skipped.
 void GltfFile::readChunks(const std::vector<uint8_t>& bytes, size_t& json_at, size_t& json_size) {
   constexpr uint32_t kJson = 0x4E4F534A, kBinary = 0x004E4942;
   if (bytes.size() < 20) refuse("", fmt::format("is cut short: {} bytes are less than a GLB header", bytes.size()));
@@ -165,7 +165,7 @@ void GltfFile::readBuffers() {
   }
 }
 
-// True for a buffer of views that are all read from their compressed bytes; its own are not needed.
+// True for a buffer with views that are all read from compressed bytes. The bytes of the buffer are not needed.
 bool GltfFile::isFallback(const Json& buffer) const {
   return flag(extension(buffer, "EXT_meshopt_compression"), "fallback", "");
 }
@@ -210,7 +210,7 @@ GltfFile::View GltfFile::view(int view_index, const std::string& where) const {
   return {decoded->second.data(), decoded->second.size(), size(json, "byteStride", 0, name)};
 }
 
-// A part of a buffer, as a buffer view or a compressed one states it.
+// Part of a buffer, as stated by a buffer view or by its compression extension.
 GltfFile::View GltfFile::stored(const Json& json, const std::string& name) const {
   int buffer = index(json, "buffer", "buffers", name);
   if (buffer < 0) refuse(name, "names no buffer");
@@ -225,7 +225,7 @@ GltfFile::View GltfFile::stored(const Json& json, const std::string& name) const
   return {buffers_[buffer].data() + offset, length, stride};
 }
 
-// The first element of an accessor (or of a part of a sparse one) after checking that all of them lie in the view.
+// First element of an accessor, or of a part of a sparse accessor. Throws if an element is outside of the view.
 const uint8_t* GltfFile::elements(const Json& json, size_t count, size_t element_size, size_t& stride,
                                   const std::string& where) const {
   View source = view(index(json, "bufferView", "bufferViews", where), where);
@@ -272,7 +272,7 @@ Values GltfFile::accessor(int accessor_index, const std::string& asked, const st
   return values;
 }
 
-// Every buffer view lies in its buffer and every accessor in its view, used or not.
+// Throws if a buffer view is outside of its buffer, or an accessor outside of its view, used or not.
 void GltfFile::requireElements() const {
   for (size_t i = 0; i < all("bufferViews").size(); ++i) view(int(i), "");
   const Json& accessors = all("accessors");

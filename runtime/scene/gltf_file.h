@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The container of a glTF 2.0 asset: its JSON, its buffers and the values of its accessors. Nothing in the file is
-// trusted: every index, size and type is checked before it is used, and what does not hold is refused in one line.
+// Container of a glTF 2.0 asset: its JSON, its buffers and the values of its accessors. The file is not trusted: every
+// index, size and type is checked before use. Errors are one line.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace strobe::scene {
 
-// Numbers of an accessor: `count` elements of `width` components, normalised integers already divided.
+// Values of an accessor: `count` elements of `width` components. Normalised integers are already divided.
 struct Values {
   size_t count = 0;
   int width = 0;
@@ -23,21 +23,21 @@ struct Values {
   dvec4 vector4(size_t i) const { return {at(i, 0), at(i, 1), at(i, 2), at(i, 3)}; }
 };
 
-// Storage of the elements of an accessor.
+// Storage format of the elements of an accessor.
 struct AccessorFormat {
   std::string type;  // "VEC3"
   int component_type = 0;
   bool normalized = false;
   size_t count = 0;
-  int width() const;           // components; 0 of an unknown type
+  int width() const;           // number of components; 0 for an unknown type
   size_t elementSize() const;  // bytes
 };
 
 class GltfFile : public GltfJson {
  public:
-  // Reads a .glb or .gltf with all its buffers, and decodes compressed ones. Throws `Error` for a file that is missing,
-  // cut short, of another version or form (`requireForm`), or that requires an extension which is not supported.
-  // Files that it names lie in its folder, links followed, unless `allow_outside`.
+  // Reads a .glb or .gltf with all its buffers, and decodes compressed buffers. Throws `Error` for a file that is
+  // missing, cut short, of another version or form (`requireForm`), or that requires an unsupported extension. Files
+  // named by the asset must lie in its folder, links followed, unless `allow_outside`.
   GltfFile(const Path& file, bool allow_outside);
 
   const Path& path() const { return path_; }
@@ -46,17 +46,17 @@ class GltfFile : public GltfJson {
 
   // True if the glTF file may name `file`.
   bool mayRead(const Path& file) const { return allow_outside_ || liesIn(file, path_.parent_path()); }
-  // The content of a file, which is then one of `files`.
+  // Returns the content of a file and adds the file to `files`.
   std::string readFile(const Path& file);
 
-  // Bytes of the files read so far.
+  // Total size of the files read so far, bytes.
   size_t bytesRead() const { return bytes_read_; }
   AccessorFormat format(int accessor) const;
 
-  // `where` says in errors what asked: "meshes[2].primitives[0]". `types` are the accepted accessor types.
+  // `where` is the place in errors, for example "meshes[2].primitives[0]". `types` are the accepted accessor types.
   Values accessor(int index, const std::string& where, const std::vector<std::string>& types) const;
   std::vector<uint32_t> indices(int index, const std::string& where) const;
-  // An image as the file holds it.
+  // Encoded bytes of an image.
   std::vector<uint8_t> imageBytes(int index);
 
  private:

@@ -12,12 +12,12 @@ namespace {
 const Json kNoList = Json::array();
 const Json kNoObject = Json::object();
 
-// A whole number, also where it is written as "4.0" or "4e0".
+// Whole number, including forms such as "4.0" and "4e0".
 std::optional<uint64_t> wholeNumber(const Json& json) {
   if (json.is_number_unsigned()) return json.get<uint64_t>();
   if (!json.is_number_float()) return std::nullopt;
   const double value = json.get<double>();
-  const bool whole = value >= 0 && value < 9007199254740992.0 && value == std::floor(value);  // 2^53: beyond, all are
+  const bool whole = value >= 0 && value < 9007199254740992.0 && value == std::floor(value);  // exact below 2^53
   return whole ? std::optional(uint64_t(value)) : std::nullopt;
 }
 

@@ -21,7 +21,8 @@ class MaterialReader {
     const Json& materials = file_.all("materials");
     for (size_t i = 0; i < materials.size(); ++i)
       scene_.materials.push_back(readMaterial(materials[i], fmt::format("materials[{}]", i)));
-    // Of primitives that name no material: glTF's is a white metal, which lamps alone would leave black.
+    // Default of primitives without a material. The default of glTF is a white metal, which lamps alone would leave
+    // black.
     Material plain;
     plain.name = "default";
     plain.base_color = vec4(0.8f, 0.8f, 0.8f, 1);
@@ -113,7 +114,7 @@ class MaterialReader {
     return known->second;
   }
 
-  // What a sampler leaves open is linear, with all levels.
+  // Defaults of a sampler: linear filters, with all levels.
   void readFilters(const Json& sampler, const std::string& where, Texture& lookup) {
     using Filter = Texture::Filter;
     using Levels = Texture::Levels;
@@ -131,7 +132,7 @@ class MaterialReader {
     lookup.between = kind->second.second;
   }
 
-  // `texture`: how it is looked up. Its texels come last (`fill`).
+  // `texture` has the wrap modes and filters. `fill` adds the texels later.
   Texture emptyTexture(int image, Texture texture, bool is_color) {
     texture.name = file_.text(file_.all("images").at(image), "name");
     if (texture.name.empty()) texture.name = fmt::format("image_{}", image);
@@ -140,8 +141,8 @@ class MaterialReader {
     return texture;
   }
 
-  // A small file may state a large size. All levels have a third more texels than the first; while they are made, the
-  // texels of two are held as floats.
+  // Checks the memory of all images, because a small file may state a large size. All levels together have a third more
+  // texels than the first level. While levels are built, the texels of two levels are held as floats.
   void requireMemory() {
     uint64_t bytes = 0, most_texels = 0;
     std::string largest;
@@ -185,7 +186,7 @@ class MaterialReader {
   GltfFile& file_;
   Scene& scene_;
   const uint64_t most_bytes_;
-  std::map<int, std::vector<uint8_t>> bytes_;  // of images, as the file holds them
+  std::map<int, std::vector<uint8_t>> bytes_;  // encoded images
   std::map<int, Decoded> images_;
   std::vector<int> images_of_;  // by texture
   std::map<Lookup, int> textures_;

@@ -6,9 +6,9 @@
 
 namespace strobe::scene {
 
-// Adds the materials of the file and the textures that they use to the scene; behind them, the last, that of primitives
-// which name none. What is left out is added to the warnings. Images are refused before any is decoded where all of
-// them together need more than `most_bytes`.
+// Adds the materials of the file and their textures to the scene. The last material is the default of primitives
+// without a material. Parts that are left out are added to the warnings. Throws `Error` before images are decoded if
+// all images together need more than `most_bytes`.
 void readMaterials(GltfFile& file, Scene& scene, uint64_t most_bytes);
 
 }  // namespace strobe::scene

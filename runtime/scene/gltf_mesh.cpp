@@ -16,7 +16,7 @@ constexpr double kFarthest = 1e18;
 
 struct Primitive {
   std::vector<dvec3> positions;
-  std::vector<Vertex> vertices;  // all but the position
+  std::vector<Vertex> vertices;  // without the positions
   std::vector<uint32_t> indices;
   bool has_normals = false;
   std::vector<vec4> tangents;
@@ -25,7 +25,7 @@ struct Primitive {
   std::vector<MorphTarget> targets;
 };
 
-// Elements of a list with `width` for each vertex, of these vertices; nothing of an empty list.
+// Elements of a list for the given vertices, `width` per vertex. Empty for an empty list.
 template <class T>
 std::vector<T> picked(const std::vector<T>& list, const std::vector<uint32_t>& vertices, size_t width) {
   std::vector<T> result;
@@ -92,7 +92,7 @@ class MeshReader {
     return primitive;
   }
 
-  // The material of the variant, else its own.
+  // Material of the chosen variant, else of the primitive, else the default.
   int materialOf(const Json& json, const MaterialChoice& choice) {
     int own = file_.index(json, "material", "materials", where_);
     for (const Json& mapping : file_.list(file_.extension(json, "KHR_materials_variants"), "mappings", where_)) {
@@ -160,7 +160,7 @@ class MeshReader {
     warnOfUnsound(unsound, "colours that are negative or not finite; white serves instead");
   }
 
-  // Without normals they do not count, as the standard has it.
+  // Tangents without normals are ignored, as the standard requires.
   void readTangents(const Json& attributes, Primitive& primitive) {
     auto tangents = attribute(attributes, "TANGENT", primitive.vertices.size(), {"VEC4"});
     size_t unsound = 0;
@@ -175,7 +175,7 @@ class MeshReader {
     if (!primitive.has_normals) primitive.tangents.clear();
   }
 
-  // JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, as many as there are.
+  // Reads JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, and so on.
   void readInfluences(const Json& attributes, Primitive& primitive) {
     const size_t count = primitive.vertices.size();
     std::vector<Values> joints, shares;
@@ -240,7 +240,7 @@ class MeshReader {
     std::vector<uint32_t>& indices = primitive.indices;
     for (size_t i = 0; i + 2 < listed.size(); i += mode == 4 ? 3 : 1) {
       uint32_t a = listed[i], b = listed[i + 1], c = listed[i + 2];
-      if (mode == 5 && i % 2 == 1) std::swap(a, b);  // every other triangle of a strip is wound the other way
+      if (mode == 5 && i % 2 == 1) std::swap(a, b);  // every second triangle of a strip has the opposite winding
       if (mode == 6) a = listed[0];
       indices.insert(indices.end(), {a, b, c});
     }
@@ -263,7 +263,7 @@ class MeshReader {
     repairNormals(primitive);
   }
 
-  // Normals of no length take that of a facet beside them.
+  // Replaces normals of length 0 by the normal of an adjacent facet.
   void repairNormals(Primitive& primitive) {
     if (!primitive.has_normals) return;
     for (size_t i = 0; i < primitive.indices.size(); ++i) {
@@ -283,7 +283,7 @@ class MeshReader {
     return length > 0 && std::isfinite(length) ? vec3(normal / length) : vec3(0, 1, 0);
   }
 
-  // One vertex per corner, with its facet's normal.
+  // Makes one vertex per corner, with the normal of its facet.
   static void facet(Primitive& primitive) {
     Primitive flat;
     flat.material = primitive.material;
@@ -330,7 +330,7 @@ Mesh readMesh(const GltfFile& file, int index, const MaterialChoice& choice, std
   return MeshReader(file, warnings).read(index, choice);
 }
 
-// Adds the names of a primitive's or a target's attributes that have no use here.
+// Counts the unused attributes of a primitive or of a morph target, by name.
 static void addUnused(const Json& attributes, bool is_target, std::map<std::string, size_t>& counts) {
   for (const auto& [name, value] : attributes.items()) {
     const bool is_set = name.starts_with("TEXCOORD_") || name.starts_with("COLOR_");

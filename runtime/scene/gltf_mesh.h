@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF meshes to triangles.
+// glTF meshes as triangles.
 #pragma once
 
 #include "scene/gltf_file.h"
@@ -7,16 +7,15 @@
 namespace strobe::scene {
 
 struct MaterialChoice {
-  int otherwise = 0;  // of primitives that name none
-  int variant = -1;   // of KHR_materials_variants
+  int otherwise = 0;  // for primitives without a material
+  int variant = -1;   // index in KHR_materials_variants; -1: no variant
 };
 
-// The mesh `index` of the file. Strips and fans become triangles, missing normals become those of the facets, vertices
-// that are not finite lose their triangles. What is left out is added to `warnings`.
+// Reads the mesh `index` of the file. Strips and fans become triangles. Missing normals become facet normals. Triangles
+// with vertices that are not finite are dropped. Parts that are left out are added to `warnings`.
 Mesh readMesh(const GltfFile& file, int index, const MaterialChoice& choice, std::vector<std::string>& warnings);
 
-// Adds one warning that names the attributes of meshes and of morph targets that have no use here. The meshes are
-// sound.
+// Adds one warning that lists the unused attributes of meshes and of morph targets. The meshes must be valid.
 void warnOfUnusedAttributes(const GltfFile& file, std::vector<std::string>& warnings);
 
 // Drops the tangents of geometries without a normal map.

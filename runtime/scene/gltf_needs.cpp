@@ -12,16 +12,16 @@ namespace {
 
 constexpr double kGibibyte = double(1 << 30);
 
-// Bytes for a byte of the file. Indices of one byte whose corners get facet normals need about 100, and compression
-// saves a factor of about 10.
+// Limit of memory per byte of the file. Indices of one byte, if their corners get facet normals, need about 100, and
+// compression saves a factor of about 10.
 constexpr double kMostPerByte = 1000;
 
-// Bytes of an instance: its matrices in the file's scene, in a pose and on the device.
+// Memory of an instance: its matrices in the file's scene, in a pose and on the device.
 constexpr double kInstanceBytes = 512;
 
 std::string gibibytes(double bytes) { return fmt::format("{:.1f} GiB", bytes / kGibibyte); }
 
-// Sums of doubles: products of counts from the file stay in range.
+// Memory sums in double precision, so that products of counts from the file stay in range.
 class Needs {
  public:
   explicit Needs(const GltfFile& file) : file_(file) {}
@@ -73,9 +73,9 @@ class Needs {
     for (const Json& target : file_.list(json, "targets", "")) vertex += double(target.size()) * sizeof(vec3);
     const bool indexed = json.contains("indices"), strip = file_.size(json, "mode", 4, "") > 4;
     const double corners = (indexed ? countOf(json, "indices") : vertices) * (strip ? 3 : 1);
-    const double read = (4 + 2 * influences) * sizeof(double);  // numbers of accessors while they are read
+    const double read = (4 + 2 * influences) * sizeof(double);  // accessor values during reading
     double bytes = vertices * (vertex + read) + corners * (sizeof(double) + 3 * sizeof(uint32_t));
-    if (!attributes.contains("NORMAL")) bytes += corners * vertex;  // a vertex for each corner
+    if (!attributes.contains("NORMAL")) bytes += corners * vertex;  // one vertex per corner
     if (!file_.extension(json, "KHR_draco_mesh_compression").empty()) bytes += vertices * vertex + corners * 8;
     add(where, bytes);
   }
@@ -106,7 +106,7 @@ class Needs {
     }
   }
 
-  // Weights have keys of their own for each target and node.
+  // Each target and node has its own keys of weights.
   void addChannel(const Json& samplers, const Json& channel, const std::string& where) {
     const size_t sampler = file_.size(channel, "sampler", std::nullopt, where);
     if (sampler >= samplers.size()) return;

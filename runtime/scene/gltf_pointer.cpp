@@ -18,8 +18,8 @@ const Json& listAt(const GltfFile& file, const std::string& pointer) {
 }
 
 struct Row {
-  const char* list;        // the pointer up to the number
-  const char* rest;        // and after it
+  const char* list;        // pointer before the number
+  const char* rest;        // pointer after the number
   const char* needs = "";  // a member that the object must have
   std::optional<Property> property = {};
   Track::Target target = Track::Target::Translation;
@@ -43,7 +43,7 @@ const Row kRows[] = {
     {kLights, "/spot/outerConeAngle", "spot", Property::OuterCone},
 };
 
-// The number that a pointer has between two parts; nothing where it has others.
+// Number between two parts of a pointer; nothing if the pointer has other parts.
 std::optional<size_t> numberIn(const std::string& pointer, const std::string& list, const std::string& rest) {
   if (!pointer.starts_with(list) || !pointer.ends_with(rest) || pointer.size() <= list.size() + rest.size()) return {};
   size_t number = 0;
@@ -52,7 +52,7 @@ std::optional<size_t> numberIn(const std::string& pointer, const std::string& li
   return failure == std::errc() && end == to ? std::optional(number) : std::nullopt;
 }
 
-// Nodes that have the weights of a mesh, because they state none of their own.
+// Nodes that have the weights of a mesh, because they state no weights.
 std::vector<int> nodesWithWeightsOf(const GltfFile& file, int mesh) {
   std::vector<int> found;
   const Json& nodes = file.all("nodes");
@@ -61,7 +61,7 @@ std::vector<int> nodesWithWeightsOf(const GltfFile& file, int mesh) {
   return found;
 }
 
-// Of /nodes/N/weights, /meshes/N/weights, and either with the number of one weight behind it.
+// Target of /nodes/N/weights or /meshes/N/weights, optionally followed by the index of one weight.
 std::optional<PointerTarget> weightsTarget(const GltfFile& file, const std::string& pointer, const std::string& where) {
   const size_t at = pointer.find("/weights");
   if (at == std::string::npos) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a channel of KHR_animation_pointer drives.
+// Targets of the channels of KHR_animation_pointer.
 #pragma once
 
 #include <optional>
@@ -8,21 +8,22 @@
 
 namespace strobe::scene {
 
-// A transform of a node, weights of morph targets, or else a property of a camera or light.
+// Transform of a node, weights of morph targets, or a property of a camera or light.
 struct PointerTarget {
   int node = -1;
   Track::Target target = Track::Target::Translation;
   std::optional<PropertyTrack::Property> property;
   int index = -1;                 // of the camera or light
-  int components = 3;             // of a value; of weights how many
-  std::vector<int> morphed = {};  // nodes whose weights from `first_weight` it drives
+  int components = 3;             // components of a value; for weights, their number
+  std::vector<int> morphed = {};  // nodes with driven weights, which start at `first_weight`
   size_t first_weight = 0;
 };
 
-// Nothing for a pointer to what cannot be moved here. Throws `Error` for one to what the file does not have.
+// Target of a pointer; nothing for a target that cannot be animated. Throws `Error` if the file lacks the target.
 std::optional<PointerTarget> pointerTarget(const GltfFile& file, const std::string& pointer, const std::string& where);
 
-// All weights of nodes that have a mesh with as many morph targets. Throws `Error` for a node that has none.
+// Targets all weights of the nodes. Their meshes have equal numbers of morph targets. Throws `Error` for a node without
+// morph targets.
 PointerTarget weightsOf(const GltfFile& file, const std::vector<int>& nodes, const std::string& where);
 
 }  // namespace strobe::scene

@@ -16,20 +16,20 @@ enum class Form {
   Flag,
   Number,   // from `low` to `high`
   Whole,    // from `low` to `high`
-  Index,    // of an element of the list `of`
-  Numbers,  // a list of `count` numbers from `low` to `high`; of any length if `count` is 0
+  Index,    // index into the list `of`
+  Numbers,  // list of `count` numbers from `low` to `high`; any length if `count` is 0
   Texts,
-  Indices,    // of elements of the list `of`
-  Object,     // of the kind `of`
-  Objects,    // a list of objects
-  IndexMap,   // an object with indices of elements of the list `of`
-  IndexMaps,  // a list of such objects
-  WholeMap,   // an object with whole numbers
-  Wholes,     // a list of whole numbers
+  Indices,    // indices into the list `of`
+  Object,     // object of kind `of`
+  Objects,    // list of objects
+  IndexMap,   // object with indices into the list `of`
+  IndexMaps,  // list of index maps
+  WholeMap,   // object with whole numbers
+  Wholes,     // list of whole numbers
 };
 
 constexpr double kAny = HUGE_VAL;
-constexpr double kPositive = 1e-300;  // the least number that counts as one above 0
+constexpr double kPositive = 1e-300;  // least number that counts as positive
 
 struct Member {
   const char* name;
@@ -38,13 +38,13 @@ struct Member {
   const char* of = "";
   double low = -kAny, high = kAny;
   size_t count = 0;
-  size_t least = 0;  // elements of a list or a map
+  size_t least = 0;  // least number of elements of a list or a map
   std::vector<Json> choices = {};
 };
 
 struct ObjectKind {
   std::vector<Member> members;
-  std::map<std::string, const char*> extensions = {};  // extensions that the object may have, and their kinds
+  std::map<std::string, const char*> extensions = {};  // allowed extensions, and their kinds
 };
 
 Member wholeFrom(const char* name, double low, bool needed = false) {
@@ -71,7 +71,7 @@ Member oneOf(const char* name, Form form, std::vector<Json> choices, bool needed
 Member text(const char* name, bool needed = false) { return {.name = name, .needed = needed}; }
 Member flag(const char* name) { return {.name = name, .form = Form::Flag}; }
 
-// The tables of the standard, "Properties Reference", and of the specifications of extensions.
+// Tables of the standard, "Properties Reference", and of the specifications of extensions.
 const std::map<std::string, ObjectKind>& kinds() {
   static const std::map<std::string, ObjectKind> all = {
       {"file",

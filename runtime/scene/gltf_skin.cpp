@@ -83,7 +83,7 @@ class SkinReader {
   }
 
   // Primitives without joints, in a mesh that has primitives with joints, follow the node that shows the mesh. The node
-  // becomes a joint, with the same number in each skin that bends the mesh.
+  // becomes a joint, with the same number in each skin of the mesh.
   void followNodes(int mesh) {
     size_t own = 0;
     std::vector<int> nodes;
@@ -111,14 +111,14 @@ class SkinReader {
 
   const GltfFile& file_;
   Scene& scene_;
-  std::vector<std::vector<double>> weights_;  // of meshes
+  std::vector<std::vector<double>> weights_;  // by mesh
 };
 
 }  // namespace
 
 void readSkins(const GltfFile& file, Scene& scene) { SkinReader(file, scene).read(); }
 
-// The joint that all vertices of a mesh follow alone; -1: there are several, or none.
+// Joint that all vertices of a mesh follow alone; -1 for several joints or no joint.
 static int soleJoint(const Mesh& mesh) {
   int sole = -1;
   for (const Geometry& geometry : mesh.geometries)
@@ -131,7 +131,7 @@ static int soleJoint(const Mesh& mesh) {
   return sole;
 }
 
-// By node: true if keys may change the sign of its determinant or of a node's above it.
+// By node: true if keys may change the sign of the determinant of the node or of an ancestor.
 static std::vector<bool> nodesThatMayMirror(const Scene& scene) {
   std::vector<bool> may(scene.nodes.size(), false);
   for (const Animation& clip : scene.animations)

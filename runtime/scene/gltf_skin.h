@@ -6,17 +6,17 @@
 
 namespace strobe::scene {
 
-// Adds the skins of the file to the scene, whose meshes and nodes are read already, and gives nodes their skin and
-// weights. Throws `Error` where a mesh follows joints that its skin does not have, or none.
+// Adds the skins of the file to a scene with its meshes and nodes, and sets the skin and the weights of nodes. Throws
+// `Error` if a mesh with a skin has no joints, or follows a joint that its skin lacks.
 void readSkins(const GltfFile& file, Scene& scene);
 
-// Finds the `sole_joint` of all nodes. Animations are read already.
+// Sets the `sole_joint` of all nodes. The animations must be read already.
 void findSoleJoints(Scene& scene);
 
-// How many morph targets a mesh of the file has.
+// Number of morph targets of a mesh of the file.
 size_t targetsOf(const GltfFile& file, int mesh);
 
-// Takes weights away that never count: 0 at rest, and driven by nothing.
+// Removes weights without an effect: 0 at rest, and not driven.
 void dropIdleWeights(Scene& scene);
 
 }  // namespace strobe::scene

@@ -19,7 +19,7 @@ namespace {
 struct AttributeKind {
   std::vector<std::string> types;
   std::string components;
-  std::string quantised = "";  // with KHR_mesh_quantization too
+  std::string quantised = "";  // added by KHR_mesh_quantization
 };
 
 const std::map<std::string, AttributeKind> kAttributeFormats = {
@@ -133,7 +133,7 @@ class UseChecker {
     checkTextures(json, where);
   }
 
-  // Each variant exists, and chooses one material.
+  // Throws unless each variant exists and chooses one material.
   void checkVariants(const Json& json, const std::string& where) {
     const size_t count = file_.list(file_.extension(file_.json(), "KHR_materials_variants"), "variants", where).size();
     std::set<size_t> chosen;
@@ -161,7 +161,7 @@ class UseChecker {
     requireFormat(accessor, kind->second, name, where);
   }
 
-  // Sets of an attribute are numbered from 0; joints and weights have as many.
+  // Throws unless the sets of an attribute are numbered from 0, with equal numbers of joints and weights.
   void requireSets(const Json& attributes, const std::string& name, const std::string& where) {
     const std::string semantic = semanticOf(name);
     if (name.starts_with('_') || semantic == name) return;
@@ -183,7 +183,8 @@ class UseChecker {
         file_.refuse(where, fmt::format("TANGENT {} has a w of {}, not 1 or -1", i, values.at(i, 3)));
   }
 
-  // "TEXCOORD" of "TEXCOORD_0"; of other names themselves, "" of numbers that are not written so.
+  // Name of an attribute without its set: "TEXCOORD" for "TEXCOORD_0". A name without a set is unchanged. Empty for an
+  // invalid form.
   static std::string semanticOf(const std::string& name) {
     auto is_single = [](const std::string& one) { return one == "POSITION" || one == "NORMAL" || one == "TANGENT"; };
     if (is_single(name)) return name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PNG and JPEG bytes to texels.
+// Decoding of PNG and JPEG bytes to texels.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct ImageSize {
 // Size in the header of a PNG or JPEG; nothing for other bytes.
 std::optional<ImageSize> imageSize(const uint8_t* bytes, size_t size);
 
-// Nothing when the bytes are no image, are cut short in their header, or claim more than 16384 texels a side.
+// Nothing if the bytes are not an image, are cut short in their header, or state more than 16384 texels per side.
 std::optional<Decoded> decodeImage(const uint8_t* bytes, size_t size);
 
 }  // namespace strobe::scene

@@ -58,7 +58,7 @@ class Builder {
     return material;
   }
 
-  // A list, or nothing with a mistake. A table with string keys is no list.
+  // List in a table. Empty, with a mistake, if the member is not a list; a table with string keys is not a list.
   const Json& listIn(const Json& json, const std::string& key, Fields& fields) {
     static const Json kNone = Json::array();
     bool empty = json.is_structured() && json.empty();
@@ -67,7 +67,7 @@ class Builder {
     return kNone;
   }
 
-  // What the scene suggests for a picture of it; whoever takes the picture reads it from the description.
+  // Checks the values that the scene suggests for its pictures. The values are read from the description later.
   void checkShot(const Json& json, const Place& outer) {
     Fields fields(json, "shot", outer, problems_);
     for (const Suggestion& one : suggestions_) {
@@ -77,7 +77,7 @@ class Builder {
     fields.finish();
   }
 
-  // Seconds at which something jumps.
+  // Times of cuts, s.
   std::vector<double> readCuts(Fields& fields) {
     if (!fields.has("cuts")) return {};
     std::vector<double> cuts = fields.numbers("cuts", 1, 100000);
@@ -134,7 +134,7 @@ class Builder {
     fields.finish();
   }
 
-  // Notes a glTF file, which is attached after all nodes of the description. The first camera is then the
+  // Stores a glTF file for attachment after all nodes of the description, so that the first camera is the
   // description's.
   void readGltf(const Json& json, int node, const Place& outer) {
     Fields fields(json, "gltf", outer, problems_);
@@ -179,7 +179,8 @@ class Builder {
     scene_.motions.push_back(motion);
   }
 
-  // `shape` and `material`, or `parts` of several; -1 for neither. Shapes of a part may have a placement of their own.
+  // Reads `shape` and `material`, or `parts` for several; -1 without a shape. Shapes of a part may have their own
+  // placement.
   int readMesh(Fields& fields, const Json& json, const std::string& name) {
     const Json *shape = fields.find("shape"), *material = fields.find("material"), *parts = fields.find("parts");
     if (material && !shape) fields.problem("has 'material' but no 'shape'");
@@ -253,7 +254,7 @@ class Builder {
     return material;
   }
 
-  // A texture, or scene.use { texture = ... } with its placement. What holds no colours is stored as it is.
+  // Reads a texture, or scene.use { texture = ... } with its placement. Textures without colours are stored unchanged.
   TextureUse readUse(Fields& outer, const std::string& key, bool is_color) {
     TextureUse use;
     const Json* json = outer.find(key);
@@ -348,7 +349,7 @@ class Builder {
   Scene scene_;
   Attacher attacher_{scene_};
   std::map<std::string, Scene> parts_;           // glTF files, by file and variant
-  std::vector<std::function<void()>> attached_;  // of each node that has one
+  std::vector<std::function<void()>> attached_;  // one call per node with a glTF file
   std::map<std::string, int> names_, meshes_, materials_, textures_;
   size_t vertices_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes described in Lua: the plain data that scripts/strobe/scene.lua builds (its comments are the reference of what
-// may be written) becomes a `Scene`; shapes and textures are made here.
+// Scenes described in Lua. The plain data that scripts/strobe/scene.lua builds becomes a `Scene`; its comments are the
+// reference of the allowed data. Shapes and textures are made here.
 #pragma once
 
 #include "scene/scene_files.h"
@@ -8,20 +8,20 @@
 
 namespace strobe::scene {
 
-// A number that a scene may suggest for pictures of it (`shot` in its description), with its range.
+// A number that a scene may suggest for its pictures (`shot` in its description), with its range.
 struct Suggestion {
   std::string name;
   bool whole = false;
   double min = 0, max = 0;
 };
 
-// `file` is what errors show for tables that say no place of their own. Equal meshes, materials and textures are made
-// once. Files that the scene names are looked for in `places`, by default the folder of `file`. Throws one `Error` with
-// all mistakes: unknown keys, wrong types, values out of range, unknown node names, files that cannot be read.
+// `file` is the place in errors for tables without a place. Equal meshes, materials and textures are made once. Files
+// that the scene names are searched in `places`, by default the folder of `file`. Throws one `Error` with all mistakes:
+// unknown keys, wrong types, values out of range, unknown node names, files that cannot be read.
 Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {},
                     const Painter& paint = paintPattern, const std::optional<FilePlaces>& places = std::nullopt);
 
-// Throws what `sceneFromJson` would, without painting its textures.
+// Throws the errors of `sceneFromJson`, without painting textures.
 void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {},
                 const std::optional<FilePlaces>& places = std::nullopt);
 

@@ -11,8 +11,7 @@ namespace strobe::scene {
 
 namespace {
 
-// All that a painted texture depends on: the sources of the painting, what they were compiled with, the sines and roots
-// that they call, the pattern.
+// Hash of all inputs of a painted texture: sources of the painting code, compiler, math library, pattern.
 std::string keyOf(const Pattern& p) {
   std::string key =
       fmt::format("{} {} {} {} {}x{} {:a} {:a} {:a} {:a} {}", STROBE_PAINTING, __VERSION__, ::gnu_get_libc_version(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Painted patterns kept on disk from run to run: a room's take longer to paint than its picture to render.
+// Painted patterns that are kept on disk for later runs. The patterns of a room take longer to paint than its picture
+// to render.
 #pragma once
 
 #include "base/files.h"
@@ -7,8 +8,8 @@
 
 namespace strobe::scene {
 
-// Paints a pattern that it has not painted before, this program or another built of the same painting. Keeps them in
-// "textures" below `folder`; an empty name keeps nothing.
+// Returns a painter that reads and writes patterns in "textures" below `folder`. Programs built from the same painting
+// code share them. An empty `folder` disables the cache.
 Painter keptPainter(const Path& folder);
 
 }  // namespace strobe::scene

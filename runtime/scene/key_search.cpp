@@ -30,7 +30,8 @@ double angleBetween(const dmat4& a, const dmat4& b) {
   return 2 * std::acos(std::min(cosine, 1.0));
 }
 
-// Every `step`-th transform of a path, and the largest deviation between them; infinite if a rotation is too large.
+// Every `step`-th transform of a path, and the largest deviation between them. The deviation is infinite if a rotation
+// is too large.
 Keys everyNth(const std::vector<dmat4>& path, size_t step,
               const std::function<double(size_t, const dmat4&)>& deviation) {
   Keys keys;

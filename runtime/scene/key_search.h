@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keys of a transform over an exposure, for programs that interpolate between them: translation and scale linearly,
-// rotation along the shorter arc. So do Mitsuba 3, Embree and OptiX.
+// Keys of a transform over an exposure, for programs that interpolate translation and scale linearly, and rotation
+// along the shorter arc, such as Mitsuba 3, Embree and OptiX.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace strobe::scene {
 
-// Embree takes at most 129 keys. A path is known at twice as many intervals, which shows the deviation between keys.
+// Embree takes at most 129 keys. A path has twice as many intervals, to measure the deviation between keys.
 constexpr size_t kMostKeys = 129;
 constexpr size_t kPathTimes = 2 * (kMostKeys - 1) + 1;
 
@@ -22,12 +22,13 @@ bool isSheared(const dmat4& transform);
 
 struct Keys {
   std::vector<dmat4> transforms;  // at even times from the first to the last of the path; one: constant
-  double deviation = 0;           // largest between keys
+  double deviation = 0;           // largest deviation between keys
 };
 
-// The fewest keys, 2^k + 1, between which the deviation from the path is at most `most_deviation` and rotations turn by
-// at most 5 degrees (OptiX mixes the numbers of quaternions, which differs from the arc by 0.0002 degrees then);
-// kMostKeys if no fewer are enough. `path`: kPathTimes transforms. `deviation`: of a transform at a time of the path.
+// Returns the fewest keys, 2^k + 1, with a deviation from the path of at most `most_deviation` and rotations of at most
+// 5 degrees between keys. (OptiX interpolates the numbers of quaternions, which then differs from the arc by 0.0002
+// degrees.) Returns kMostKeys if fewer are not enough. `path`: kPathTimes transforms. `deviation`: deviation of a
+// transform at a time of the path.
 Keys keysOf(const std::vector<dmat4>& path, double most_deviation,
             const std::function<double(size_t time, const dmat4&)>& deviation);
 

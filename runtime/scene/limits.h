@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene may not hold, or not exactly.
+// Limits of scenes: contents that are refused, or drawn inexactly.
 #pragma once
 
 #include <array>

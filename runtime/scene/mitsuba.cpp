@@ -56,7 +56,7 @@ image::Image linearTexels(const Texture& texture, const vec3& factor) {
   return image;
 }
 
-// Radiance of directions from +y (first row) to -y.
+// Radiance by direction, from +y (first row) to -y.
 image::Image gradientOf(const Environment& environment) {
   image::Image image(8, 256, 3);
   for (int y = 0; y < image.height; ++y) {
@@ -68,7 +68,7 @@ image::Image gradientOf(const Environment& environment) {
   return image;
 }
 
-// Places of everything during the exposure.
+// Poses of all objects during the exposure.
 class Paths {
  public:
   Paths(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame)
@@ -81,7 +81,7 @@ class Paths {
     }
   }
 
-  // At the times of a path (scene/key_search.h), without bends.
+  // At the times of a path (scene/key_search.h), without deformation.
   const std::vector<Pose>& poses() const { return poses_; }
   // Distance of the farthest corner of a bound from the camera, metres.
   double farthest() const { return farthest_; }
@@ -93,7 +93,7 @@ class Paths {
     return path;
   }
 
-  // Keys of an instance, with their deviation in pixels; none if it moves and is sheared.
+  // Keys of an instance, with their deviation, px. Nothing for a sheared instance that moves.
   std::optional<Keys> keysOfInstance(size_t index) const {
     const auto path = pathOf([&](const Pose& pose) { return pose.world_from_instance[index]; });
     const Bounds& own = bounds_[size_t(instances_[index].mesh)];
@@ -108,8 +108,8 @@ class Paths {
     });
   }
 
-  // Keys of a camera or a light. A difference of its position counts as if the nearest object was at that place, one of
-  // its axes as if the field of view was a radian.
+  // Keys of a camera or a light. A deviation of the position is measured at the distance of the nearest object, a
+  // deviation of the axes for a field of view of one radian.
   std::vector<dmat4> keysOfView(const std::vector<dmat4>& path) const {
     auto deviation = [&](size_t time, const dmat4& between) {
       double turned = 0;
@@ -129,7 +129,7 @@ class Paths {
     return bounds;
   }
 
-  // Around an instance; world space.
+  // World bounds of an instance.
   Bounds boxOf(size_t index, const Pose& pose) const {
     Bounds box;
     const Bounds& own = bounds_[size_t(instances_[index].mesh)];
@@ -160,8 +160,8 @@ class Paths {
   }
 
   const std::vector<Instance> instances_;
-  const int height_;            // of the picture, pixels
-  std::vector<Bounds> bounds_;  // of each mesh
+  const int height_;            // of the picture, px
+  std::vector<Bounds> bounds_;  // by mesh
   std::vector<Pose> poses_;
   double farthest_ = 0;
   std::vector<double> nearest_pixel_;  // by time: size of a pixel at the nearest object, metres
@@ -271,7 +271,7 @@ class Exporter {
     if (is_unlit_ && !even) leaveOut("the gradient of the background (black in an image of colours)");
   }
 
-  // An image of colours shows surfaces alone: a sphere around everything stands for the background.
+  // An image of colours shows only surfaces, so a sphere around the scene stands in for the background.
   void writeSurroundings(const vec3& radiance) {
     xml_.open("shape", {{"type", "sphere"}, {"id", "background"}});
     xml_.value("point", "center", numberList(vec3(raster_.world_from_camera[3])));
@@ -320,7 +320,7 @@ class Exporter {
     return name;
   }
 
-  // A colour times a texture. A reflectance above 1 is allowed in textures alone.
+  // A colour times a texture. Mitsuba allows reflectances above 1 only in textures.
   void writeColor(const std::string& name, const vec3& factor, const TextureUse& use, const std::string& file) {
     const bool even = use.texture < 0;
     const bool large = name == "reflectance" && std::max({factor.x, factor.y, factor.z}) > 1;
@@ -379,7 +379,7 @@ class Exporter {
     return material.base_color_texture.texture >= 0 ? material.base_color_texture : material.emissive_texture;
   }
 
-  // The PLY files of an instance: those of its mesh, or its own if it deforms.
+  // PLY files of an instance: the files of its mesh, or separate files if it deforms.
   std::vector<std::string> meshFiles(size_t index) {
     const Instance& instance = instances_[index];
     std::vector<BentVertex> bent;
@@ -398,7 +398,7 @@ class Exporter {
     return names;
   }
 
-  // A surface of an object at rest emits; its colour is not lit then.
+  // Makes a surface of a static object an emitter.
   void writeEmission(const Material& material, size_t index) {
     const bool unlit = material.unlit;
     xml_.open("emitter", {{"type", "area"}});
@@ -412,7 +412,7 @@ class Exporter {
     if (both && !unlit) leaveOut("different texture coordinates of emission and base colour", material.name);
   }
 
-  // No keys: part of a group, which moves.
+  // Without keys, the geometry is part of a group, which moves.
   void writeGeometry(const Geometry& geometry, const std::string& file, const std::string& id,
                      const std::vector<dmat4>& keys) {
     const size_t index = size_t(geometry.material);
@@ -438,7 +438,7 @@ class Exporter {
     xml_.close();
   }
 
-  // An object that moves and is sheared stands still, as at the raster time.
+  // Keys of an instance. A sheared object that moves is static in the file, as at the raster time.
   std::vector<dmat4> keysOf(size_t index, const std::string& name) {
     const std::optional<Keys> keys = paths_.keysOfInstance(index);
     if (!keys) leaveOut("motion of sheared objects (the file has their places at the raster time)", name);
@@ -462,7 +462,7 @@ class Exporter {
     return idOf("mesh", size_t(instance.mesh), meshOf(instance).name);
   }
 
-  // Objects at rest are shapes. Moving objects are instances of groups of shapes.
+  // Static objects are shapes. Moving objects are instances of groups of shapes.
   void writeInstance(size_t index) {
     const std::string& name = scene_.nodes[size_t(instances_[index].node)].name;
     const std::string id = idOf("instance", index, name), group = groupOf(index);
@@ -501,12 +501,12 @@ class Exporter {
   const std::vector<Instance> instances_;
   const Pose raster_;
   const Paths paths_;
-  std::set<size_t> used_;  // materials
-  bool is_unlit_ = false;  // all materials in use are
+  std::set<size_t> used_;  // materials in use
+  bool is_unlit_ = false;  // true if all materials in use are unlit
   Xml xml_;
   std::vector<Path> files_;
   std::set<std::string> written_;                          // files and groups
-  std::map<std::string, std::set<std::string>> left_out_;  // names by what it is
+  std::map<std::string, std::set<std::string>> left_out_;  // names, by the feature that is left out
 };
 
 }  // namespace

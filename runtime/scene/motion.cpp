@@ -10,7 +10,7 @@
 
 namespace strobe::scene {
 
-// A scale that is 0 along one axis alone is the limit of positive ones, so that a sheet keeps its front.
+// A scale that is 0 along exactly one axis becomes the limit of positive scales, so that a sheet keeps its front.
 static dvec3 sheetScale(dvec3 scale) {
   const bool is_flat = int(scale.x == 0) + int(scale.y == 0) + int(scale.z == 0) == 1;
   const double thickness = std::ldexp(glm::length(scale), -40);
@@ -33,13 +33,13 @@ static dmat4 sheared(const Node& node, const dmat4& matrix) {
   return node.shear ? matrix * dmat4(*node.shear) : matrix;
 }
 
-// The node's own transform at rest.
+// Transform of the node itself, at rest.
 static dmat4 restMatrix(const Node& node) {
   if (node.matrix) return *node.matrix;
   return sheared(node, Transform{node.translation, node.rotation, node.scale}.matrix());
 }
 
-// A unit vector that is square to those before it in `axes`: along `column` if that does not lie in their span.
+// Unit vector along `column`, orthogonal to `axes`; nothing if `column` is in their span.
 static std::optional<dvec3> axisAlong(dvec3 column, const std::vector<dvec3>& axes) {
   const double length = glm::length(column);
   for (const dvec3& axis : axes) column -= glm::dot(axis, column) * axis;
@@ -47,8 +47,8 @@ static std::optional<dvec3> axisAlong(dvec3 column, const std::vector<dvec3>& ax
   return glm::normalize(column);
 }
 
-// Rotation, scale and shear by Gram-Schmidt: linear = Q * U, U an upper triangle, scale its diagonal. Columns in the
-// span of earlier ones have scale 0, and the axis that is left.
+// Splits the matrix into rotation, scale and shear by Gram-Schmidt: linear = Q * U with an upper triangle U. The scale
+// is the diagonal of U. Columns in the span of earlier columns have scale 0 and the remaining axis.
 void splitMatrix(Node& node) {
   if (!node.matrix) return;
   const dmat3 linear(*node.matrix);
@@ -71,7 +71,7 @@ void splitMatrix(Node& node) {
   node.translation = dvec3((*node.matrix)[3]);
   node.rotation = glm::quat_cast(turned);
   node.matrix.reset();
-  // Matrices are stored as floats, so a smaller shear than this is rounding.
+  // Matrices are stored as floats, so a smaller shear is rounding.
   bool square = true;
   for (int c = 0; c < 3; ++c) square = square && glm::length(shear[c] - dmat3(1)[c]) < 1e-6;
   if (!square) node.shear = shear;
@@ -85,15 +85,15 @@ static dvec4 unitIfRotation(const Track& track, const dvec4& value) {
   return length > 0 ? value / length : dvec4(0, 0, 0, 1);
 }
 
-// Hermite segment of glTF 2.0, appendix C: p0, m0 the out-tangent of the first key, p1, m1 the in-tangent of the
-// second.
+// Hermite segment of glTF 2.0, appendix C. p0 and m0 are the value and the out-tangent of the first key; p1 and m1 are
+// the value and the in-tangent of the second key.
 static dvec4 hermite(const dvec4& p0, const dvec4& m0, const dvec4& p1, const dvec4& m1, double t, double length) {
   double t2 = t * t, t3 = t2 * t;
   return (2 * t3 - 3 * t2 + 1) * p0 + length * (t3 - 2 * t2 + t) * m0 + (-2 * t3 + 3 * t2) * p1 +
          length * (t3 - t2) * m1;
 }
 
-// Along the shorter arc; nearly equal rotations are mixed, where the arc's sine would divide by zero.
+// Interpolates along the shorter arc. Nearly equal rotations are mixed, because the sine of their arc is near 0.
 static dvec4 slerp(const dvec4& a, dvec4 b, double t) {
   double cosine = glm::dot(a, b);
   if (cosine < 0) b = -b, cosine = -cosine;
@@ -120,7 +120,7 @@ dvec4 valueAt(const Track& track, double time_s) {
   return slerp(unitIfRotation(track, value(key)), unitIfRotation(track, value(after)), t);
 }
 
-// Largest rounding error of either time.
+// Largest rounding error of the two times.
 static double slackOf(double from_s, double to_s) { return kTimeRounding * std::max(std::abs(from_s), std::abs(to_s)); }
 
 bool isBefore(double time_s, double other_s) { return time_s + slackOf(time_s, other_s) < other_s; }
@@ -155,7 +155,7 @@ bool comesToACut(const Animation& clip, double from_s, double to_s) {
   });
 }
 
-// The time of a key at most `slack_s` after `time_s`; without such a key `time_s` itself.
+// Time of a key at most `slack_s` after `time_s`; `time_s` if no key is there.
 static double keyTime(const Track& track, double time_s, double slack_s) {
   auto next = std::lower_bound(track.times.begin(), track.times.end(), time_s);
   return next != track.times.end() && *next <= time_s + slack_s ? *next : time_s;
@@ -201,7 +201,7 @@ std::vector<dmat4> restWorlds(const Scene& scene) {
   return worlds;
 }
 
-// `world` after the motion.
+// `world` after the motion up to `time_s`.
 static dmat4 movedBy(const ConstantMotion& motion, const dmat4& world, double time_s) {
   double elapsed_s = time_s - motion.rest_time;
   dvec3 pivot = dvec3(world[3]);
@@ -314,8 +314,8 @@ std::vector<std::vector<double>> Poser::weightsAt(double time_s, double held_tim
   return weights;
 }
 
-// Moves a node that shows a skin: its joints go along, about where the first has the mesh's origin. A joint that is the
-// node itself has moved already.
+// Applies the constant motions of a node with a skin to the joints of the skin. The pivot is the mesh's origin at the
+// first joint. A joint that is the node itself has moved already.
 static void moveJoints(const Scene& scene, int node, double time_s, std::vector<dmat4>& joints) {
   const Skin& skin = scene.skins[size_t(scene.nodes[size_t(node)].skin)];
   for (const ConstantMotion& motion : scene.motions) {
@@ -327,8 +327,7 @@ static void moveJoints(const Scene& scene, int node, double time_s, std::vector<
   }
 }
 
-// Puts an instance into a pose in which nodes stand thus, with its motions at a constant rate at that time; without one
-// at rest.
+// Poses an instance for the given transforms of nodes. Constant motions are applied if `time_s` is set.
 static void place(const Scene& scene, const Instance& instance, const std::vector<dmat4>& worlds,
                   const std::vector<double>& weights, std::optional<double> time_s, dmat4& world, Bend& bend) {
   const Node& node = scene.nodes[size_t(instance.node)];
@@ -361,7 +360,8 @@ static Pose restPose(const Scene& scene, const std::vector<Instance>& instances,
 
 Pose restPose(const Scene& scene) { return restPose(scene, instancesOf(scene), restWorlds(scene)); }
 
-// The view direction is kept, the up direction made square to it, scale and mirroring dropped.
+// Camera frame of unit scale. The view direction is kept, the up direction is made orthogonal to it, and mirroring is
+// dropped.
 static dmat4 unitFrame(const dmat4& world, const std::string& name) {
   dvec3 z = dvec3(world[2]), y = dvec3(world[1]);
   dvec3 x = glm::cross(y, z);
@@ -388,7 +388,7 @@ static void applyProperty(PropertyTrack::Property property, const dvec4& value, 
                                 : light.outer_cone) = value.x;
 }
 
-// Lens and lights as their keys have them.
+// Applies the keys of the lens and of lights.
 void Poser::keyProperties(Pose& pose, double time_s, double held_time_s) const {
   for (const Animation* clip : clips_) {
     for (const PropertyTrack& track : clip->properties) {
@@ -464,7 +464,7 @@ Pose Poser::at(double time_s, double held_time_s) const {
   return pose;
 }
 
-// The first names of a list, and how many more there are.
+// The first names of a list, and the number of further names.
 static std::string firstOf(std::vector<std::string> names, size_t count) {
   size_t more = names.size() > count ? names.size() - count : 0;
   names.resize(names.size() - more);

@@ -17,7 +17,7 @@ static std::optional<double> numberIn(std::string_view text) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-// The numbers between commas; nothing where one is none.
+// Numbers between commas; nothing if a part is not a number.
 static std::optional<std::vector<double>> numbersOf(std::string_view text) {
   std::vector<double> numbers;
   for (size_t at = 0; at <= text.size();) {
@@ -35,7 +35,7 @@ struct Asked {
   std::vector<double> numbers;
 };
 
-// `NODE=a,b,...` with exactly `count` numbers; the name may itself hold '='.
+// Reads `NODE=a,b,...` with exactly `count` numbers. The name may contain '='.
 static Asked parse(const Scene& scene, const std::string& option, const std::string& text, const std::string& form,
                    size_t count) {
   size_t equals = text.rfind('=');

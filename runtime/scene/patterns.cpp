@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The patterns of textures.h. All repeat seamlessly over 0..1 where that makes sense; randomness is a hash of integers.
+// The patterns of textures.h. Most repeat seamlessly over 0..1. Random values are hashes of integers.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,7 +13,7 @@ namespace {
 
 double fraction(double x) { return x - std::floor(x); }
 
-// 0..1 of two integers and a seed (PCG-like mixing).
+// Hash of two integers and a seed (PCG-like mixing), in 0..1.
 double hash(int x, int y, int seed) {
   uint32_t h = uint32_t(x) * 0x8da6b343u ^ uint32_t(y) * 0xd8163841u ^ uint32_t(seed) * 0xcb1ab31fu;
   h = (h ^ (h >> 15)) * 0x2c1b3c6du;
@@ -21,20 +21,20 @@ double hash(int x, int y, int seed) {
   return (h ^ (h >> 15)) / 4294967296.0;
 }
 
-// floor(x) without a call: most of the time of painting is noise.
+// floor(x) without a call, because noise takes most of the time of painting.
 int floored(double x) {
   int truncated = int(x);
   return truncated - (x < truncated);
 }
 
-// i modulo n, 0 to n - 1; mostly it is there already.
+// i modulo n, 0 to n - 1. Most values are in this range already.
 int wrapped(int i, int n) {
   if (i >= 0 && i < n) return i;
   int rest = i % n;
   return rest < 0 ? rest + n : rest;
 }
 
-// Smooth noise in 0..1 with `period` cells, repeating.
+// Smooth noise in 0..1 that repeats after `period` cells.
 double noise(dvec2 p, ivec2 period, int seed) {
   ivec2 cell(floored(p.x), floored(p.y));
   dvec2 t = p - dvec2(cell);
@@ -57,7 +57,7 @@ double turbulence(dvec2 uv, ivec2 cells, int seed) {
 
 vec3 mixed(const vec3& a, const vec3& b, double t) { return glm::mix(a, b, float(std::clamp(t, 0.0, 1.0))); }
 
-// 1 within `half_width` of 0, falling to 0 over a tenth more.
+// 1 within `half_width` of 0, falling to 0 over a further tenth.
 double stroke(double distance, double half_width) {
   return 1 - std::clamp((std::abs(distance) - half_width) / (0.1 * half_width + 1e-9), 0.0, 1.0);
 }

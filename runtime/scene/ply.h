@@ -10,8 +10,8 @@
 
 namespace strobe::scene {
 
-// Position, normal and texture coordinates (u, v) of each vertex as floats, and triangles. `texture`: selects and
-// transforms the texture coordinates. `deformed`: the vertices in place of those of the geometry, or null.
+// Position, normal and texture coordinates (u, v) of each vertex as floats, and triangles. `texture` selects and
+// transforms the texture coordinates. `deformed`: vertices that replace the vertices of the geometry, or null.
 std::string plyOf(const Geometry& geometry, const TextureUse& texture, const BentVertex* deformed);
 
 }  // namespace strobe::scene

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene on the CPU: meshes, materials, textures, lights, cameras and how they move. Positions are metres (or the
-// file's unit), y up, right-handed; times are seconds; transforms are double (target-from-source, column vectors).
+// A scene on the CPU: meshes, materials, textures, lights, cameras and their motion. Positions are metres (or the
+// file's unit), y up, right-handed. Times are seconds. Transforms are double, target-from-source, column vectors.
 #pragma once
 
 #include <algorithm>
@@ -24,19 +24,19 @@ struct Vertex {
   vec4 color = vec4(1);  // linear factor of the base colour
 };
 
-// Which joints of a skin each vertex follows, `count` of them, and to what share; shares of a vertex add up to 1.
+// Joints of a skin that each vertex follows, `count` per vertex, with their shares. The shares of a vertex add up to 1.
 struct Influences {
-  int count = 0;  // 0: there are none
+  int count = 0;  // 0: no joints
   std::vector<uint32_t> joints = {};
   std::vector<double> shares = {};
 };
 
-// What is added to each vertex, times the weight of the target; empty: nothing.
+// Offsets of each vertex at weight 1 of the target. Empty: no offsets.
 struct MorphTarget {
   std::vector<vec3> positions = {}, normals = {}, tangents = {};
 };
 
-// Boxes around vertices, and around what each morph target adds to them.
+// Bounds of vertices, and of the offsets of each morph target.
 struct VertexBounds {
   Bounds rest;
   std::vector<Bounds> targets = {};
@@ -53,17 +53,17 @@ struct Geometry {
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;  // three per triangle
   int material = 0;
-  std::vector<uint32_t> source = {};  // which triangle of the file each was (scene/tree_order.h); empty: the same
+  std::vector<uint32_t> source = {};  // number of each triangle in the file (scene/tree_order.h); empty: unchanged
   Influences influences = {};
-  // Direction of the normal map's x, unit, and the sign of its y, of each vertex; 0, 0, 0, 0: by the texture
-  // coordinates, as if it is empty.
+  // Per vertex: direction of the normal map's x axis, unit, and sign of its y axis. 0, 0, 0, 0, or an empty list: both
+  // are derived from the texture coordinates.
   std::vector<vec4> tangents = {};
-  std::vector<MorphTarget> targets = {};    // as many as other geometries of the mesh have
-  bool faceted = false;                     // normals are those of the triangles, however they bend
-  std::optional<VertexBounds> bounds = {};  // of these vertices, once `findBounds` has found them
+  std::vector<MorphTarget> targets = {};    // as many as in other geometries of the mesh
+  bool faceted = false;                     // normals are the triangle normals, also after deformation
+  std::optional<VertexBounds> bounds = {};  // bounds of these vertices, set by `findBounds`
 };
 
-// Positions are relative to `origin`, which poses add back in double (a mesh may lie far from its node's origin).
+// Positions are relative to `origin`, which poses add in double precision (a mesh may be far from its node's origin).
 struct Mesh {
   std::string name;
   std::vector<Geometry> geometries;
@@ -78,21 +78,21 @@ struct Texture {
   int width = 0, height = 0;
   std::vector<std::vector<uint8_t>> levels;  // level 0 first, each of size max(1, size >> level), top row first
   Wrap wrap_u = Wrap::Repeat, wrap_v = Wrap::Repeat;
-  // How texels are looked up where one is larger than a pixel and where it is smaller, and which levels serve then.
+  // Filters for texels larger and smaller than a pixel, and the use of levels for smaller texels.
   enum class Filter { Nearest, Linear };
   enum class Levels { None, Nearest, Linear };
   Filter magnify = Filter::Linear, minify = Filter::Linear;
   Levels between = Levels::Linear;
 };
 
-// A texture as a material uses it: uv' = matrix * (u, v, 1).
+// Use of a texture in a material: uv' = matrix * (u, v, 1).
 struct TextureUse {
-  int texture = -1;  // index into Scene::textures, -1 for none
+  int texture = -1;  // index into Scene::textures; -1: no texture
   int uv_set = 0;
   glm::dmat3x2 uv_transform = glm::dmat3x2(1);  // three columns of two: u, v, offset
 };
 
-// Metallic-roughness as glTF 2.0 defines it.
+// Metallic-roughness material of glTF 2.0.
 struct Material {
   std::string name;
   vec4 base_color = vec4(1);
@@ -104,11 +104,12 @@ struct Material {
   vec3 emissive = vec3(0);  // strength included
   TextureUse emissive_texture;
   bool unlit = false;
-  // Mask: nothing is there where alpha is below `alpha_cutoff`. Blend: alpha is the share of points that are there.
+  // Mask: the surface is absent where alpha is below `alpha_cutoff`. Blend: alpha is the share of surface points that
+  // are present.
   enum class Alpha { Opaque, Mask, Blend };
   Alpha alpha = Alpha::Opaque;
   float alpha_cutoff = 0.5f;
-  bool double_sided = true;  // false: nothing is seen from behind
+  bool double_sided = true;  // false: not visible from behind
 };
 
 struct Light {
@@ -117,8 +118,8 @@ struct Light {
   Type type = Type::Point;
   vec3 color = vec3(1);                          // linear
   double intensity = 1;                          // candela (point, spot) or lux (directional)
-  float moderation = 1;                          // factor of `moderateLights`
-  double range = 0;                              // metres, 0 for unlimited
+  float moderation = 1;                          // factor set by `moderateLights`
+  double range = 0;                              // metres; 0: unlimited
   double inner_cone = 0, outer_cone = 0.785398;  // spot: half angles, radians
   bool shadow = true;
   vec3 emitted() const { return color * float(intensity) * moderation; }
@@ -130,12 +131,12 @@ struct Camera {
   bool orthographic = false;
   double vertical_fov = 0.8;     // perspective: full angle, radians
   double half_height = 1;        // orthographic: half the height of the view, metres
-  std::optional<double> aspect;  // stated by the file; the picture's own aspect is used, this is only reported
-  double near = 0.01;            // metres along the view direction; nothing nearer is seen
+  std::optional<double> aspect;  // stated by the file; only reported, the aspect of the picture is used
+  double near = 0.01;            // near plane, metres along the view direction
   bool operator==(const Camera&) const = default;
 };
 
-// A keyed channel of a node's transform.
+// Keyed translation, rotation or scale of a node.
 struct Track {
   enum class Target { Translation, Rotation, Scale };
   enum class Interpolation { Step, Linear, CubicSpline };
@@ -146,39 +147,39 @@ struct Track {
   std::vector<dvec4> values;  // xyz or quaternion xyzw; CubicSpline: in-tangent, value, out-tangent per key
 };
 
-// A keyed number (or colour) of a camera or a light.
+// Keyed number or colour of a camera or a light.
 struct PropertyTrack {
   enum class Property { FieldOfView, HalfHeight, Near, Color, Intensity, Range, InnerCone, OuterCone };
   Property property = Property::FieldOfView;
-  int index = -1;  // into Scene::cameras for the first three, else Scene::lights
-  Track keys;      // of no node: xyz is the colour, x any number; in the units of the scene's structures
+  int index = -1;  // into Scene::cameras for the first three properties, else into Scene::lights
+  Track keys;      // without a node; xyz is a colour, x a number; units as in Camera and Light
   bool isOfCamera() const { return property <= Property::Near; }
 };
 
 // The keyed weight of a morph target.
 struct WeightTrack {
-  int node = -1;  // whose Node::weights has it
+  int node = -1;  // node with the weight in Node::weights
   size_t target = 0;
-  Track keys;  // of no node: x is the weight
+  Track keys;  // without a node; x is the weight
 };
 
 struct Animation {
   std::string name;
   std::vector<Track> tracks;
-  double duration = 0;  // seconds; time past the end repeats from the start
+  double duration = 0;  // seconds; later times repeat from the start
   std::vector<PropertyTrack> properties = {};
   std::vector<WeightTrack> weights = {};
-  // Seconds of the clip, from 0 to its duration, at which what it drives jumps, each time that it comes there. At 0 and
-  // at its end: where it begins again.
+  // Cuts of the clip: times, s, from 0 to its duration. In every repetition, the driven properties jump at these times.
+  // A cut at 0 or at the duration is a jump between repetitions.
   std::vector<double> cuts = {};
   // Index of an earlier clip that plays and drives a target of this clip; else -1. A clip that yields does not play
-  // with "all". `yieldClips` sets both; `shared_target` is the name of the target.
+  // with "all". `shared_target` is the name of the target. `yieldClips` sets both.
   int yields_to = -1;
   std::string shared_target = {};
 };
 
-// Rigid motion at a constant rate, in world axes: of `--move`, `--spin` and of scenes described in Lua.
-// Per second; the node is at rest at `rest_time`.
+// Rigid motion at a constant rate, in world axes, of `--move`, `--spin` and scenes described in Lua. The node is at
+// rest at `rest_time`.
 struct ConstantMotion {
   int node = -1;
   dvec3 velocity = dvec3(0);    // metres per second
@@ -187,10 +188,10 @@ struct ConstantMotion {
   double rest_time = 0;         // seconds
 };
 
-// Nodes that vertices follow. A vertex of a mesh comes to the world by joint * inverse_bind.
+// Nodes that vertices follow. World-from-mesh of joint i is world-from-node of joints[i] * inverse_binds[i].
 struct Skin {
   std::vector<int> joints;           // nodes
-  std::vector<dmat4> inverse_binds;  // of each
+  std::vector<dmat4> inverse_binds;  // by joint
 };
 
 struct Node {
@@ -199,28 +200,28 @@ struct Node {
   dvec3 translation = dvec3(0);
   dquat rotation = dquat(1, 0, 0, 0);
   dvec3 scale = dvec3(1);
-  std::optional<dmat4> matrix;  // instead of the three above
-  // Applied before scale, rotation and translation: the shear of a matrix that was taken apart (`splitMatrix`).
+  std::optional<dmat4> matrix;  // replaces translation, rotation and scale
+  // Shear of a split matrix (`splitMatrix`), applied before scale, rotation and translation.
   std::optional<dmat3> shear = {};
   int mesh = -1, camera = -1, light = -1;
-  std::vector<dmat4> instances;  // of EXT_mesh_gpu_instancing: node-from-instance; empty means one, identity
-  // Of its mesh. With a skin the joints say where that is, and the transform of the node counts for nothing but its
-  // handedness. `sole_joint` (within the skin) has all vertices, which it then moves without bending them, and the
-  // handedness of the node at all times; else -1.
+  std::vector<dmat4> instances;  // node-from-instance of EXT_mesh_gpu_instancing; empty: one instance, identity
+  // Skin of the node's mesh. With a skin, the joints place the mesh, and only the handedness of the node's own
+  // transform counts. `sole_joint` (index into the skin) is a joint that all vertices follow rigidly and that always
+  // has the handedness of the node; else -1.
   int skin = -1, sole_joint = -1;
-  std::vector<double> weights;  // of the morph targets, at rest; empty where none ever counts
-  std::vector<double> cuts;     // seconds at which it and all below it jump: no frame blurs over one
+  std::vector<double> weights;  // of the morph targets, at rest; empty if they have no effect
+  std::vector<double> cuts;     // times, s, of jumps of the node and its descendants; no blur over these
 };
 
-// Radiance of rays that leave the scene, and the light that reaches surfaces from everywhere:
-// blends from `ground` (down) to `sky` (up) with the height of the direction. Linear radiance.
+// Radiance of rays that leave the scene, and ambient light of surfaces. Linear radiance, blended from `ground` (down)
+// to `sky` (up) with the height of the direction.
 struct Environment {
   vec3 sky = vec3(0);
   vec3 ground = vec3(0);
-  std::optional<vec3> background;  // what a ray that misses sees, if not the above
+  std::optional<vec3> background;  // radiance of rays without a hit, in place of the blend
 };
 
-// A file that was read for a scene, and the hash of its content.
+// File that was read for a scene, with the hash of its content.
 struct SourceFile {
   Path path;  // absolute
   std::string hash;
@@ -228,81 +229,81 @@ struct SourceFile {
 
 struct Scene {
   std::string name;
-  std::vector<Node> nodes;  // a parent may stand after its child
+  std::vector<Node> nodes;  // in any order of parents and children
   std::vector<Mesh> meshes;
   std::vector<Skin> skins;
   std::vector<Material> materials;  // at least one
   std::vector<Texture> textures;
-  std::vector<std::string> variants;  // sets of materials that the file offers, by name
+  std::vector<std::string> variants;  // names of the file's variants of materials
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   std::vector<Animation> animations;
   std::vector<ConstantMotion> motions;
   Environment environment;
-  std::vector<double> cuts;              // seconds at which everything jumps, the camera included
-  double loop_s = 0;                     // seconds after which the window plays it anew; 0: no suggestion
-  std::vector<std::string> warnings;     // what was not understood, naming the node
-  std::vector<std::string> assumptions;  // defaults supplied for what the file lacks, for the run record
-  Json attribution;                      // licence and author where the file or its folder states them
-  std::vector<SourceFile> files;         // of a glTF scene itself first; then all files that the scene names
+  std::vector<double> cuts;              // times, s, of jumps of all objects and the camera
+  double loop_s = 0;                     // duration of a loop in the window, s; 0: no suggestion
+  std::vector<std::string> warnings;     // unsupported contents, with the node's name
+  std::vector<std::string> assumptions;  // supplied defaults, for the run record
+  Json attribution;                      // licence and author, if stated by the file or its folder
+  std::vector<SourceFile> files;         // a glTF scene's own file first, then all files that the scene names
 };
 
-// One drawable: a mesh at a node. Its index is its instance id.
+// Drawable: a mesh at a node. Its instance id is its index + 1.
 struct Instance {
   int node = -1;
   int mesh = -1;
   dmat4 node_from_instance = dmat4(1);
-  bool flattens = false;  // its transform may be flat at some time (scene/flat.h)
+  bool flattens = false;  // true if its transform may be flat at some time (scene/flat.h)
 };
 
-// The drawables in a fixed order (node order, then instance order).
+// Drawables of a scene in a fixed order: by node, then by instance.
 std::vector<Instance> instancesOf(const Scene& scene);
 
-// How an instance is bent: what its vertices are made from (scene/bend.h).
+// Inputs of the deformation of an instance's vertices (`scene/bend.h`).
 struct Bend {
-  // World-from-mesh of each joint of its skin, or of all vertices of an instance that flattens; empty: it has no skin,
-  // or a sole joint.
+  // World-from-mesh of each joint of the skin, or of all vertices of an instance that flattens. Empty without a skin,
+  // or with a sole joint.
   std::vector<dmat4> joints;
   std::vector<double> weights;  // of the morph targets
-  // True where the transform of the node mirrors: joints then give vertices with x turned round, so that
-  // `Pose::world_from_instance` mirrors them back and has the sign that says which side is the front.
+  // True if the transform of the node mirrors. Joints then give vertices with negated x, and
+  // `Pose::world_from_instance` mirrors them back, so that its sign selects the front.
   bool mirrored = false;
   bool operator==(const Bend&) const = default;
 };
 
-// Where everything is at one time, in world space.
+// State of a scene at one time, in world space.
 struct Pose {
-  // One per instance, the mesh's `origin` already included. Where joints bend it, the axes of the world, x turned round
-  // if `Bend::mirrored`.
+  // One per instance, including the mesh's `origin`. For an instance with joints: identity, with x negated if
+  // `Bend::mirrored`.
   std::vector<dmat4> world_from_instance;
-  std::vector<Bend> bends;              // one per instance; of what does not bend empty
-  std::vector<dmat4> world_from_light;  // one per light node, see `lightsOf`
-  std::vector<Light> lights;            // as they shine then, one per light node
+  std::vector<Bend> bends;              // one per instance; empty for a rigid instance
+  std::vector<dmat4> world_from_light;  // one per light node (`lightsOf`)
+  std::vector<Light> lights;            // state at this time, one per light node
   dmat4 world_from_camera = dmat4(1);   // camera looks along -z, y up; unit scale
-  Camera camera;                        // its lens then
+  Camera camera;                        // lens at this time
 };
 
 // Light nodes: indices into Scene::nodes, in order.
 std::vector<int> lightsOf(const Scene& scene);
 
-// The node of the camera called `name` ("" for the first). Throws `Error` listing the cameras when there is none.
+// Node of the camera `name` ("" for the first). Throws `Error` with the list of cameras if the camera is missing.
 int cameraNode(const Scene& scene, const std::string& name);
 
-// True poses at `time_s`: animations of `animation` ("all", "none" or a clip's name), then constant motions.
-// A clip is at its first keys before them, and repeats from time 0 when the time is past its duration; of several clips
-// that drive one target, "all" plays the first. Throws `Error` for an unknown clip, naming the nearest, and for nodes
-// that are their own ancestors. `scene` must outlive the poser.
+// Computes true poses: first the animations of `animation` ("all", "none" or a clip's name), then constant motions. A
+// clip has the values of its first keys before them, and repeats from time 0 after its duration. If several clips drive
+// one target, "all" plays the first. Throws `Error` for an unknown clip, with the nearest name, and for nodes that are
+// their own ancestors. `scene` must outlive the poser.
 class Poser {
  public:
   Poser(const Scene& scene, int camera_node, const std::string& animation = "all");
   Pose at(double time_s) const;
-  // The same with STEP channels as they are at `held_time_s`: poses of one frame in which a jump leaves no streak.
+  // STEP channels are held at `held_time_s`, so that a jump leaves no streak in a frame.
   Pose at(double time_s, double held_time_s) const;
-  // World from node, of every node.
+  // World-from-node of every node.
   std::vector<dmat4> nodesAt(double time_s, double held_time_s) const;
 
  private:
-  // A node that keys or a motion at a constant rate move, or one below it.
+  // Node that keys or constant motions move, or a descendant of such a node.
   struct Driven {
     int node = -1;
     bool keyed = false;
@@ -321,7 +322,7 @@ class Poser {
   std::vector<dmat4> rest_worlds_;        // of every node
   Pose rest_;                             // of every instance
   std::vector<Driven> driven_;            // parents before children
-  std::vector<size_t> driven_instances_;  // all that may not be as at rest
+  std::vector<size_t> driven_instances_;  // all instances that may differ from rest
 };
 
 }  // namespace strobe::scene

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Files that the description of a scene names: images, glTF files.
+// Files that the description of a scene names: images and glTF files.
 #pragma once
 
 #include "scene/fields.h"
 
 namespace strobe::scene {
 
-// Names are relative to `folder`. Files lie in `root`, links followed, unless `allow_outside`.
+// Names are relative to `folder`. Files must be in `root`, links followed, unless `allow_outside`.
 struct FilePlaces {
   Path folder;
   Path root = {};  // empty: `folder`
@@ -18,12 +18,12 @@ class SceneFiles {
   explicit SceneFiles(const FilePlaces& places) : places_(places) {}
 
   bool allowOutside() const { return places_.allow_outside; }
-  // The file called `name`, absolute. Nothing, and a mistake of `fields`, if it does not exist or may not be read.
+  // Absolute path of the file `name`. Nothing, with a mistake in `fields`, if it does not exist or may not be read.
   std::optional<Path> find(const std::string& name, Fields& fields) const;
-  // The PNG or JPEG called `name` as level 0 of a texture; nothing, and a mistake, if it cannot be read.
+  // PNG or JPEG `name` as level 0 of a texture. Nothing, with a mistake in `fields`, if it cannot be read.
   std::optional<Texture> image(const std::string& name, Fields& fields);
   void add(const SourceFile& file);
-  // Each file that was read, once.
+  // Files that were read, without duplicates.
   const std::vector<SourceFile>& read() const { return read_; }
 
  private:

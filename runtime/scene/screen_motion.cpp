@@ -16,11 +16,11 @@ namespace {
 
 constexpr int kTimes = 33;
 constexpr double kTolerancePx = 0.05;
-// What is at rest is not looked at in scenes with more vertices: it would take longer than what it may spare.
+// Limit of vertices for the test of static objects. In larger scenes the test would take longer than it may save.
 constexpr size_t kMostFollowed = 200'000;
 
-// A world position in the picture: (x, y) / z in px from its middle, y down; z the depth, or 1 before an orthographic
-// camera; w the depth. What is a mean of points at one time is the same mean of these at any time.
+// World position in the picture: (x, y) / z in px from the middle, y down; z is the depth, or 1 for an orthographic
+// camera; w is the depth. A mean of points at one time is the same mean of these points at any time.
 using Homogeneous = dvec4;
 
 struct View {
@@ -31,7 +31,7 @@ struct View {
   View(const Pose& pose, double height)
       : camera_from_world(glm::inverse(pose.world_from_camera)), camera(pose.camera), height_px(height) {}
 
-  // Nothing when it is not clearly in front of the camera.
+  // Nothing if the position is not clearly in front of the camera.
   std::optional<Homogeneous> of(const dvec3& position_ws) const {
     const dvec3 p(camera_from_world * dvec4(position_ws, 1));
     if (!camera.orthographic && -p.z < 2 * camera.near) return std::nullopt;
@@ -43,11 +43,11 @@ struct View {
 
 dvec2 pixelOf(const Homogeneous& h) { return dvec2(h) / h.z; }
 
-// A box of an instance at each time.
+// Corners of a box, and the corners at each time.
 using Corners = std::array<Homogeneous, 8>;
 using Track8 = std::vector<Corners>;
 
-// Around what an instance covers, px from the middle of the picture, and how near it comes.
+// Bounds of an instance in the picture, px from the middle, and its depths.
 struct Extent {
   dvec2 low{INFINITY}, high{-INFINITY};
   double least_z = INFINITY;
@@ -65,18 +65,18 @@ struct Extent {
     low = glm::min(low, pixel);
     high = glm::max(high, pixel);
   }
-  // The farthest from the middle of the picture, px.
+  // Largest distance from the middle of the picture, px.
   double most() const { return glm::length(glm::max(glm::abs(low), glm::abs(high))); }
 };
 
-// How far apart in the picture two places may be that differ by `by` and lie within the extent.
+// Largest distance in the picture between two positions that differ by `by` and lie within the extent, px.
 double apart(const Homogeneous& by, const Extent& extent) {
   return (glm::length(dvec2(by)) + extent.most() * std::abs(by.z)) / extent.least_z;
 }
 
-// How far, px, a point of a box may be from where it would be on a straight way from the first time to the last, at an
-// even speed. Between two places (x, y, z), in a straight line, a point is in the picture on the line between its ends,
-// but ahead or behind by at most a quarter of the share by which its depth changes.
+// Largest distance of a point of a box from uniform straight motion between the first and the last time, px. A point in
+// uniform straight motion between two places (x, y, z) is on the line between its ends in the picture. It is ahead or
+// behind on this line by at most a quarter of the relative change of its depth.
 double bentBy(const Track8& box, const std::vector<double>& times, const Extent& extent) {
   double bent = 0, change = 0;
   const Corners &first = box.front(), &last = box.back();
@@ -89,8 +89,7 @@ double bentBy(const Track8& box, const std::vector<double>& times, const Extent&
   return bent + 0.25 * change * glm::length(extent.high - extent.low);
 }
 
-// How far, px, a point of a box may be at the last time from where it would be if it had moved as the box's first
-// corner.
+// Largest distance of a point of a box, at the last time, from the motion of the first corner of the box, px.
 double turnedBy(const Track8& box, const Extent& extent) {
   const Corners &first = box.front(), &last = box.back();
   const dvec2 moved = pixelOf(last[0]) - pixelOf(first[0]);
@@ -102,15 +101,15 @@ double turnedBy(const Track8& box, const Extent& extent) {
 
 }  // namespace
 
-// Do poses at so many times show where everything comes? Not of what turns by more than a right angle from one to the
-// next, which they may even show at rest.
+// True if poses at these times show all motion. Turns of more than a right angle between two times are not shown; the
+// poses may even be equal.
 static bool isFollowed(const Scene& scene, double from_s, double to_s, double step_s) {
   for (const ConstantMotion& motion : scene.motions)
     if (std::abs(motion.angular_velocity) * step_s > 1.57) return false;
   for (const Animation& clip : scene.animations) {
     if (beginsAgain(clip, from_s, to_s)) return false;
     double first_s = clipTime(from_s, clip.duration), last_s = clipTime(to_s, clip.duration);
-    // Two poses between keys, which are half a turn apart at most.
+    // True if there are fewer than two poses per key. Neighbouring keys differ by half a turn at most.
     auto is_dense = [&](const Track& track) {
       auto first = std::upper_bound(track.times.begin(), track.times.end(), first_s);
       auto last = std::lower_bound(track.times.begin(), track.times.end(), last_s);
@@ -123,7 +122,7 @@ static bool isFollowed(const Scene& scene, double from_s, double to_s, double st
   return true;
 }
 
-// Those at which the scene is posed: evenly over the exposure, and at keys on the way.
+// Times of the poses: evenly over the exposure, and at keys in between.
 static std::vector<double> timesOf(const Scene& scene, const ExposedFrame& frame) {
   std::vector<double> times = frame.earlier_s;
   times.insert(times.end(), {frame.capture_s, frame.previous_s});
@@ -143,7 +142,7 @@ static std::vector<double> timesOf(const Scene& scene, const ExposedFrame& frame
 
 // ---- areas of the picture
 
-// Around the pixels [low, high) from the middle of the picture, as far as they lie in it.
+// Pixels around the rectangle [low, high) from the middle of the picture, clipped to the picture.
 static PixelArea areaOf(const dvec2& low, const dvec2& high, const ExposedFrame& frame) {
   const dvec2 middle = dvec2(frame.width, frame.height) * 0.5, size = middle * 2.0;
   const dvec2 from = glm::clamp(glm::floor(middle + low), dvec2(0), size);
@@ -162,9 +161,9 @@ static const Corners& cornersAt(const Track8& box, const std::vector<double>& ti
   return box[size_t(std::lower_bound(times.begin(), times.end(), time_s) - times.begin())];
 }
 
-// How far off it is at most, at the ends of the exposure, where it would be if it went on as since the frame before the
-// capture: for those that know no more. Points of a box are between its corners, but as depths change not in the same
-// shares: random ones are off by less than the corners times the ratio of depths.
+// Upper bound of the error at shutter open and close, px, if the motion since the previous frame is extrapolated.
+// Points of a box are between its corners, but their shares vary with the depth: the error of random points is below
+// the error of the corners times the ratio of depths.
 static double offTheForetold(const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
   double off_px = 0, least_z = INFINITY, most_z = 0;
   if (!(frame.previous_s < frame.capture_s)) return off_px;
@@ -181,8 +180,9 @@ static double offTheForetold(const Track8& box, const std::vector<double>& times
   return off_px * most_z / least_z;
 }
 
-// How far a corner is at most from the straight and even way between the ends of the exposure. A line through the
-// capture is off by as much, and a parabola or an arc through poses on the way by at most about as much again.
+// Largest distance of a corner from uniform straight motion between the ends of the exposure, px. A line through the
+// raster time has the same error at most, and a parabola or an arc through poses in between at most about twice the
+// error.
 static double offTheLine(const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
   double off_px = 0;
   if (!(frame.open_s < frame.close_s)) return off_px;
@@ -196,7 +196,7 @@ static double offTheLine(const Track8& box, const std::vector<double>& times, co
   return off_px;
 }
 
-// The pixels around a box during the exposure.
+// Adds the pixels around a box during the exposure.
 static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
   Extent extent;
   double step_px = 0;
@@ -218,7 +218,7 @@ static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>
 
 // ---- paths
 
-// May something else be in front of it?
+// True if another object may be in front of the instance.
 static bool mayBeCovered(const std::vector<std::optional<Extent>>& extents, size_t index) {
   const Extent& own = *extents[index];
   for (size_t i = 0; i < extents.size(); ++i) {
@@ -232,7 +232,7 @@ static bool mayBeCovered(const std::vector<std::optional<Extent>>& extents, size
   return false;
 }
 
-// A box at each pose; nothing when a corner is not clearly in front of the camera.
+// Box at each pose; nothing if a corner is not clearly in front of the camera.
 static std::optional<Track8> posedBox(const Hull& hull, size_t box, const std::vector<Pose>& poses, size_t index,
                                       const View& view) {
   Track8 track;
@@ -248,7 +248,7 @@ static std::optional<Track8> posedBox(const Hull& hull, size_t box, const std::v
   return track;
 }
 
-// Around an instance at all of these poses; nothing when it is not clearly in front of the camera.
+// Bounds of an instance over all poses; nothing if it is not clearly in front of the camera.
 static std::optional<Extent> extentOf(const Hull& hull, const std::vector<Pose>& poses, size_t index,
                                       const View& view) {
   Extent extent;
@@ -260,8 +260,8 @@ static std::optional<Extent> extentOf(const Hull& hull, const std::vector<Pose>&
   return extent;
 }
 
-// The pixels around all that moves at one pose, before the capture's camera; the whole picture when some of it is not
-// clearly in front of that.
+// Pixels around all moving objects at one pose, in the view of the raster time. The whole picture if an object is not
+// clearly in front of the camera.
 static PixelArea areaAt(const Pose& pose, const std::vector<std::pair<size_t, Hull>>& moving, const View& view,
                         const ExposedFrame& frame) {
   PixelArea area;
@@ -273,8 +273,8 @@ static PixelArea areaAt(const Pose& pose, const std::vector<std::pair<size_t, Hu
   return area;
 }
 
-// Adds what moves to the reach, and says whether it is curved and turns; false when it is not clearly in front of the
-// camera.
+// Adds a moving instance to the moving rectangle, and sets `curved` and `turns`. False if the instance is not clearly
+// in front of the camera.
 static bool follow(const Hull& hull, const std::vector<Pose>& poses, const std::vector<double>& times, size_t index,
                    const View& view, const ExposedFrame& frame, ScreenMotion& motion) {
   ScreenPath& path = motion.paths[index];
@@ -312,7 +312,7 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
     return pose.world_from_camera != capture[0].world_from_camera || pose.camera != capture[0].camera;
   });
   const bool is_small = isSmall(scene, instances);
-  std::vector<bool> moves(instances.size());  // over the picture
+  std::vector<bool> moves(instances.size());  // on the screen
   for (size_t i = 0; i < instances.size(); ++i)
     moves[i] = (camera_moves && is_small) || std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
                  return pose.world_from_instance[i] != capture[0].world_from_instance[i] ||
@@ -339,7 +339,7 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
     ScreenPath& path = motion.paths[i];
     path.may_be_occluded = path.turns || mayBeCovered(extents, i);
   }
-  // Paths through places in earlier frames may go on anywhere.
+  // Paths through poses of earlier frames may continue anywhere.
   if (!frame.earlier_s.empty()) motion.reach = unknown.reach;
   auto moving = std::make_shared<std::vector<std::pair<size_t, Hull>>>();
   for (size_t i = 0; i < instances.size(); ++i)

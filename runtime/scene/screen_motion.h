@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How what moves goes over the picture within an exposure, as far as bounds of its instances tell.
+// Motion of instances over the picture within an exposure, computed from their bounds.
 #pragma once
 
 #include <functional>
@@ -15,18 +15,18 @@ struct PixelArea {
   bool empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
-// Widens an area to one around both.
+// Extends `area` to contain `other`.
 void include(PixelArea& area, const PixelArea& other);
 
 // The times of a frame, s, and the size of its picture, px.
 struct ExposedFrame {
   double capture_s = 0, open_s = 0, close_s = 0, previous_s = 0;
   int width = 0, height = 0;
-  std::vector<double> earlier_s = {};  // captures of frames before the previous one, where a frame looks back so far
+  std::vector<double> earlier_s = {};  // raster times of frames before the previous one, if the frame uses them
 };
 
-// Motion of an instance on the screen, within the exposure and back to one frame before the raster time, or to earlier
-// frames. Conservative flags: false only if proven false, tolerance 0.05 px.
+// Motion of an instance on the screen, within the exposure and back to the raster time of the previous frame or of
+// earlier frames. Conservative flags: false only if proven false, tolerance 0.05 px.
 struct ScreenPath {
   bool curved = true;           // a point leaves the straight line between the ends of its path, or changes its speed
   bool turns = true;            // points of the instance move differently
@@ -34,19 +34,20 @@ struct ScreenPath {
 };
 
 struct ScreenMotion {
-  // The pixels in which anything that moves during [open_s, close_s] can be seen at any time of it, or would be if it
-  // went on as since the frame before, or on lines and curves through a few of its poses; the whole picture when the
-  // camera moves, a moving object comes near the camera, or the frame looks farther back. Bounds of instances, and of
-  // what follows each joint, are posed at 33 times, and the area is widened by the farthest a bound's corner goes in
-  // between, so it may only be too large; the whole picture too where those times do not show it (turns of more than a
-  // right angle in between, many keys, a clip that begins again).
+  // Moving rectangle: the pixels that a moving object may cover at any time of [open_s, close_s]. The rectangle
+  // includes the motion extrapolated from the previous frame, and lines and curves through a few poses of the object.
+  // Bounds of instances and of joints are posed at 33 times. The area is widened by the largest distance that a corner
+  // of the bounds moves between two times, so it may only be too large. The area is the whole picture if the camera
+  // moves, a moving object comes near the camera, or the frame uses earlier frames. It is also the whole picture if
+  // these times do not show the motion (turns of more than a right angle between two times, many keys, a clip that
+  // repeats).
   PixelArea reach;
-  // The same at one of the frame's poses; none: `reach` is all that is known.
+  // Pixels of all moving objects at one of the frame's poses. If empty, only `reach` is available.
   std::function<PixelArea(const Pose&)> area_at;
-  std::vector<ScreenPath> paths;  // by instance, from the same poses; all false for a static instance
+  std::vector<ScreenPath> paths;  // by instance, from the same poses; all flags are false for a static instance
 };
 
-// `pose_at`: the scene at a time, in seconds.
+// `pose_at`: the scene at a time, s.
 ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame);
 
 }  // namespace strobe::scene

@@ -11,8 +11,8 @@ namespace strobe::scene {
 
 namespace {
 
-// Collects a grid of (nu + 1) x (nv + 1) points; where neighbours coincide (a pole) the empty triangle is left out.
-// The surface is seen from outside when u runs to the right and v downwards.
+// Adds a grid of (nu + 1) x (nv + 1) points. Empty triangles at coinciding neighbours (a pole) are left out. Seen from
+// outside, u runs to the right and v downwards.
 struct GridWriter {
   Shape& shape;
 
@@ -65,7 +65,7 @@ Shape quad(dvec2 size, ivec2 segments, double tile) {
   return shape;
 }
 
-// Offsets along one side of a face: the rounded ends in equal angles up to 45 degrees, where the next face takes over.
+// Offsets along one side of a face. The rounded ends have equal angles up to 45 degrees, where the next face begins.
 static std::vector<double> sideOffsets(double half, double radius, int segments) {
   if (radius <= 0) return {-half, half};
   std::vector<double> offsets;
@@ -81,7 +81,7 @@ Shape box(dvec3 size, double radius, int segments, double tile) {
   Shape shape;
   dvec3 half = size * 0.5;
   radius = std::min({radius, half.x, half.y, half.z});
-  // Each face: its right, its up; its normal is right x up.
+  // Right and up directions of each face. The normal is right x up.
   const dvec3 sides[6][2] = {{{0, 0, -1}, {0, 1, 0}}, {{0, 0, 1}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, -1}},
                              {{1, 0, 0}, {0, 0, 1}},  {{1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {0, 1, 0}}};
   for (const auto& side : sides) {
@@ -132,7 +132,7 @@ Shape torus(double radius, double tube_radius, int segments, int tube_segments) 
   return shape;
 }
 
-// The outward normal of the profile's span i, in (radius, height); spans of no length take the one before.
+// Outward normal of span i of the profile, as (radius, height). A span of length 0 has the normal of the previous span.
 static dvec2 spanNormal(const std::vector<dvec2>& profile, size_t i) {
   dvec2 along = profile[i + 1] - profile[i];
   double length = glm::length(along);
@@ -149,7 +149,7 @@ Shape lathe(const std::vector<dvec2>& given, int segments, int smooth, double cr
   Shape shape;
   double sharp = std::cos(glm::radians(crease_deg));
   auto cornerNormal = [&](size_t span, size_t neighbour) {
-    if (neighbour >= profile.size() - 1) return spanNormal(profile, span);  // also of the one before the first
+    if (neighbour >= profile.size() - 1) return spanNormal(profile, span);  // also for the span before the first
     dvec2 a = spanNormal(profile, span), b = spanNormal(profile, neighbour);
     return glm::dot(a, b) > sharp ? glm::normalize(a + b) : a;
   };
@@ -194,7 +194,7 @@ Shape tube(const std::vector<dvec3>& given, const std::vector<double>& given_rad
     return unitOr(path[std::min(i + 1, n - 1)] - path[i > 0 ? i - 1 : 0], dvec3(0, 1, 0));
   };
 
-  // Rings in a frame that is carried along the path without twist; it starts with `up` as its thin direction.
+  // Rings in a frame that moves along the path without twist. The thin direction starts as `up`.
   dvec3 thin = up - direction(0) * glm::dot(up, direction(0));
   if (glm::length(thin) < 1e-6) thin = glm::cross(direction(0), dvec3(1, 0, 0.1));
   thin = glm::normalize(thin);
@@ -225,7 +225,7 @@ Shape tube(const std::vector<dvec3>& given, const std::vector<double>& given_rad
   return shape;
 }
 
-// Normals that are the area-weighted mean of the triangles around each position (points at one position share them).
+// Replaces normals by the area-weighted mean of the triangles around each position. Points at one position share it.
 static void smoothNormals(Shape& shape) {
   std::map<std::tuple<double, double, double>, dvec3> sums;
   auto key = [](const dvec3& p) { return std::make_tuple(p.x + 0.0, p.y + 0.0, p.z + 0.0); };
@@ -238,7 +238,7 @@ static void smoothNormals(Shape& shape) {
   for (Shape::Point& point : shape.points) point.normal = unitOr(sums[key(point.position)], point.normal);
 }
 
-// Front and back sheets of a shell over the same grid, joined along the rim: `front` and `back` take (u, v) in 0..1.
+// Shell of a front and a back sheet over the same grid, joined along the rim. `front` and `back` take (u, v) in 0..1.
 template <class Front, class Back>
 static Shape shell(ivec2 segments, Front front, Back back) {
   Shape shape;

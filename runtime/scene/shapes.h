@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Parametric shapes, in double: triangles wound anticlockwise seen from outside, unit normals, texture coordinates with
-// v downwards. All are centred on the origin unless said; the closed ones enclose a volume without gaps or overlaps.
+// Parametric shapes in double precision: triangles wound anticlockwise seen from outside, unit normals, texture
+// coordinates with v downwards. Shapes are centred on the origin unless stated. Closed shapes enclose a volume without
+// gaps or overlaps.
 #pragma once
 
 #include <algorithm>
@@ -21,60 +22,62 @@ struct Shape {
   std::vector<uint32_t> indices;
 };
 
-// A rectangle in the xy plane that faces +z; `tile` metres per repeat of the texture, 0 for one repeat over all of it.
+// Rectangle in the xy plane that faces +z. The texture repeats every `tile` metres; 0: once over the rectangle.
 Shape quad(dvec2 size, ivec2 segments = ivec2(1), double tile = 0);
 
-// A box, its edges rounded with `radius` in `segments` steps per quarter where that is not 0. Each face carries the
-// whole texture (or one repeat per `tile` metres). Closed.
+// Box. If `radius` is not 0, its edges are rounded in `segments` steps per quarter circle. Each face has the whole
+// texture, or one repeat per `tile` metres. Closed.
 Shape box(dvec3 size, double radius = 0, int segments = 3, double tile = 0);
 
 // Closed; the poles are on y.
 Shape sphere(double radius, int segments = 32);
 Shape torus(double radius, double tube_radius, int segments = 48, int tube_segments = 16);
 
-// |x/a|^(2/east) ... of Barr 1981: exponents of 1 give an ellipsoid, near 0 a box, 2 an octahedron. Closed.
+// Superellipsoid |x/a|^(2/east) ... of Barr 1981. Exponents of 1 give an ellipsoid, near 0 a box, 2 an octahedron.
+// Closed.
 Shape superellipsoid(dvec3 size, double north, double east, int segments = 32);
 
-// The surface swept by `profile` (radius, height) around y. Outside is to the right of the direction of the profile
-// as it goes up, so profiles run from the bottom upwards (and back down inside a vessel). Corners sharper than
-// `crease_deg` stay sharp. `smooth` > 1 first refines the profile with that many steps per span (Catmull-Rom).
-// Closed when it starts and ends on the axis.
+// Surface of revolution of `profile` (radius, height) around y. Outside is on the right of a profile that goes up, so
+// profiles run from the bottom upwards (and back down inside a vessel). Corners sharper than `crease_deg` stay sharp.
+// `smooth` > 1 first refines the profile with that many steps per span (Catmull-Rom). Closed if the profile starts and
+// ends on the axis.
 Shape lathe(const std::vector<dvec2>& profile, int segments = 48, int smooth = 1, double crease_deg = 40);
 
-// A cylinder or cone along y with flat ends, its rims rounded by `bevel`. Closed.
+// Cylinder or cone along y with flat ends. Its rims are rounded by `bevel`. Closed.
 Shape cylinder(double radius, double top_radius, double height, int segments = 48, double bevel = 0);
 
-// A tube along `path` with one radius per point; `flatten` < 1 squeezes it towards `up` (a leaf). Ends are capped.
+// Tube along `path` with one radius per point. `flatten` < 1 squeezes the tube towards `up` (a leaf). Ends are capped.
 // `smooth` refines as in `lathe`. Closed.
 Shape tube(const std::vector<dvec3>& path, const std::vector<double>& radii, int segments = 12, int smooth = 1,
            double flatten = 1, dvec3 up = dvec3(0, 1, 0));
 
-// A pillow lying in the xy plane: `size` with its greatest thickness as z, sides drawn in by `pinch`, and seams of
-// `quilt` x `quilt` cells sunk by `quilt_depth` of the thickness. Closed.
+// Pillow in the xy plane. The z of `size` is its greatest thickness. The sides are drawn in by `pinch`, and seams of
+// `quilt` x `quilt` cells are sunk by `quilt_depth` of the thickness. Closed.
 Shape cushion(dvec3 size, double pinch = 0.06, int quilt = 0, double quilt_depth = 0.15, int segments = 32);
 
-// Hanging cloth in the xy plane: `folds` waves of depth size.z, fuller towards the hem by `flare`. Closed.
+// Hanging cloth in the xy plane: `folds` waves of depth size.z, wider towards the hem by `flare`. Closed.
 Shape cloth(dvec3 size, double folds, double flare = 0.3, double thickness = 0.004, ivec2 segments = ivec2(96, 12));
 
-// Literal triangles; without normals they are faceted, without uvs 0.
+// Shape of given triangles. Without normals the shape is faceted; without uvs, uv is 0.
 Shape triangles(const std::vector<dvec3>& positions, const std::vector<dvec3>& normals, const std::vector<dvec2>& uvs,
                 const std::vector<uint32_t>& indices);
 
-// Points moved by `matrix` and normals by its inverse transpose; a mirroring matrix turns the winding.
+// Points are transformed by `matrix`, and normals by its inverse transpose. A mirroring matrix reverses the winding.
 Shape transformed(Shape shape, const dmat4& matrix);
 
-// The mesh of several parts, with positions relative to its `origin`: the middle of its bounds, on a grid fine enough
-// to be near and coarse enough that subtracting it is exact in single precision but for the last bits.
+// Mesh of several parts, with positions relative to its `origin`. The origin is the middle of the bounds, rounded to a
+// grid. The grid is fine enough for an origin near the middle, and coarse enough that the subtraction is exact in
+// single precision except for the last bits.
 struct Part {
   Shape shape;
   int material = 0;
 };
 Mesh meshOf(const std::string& name, const std::vector<Part>& parts);
 
-// The middle of the bounds on that grid; 0 of empty ones.
+// Middle of the bounds on that grid; 0 for empty bounds.
 dvec3 originFor(const Bounds& bounds);
 
-// Catmull-Rom through the points (ends repeated), `steps` per span.
+// Catmull-Rom curve through the points (ends repeated), `steps` per span.
 template <class Vector>
 std::vector<Vector> refined(const std::vector<Vector>& points, int steps) {
   if (steps <= 1 || points.size() < 3) return points;

@@ -75,7 +75,7 @@ std::vector<uint8_t> encode(const std::vector<vec4>& texels, Texture::Format for
   return bytes;
 }
 
-// One axis of the reduction: source texels and their shares that make up each smaller texel (an odd size gives three).
+// One axis of the reduction: source texels of each smaller texel, and their shares (an odd size gives three).
 struct Share {
   int from;
   int count;
@@ -97,7 +97,7 @@ std::vector<Share> shares(int size, int smaller) {
   return result;
 }
 
-// `by_alpha` weights colours with alpha, so that what is transparent does not bleed into what is not.
+// `by_alpha` weights colours with alpha, so that transparent texels do not bleed into opaque texels.
 std::vector<vec4> halved(const std::vector<vec4>& texels, ivec2 size, ivec2 smaller, bool by_alpha) {
   std::vector<Share> columns = shares(size.x, smaller.x), lines = shares(size.y, smaller.y);
   std::vector<vec4> result(size_t(smaller.x) * smaller.y);
@@ -149,7 +149,7 @@ Texture paint(int width, int height, int samples, const std::function<vec4(dvec2
         sum += color_at({(x + (i + 0.5) / samples) / width, (y + (j + 0.5) / samples) / height});
     return sum / float(samples * samples);
   };
-  // Rows are dealt to threads; each texel is the same whoever paints it.
+  // Threads share the rows. The number of threads does not change the texels.
   unsigned count = std::max(1u, std::min(std::thread::hardware_concurrency(), unsigned(height) / 16));
   std::vector<std::jthread> threads;
   for (unsigned k = 0; k < count; ++k) {

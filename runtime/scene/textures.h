@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Textures: smaller levels of an image, and images made from a few numbers.
+// Textures: smaller levels of an image, and patterns made from a few numbers.
 #pragma once
 
 #include <functional>
@@ -8,22 +8,22 @@
 
 namespace strobe::scene {
 
-// IEC 61966-2-1, of values in 0..1.
+// Transfer functions of sRGB (IEC 61966-2-1) for values in 0..1.
 double linearFromSrgb(double encoded);
 double srgbFromLinear(double linear);
 
-// Fills the levels below level 0, down to 1x1: each texel is the mean over the area it covers, in linear light and
-// weighted with alpha (Rgba8Srgb), or of the values as they are. Sizes halve and round down.
+// Fills the levels below level 0, down to 1x1. Each texel is the mean over its area. The mean of Rgba8Srgb is in linear
+// light and weighted with alpha; other formats average the stored values. Sizes halve and round down.
 void buildLevels(Texture& texture);
 
-// Mean of the texels, linear RGB, in the precision of the texture's smallest level.
+// Mean of the texels, linear RGB, with the precision of the smallest level.
 vec3 meanColor(const Texture& texture);
 
-// A texture of 8-bit sRGB texels from `color_at` (linear RGBA in 0..1 of u, v in 0..1, v downwards), each the mean of
-// `samples` x `samples` points, with all its levels.
+// Texture of 8-bit sRGB texels from `color_at` (linear RGBA in 0..1 at u, v in 0..1, v downwards), with all its levels.
+// Each texel is the mean of `samples` x `samples` points.
 Texture paint(int width, int height, int samples, const std::function<vec4(dvec2 uv)>& color_at);
 
-// A pattern and its numbers; which of them a pattern reads is said at its name.
+// A pattern and its parameters. `patternNames` lists the parameters of each pattern.
 struct Pattern {
   std::string type;
   int width = 512, height = 512;
@@ -35,24 +35,24 @@ struct Pattern {
   int seed = 1;
 };
 
-// Names of patterns:
-// stripes (colors, widths, count.x; along v), checker (2 colors, count), quilt (3: cloth, seam, dots; count, line),
-// rug (4: field, border, motif, line), wood (2: light, dark; count.x planks, amount, seed), noise (2; count, amount,
-// seed), weave (2; count), spine (3: cover, band, gilt; seed), painting (5: sky, sun, far, near, ground; seed),
-// gradient (2: top, bottom), leaf (2: blade, vein).
+// Names of patterns, with their parameters:
+// stripes (colors, widths, count.x; along v), checker (2 colors, count), quilt (3: cloth, seam, dots; count, line), rug
+// (4: field, border, motif, line), wood (2: light, dark; count.x planks, amount, seed), noise (2; count, amount, seed),
+// weave (2; count), spine (3: cover, band, gilt; seed), painting (5: sky, sun, far, near, ground; seed), gradient (2:
+// top, bottom), leaf (2: blade, vein).
 const std::vector<std::string>& patternNames();
-size_t patternColors(const std::string& type);  // how many a pattern needs at least
-// Its texture as `paint` makes it, of 2x2 points a texel.
+size_t patternColors(const std::string& type);  // least number of colours
+// Texture of a pattern, painted by `paint` with 2x2 points per texel.
 Texture paintPattern(const Pattern& pattern);
 
-// Who paints the patterns of a scene.
+// Function that paints the patterns of a scene.
 using Painter = std::function<Texture(const Pattern&)>;
 
-// Texels given one by one (top row first), sampled without any filter: for pictures that have a closed form.
+// Texture of given texels (top row first), sampled without a filter, for pictures with a closed form.
 Texture texelTexture(int width, int height, const std::vector<vec4>& texels);
 
-// KHR_texture_transform: scaled, then turned anticlockwise by `rotation` radians in a picture with v downwards, then
-// shifted.
+// Matrix of KHR_texture_transform: scale, then rotation by `rotation` radians (anticlockwise in a picture with v
+// downwards), then offset.
 glm::dmat3x2 uvTransform(dvec2 offset, double rotation, dvec2 scale);
 
 }  // namespace strobe::scene

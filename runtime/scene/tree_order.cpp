@@ -20,7 +20,7 @@ double areaOf(const Bounds& box) {
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-// Of a list of `count` the first half has so many.
+// Size of the first half of a list of `count`.
 size_t halfOf(size_t count) { return (count - 1) / 2 + 1; }
 
 struct Item {
@@ -46,9 +46,9 @@ struct Sides {
   }
 };
 
-// Numbers in the order of an item's place along an axis, ties by index.
+// Sort key of an item along an axis, ties by index.
 uint64_t placeOf(const Item& item, int axis) {
-  const uint32_t bits = std::bit_cast<uint32_t>(item.twiceMiddle(axis) + 0.0f);  // no -0
+  const uint32_t bits = std::bit_cast<uint32_t>(item.twiceMiddle(axis) + 0.0f);  // -0 becomes 0
   const uint32_t ordered = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
   return uint64_t(ordered) << 32 | item.index;
 }
@@ -57,7 +57,7 @@ class Halving {
  public:
   Halving(std::vector<Item>& items, const std::vector<size_t>& ends) : items_(items), ends_(ends) {}
 
-  // Which items a list has is decided before its halves are looked at: any number of threads leaves the same order.
+  // The items of each list are fixed before its halves are ordered, so that any number of threads gives the same order.
   void order(size_t begin, size_t end, unsigned threads) {
     std::vector<uint64_t> places(end - begin);
     order(begin, end, threads, places);
@@ -69,7 +69,7 @@ class Halving {
   void order(size_t begin, size_t end, unsigned threads, std::vector<uint64_t>& places) {
     if (end - begin < 2) return;
     size_t middle = begin + halfOf(end - begin);
-    // What lies in this list of the group that its middle falls into.
+    // Part of this list in the group that contains its middle.
     size_t group = size_t(std::upper_bound(ends_.begin(), ends_.end(), middle - 1) - ends_.begin());
     size_t first = std::max(begin, group == 0 ? 0 : ends_[group - 1]), last = std::min(end, ends_[group]);
     if (middle < last) halve(first, middle, last, places);
@@ -81,7 +81,7 @@ class Halving {
     if (left.valid()) left.get();
   }
 
-  // The place that the first item of the second half has. `places` is room for one of each item.
+  // Sort key of the first item of the second half. `places` has room for one key per item.
   uint64_t middlePlace(size_t first, size_t middle, size_t last, int axis, std::vector<uint64_t>& places) const {
     for (size_t i = first; i < last; ++i) places[i - first] = placeOf(items_[i], axis);
     auto begin = places.begin(), at = begin + std::ptrdiff_t(middle - first);
@@ -108,7 +108,7 @@ class Halving {
   const std::vector<size_t>& ends_;
 };
 
-// Adds the areas of all boxes of the tree over a list; returns the outermost.
+// Adds the areas of all boxes of the tree over a list to `areas`. Returns the outermost box.
 Bounds addAreas(const std::vector<Bounds>& boxes, size_t begin, size_t end, double& areas) {
   Bounds bounds;
   if (end - begin == 1) bounds = boxes[begin];

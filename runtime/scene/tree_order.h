@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The order of triangles and instances. Some drivers build a tree over them by halving the list as it is given
-// (lavapipe up to Mesa 25.0), so that the order is the tree; to others it makes no difference. Here halves are made of
-// what lies together: exact halves at the positions where such a driver cuts, on the best of three axes.
+// Order of triangles and instances. Some drivers build a tree by halving the given list (lavapipe up to Mesa 25.0), so
+// the order defines the tree. Other drivers do not depend on the order. The list is split at the positions where such a
+// driver splits it, on the best of three axes, so that each half is compact.
 #pragma once
 
 #include "math/bounds.h"
@@ -9,31 +9,32 @@
 
 namespace strobe::scene {
 
-// The indices of `boxes` in their new order; the same on every machine, ties by index. A box stays within its group:
-// `ends` are the ends of consecutive groups, the last that of all. Empty boxes go anywhere.
+// Indices of `boxes` in their new order, the same on every machine; ties by index. A box stays within its group: `ends`
+// are the ends of consecutive groups, the last one is the end of the list. Empty boxes may be anywhere.
 std::vector<uint32_t> treeOrder(const std::vector<Bounds>& boxes, const std::vector<size_t>& ends);
 
-// Orders the triangles of every geometry, once, and keeps which ones they were (`Geometry::source`).
+// Orders the triangles of every geometry, once, and stores their numbers in the file (`Geometry::source`).
 void orderTriangles(Scene& scene);
 
-// The triangle of a geometry as the scene's file has it.
+// Number of a triangle of a geometry in the scene's file.
 uint32_t sourceTriangle(const Geometry& geometry, uint32_t triangle);
-// The same by what the device calls it: the number of the instance from 1 (`instances`: those of the scene), that of
-// the geometry from 0. Numbers that the scene does not have give the triangle back.
+// Number of a triangle in the scene's file, from device ids: instance from 1 (`instances`: all instances of the scene),
+// geometry from 0. Returns `triangle` for ids that the scene does not have.
 uint32_t sourceTriangle(const Scene& scene, const std::vector<Instance>& instances, uint32_t instance,
                         uint32_t geometry, uint32_t triangle);
 
-// Around a box that is moved.
+// Bounds of a transformed box.
 Bounds moved(const Bounds& box, const dmat4& transform);
 
-// Nodes of such a tree that a random line through it meets, the leaves among them: the sum of the areas of all boxes
-// over that of the outermost (the surface area heuristic; MacDonald and Booth 1990). 0 without boxes.
+// Expected number of nodes of such a tree, including leaves, that a random line through the tree hits: the sum of the
+// areas of all boxes over the area of the outermost box (surface area heuristic; MacDonald and Booth 1990). 0 without
+// boxes.
 double treeCost(const std::vector<Bounds>& boxes);
 
-// The same of a scene: a tree over instances as they stand, and in each the tree of its mesh, unbent.
+// Cost of a scene: a tree over the posed instances, and in each instance the tree of its mesh, not deformed.
 struct SceneTree {
   size_t triangles = 0, instances = 0;     // triangles of all instances
-  double visits = 0, visits_as_given = 0;  // as ordered; in the order of the scene's file
+  double visits = 0, visits_as_given = 0;  // in the new order; in the order of the scene's file
 };
 SceneTree treeOf(const Scene& scene, const Pose& pose);
 

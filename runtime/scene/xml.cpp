@@ -5,7 +5,7 @@
 
 namespace strobe::scene {
 
-// XML has no control characters other than tab and line ends.
+// XML allows no control characters except tab and line ends.
 static char allowed(char c) {
   return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r' ? '?' : c;
 }

@@ -22,7 +22,7 @@ class Xml {
   // <tag a="b">, until `close`.
   void open(const std::string& tag, const Attributes& attributes);
   void close();
-  // Two hyphens in a row, which a comment must not have, become one.
+  // Repeated hyphens, which a comment must not have, become one hyphen.
   void comment(std::string_view text);
 
   const std::string& document() const { return document_; }
