@@ -13,7 +13,8 @@
 //   (Constants). Otherwise d(Y) leads to one more texel, on curves to three. The nearest texel at X counts.
 //   Candidates: the tile's displacements; d of both layers at X and, with `search_taps`, at X +- t_i*g for the two
 //   displacements g of the tile, nearest taps first. At most 4 are kept, which differ by more than 1/2 px.
-//   A sample without a surface takes the texel of X, of the revealed layer if it has one there (counter `fallback`).
+//   A sample without a surface shows the texel at X, from the revealed layer if that layer has a surface there (counter
+//   `fallback`).
 // Fails: misses surfaces hidden at the raster time and not revealed, and motions beyond 4 at a pixel. Misplaces surfaces if
 //   their paths deviate, or they stretch, by more than the tolerance.
 #include "mixin/limit.glsl"
