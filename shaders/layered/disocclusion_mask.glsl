@@ -6,7 +6,8 @@
 //      `velocity`: displacement of each pixel, px over the exposure
 //      `culled_0` to `culled_3`: per cell, candidate displacements of the background, two per image; kNoVelocity after the last
 //      `bounds`, `ids`: per cell, bounds of the displacements; least and greatest instance + 1
-//      `farthest_around`: depth of the farthest moving surface around each tile, metres; static pixels beyond it are skipped
+//      `farthest_around`: depth of the farthest moving surface around each tile, metres; static pixels beyond this
+//        depth are skipped
 //      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
 // Out: `mask`: 1 where the pass ray_reveal is to trace a ray to the background, otherwise 0
 // Method: let the foreground at pixel y move by d, and a point hidden behind y by the candidate b. At time t, the point is at y

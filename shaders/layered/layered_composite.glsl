@@ -3,7 +3,8 @@
 // the samples (an extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Per-time layered gather").
 // In:  `color`, `depth`: raster layer: linear radiance; view depth, metres, +inf for the sky
 //      `velocity`: displacement d of each pixel; `dominant`, `second`: two displacements of each tile; px over the exposure
-//      `revealed_color`, `_depth`, `_velocity`, `_dominant`: images of the revealed layer; `_valid`: > 1/2 where it exists
+//      `revealed_color`, `_depth`, `_velocity`, `_dominant`: images of the revealed layer; `_valid`: > 1/2 where it has
+//        a surface
 //      `velocity_post`, `dominant_post`, `second_post`, `revealed_*_post`: for times after the raster time; absent: unchanged
 //      `curve`, `revealed_curve`, `dominant_curve`: curves of paths, px; `dominant_place`: texel with `dominant`; all optional
 //      `moved`, `background`: per cell, > 1/2 if a moving (a revealed) surface is there at some time; absent: everywhere
