@@ -6,7 +6,8 @@ local raster_color = require "passes.lib.raster_color"
 local shade = require "passes.gbuffer.shade"
 
 return pass.trace {
-  doc    = "Running mean of the visible moving surfaces over time samples, shaded as at the raster time",
+  doc    = "Running mean, over the time samples, of the colours of visible moving surfaces, shaded as at the raster " ..
+           "time",
   fails  = "Highlights and shadows that move within the exposure stay fixed to their surfaces.",
   size   = { of = "hit" },
   reads  = {
@@ -20,7 +21,7 @@ return pass.trace {
                      "layer is static. The colour channels are not read" },
   },
   updates = { moving = { format = "rgba32f",
-    doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples in this mean" } },
+    doc = "mean colour of the visible moving surfaces, linear radiance; alpha: number of samples in this mean" } },
   params = {
     reused        = pass.bool { true,
       doc = "take the colour of the raster layer where that layer shows the surface of the sample; off: shade every sample" },

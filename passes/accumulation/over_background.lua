@@ -8,10 +8,11 @@ return pass.compute {
            "other samples",
   size   = { of = "moving" },
   reads  = {
-    moving            = { doc = "mean of the visible moving surfaces, linear radiance; alpha: number of samples in this mean" },
+    moving            = { doc = "mean colour of the visible moving surfaces, linear radiance; alpha: number of " ..
+                                "samples in this mean" },
     static_background = {
-      doc = "static background behind moving surfaces, linear radiance; alpha 0 where the raster layer is static and " ..
-            "`color` is the static colour" },
+      doc = "static background behind moving surfaces, linear radiance; alpha 0 where the raster layer is static: " ..
+            "there, `color` is the static colour" },
     color             = { doc = "colour of the raster layer, linear radiance" },
   },
   writes = { picture = { format = "rgba32f", doc = "blurred picture, linear radiance; alpha 1" } },

@@ -5,8 +5,8 @@ local blur = require "passes.lib.blur"
 local max_displacement = require "passes.lib.max_displacement"
 
 return pass.compute {
-  doc    = "Flags of each cell: a moving surface is there at some time of the exposure; a surface revealed behind the " ..
-           "raster layer is there",
+  doc    = "Two flags per cell. `moved`: a moving surface is in the cell at some time of the exposure. " ..
+           "`background`: a surface revealed behind the raster layer is in the cell at some time",
   fails  = "Never misses a cell, because the flags are conservative. Extra cells are marked around a cell that contains " ..
            "several motions.",
   size   = { of = "bounds" },

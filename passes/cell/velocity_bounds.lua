@@ -20,7 +20,7 @@ return pass.compute {
     doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; if no texel of a cell is " ..
           "included, least exceeds greatest" } },
   if_no = { moving_rect = { bounds = 0 } },
-  runs   = "everywhere",  -- outside of the moving rectangle, the bounds are 0 only if `valid` is absent
+  runs   = "everywhere",  -- with `valid`, bounds outside of the moving rectangle may be empty instead of 0
   params = {
     cell_side = blur.cell_side,
     limit     = blur.limit,

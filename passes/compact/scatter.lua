@@ -3,8 +3,8 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  doc    = "List of the masked pixels, in the fixed order of squares of 8 x 8 pixels; later passes run on the listed pixels " ..
-           "alone",
+  doc    = "List of the masked pixels in a fixed order, one square of 8 x 8 pixels after the other; later passes " ..
+           "run on the listed pixels alone",
   fails  = "Does not fail: every masked pixel is listed once.",
   size   = { of = "bits" },
   reads  = {

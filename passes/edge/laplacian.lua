@@ -5,9 +5,9 @@ local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   doc    = "Edges where the second difference of inverse depth or of the normal is large",
-  fails  = "Marks both sides of a step, and marks noise more often than gradient detectors do. A depth step is measured as " ..
-           "1 - nearer depth / farther depth, which is at most 1. Gradient detectors measure a larger step where the gap is " ..
-           "large.",
+  fails  = "Marks both sides of a step, and marks noise more often than gradient detectors do. A depth step counts " ..
+           "as 1 - nearer depth / farther depth, so that it is at most 1 even where the gap is large. In gradient " ..
+           "detectors, a large gap counts as a larger step.",
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Edges where a surface leaves the tangent plane at a pixel, or where its normal changes abruptly.
+-- Edges where a surface leaves the tangent plane at a pixel, or where the normal changes abruptly.
 local pass       = require "strobe.pass"
 local edge_ports = require "passes.lib.edge_ports"
 

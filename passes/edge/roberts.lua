@@ -5,11 +5,11 @@ local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   doc    = "Edges, one pixel wide, from the differences of depth and normal along the two diagonals of 2 x 2 pixels",
-  fails  = "Marks the pixel to the left of a step or above the step, whichever side is nearer. A silhouette whose nearer " ..
-           "side is to the right or below is therefore marked on the farther side. The pass `range_check` ignores such a " ..
-           "mark, because by default it requires an edge on the pixel's own instance. With the anchor `end`, objects that " ..
-           "move left or up therefore get no ray mask. Planes at grazing angles and curved surfaces are marked, although " ..
-           "they are not edges.",
+  fails  = "A step is marked on the pixel to its left or above it, even if this pixel is on the farther side. A " ..
+           "silhouette whose nearer side is to the right or below is therefore marked on the farther side. The pass " ..
+           "`range_check` ignores such a mark, because by default it requires an edge on the pixel's own instance. " ..
+           "With the anchor `end`, the ray mask therefore misses objects that move left or up. Planes at grazing " ..
+           "angles and curved surfaces are marked, although they are not edges.",
   breaks = { mirrored = "an edge is marked half a pixel to the left of and above its position, in a mirrored scene too" },
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),

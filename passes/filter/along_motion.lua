@@ -4,21 +4,24 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Mean of five pixels, 2^octave px apart along the dominant displacement, with weights by the difference of " ..
-           "luminance relative to its variance",
-  fails  = "Adds bias: where motions differ, all surfaces are blurred along the longest displacement. Textures and " ..
-           "silhouettes along this displacement are blurred if their contrast is within the noise. Noise remains over " ..
-           "distances longer than the filter levels cover.",
+  doc    = "Weighted mean of five pixels, 2^octave px apart along the dominant displacement. The weight of a pixel " ..
+           "falls with the difference of its luminance from the middle pixel, relative to the standard deviation of " ..
+           "the noise",
+  fails  = "Adds bias: where several motions meet, all surfaces are blurred along the longest displacement. " ..
+           "Textures and silhouettes along this displacement are blurred if their contrast is within the noise. " ..
+           "Noise remains over distances longer than the filter levels cover.",
   breaks = { linear = "weights depend on differences of luminance, and so on the light" },
   size   = { of = "noisy" },
   reads  = {
     noisy    = { doc = "noisy image, or the output of the previous filter level, linear radiance" },
-    variance = { doc = "variance of luminance / (1 + luminance) in the noisy image, or after the previous filter level" },
+    variance = { doc = "variance of the tone, which is luminance / (1 + luminance), in the noisy image or after the " ..
+                       "previous filter level" },
     dominant = { doc = "longest displacement that can bring a surface to each tile, px over the exposure" },
   },
   writes = {
     blurred = { format = "rgba32f", doc = "filtered image, linear radiance; alpha 1" },
-    less    = { format = "r32f", doc = "variance of luminance / (1 + luminance) that remains after this filter level" },
+    less    = { format = "r32f", doc = "variance of the tone, which is luminance / (1 + luminance), that remains " ..
+                                       "after this filter level" },
   },
   if_no = { motion = { blurred = "noisy", less = "variance" } },
   params = {

@@ -6,11 +6,12 @@ local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
 return pass.compute {
-  doc    = "Blur of each pixel along its own displacement. Farther taps always count; a nearer tap counts if its surface " ..
-           "moves at least as far as the tap is away",
-  fails  = "Surfaces do not blur beyond their silhouettes: a static pixel stays unchanged even if a surface passes over it. " ..
-           "Inside a silhouette, the background is copied from outside. Nearer surfaces that move along the same line count " ..
-           "even if they move away from the pixel, because the sign of the motion is ignored.",
+  doc    = "Blur of each pixel along its own displacement. A tap on a surface behind the pixel's surface always " ..
+           "counts. Any other tap counts only if the motion of its surface covers the distance from the tap to the " ..
+           "pixel",
+  fails  = "Surfaces do not blur beyond their silhouettes: a static pixel stays unchanged even if a surface passes " ..
+           "over it. Inside a silhouette, the background is copied from outside. Taps on nearer surfaces count even " ..
+           "if these surfaces move away from the pixel, because the sign of the motion is ignored.",
   size   = { of = "color" },
   reads  = ports.of { "color", "depth", "velocity" },
   writes = ports.picture,
@@ -19,8 +20,8 @@ return pass.compute {
     samples      = blur.samples { doc = "number of taps along the pixel's own displacement" },
     limit        = blur.limit,
     copy_below   = pass.float { 1, min = 0, max = 16, unit = "px",
-      doc = "smallest displacement over the exposure that is blurred. Displacements of at most half a pixel before and " ..
-            "after the raster time are never blurred" },
+      doc = "smallest displacement over the exposure that is blurred. Surfaces that never move more than half a " ..
+            "pixel away from their raster position are not blurred" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },

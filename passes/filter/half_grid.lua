@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Pixels that a filter computes, if it runs at half resolution where all motion is heavy.
+-- Pixels that a filter computes if the filter runs at half resolution in tiles with heavy motion.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 

@@ -16,15 +16,18 @@ local more = {
 }
 for number = 2, 4 do
   local layer = ("layer_%d_"):format(number)
-  more[layer .. "color"]    = { absent = 0, doc = "colour of a layer behind, linear radiance" }
+  more[layer .. "color"]    = { absent = 0, doc = "colour of a layer behind the first one, linear radiance" }
   more[layer .. "depth"]    = { absent = 0,
-    doc = "linear view depth of a layer behind, metres; +inf for the sky. A layer without this image is not searched" }
-  more[layer .. "velocity"] = { absent = 0, doc = "screen displacement of a layer behind, px over the exposure" }
+    doc = "linear view depth of a layer behind the first one, metres; +inf for the sky. A layer without this image " ..
+          "is not searched" }
+  more[layer .. "velocity"] = { absent = 0, doc = "screen displacement of a layer behind the first one, px over the " ..
+                                                  "exposure" }
 end
 
 return pass.compute {
-  doc    = "Search in up to four depth layers: at each time sample, the colour of the nearest texel that a tried " ..
-           "displacement brings to the pixel at that time. The picture is the mean over the samples",
+  doc    = "Search in up to four depth layers: at each time sample, the colour of the nearest texel that a " ..
+           "displacement of the pixel or of its tile brings to the pixel at that time. The picture is the mean over " ..
+           "the samples",
   fails  = "Surfaces in no layer are missing: surfaces that enter or have left the image, that face away from the camera, " ..
            "or that lie behind the last layer. The background shows through where a missing surface is the nearest. Only " ..
            "the pixel's own displacements and the longest displacements of its tile are tried: surfaces with other " ..

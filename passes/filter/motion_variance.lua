@@ -4,8 +4,8 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  doc    = "Variance of luminance along the dominant displacement; 0 where no pixel within 8 px along this displacement " ..
-           "hits a moving surface",
+  doc    = "Variance of the tone, a compressed luminance, along the dominant displacement; 0 where no pixel within " ..
+           "8 px along this displacement hits a moving surface",
   fails  = "A texture that varies along the motion is treated as noise.",
   size   = { of = "noisy" },
   reads  = {
@@ -13,7 +13,7 @@ return pass.compute {
     moved    = { doc = "screen displacement of the surface hit at the pixel's time, px over the exposure" },
     dominant = { doc = "longest displacement that can bring a surface to each tile, px over the exposure" },
   },
-  writes = { variance = { format = "r32f", doc = "variance of luminance / (1 + luminance)" } },
+  writes = { variance = { format = "r32f", doc = "variance of the tone, which is luminance / (1 + luminance)" } },
   if_no = { motion = { variance = 0 } },
   params = { tile = blur.tile },
 }

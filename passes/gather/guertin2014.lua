@@ -42,8 +42,9 @@ return pass.compute {
       doc = "constant in the weight of the centre pixel, samples / (kappa * blur radius); larger values hide static pixels " ..
             "under blur" },
     gamma        = pass.float { 1.5, min = 1e-3, max = 1024, unit = "px",
-      doc = "range of blur radii, above 1/2 px, for the turn of the second direction: from the perpendicular of the " ..
-            "dominant displacement at the lower end to the pixel's own displacement at the upper end" },
+      doc = "width of the range of blur radii, from 1/2 px upwards, where the second direction turns. At the lower " ..
+            "end it is perpendicular to the dominant displacement, at the upper end it is along the pixel's own " ..
+            "displacement" },
     eta          = pass.float { 0.95, min = 0, max = 1, doc = "factor on the jitter of the sample times" },
     tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "shift of the position that selects the " ..
         "tile of a pixel, and so the dominant displacement; hides the borders of tiles",

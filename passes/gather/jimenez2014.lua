@@ -30,8 +30,8 @@ return pass.compute {
                                              "count as fully in front of another one; smaller differences count in part" },
     mirror       = pass.bool { true, doc = "give both taps of a pair the weight of the nearer and faster one" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",
-      doc = "factor on the spread of a tap's colour, by the angle or length of the tap's displacement relative to the " ..
-            "dominant displacement",
+      doc = "factor on the spread of a tap's colour. The factor depends on the angle between the tap's displacement " ..
+            "and the dominant displacement, or on their lengths",
       values = {
         none = "Factor 1. Fails where surfaces move across the dominant displacement: they are blurred along it.",
         projected = "Length of the tap's displacement projected on the dominant one, divided by the length of the dominant "
@@ -43,10 +43,10 @@ return pass.compute {
           .. "displacement.",
       } },
     copy_below   = pass.float { 0.5, min = 0, max = 16, unit = "px",
-      doc = "blur radius of the dominant displacement up to which a pixel is copied instead of blurred" },
+      doc = "largest blur radius of the dominant displacement for copying a pixel instead of blurring it" },
     cheap_ratio  = pass.float { 0.9, min = 0, max = 1,
-      doc = "ratio of the shortest displacement around a pixel to the dominant displacement above which the motion counts " ..
-            "as uniform; the taps are then averaged without weights" },
+      doc = "bound on the ratio of the shortest displacement around a pixel to the dominant displacement. If the " ..
+            "ratio is above the bound, the motion counts as uniform, and the taps are averaged without weights" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     color_format = quantised.color_format,

@@ -12,9 +12,10 @@ local every_other = "with an even number of samples, samples alternate between t
 return pass.compute {
   doc    = "Blur along the dominant displacement of the tile; taps are weighted by depth order, and by cone and cylinder " ..
            "functions of their distance",
-  fails  = "Inside a moving silhouette, the foreground is too opaque (6/7 instead of 1/2, with a step at the silhouette) " ..
-           "and the background is copied from outside. Coverage does not change linearly across an edge, and opacity grows " ..
-           "with the number of samples. Surfaces that move across the dominant displacement are blurred along it.",
+  fails  = "Inside a moving silhouette, the foreground is too opaque (opacity 6/7 instead of 1/2, with a step at " ..
+           "the silhouette), and the background is copied from outside. Coverage does not change linearly across an " ..
+           "edge, and opacity grows with the number of samples. Surfaces that move across the dominant displacement " ..
+           "are blurred along it.",
   breaks = {
     converging = "a moving object becomes more opaque with the number of samples, because the weight of the centre pixel " ..
       "stays the same",

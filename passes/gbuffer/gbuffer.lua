@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- G-buffer, derived from the visible triangle of each pixel. The functions that compute it also serve the hits of rays.
+-- G-buffer, derived from the visible triangle of each pixel. The same functions compute these values at the hits of
+-- rays.
 local pass      = require "strobe.pass"
 local quantised = require "passes.lib.quantised"
 

@@ -23,8 +23,8 @@ return pass.trace {
   params = {
     color_format = quantised.color_format,
     shadow_tile = pass.int { 8, min = 1, max = 64, unit = "px", wired = true,
-      doc = "side of a tile of pixels for the light visibility test: one test of a tile and a light may replace the shadow " ..
-            "rays of all its pixels" },
+      doc = "side of a tile of pixels for the light visibility test: one test of a tile and a light may replace the " ..
+            "shadow rays of all pixels of the tile" },
     shading = pass.choice { "frozen", "full", default = "frozen", role = "shading",
       doc = "time of the poses used for shading: the raster time, or the time of the sample",
       values = {

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Visible triangle of each pixel: the raster pass of every pipeline. All other images are derived from it.
+-- Visible triangle of each pixel: the raster pass of every pipeline. All other images are derived from this image.
 local pass = require "strobe.pass"
 
 return pass.raster {

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Visible triangle of the moving instances, for pipelines that take static surfaces from the raster time.
+-- Visible triangle of the moving instances, for pipelines that draw static surfaces only once, at the raster time.
 local pass = require "strobe.pass"
 
 return pass.raster {

@@ -3,8 +3,8 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  doc    = "Composite of the blurred foreground over the blurred background, by the alpha of the foreground: its mean " ..
-           "coverage over the exposure",
+  doc    = "Composite of the blurred foreground over the blurred background, by the alpha of the foreground, which " ..
+           "is the mean coverage by the foreground over the exposure",
   fails  = "Wrong where a textured background moves under a moving silhouette: the product of mean coverage and mean " ..
            "background colour differs from the mean of their product. The error reaches 0.2, in linear radiance, even if " ..
            "both layers are perfect. With the filter `mcguire2012` the foreground is far too opaque inside its silhouettes.",

@@ -23,8 +23,8 @@ return pass.compute {
   params = {
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "smallest displacement of a moving pixel; slower pixels count as static" },
-    depth_margin     = pass.float { 0.01, min = 0, max = 1, doc = "smallest depth difference between the pixel and a " ..
-        "farther instance, as a fraction of the pixel's depth" },
+    depth_margin     = pass.float { 0.01, min = 0, max = 1, doc = "smallest depth difference that makes an instance " ..
+        "count as farther than the pixel, as a fraction of the pixel's depth" },
     limit            = blur.limit,
     taps             = pass.int { 1, min = 1, max = 64, doc = "number of tested positions along the displacement" },
   },

@@ -7,10 +7,10 @@ local blur = require "passes.lib.blur"
 return pass.compute {
   doc    = "Mask for the pass `ray_reveal`: moving pixels with an edge along their displacement, where the background may " ..
            "be disoccluded",
-  fails  = "Uses the pixel's own motion, although disocclusion depends on its motion relative to the background. Marks too " ..
-           "few pixels if the background moves in the opposite direction, and too many if both move together. Marks no " ..
-           "pixels if a static foreground is in front of a moving background. Steps that are longer than the width of an " ..
-           "edge miss the edge.",
+  fails  = "Uses the pixel's own motion, although disocclusion depends on the pixel's motion relative to the " ..
+           "background. Marks too few pixels if the background moves in the opposite direction, and too many if " ..
+           "both move together. Marks no pixels if a static foreground is in front of a moving background. Steps " ..
+           "that are longer than the width of an edge miss the edge.",
   size   = { of = "edge" },
   reads  = {
     edge     = { doc = "edge mask, above 1/2 on an edge" },

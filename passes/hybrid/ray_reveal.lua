@@ -30,9 +30,9 @@ return pass.trace {
   },
   if_no = { mask = nothing, moving_rect = nothing },
   runs   = "everywhere",  -- the mask may contain pixels outside of the moving rectangle
-  fails  = "Finds one surface per pixel; further surfaces behind it stay hidden. Of two surfaces whose depths differ by at " ..
-           "most 4 units in the last place of a float (more with advance = restart), the second is lost. Glass is revealed " ..
-           "as if it were opaque.",
+  fails  = "Finds one surface per pixel; further surfaces behind it stay hidden. Of two surfaces whose depths " ..
+           "differ by at most 4 units in the last place of a float (more with advance = restart), the farther one " ..
+           "is lost. Glass is revealed as if it were opaque.",
   params = {
     displacement = gbuffer.params.displacement,
     velocity_format = quantised.velocity_format,

@@ -4,7 +4,7 @@ local pass = require "strobe.pass"
 
 return pass.trace {
   doc    = "Hit of one random ray per pixel through the scene at the raster time, for the comparison of ray tracing " ..
-           "backends; many rays are hard to trace exactly",
+           "backends; many of these rays are difficult, because rounding decides which triangle they hit",
   writes = {
     origin    = { format = "rgba32f", doc = "origin of the ray relative to the camera at the raster time, world axes, metres" },
     direction = { format = "rgba32f", doc = "direction of the ray, of any length; alpha: largest ray parameter t" },

@@ -11,10 +11,11 @@ local culled = { doc = "two candidate displacements of hidden background per cel
 return pass.compute {
   doc    = "Pixels whose background is disoccluded within the exposure, because the foreground moves relative to the " ..
            "background",
-  fails  = "Misses a disocclusion in four cases: the motion of the background is visible nowhere near the pixel, the " ..
-           "background is another part of the same instance, the background enters the image from outside, or its motion is " ..
-           "not among the first eight motions near the tile. Also misses an object that moves behind a static surface, if " ..
-           "all visible moving surfaces near the pixel are in front of that static surface.",
+  fails  = "Misses a disocclusion in four cases: the motion of the background is visible nowhere near the pixel, " ..
+           "the background is another part of the same instance, the background enters the image from outside, or " ..
+           "the motion of the background is not among the first eight motions near the tile. Also misses an object " ..
+           "that moves behind a static surface, if all visible moving surfaces near the pixel are in front of that " ..
+           "static surface.",
   size   = { of = "depth" },
   reads  = {
     depth     = { doc = "linear view depth, metres; +inf for the sky" },
@@ -36,9 +37,9 @@ return pass.compute {
     match     = path.match,
     margin    = path.margin,
     occluder  = pass.float { 0.02, min = 0, max = 1,
-      doc = "smallest depth difference, as a fraction of the depth of the pixel's own object, of a nearer surface on the " ..
-            "searched path that counts as an occluder. A path that ends behind an occluder continues to the end of that " ..
-            "occluder" },
+      doc = "smallest depth difference that makes a surface on the searched path count as an occluder in front of " ..
+            "the pixel's own object, as a fraction of that object's depth. A path that ends behind an occluder " ..
+            "continues to the end of the occluder" },
   },
   counters = { off_screen = "paths that leave the image, counted as disoccluding nothing" },
 }

@@ -10,9 +10,10 @@ local copied = { blurred = "color" }
 return pass.compute {
   doc    = "Composite of the raster layer and the revealed layer: at each time sample, the colour of the nearest surface " ..
            "that is at the pixel at that time. The picture is the mean over the samples",
-  fails  = "A disoccluded surface is missing if no ray revealed it: behind the revealed layer, or outside the mask. Edges " ..
-           "are misplaced if the path of a surface deviates from its straight line (or curve), or the surface stretches, " ..
-           "by more than about a pixel. If more than 4 different motions meet at a pixel, some are ignored.",
+  fails  = "A disoccluded surface is missing if no ray revealed it, because it is behind the revealed layer or " ..
+           "outside the mask. Edges are misplaced if the path of a surface deviates from its straight line (or " ..
+           "curve), or the surface stretches, by more than about a pixel. If more than 4 different motions meet at " ..
+           "a pixel, some are ignored.",
   breaks = {
     mirrored = "of equally long displacements, and of equally deep surfaces, the first one in raster order is used; " ..
       "in a mirrored scene this is another one",

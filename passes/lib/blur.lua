@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Parameters that the passes of a blur share. Each parameter has one meaning in every pass, and takes its value from the
--- parameter of the pipeline.
+-- Parameters that the passes of a blur share. Each parameter has one meaning in every pass. If a call of a pass does
+-- not set the parameter, its value is the value of the same parameter of the pipeline.
 local param = require "strobe.param"
 
 return {
@@ -23,8 +23,8 @@ return {
           "one; smaller differences count in part" },
 
   trajectory = param.choice { "line", "quadratic", "arc", default = "line",
-    doc = "shape of a surface point's screen path over the exposure; with displacement = extrapolated, it is fitted to " ..
-      "earlier frames",
+    doc = "shape of a surface point's screen path over the exposure; with displacement = extrapolated, the path is " ..
+      "fitted to earlier frames",
     values = {
       line = "Straight line at constant speed. Fails for rotation: wheels blur in straight lines.",
       quadratic = "Parabola through the positions at shutter open, in the middle and at shutter close; with displacement = " ..

@@ -3,8 +3,8 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  doc    = "Variance of the motion directions around each tile: 1 minus the mean absolute cosine between the direction of " ..
-           "the tile and the directions of the 3 x 3 tiles around",
+  doc    = "Variance of the motion directions around each tile: 1 minus the mean absolute cosine between the " ..
+           "direction of the tile and the directions of the 3 x 3 tiles around it",
   fails  = "Each tile is represented by one displacement: motions that cross within a tile are missed.",
   size   = { of = "longest" },
   reads  = {

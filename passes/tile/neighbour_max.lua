@@ -13,8 +13,8 @@ return pass.compute {
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "longest displacement in each tile, px over the exposure" },
-    velocities = { absent = 0, doc = "two further displacements of each tile, which may become `second`, px over the " ..
-                                     "exposure" },
+    velocities = { absent = 0, doc = "two further displacements of each tile, which may become the output `second`, " ..
+                                     "px over the exposure" },
     curve = { absent = 0, needs = "curve",
       doc = "curve of the path with each tile's longest displacement, as coefficients of a parabola or an arc; 0 for a " ..
             "straight line" },

@@ -16,8 +16,8 @@ return pass.trace {
     hit      = { uint = true, doc = "surface of the raster layer, by indices: instance + 1 (0 for the sky), geometry, " ..
                                     "triangle" },
     velocity = { doc = "screen displacement of each pixel of the raster layer, px over the exposure" },
-    certain  = { doc = "per cell, 1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 where a " ..
-                       "validation ray refuted one of these, otherwise 0" },
+    certain  = { doc = "per cell, 1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 where " ..
+                       "a validation ray has refuted one of these two cases, otherwise 0" },
     longest  = { doc = "longest displacement of the surfaces that reach each cell, px over the exposure" },
   },
   writes = {
@@ -29,8 +29,8 @@ return pass.trace {
     cell_side = blur.cell_side,
     samples   = blur.samples { doc = "number of taps along the motion where a gather is reliable" },
     pace      = pass.float { 0.02, min = 1e-6, max = 1e6, unit = "image widths",
-      doc = "largest distance that the surfaces at a pixel move between two successive first rays of the pixel; further " ..
-            "rays are traced where these differ" },
+      doc = "largest distance that the surfaces at a pixel move between two successive rays of the first, evenly " ..
+            "spaced set. Further rays are traced between rays with different results" },
     allowance = pass.float { 0.01, min = 0, max = 1000,
       doc = "error tolerance: an interval between two rays is subdivided if its estimated error is larger; linear radiance " ..
             "times the interval's fraction of the exposure" },

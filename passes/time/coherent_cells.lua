@@ -17,8 +17,8 @@ return pass.trace {
   },
   writes = {
     certain = { format = "r8_unorm",
-      doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 where a validation ray refuted " ..
-            "one of these, otherwise 0" },
+      doc = "1 where a gather along the motion is reliable, 1/2 where nothing moves, 1/4 where a validation ray has " ..
+            "refuted one of these two cases, otherwise 0" },
     longest = { format = "rg32f", doc = "longest displacement of the surfaces that reach the cell, px over the exposure" },
   },
   if_no = { motion = { certain = 0, longest = 0 } },
@@ -26,7 +26,8 @@ return pass.trace {
     cell_side = blur.cell_side,
     limit     = blur.limit,
     apart_px  = pass.float { 0.5, min = 0, max = 1000, unit = "px",
-      doc = "largest difference between the displacements that reach a cell if their motion counts as uniform" },
+      doc = "largest difference between the displacements of the surfaces that reach a cell, for their motion to " ..
+            "count as uniform" },
     validation_rays = pass.int { 8, min = 0, max = 64,
       doc = "number of validation rays per cell, each at its own pixel and time" },
   },

@@ -66,7 +66,8 @@ return pass.trace {
             "whenever the loop stops. Off: by the time in the exposure, so that positions and times are evenly spread " ..
             "together" },
     shadow_tile = shade.params.shadow_tile,
-    every_ray = pass.bool { false, doc = "trace every ray in full, even if other samples have found its result" },
+    every_ray = pass.bool { false, doc = "trace every ray through the whole scene, even if earlier samples make its " ..
+                                         "result known" },
     writes_stats = pass.bool { false, wired = true, doc = "store per-pixel statistics of the samples (surface, shadows, " ..
         "contrast), which `sample_consensus` reads" },
     probes = pass.bool { false, wired = true,

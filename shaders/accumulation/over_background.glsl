@@ -5,9 +5,10 @@
 //        elsewhere.
 //      `color`: linear radiance of the raster layer.
 // Out: `picture`: linear radiance, alpha 1.
-// Method: the alpha of `moving` is the number of samples, out of `samples`, that show a moving surface; all others show the
-//   static surface. Its radiance is `static_background` or, where that has the alpha 0, `color`. The picture is the mean of
-//   both, weighted by their numbers of samples. Outside the moving rectangle the picture is `color`.
+// Method: the alpha of `moving` is the number of samples, out of `samples`, that show a moving surface; all others show
+//   the static surface. The radiance of the static surface is `static_background` or, where `static_background` has the
+//   alpha 0, `color`. The picture is the mean of the moving and the static radiance, weighted by their numbers of
+//   samples. Outside the moving rectangle the picture is `color`.
 // Fails: static surfaces keep the shadows of the raster time.
 #include "lib/mean.glsl"
 #include "lib/moving_rect.glsl"

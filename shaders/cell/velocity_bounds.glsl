@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Per cell (a square of `cell_side` px), the least and the greatest displacement, component by component. Later passes skip a
-// cell if these bounds prove that it needs no work.
+// cell if these bounds prove that the cell needs no work.
 // In:  `velocity`: displacement of each texel, px over the exposure; with two segments, velocity before the raster time.
 //      `velocity_post`: velocity after the raster time, px over the exposure (absent: `velocity`).
 //      `valid`: mask, above 1/2 at texels to include (absent: all texels).

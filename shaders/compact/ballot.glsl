@@ -22,7 +22,8 @@ bvec4 maskOf(ivec2 first) {
   return result;
 }
 
-// Sets the bit of the pixel `place` of the square, if `is`.
+// Sets the bit of a pixel of the square if `is` is true. `place`: offset of the pixel from the first pixel of the
+// square.
 void add(inout uvec2 bits, ivec2 place, bool is) {
   uint number = pixelNumber(place), bit = uint(is) << (number & 31u);
   if (number < 32u) bits.x |= bit;

@@ -10,8 +10,8 @@
 //   `combine`).
 //   The differences are centred on the middle of the block, half a pixel to the right of and below the pixel. A step is
 //   therefore marked on the pixel to its left or above it, on the nearer or the farther side.
-// Fails: if the nearer surface is to the right or below, the silhouette is marked on the farther surface. A ray mask searches
-//   edges on the nearer surface and misses such an edge. Also marks noise and planes at grazing angles.
+// Fails: if the nearer surface is to the right or below, the silhouette is marked on the farther surface. A ray mask
+//   searches for edges on the nearer surface, and misses such an edge. Also marks noise and planes at grazing angles.
 #include "mixin/edge_gradient.glsl"
 
 // Scale of the diagonal differences. A step of 1 along an axis changes both differences by 1, so that their l1 norm is 2 and

@@ -7,9 +7,10 @@
 // Out: `blurred`: linear radiance, alpha 1.
 // Method: for pixel X and N taps, tap i is at Y = X - d(X) * t_i. t_i is the time at the share (i + 1/2 + jitter)/N of the
 //   exposure. Taps outside the image are skipped. The engine itself has the anchor `centre`.
-//   A tap counts if it is farther than X or shows the sky. A nearer tap counts if its own displacement is long enough to cover
-//   the distance to X along d(X), in either direction: |d(Y) . d(X)| / |d(X)| * s >= |Y - X|. s is 1/2 for the anchor `centre`
-//   and 1 for the other anchors. The result is the mean of the taps that count.
+//   A tap counts if its surface is farther away than the surface at X, or is the sky. Any other tap counts only if its
+//   own displacement is long enough to cover the distance to X along d(X), in either direction:
+//   |d(Y) . d(X)| / |d(X)| * s >= |Y - X|. s is 1/2 for the anchor `centre` and 1 for the other anchors. The result is
+//   the mean of the taps that count.
 //   Pixels with a displacement below `copy_below` px, and pixels without a tap that counts, are copied.
 // Fails: surfaces do not blur beyond their silhouettes. Inside a silhouette, the background is copied from outside.
 #include "lib/times.glsl"
@@ -31,9 +32,10 @@ bool coversDistance(vec2 d_tap, vec2 d, float distance_px, float spread_factor) 
   return abs(dot(d_tap / d_length, d)) * spread_factor >= distance_px * (1.0 - 1e-4);
 }
 
-// True if the tap at the texel `at` counts in the mean. A tap counts if it is farther than the pixel or shows the sky. Another
-// tap counts if its own motion covers the distance to the pixel. `offset`: position of the tap relative to the pixel, px.
-// `depth`, d: view depth and displacement of the pixel. `spread_factor`: as in coversDistance.
+// True if the tap at the texel `at` counts in the mean. A tap counts if its surface is farther away than the surface of
+// the pixel, or is the sky. Any other tap counts only if its own motion covers the distance to the pixel. `offset`:
+// position of the tap relative to the pixel, px. `depth`, d: view depth and displacement of the pixel. `spread_factor`:
+// as in coversDistance.
 bool counts(ivec2 at, vec2 offset, float depth, vec2 d, float spread_factor) {
   float tap_depth = depthAt(at);
   if (tap_depth > depth || isinf(tap_depth)) return true;

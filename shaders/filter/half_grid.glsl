@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mask of the pixels that a filter computes, if it runs at half resolution where all motion is heavy.
+// Mask of the pixels that a filter computes if the filter runs at half resolution in tiles with heavy motion.
 // In:  `shortest`: length of the shortest displacement of each tile, px over the exposure.
 // Out: `mask`: 1 at pixels that the filter computes, otherwise 0.
 // Method: in tiles whose shortest displacement is at least `heavy_motion`, mask the pixels with even x and even y. In other

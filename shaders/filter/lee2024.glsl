@@ -19,8 +19,8 @@
 //   The searched displacements are the displacements of X in all layers and the dominant ones of the tile. The text of the
 //   paper does not state how it finds surfaces that pass over a pixel; here the dominant displacements find them, as in other
 //   filters.
-//   The counter `varied` counts samples from a deeper layer although the path of X's own surface leads to another part of this
-//   surface: that part has a different displacement, so that it does not count.
+//   The counter `varied` counts samples from a deeper layer, if the path of X's own surface leads to a texel of this
+//   surface. That texel has a different displacement, so that it does not count.
 // Fails: misses surfaces in no layer, and surfaces with other displacements than the pixel's own and the longest of its tile.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
@@ -28,11 +28,11 @@
 #include "lib/sanitise.glsl"
 
 const int kLayers = 1 + HAS_layer_2_depth + HAS_layer_3_depth + HAS_layer_4_depth;
-// Largest number of searched displacements: of the pixel in four layers, and two of its tile.
+// Largest number of searched displacements: four of the pixel (one per layer) and two of its tile.
 const int kMost = 6;
 
-// A depth counts as nearer than another depth if it is less than kSameDepth times that depth. Depths that differ by less than
-// 2^-16 of the depth therefore count as equal, because rounding separates the depths of one surface.
+// Depth a counts as nearer than depth b if a < kSameDepth * b. Depths that differ by less than 2^-16 of the depth thus
+// count as equal: rounding alone can separate the depths of one surface by this much.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
 // Distance, px over the exposure, within which two displacements count as one: they nearly always lead to the same texels.
@@ -114,7 +114,8 @@ bool agree(vec2 a, vec2 b) {
 // True if the displacement of a texel agrees with the displacement d that the search followed to the texel.
 bool moveAgrees(int layer, ivec2 at, vec2 d) { return agree(limitedDisplacementOf(layer, at), d); }
 
-// The nearer of two surfaces: `nearest`, found so far, and the texel `at` of a layer, where the displacement d leads.
+// The nearer of two surfaces: the surface `nearest`, found so far, and the surface of the texel `at` of a layer. The
+// displacement d leads to this texel. The texel counts only if its own displacement agrees with d.
 Nearest nearer(Nearest nearest, int layer, ivec2 at, vec2 d) {
   if (!moveAgrees(layer, at, d)) return nearest;
   float depth = depthOf(layer, at);

@@ -11,19 +11,21 @@
 // Fails: a texture that varies along the motion counts as noise.
 #include "mixin/along_motion.glsl"
 
-// Largest distance of a pixel in the variance from the filtered pixel, px. The values 2 and 6 change the error of the pipeline
-// oberberger2022 by at most 3.4 % on five scenes.
+// Largest distance from the filtered pixel to a pixel that the variance includes, px. With 2 or 6 instead, the error of
+// the pipeline oberberger2022 changes by at most 3.4 % on five scenes.
 const int kVarianceRadius = 3;
-// Largest distance of a pixel that is tested for motion from the filtered pixel, px. A surface that passes over the filtered
-// pixel is hit in some of the tested pixels, at their sample times. On five scenes of 160 x 90 and three of
-// 320 x 180 pixels, 4 px changes the error of oberberger2022 by -5 % to -13 %, 16 px by +10 % to +25 %.
+// Largest distance from the filtered pixel to a pixel that is tested for motion, px. A surface that passes over the
+// filtered pixel is hit in some of the tested pixels, at their sample times. On five scenes of 160 x 90 and three of
+// 320 x 180 pixels, 4 px instead of 8 px changes the error of oberberger2022 by -5 % to -13 %, and 16 px by
+// +10 % to +25 %.
 const int kMotionRadius = 8;
 
 bool hitsMotion(ivec2 at, ivec2 size) {
   return isInside(at, size) && lengthOf(vec2(texelFetch(moved_tex, at, 0))) > kStaticRadius;
 }
 
-// True if the ray of the pixel, or of a pixel up to kMotionRadius px away along the displacement d, hit a moving surface.
+// True if the ray of the pixel, or of a pixel up to kMotionRadius px away along the displacement d, hits a moving
+// surface.
 bool isNearMotion(ivec2 pixel, vec2 d, ivec2 size) {
   for (int i = -kMotionRadius; i <= kMotionRadius; ++i)
     if (hitsMotion(alongBy(pixel, d, float(i)), size)) return true;

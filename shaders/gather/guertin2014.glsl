@@ -11,9 +11,10 @@
 //      `background_depth`, `background_valid`: depth and mask (above 1/2) of the surface that a ray revealed (absent: none).
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
 // Method: N taps lie along d, the dominant displacement at pixel X, at t_i = lerp(-1, 1, (i + eta * jitter + 1)/(N + 1)). If
-//   the exposure surrounds the raster time, taps are |d|/2 * t_i from X, without the tap on X itself (odd N); otherwise
-//   |d| (1 + t_i)/2, or |d| (1 - t_i)/2 if it starts there. round(N/2 * smoothstep(0, 1/2, variance)) of the taps lie along a
-//   second direction instead, the unit vector v_c (mixin/directions.glsl); they are skipped if v_c is 0.
+//   the exposure surrounds the raster time, taps are |d|/2 * t_i from X, without the tap on X itself (odd N);
+//   |d| (1 + t_i)/2 if it ends at the raster time; |d| (1 - t_i)/2 if it starts at the raster time.
+//   round(N/2 * smoothstep(0, 1/2, variance)) of the taps lie along a second direction instead, the unit vector v_c
+//   (mixin/directions.glsl); these taps are skipped if v_c is 0.
 //   A tap at Y, D px from X along the unit direction e, has the weight f * cone(D, rY) * wB + b * cone(D, rX) * wA +
 //   2 * cylinder(D, min(rX, rY)) * max(wA, wB), with wA = |v_c . e| and wB = |unit d(Y) . e|. r is the blur radius, at least
 //   1/2 px. f is 1 if Y is not farther than X, b is 1 if X is not farther than Y. The centre sample X has the weight N/(kappa *
@@ -34,8 +35,8 @@
 // the implementation by authors of the paper (G3D Innovation Engine, MotionBlur_gather.pix).
 const float kCopiedRadius = 0.505;
 
-// Motion around a tile is uniform if the shortest displacement is at least this share of the dominant displacement, and has at
-// least this blur radius, px.
+// Motion around a tile is uniform if two conditions hold: the shortest displacement is at least kUniformShare times as
+// long as the dominant displacement, and the blur radius of the shortest displacement is at least kUniformRadius px.
 const float kUniformShare = 0.65;
 const float kUniformRadius = 4.0;
 

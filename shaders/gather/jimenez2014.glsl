@@ -19,9 +19,9 @@
 //   f is 1 if Y is nearer than X, b is 1 if Y is farther (by the relative difference `depth_extent`), and both are 1/2 at equal
 //   depths. The parameter `direction` adds a factor to the second term. With `mirror`, if one tap of a pair is nearer and
 //   faster than the other, both get its weight. Otherwise each keeps its own, so that mirrored images have mirrored results.
-//   Result: sum of weight * colour, divided by N, plus the colour of X with the remaining weight, 1 - sum of weights / N; alpha
-//     1. Over a revealed surface, the result is the foreground alone, and alpha is its weight: taps that spread over X, and X,
-//   count to the degree (0 to 1) to which they are in front of that surface.
+//   Result: sum of weight * colour, divided by N, plus the colour of X with the remaining weight, 1 - (sum of
+//   weights)/N; alpha is 1. Over a revealed surface, the result is the foreground alone, and alpha is its weight: taps
+//   that spread over X, and X, are foreground to the degree (0 to 1) that they are in front of the revealed surface.
 // Fails: inside a silhouette the background is copied from outside, so that edges appear twice there. Outside a silhouette, the
 //   background under the blurred object comes from the opposite side. There is one direction per tile.
 #include "mixin/jitter.glsl"
@@ -46,8 +46,8 @@ struct Gather {
   float background;     // depth of the revealed surface, metres
 };
 
-// Sums over taps. `shown`: rgb: sum of weighted colours; alpha: sum of weights; over a revealed surface, of the foreground
-// alone. `all`: sum of the weights of all taps.
+// Sums over taps. `shown`: rgb: sum of weighted colours; alpha: sum of weights. Over a revealed surface, both sums are
+// over the foreground alone. `all`: sum of the weights of all taps.
 struct Sums {
   vec4 shown;
   float all;
@@ -74,9 +74,10 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 }
 
 // Share, 0 to 1, of a step that the motion of a surface covers. `radius`: blur radius of the surface, px. `steps`: distance of
-// the step from the pixel, in steps. `after`: true if the step is on the side of the times after the raster time. With a
-// shutter curve, all steps have equal weight instead of equal length. The radius in steps is then the number of steps on this
-// side times the share of the side's weight up to the time when the dominant motion has covered the radius.
+// the step from the pixel, in steps. `after`: true if the step is on the side of the times after the raster time. With
+// a shutter curve, all steps have equal weight instead of equal length. The radius in steps is then the product of two
+// numbers: the number of steps on this side of the raster time, and the share of this side's weight that has passed
+// when the dominant motion has covered the radius.
 float stepCoverage(Gather gather, float radius, float steps, bool after) {
 #if FACT_weighted
   if (isWeighted()) {

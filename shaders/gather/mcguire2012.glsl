@@ -11,9 +11,10 @@
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
 // Method: pixel X is blurred along d, the dominant displacement of its tile, with S taps, at t_i = lerp(-1, 1,
 //   (i + jitter + 1)/(S + 1)). If the exposure surrounds the raster time, as in the paper, tap i is at X + t_i * d/2. The tap
-//   on X itself (odd S) is left out, because the centre sample stands for it. If the exposure ends at the raster time, tap i is
-//   at X + d (1 + t_i)/2, and at X - d (1 - t_i)/2 if it starts there; then all S taps count (Tan, Cui, Bhojan 2020). With
-//   `directions` = two, as in later code of the filter, every odd tap lies along a second direction (mixin/directions.glsl).
+//   on X itself (odd S) is left out, because the centre sample stands for it. If the exposure ends at the raster time,
+//   tap i is at X + d (1 + t_i)/2; if it starts at the raster time, tap i is at X - d (1 - t_i)/2. In both of these
+//   cases all S taps count (Tan, Cui, Bhojan 2020). With `directions` = two, as in later code of the filter, every odd
+//   tap lies along a second direction (mixin/directions.glsl).
 //   A tap at Y, D px from X, has the weight f * cone(D, rY) + b * cone(D, rX) + 2 * cylinder(D, rX) * cylinder(D, rY)
 //   (lib/blur.glsl). The blur radius r of a surface is its largest distance from its raster position within the exposure, at
 //   least 1/2 px. f is 1 if Y is not farther than X, b is 1 if X is not farther than Y; both fall to 0 over the relative depth

@@ -15,10 +15,11 @@
 //   the revealed surface or, without one, the surface at X. The weight of a tap is |d| / (N |d(Y)|): the slower its surface,
 //   the longer it stays over X, and the fewer taps meet it. alpha is the sum of the weights, at most 1. A static surface at X
 //   in front of a revealed one adds the rest, 1 - alpha.
-//   Background: not added over a revealed surface. Otherwise add (1 - alpha) times a mean over taps, and set alpha to 1. The
-//   mean is over taps at the depth of X that pass over X, and over farther taps at most as far away as the surface at X moves.
-//   The farther taps replace the background that this surface disoccludes. If the weights of the mean add up to less than one
-//   tap, the colour of X fills the rest, so that a tap of small weight cannot dominate.
+//   Background: not added over a revealed surface. Otherwise add (1 - alpha) times a mean over taps, and set
+//   alpha to 1. The mean includes taps at the depth of X with a surface that passes over X. It also includes taps at
+//   greater depths, if their distance from X is at most the path of the surface at X. These taps replace the background
+//   that the surface at X disoccludes. If the weights of the mean add up to less than one tap, the colour of X
+//   fills the rest, so that a tap of small weight cannot dominate.
 //   If `velocity_post` is present, the two segments of the exposure are tested separately (`passingOf`).
 // Fails: without a revealed layer, the background inside a silhouette is copied from outside. If the background moves, the
 //   product of mean coverage and mean background differs from the mean of their product. There is one direction per tile.
@@ -30,7 +31,7 @@
 struct Tap {
   vec3 color;
   float depth;
-  vec2 d, d_after;  // px over the exposure, before and after the raster time
+  vec2 d, d_after;  // displacement before (d) and after the raster time, each scaled to the whole exposure, px
 };
 
 Tap tapAt(ivec2 pixel) {
@@ -114,9 +115,10 @@ float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Pass
   return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
-// Degree to which the pixel's own surface is static foreground, 0 to 1. It is 0 if the surface moves. The degree of a static
-// surface is 1 in front of the revealed surface, and falls to 0 as the two depths approach each other. A static surface covers
-// the pixel for the whole exposure, but only a tap on the pixel itself meets it. So `run` adds this surface's share separately.
+// Share, 0 to 1, of the pixel's own surface that counts as static foreground; 0 if the surface moves. The share of a
+// static surface is 1 in front of the revealed surface, and falls to 0 as the two depths approach each other. A static
+// surface covers the pixel for the whole exposure, but only a tap on the pixel itself meets it. So `run` adds the
+// static surface separately.
 float staticInFront(Tap here, float background) {
   if (!isStatic(here.d) || !isStatic(here.d_after)) return 0.0;
   return inFrontOf(here.depth, background, params.depth_extent);

@@ -2,12 +2,14 @@
 // One step of depth peeling, fragment stage: the nearest surface behind the layer in front (Everitt, "Interactive
 // Order-Independent Transparency", 2001).
 // In:  `front`: layer in front: instance + 1 (0 for the sky), geometry, primitive.
-// Out: `hit`: nearest surface behind it: instance + 1 (0 for the sky), geometry, primitive; 0 also where `front` is the sky.
-// Method: discard fragments that are not behind `front`; the depth test keeps the nearest of the others. One function computes
-//   the depths of both triangles at the pixel's sample position, so the comparison needs no bias. At equal depths the triangle
-//   that is drawn later counts as the one behind, as in the depth test. With `sides` = front, back faces are discarded too.
-// Fails: if two surfaces are closer together than the depth buffer resolves, it may order them differently than this comparison
-//   does. One of the two surfaces is then in no layer.
+// Out: `hit`: nearest surface behind that layer: instance + 1 (0 for the sky), geometry, primitive; 0 also where
+//        `front` is the sky.
+// Method: discard fragments that are not behind `front`; the depth test keeps the nearest of the others. One function
+//   computes the depths of both triangles at the pixel's sample position, so the comparison needs no bias. At equal
+//   depths the triangle that is drawn later counts as the one behind, as in the depth test. With `sides` = front, back
+//   faces are discarded too.
+// Fails: if two surfaces are closer together than the depth buffer resolves, the depth test may order them differently
+//   than this comparison does. One of the two surfaces is then in no layer.
 #include "mixin/fragment.glsl"
 #include "mixin/surface.glsl"
 

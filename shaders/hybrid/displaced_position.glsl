@@ -9,8 +9,8 @@
 //   starts there, and at X + d/2 and X - d/2 if it is centred. X is marked if the tested pixel shows another instance, farther
 //   than X by more than `depth_margin` times the depth of X. X is also marked if the position is outside the image, where the
 //   surface is unknown (counter `off_screen`). Pixels of the sky are not marked.
-//   With several `taps` the way to each position is divided into as many equal parts, and the end of each part is tested: with
-//   four taps at 1/4, 1/2, 3/4 and 1 of the way.
+//   With several `taps` the way to each position is divided into that number of equal parts, and the end of each part
+//   is tested: with four taps at 1/4, 1/2, 3/4 and 1 of the way.
 // Fails: one tap skips gaps, for example between the spokes of a fan; several taps skip narrower gaps. Misses silhouettes of an
 //   instance in front of itself, and disocclusions by the motion of the background.
 #include "mixin/limit.glsl"

@@ -4,14 +4,15 @@
 // In:  `edge`: edge mask, above 1/2 on an edge.
 //      `id`: instance + 1; 0 for the sky.
 //      `velocity`: displacement d of each pixel's surface, px over the exposure.
-// Out: `mask`: 1 where the pass `ray_reveal` traces a ray to the surface behind, otherwise 0.
+// Out: `mask`: 1 where the pass `ray_reveal` traces a ray to the background, otherwise 0.
 // Method: a pixel X with |d| >= `min_displacement` is marked if a pixel of its segment is an edge. The segment includes X. It
 //   is [X, X + d] if the exposure ends at the raster time, [X - d, X] if it starts there, and [X - d/2, X + d/2] if it is
 //   centred.
 //   Each side of X is tested in `taps` steps. With `taps` = 0, one step is one pixel, because an edge may be one pixel wide,
 //   and longer steps miss it. With `own_edge`, only the first edge on each side counts, and only if it belongs to the instance
 //   of X.
-// Fails: uses the motion of the pixel itself, although disocclusion depends on its motion relative to the background.
+// Fails: uses the motion of the pixel itself, although disocclusion depends on the motion of the pixel relative to the
+//   background.
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 

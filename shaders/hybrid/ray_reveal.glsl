@@ -2,7 +2,7 @@
 // Surface behind the foreground, found by tracing the ray of the raster sample past the foreground (Tan, Cui, Bhojan 2020, "Ray
 // Reveal").
 // In:  `hit`: foreground: instance + 1 (0 for the sky), geometry, primitive.
-//      `mask`: mask, above 1/2 where the surface behind is wanted.
+//      `mask`: mask, above 1/2 where a ray is traced.
 // Out: `color`: linear radiance, quantised; this and all other outputs are 0 where nothing is revealed.
 //      `depth`: view depth, metres; +inf for the sky; quantised.
 //      `id`: instance + 1, geometry + 1; 0 for the sky.
@@ -10,15 +10,16 @@
 //      `valid`: 1 where a surface or the sky is revealed, otherwise 0.
 //      `found`: revealed surface: instance + 1 (0 for the sky), geometry, primitive.
 // Method: the parameter `advance` chooses how the ray goes on from hit to hit, and `termination` which hit belongs to another
-//   object and ends the search. After `max_layers` other hits the search gives up (counter `capped`; result: `on_cap`).
-//   With `advance` = instance_filter the ray ignores the foreground's instance, or with `termination` = geometry its geometry.
-//   The first hit then ends the search under `termination` = instance and geometry, so that `max_layers` is never reached.
-//   Surfaces within 4 representable depths of the previous hit count as that hit (with `advance` = restart, within 1e-5 of its
-//   depth).
+//   object and ends the search. After `max_layers` hits that do not end the search, the search gives up (counter
+//   `capped`; result: `on_cap`).
+//   With `advance` = instance_filter the ray ignores the foreground's instance or, with `termination` = geometry, only
+//   the foreground's geometry. The first hit then ends the search under `termination` = instance and geometry, so that
+//   `max_layers` is never reached. Surfaces within 4 representable depths of the previous hit count as that hit (with
+//   `advance` = restart, within 1e-5 of its depth).
 // Fails: a second surface behind the revealed one stays hidden. `termination` = luminance stops inside an object with a
-//   differently lit back, and passes through a background of equal luminance. Except with base colours, it is not linear in the
-//   light. The values `instance` and `geometry` miss a foreground that covers itself, and stop at other parts of an object made
-//   of several instances; `motion` passes these parts.
+//   differently lit back, and passes through a background of equal luminance. Except with base colours, the picture is
+//   then not linear in the light. The values `instance` and `geometry` miss self-occlusion, and stop at other parts of
+//   an object made of several instances; with `motion`, the ray passes these parts.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
 #include "mixin/quantised.glsl"

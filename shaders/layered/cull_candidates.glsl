@@ -17,8 +17,8 @@
 //     displacement that separates from d by half a pixel or more until t. The latter would start a second walk.
 //   The paths are extended by the longest displacement, because a walk continues behind an occluder. Walks end at the border of
 //   the image. The mask is equal, bit for bit, to the mask without culling.
-// Fails: a cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. It may then mark more
-//   pixels, and candidates beyond the eighth are lost.
+// Fails: a cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. The disocclusion
+//   mask may then have more pixels, and candidates beyond the eighth are lost.
 #include "lib/bounds.glsl"
 #include "lib/velocity_list.glsl"
 #include "mixin/limit.glsl"

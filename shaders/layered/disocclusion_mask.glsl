@@ -6,19 +6,21 @@
 //      `velocity`: displacement of each pixel, px over the exposure
 //      `culled_0` to `culled_3`: per cell, candidate displacements of the background, two per image; kNoVelocity after the last
 //      `bounds`, `ids`: per cell, bounds of the displacements; least and greatest instance + 1
-//      `farthest_around`: depth of the farthest moving surface around each tile, metres; static pixels beyond it are skipped
+//      `farthest_around`: depth of the farthest moving surface around each tile, metres; static pixels beyond this
+//        depth are skipped
 //      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
-// Out: `mask`: 1 where the pass ray_reveal is to trace a ray to the surface behind, otherwise 0
+// Out: `mask`: 1 where the pass ray_reveal is to trace a ray to the background, otherwise 0
 // Method: let the foreground at pixel y move by d, and a point hidden behind y by the candidate b. At time t, the point is at y
 //   + b*t. The foreground covers this place with its texel y - t*(d - b) of the raster time. The point becomes visible once
 //   this texel is beyond the silhouette of the foreground. Only relative motion counts: in a tracking shot, a foreground that
 //   is static on the screen is marked.
 //   A walk follows the path y - t*(d - b) to shutter open or close in steps of 1 px, and `margin` px farther: an extra pixel
 //   costs a ray, a missing one is an error. y is marked if the walk meets a pixel q of another instance that moves by b, within
-//   max(1 px, match * |d - b|) (parameter `match`). Occluders do not count: pixels q nearer than the last pixel of y's instance
-//   by the share `occluder`. A path that ends behind an occluder continues to the occluder's end. Paths end at the image border
-//   (counter `off_screen`). If no q moves by b, a second walk takes b from the first q that moves relative to y, because
-//   candidates are inexact where the motion of a background varies.
+//   max(1 px, match * |d - b|) (parameter `match`). A pixel q that is nearer than the last pixel of y's instance by the
+//   share `occluder` is an occluder and does not count. A path that ends behind an occluder continues to the occluder's
+//   end. Paths end at the image border (counter `off_screen`). If no q moves by b, a second walk takes as b the
+//   displacement of the first q that moves relative to y, because candidates are inexact where the motion of a
+//   background varies.
 // Fails: misses backgrounds if no pixel around shows their motion, parts of an instance behind other parts of the instance, and
 //   motions beyond the eighth near a tile.
 #include "lib/bounds.glsl"

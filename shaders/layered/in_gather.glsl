@@ -76,16 +76,16 @@ Cover coverAt(ivec2 pixel, Path path, ivec2 texel, float t, Tap back) {
   return kNoCover;
 }
 
-// The nearer of two covers. At about equal depths it is the first one, because otherwise rounding would choose between two
-// texels of one surface.
+// The nearer of two covers. At about equal depths the result is the first one, because otherwise rounding would choose
+// between two texels of one surface.
 Cover nearer(Cover a, Cover b) {
   if (a.share == 0.0) return b;
   return b.share > 0.0 && inFrontOf(b.depth, a.depth, params.depth_extent) > 0.5 ? b : a;
 }
 
-// Colour of the background `back` at the pixel at time t. The raster layer shows the background at its place of the raster
-// time, unless a surface there is in front of the background. Then the colour comes from the revealed layer or, as a fallback,
-// from `back`.
+// Colour of the background `back` at the pixel at time t. The raster layer shows the background at the texel where the
+// background is at the raster time, unless a surface there is in front of the background. In that case the colour comes
+// from the revealed layer or, as a fallback, from `back`.
 vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
   ivec2 texel = tapFor(pixel, back.path, t);
   if (isInside(texel, textureSize(color_tex, 0))) {

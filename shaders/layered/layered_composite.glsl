@@ -3,7 +3,8 @@
 // the samples (an extension of Tan, Cui, Bhojan 2020; docs/derivations.md, "Per-time layered gather").
 // In:  `color`, `depth`: raster layer: linear radiance; view depth, metres, +inf for the sky
 //      `velocity`: displacement d of each pixel; `dominant`, `second`: two displacements of each tile; px over the exposure
-//      `revealed_color`, `_depth`, `_velocity`, `_dominant`: images of the revealed layer; `_valid`: > 1/2 where it exists
+//      `revealed_color`, `_depth`, `_velocity`, `_dominant`: images of the revealed layer; `_valid`: > 1/2 where it has
+//        a surface
 //      `velocity_post`, `dominant_post`, `second_post`, `revealed_*_post`: for times after the raster time; absent: unchanged
 //      `curve`, `revealed_curve`, `dominant_curve`: curves of paths, px; `dominant_place`: texel with `dominant`; all optional
 //      `moved`, `background`: per cell, > 1/2 if a moving (a revealed) surface is there at some time; absent: everywhere
@@ -13,7 +14,8 @@
 //   (Constants). Otherwise d(Y) leads to one more texel, on curves to three. The nearest texel at X counts.
 //   Candidates: the tile's displacements; d of both layers at X and, with `search_taps`, at X +- t_i*g for the two
 //   displacements g of the tile, nearest taps first. At most 4 are kept, which differ by more than 1/2 px.
-//   A sample without a surface takes the texel of X, of the revealed layer if it has one there (counter `fallback`).
+//   A sample without a surface shows the texel at X, from the revealed layer if that layer has a surface there (counter
+//   `fallback`).
 // Fails: misses surfaces hidden at the raster time and not revealed, and motions beyond 4 at a pixel. Misplaces surfaces if
 //   their paths deviate, or they stretch, by more than the tolerance.
 #include "mixin/limit.glsl"

@@ -79,8 +79,8 @@ int tilesInReach(float limit_px, int tile_px, vec2 shutter, ivec2 tiles) {
 vec2 tapOffset(vec2 d, float t) { return -d * t; }
 
 // True if the surface that `texel` shows at the raster time and that moves by d is at the pixel at time t, within the
-// tolerance. The factor 1 + 1e-4 makes the result independent of rounding where the distance equals the tolerance. This happens
-// for the pixel's own texel at half the time between two samples.
+// tolerance. The factor 1 + 1e-4 makes the result independent of rounding where the distance equals the tolerance. The
+// distance equals the tolerance, for example, for the pixel's own texel at half the time between two samples.
 bool isAt(ivec2 pixel, ivec2 texel, vec2 d, float t, float tolerance_px) {
   vec2 off = vec2(texel - pixel) + t * d;
   float within_px = tolerance_px * (1.0 + 1e-4);

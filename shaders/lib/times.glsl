@@ -48,8 +48,8 @@ float timeFromEnd(bool closing, float away) {
 
 // Time that divides the weight into two parts. `share`: part between this time and one end of the exposure, which is shutter
 // close if `closing`, otherwise shutter open. `others`: part between this time and the other end. The result is computed from
-// the end with the smaller part, because the knots of an end reach only to the middle of the weight. If the parts are equal, it
-// is the mean of the results from both ends.
+// the end with the smaller part, because the knots of an end reach only to the middle of the weight. If the parts are
+// equal, the result is the mean of the results from both ends.
 float timeBetween(bool closing, float share, float others) {
   if (share < others) return timeFromEnd(closing, distanceToShare(closing, share));
   if (share > others) return timeFromEnd(!closing, distanceToShare(!closing, others));

@@ -2,7 +2,7 @@
 // Mask of the pixels that move, or that a moving surface may reach within the exposure.
 // In:  `velocity`: displacement of the surface at each pixel, px over the exposure.
 //      `dominant`: longest displacement that reaches each tile, px over the exposure.
-// Out: `mask`: 1 where the pass `ray_reveal` traces a ray to the surface behind, otherwise 0.
+// Out: `mask`: 1 where the pass `ray_reveal` traces a ray to the background, otherwise 0.
 // Method: the mask is 1 if the longer of the two displacements is not 0 and at least `min_displacement` px long.
 // Fails: marks whole tiles around moving surfaces, although most of their pixels disocclude nothing. This costs rays, but
 //   causes no error.

@@ -74,7 +74,8 @@ vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs, float near) {
   return (pixelFromView(slice, mix(raster_vs, other_vs, s)) - start) / s;
 }
 
-// Screen offset for a point of the scene: the near plane is the camera's near distance at `slice`, enlarged by a thousandth.
+// Screen offset of a point of the scene, as in the function above. The near plane is at the camera's near distance at
+// `slice`, enlarged by a thousandth.
 vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs) {
   return pathFromRasterTime(raster_vs, slice, other_vs, scene_cameras[slice].near * 1.001);
 }

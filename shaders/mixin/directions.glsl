@@ -11,7 +11,8 @@
 #include "mixin/layer.glsl"
 
 // Shortest component of a displacement across the dominant displacement, px, that defines a side (left or right of the dominant
-// displacement). Shorter components may be rounding errors. Halving or doubling it changes no pixel of six scenes.
+// displacement). Shorter components may be rounding errors. Halving or doubling this bound changes no pixel of six
+// scenes.
 const float kNoSide = 1.0 / 64.0;
 
 // Unit vector along d; 0 if d is 0.
@@ -22,7 +23,7 @@ vec2 unitOf(vec2 d) {
 
 // Second direction, a unit vector or 0. `dominant`: dominant displacement. `own`: displacement of the pixel's surface. `other`:
 // another displacement in the neighbourhood; all three px over the exposure. `radius_px`: blur radius of the pixel's surface.
-// `gamma_px`: range of blur radii of the blend, above 0.
+// `gamma_px`: width of the range of blur radii with a blend of two directions, px, above 0.
 // If the blur radius is at most 1/2 px (a static surface), the direction is perpendicular to the dominant displacement. From
 // gamma_px + 1/2 px on, the direction is along `own`. Radii in between give a blend of both directions. The perpendicular
 // points to the side of `own` or, if `own` has no side, to the side of `other`. If `other` has no side either, the

@@ -7,8 +7,9 @@
 #include "lib/sanitise.glsl"
 
 // Largest ratio of two depths that a detector uses. A surface farther than this multiple of the tested pixel's depth, or the
-// sky, counts as this far, so that differences of depths stay finite. A step to such a surface is an edge with any bound well
-// above 1 plus the threshold: with 8 and with 32, the pipeline hybrid gives the same pictures of five scenes.
+// sky, counts as this far, so that differences of depths stay finite. Any value well above 1 plus the depth threshold
+// makes a step to such a surface an edge. With 8 or 32 instead of 16, the pipeline hybrid gives the same pictures of
+// five scenes.
 const float kFarthest = 16.0;
 
 // View depth at a pixel, metres; +inf for the sky. Outside of the image: depth at the nearest border pixel.

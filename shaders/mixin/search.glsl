@@ -14,8 +14,8 @@ const ivec2 kNoTexel = ivec2(-1);
 
 // Number of texels that a search tests at most, on straight and on curved paths. Passes without curves always test at most two,
 // because compilers unroll a loop over two texels. On seven scenes with arcs, two texels instead of four on curved paths raise
-// the error by up to 42 %, eight change it by at most 0.1 %. On seven scenes with straight paths, one texel instead of two
-// changes it by -7 % to +33 %, four by -8 % to +1 %.
+// the error by up to 42 %, and eight texels change the error by at most 0.1 %. On seven scenes with straight paths, one
+// texel instead of two changes the error by -7 % to +33 %, and four texels by -8 % to +1 %.
 #if HAS_curve
 const int kIterations = 2, kCurveIterations = 4;
 #else
@@ -26,8 +26,8 @@ const int kIterations = 2, kCurveIterations = kIterations;
 bool iteratesAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurveIterations : kIterations); }
 
 // Largest difference between the paths of adjacent texels of one surface, px. If the paths differ more, the texels are assumed
-// to show different objects. On seven scenes, halving or doubling it changes the error of arcs by at most 0.4 %; the error of
-// parabolas rises by up to 10 % at half the value and 3 % at twice the value.
+// to show different objects. On seven scenes, halving or doubling this bound changes the error of arcs by at most
+// 0.4 %; the error of parabolas rises by up to 10 % at half the value and 3 % at twice the value.
 const float kMostSlope = 2.0;
 
 // Two functions that the including shader defines. `pathOf`: path of the surface at a texel of a layer, for the times after the
@@ -75,11 +75,12 @@ mat2 changeOf(int layer, ivec2 texel, Path path, float t) {
 
 // Next texel to test, if the surface at `texel` of a layer is not at the pixel at time t. `path`: path of that surface.
 // Method: on a straight path, take a step of fixed-point iteration: follow `path` from the pixel back to the raster time. On a
-//   curved path, take a Newton step: a surface with curved paths usually rotates, so that paths differ from texel to texel. A
-//   Newton step needs the derivative of the position at time t by the texel. For an arc that rotates, the derivative follows
-//   from the arc. Otherwise it is estimated from the paths of adjacent texels (`changeOf`). One Newton step suffices if the
-//   whole surface rotates or stretches uniformly. If the derivative is nearly singular (determinant below 0.1), take a
-//   fixed-point step instead. Halving or doubling this bound changes the error by at most 0.2 % on seven scenes.
+//   curved path, take a Newton step: a surface with curved paths usually rotates, so that paths differ from texel to
+//   texel. A Newton step needs the derivative of the position at time t with respect to the texel. For an arc that
+//   rotates, the derivative follows from the arc. Otherwise it is estimated from the paths of adjacent texels
+//   (`changeOf`). One Newton step suffices if the whole surface rotates or stretches uniformly. If the derivative is
+//   nearly singular (determinant below 0.1), take a fixed-point step instead. Halving or doubling this bound changes
+//   the error by at most 0.2 % on seven scenes.
 ivec2 nextTexelOf(int layer, ivec2 pixel, ivec2 texel, Path path, float t) {
 #if HAS_curve
   if (!isCurved(path)) return nextTexel(pixel, path, t);

@@ -64,7 +64,7 @@ StaticBackground staticBackgroundAt(ivec2 pixel) {
 }
 
 // Nearest surface on a pixel's ray, with the scene posed at the time `slice`; a miss for the sky. `static_background`: static
-// background on this ray. If the background is known, only moving instances in front of it are tested.
+// background on this ray. If the background is known, the ray tests only moving instances in front of the background.
 Hit nearestAt(uint slice, Ray ray, StaticBackground static_background) {
   uint mask = static_background.is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
   Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, static_background.t, NO_INSTANCE, NO_INSTANCE);

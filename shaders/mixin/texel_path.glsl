@@ -6,8 +6,8 @@
 #include "lib/blur.glsl"
 #include "mixin/surface.glsl"
 
-// Screen position of a texel's surface point at the time of `slice` minus its position at the raster time, px. Without the read
-// `hit`, instances count as rigid.
+// Screen position of a texel's surface point at the time of `slice` minus its position at the raster time, px. If the
+// pass does not read `hit`, instances count as rigid.
 vec2 pathOfTexel(uint slice, ivec2 at) {
   Ray ray = cameraRay(SLICE_RASTER, samplePosition(at));
   uint id = texelFetch(id_tex, at, 0).x;

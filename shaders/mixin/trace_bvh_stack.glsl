@@ -49,7 +49,7 @@ void push(inout BvhStack stack, uint entry, bool pushes) {
   stack.a = pushes ? entry : stack.a;
 }
 
-// Remove the newest entry. It must be in a variable, as it is after `top`.
+// Remove the newest entry. This entry must be in a variable, as after a call of `top`.
 void drop(inout BvhStack stack) {
   stack.a = stack.b;
   stack.b = stack.c;

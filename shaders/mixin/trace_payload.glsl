@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// Payload of a ray between the stages of the ray tracing pipeline, and the test that accepts hits in every backend: by skipped
-// instances, alpha cut-outs and one-sided materials. The rasteriser uses the tests of alpha and of one-sided materials too.
+// Payload of a ray between the stages of the ray tracing pipeline, and the test of hits that all backends share. The
+// test rejects hits on skipped instances, on points that alpha cuts out, and on the backs of one-sided materials. The
+// rasteriser also rejects points that alpha cuts out, and the backs of one-sided materials.
 #ifndef STROBE_TRACE_PAYLOAD_GLSL
 #define STROBE_TRACE_PAYLOAD_GLSL
 #include "lib/random.glsl"

@@ -84,10 +84,11 @@ uint visibilityTowards(TileHits hits, SceneLight light) {
   if (!(reach < kFarthest)) return kMixed;
   vec4 at = has_position ? vec4(light.position, 1) : vec4(-light.direction * reach, 0);
 
-  // `shadowOrigin` starts a shadow ray above the surface, at a height of kShadowLift times the larger of its largest coordinate
-  // and the distance of the light. The bounds must contain these origins. The box is therefore enlarged by 2 % more than the
-  // largest height. Each plane is raised by 10 % less than the least height. The normals of one plane differ by up to 1.8
-  // degrees, which lowers an origin above the plane by 0.05 %; the rest of the margins covers rounding.
+  // `shadowOrigin` starts a shadow ray above the surface, at a height of kShadowLift times the larger of two lengths:
+  // the largest coordinate of the surface point, and the distance of the light. The bounds must contain these origins.
+  // The box is therefore enlarged by 2 % more than the largest height. Each plane is raised by 10 % less than the least
+  // height. The normals of one plane differ by up to 1.8 degrees, which lowers an origin above the plane by 0.05 %; the
+  // rest of the margins covers rounding.
   float least = max(hits.near, has_position ? length(max(away - extent, vec3(0))) : 0.0);
   RayVolumeStart start = RayVolumeStart(centre, extent + reach * (1.02 * kShadowLift), hits.one, hits.plane_count, 0u,
                                 0.9 * kShadowLift * least);

@@ -6,19 +6,20 @@
 //      `id`: instance + 1, geometry + 1; 0 for the sky
 //      `hit`: instance + 1 (0 = sky), geometry, primitive
 //      `velocity`: displacement, px over the exposure
-//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, 1/4 if a validation ray
-//        refuted one of these, otherwise 0
+//      `certain`: per cell: 1 where a gather along the motion is reliable, 1/2 if the cell is static, 1/4 if a
+//        validation ray refuted one of these two cases, otherwise 0
 //      `longest`: per cell: longest displacement of the surfaces that reach the cell, px over the exposure
 // Out: `picture`: linear radiance, alpha 1
 //      `error`: estimated standard deviation of `picture`, linear radiance
 // Method: cells with `certain` = 1 that are not beside a refuted cell take the mean of `samples` texels along the motion;
 //   static cells, and pixels that no motion reaches, copy `color`. Other pixels trace rays at some of the n times of the loop:
-//   1. Trace first rays at every k-th time. k is the largest power of two such that `longest` moves by at most `pace` image
-//      widths between two rays.
+//   1. Trace first rays at every k-th time. k is the largest power of two such that a surface that moves by `longest`
+//      moves at most `pace` image widths between two rays.
 //   2. Between two successive rays, at the times number a < b, estimate the colours and their error. If both rays hit one
-//      surface and the raster image shows both points, the times between take that surface's texels along its path, and the
-//      error is the larger difference between a ray and its texel. Otherwise the times between take the mean of both rays, and
-//      the error is the difference of their colours. The channel with the largest error counts.
+//      surface and the raster image shows both points, the times between get the colours of that surface's texels along
+//      its path, and the error is the larger difference between a ray and its texel. Otherwise the times between get
+//      the mean of both rays, and the error is the difference of their colours. The channel with the largest error
+//      counts.
 //   3. If the raster image shows a surface that is at the pixel at a time between, add to the error the difference of that
 //      texel from the more similar ray, divided by b - a.
 //   4. Trace a ray half-way between if error * (b - a)/n > `allowance`. Then repeat steps 2 to 4 for both halves.
@@ -35,7 +36,7 @@ struct Sample {
   vec3 color;
   uvec2 id;     // instance + 1, geometry + 1; 0 for the sky
   vec3 place;   // position of the hit point at the raster time: texel (xy), view depth (z)
-  float apart;  // largest difference of a channel from the raster texel at `place`; kFar if that texel does not show the point
+  float apart;  // largest difference over the channels from the raster texel at `place`; kFar if it does not show the point
 };
 
 // True if the raster texel `at` shows the surface `id` at the view depth `depth`. `color`: colour of the texel, multiplied by
@@ -54,7 +55,7 @@ vec2 clamped(vec3 place) { return clamp(vec2(place), vec2(-2), vec2(frame.size) 
 // True if the raster texel nearest to `place` (texel, view depth) shows the surface `id`. `color`: as for isShownAt.
 bool isShown(vec3 place, uvec2 id, out vec3 color) { return isShownAt(ivec2(round(clamped(place))), id, place.z, color); }
 
-// Largest difference of two colours in a channel.
+// Largest difference of two colours over the channels.
 float apart(vec3 a, vec3 b) {
   vec3 by = abs(a - b);
   return max(by.r, max(by.g, by.b));
@@ -64,11 +65,12 @@ uint traced_rays = 0u;
 float variance = 0.0;  // estimated variance of the pixel's mean, in the scale of sums, squared
 
 #if PARAM_hit_color == hit_color_blended
-// Blends the four raster texels around `place` that show the surface `id`. Returns false if no texel does, or if the expected
-// error is above a quarter of `allowance`: the texels' range over sqrt(12), the standard deviation of a uniform distribution,
-// times `share`, the share of the exposure that the sample stands for. With a quarter, blends add less to the error of the
-// adaptive pipeline than its intervals do (tried: 1, 1/4, 1/16). Texels with weights below 1e-3 do not count, so that rounding
-// of a place on a texel's centre changes nothing.
+// Blends the raster texels around `place` that show the surface `id`, at most four. Returns false if no texel shows
+// this surface, or if the expected error is above a quarter of `allowance`. The expected error is share * range /
+// sqrt(12): `share` is the share of the exposure that the sample stands for, `range` is the range of the texels'
+// colours, and range / sqrt(12) is the standard deviation of a uniform distribution over this range. With a quarter,
+// blends add less to the error of the adaptive pipeline than its intervals do (tried: 1, 1/4, 1/16). Texels with
+// weights below 1e-3 do not count, so that rounding of a place on a texel's centre changes nothing.
 bool isBlended(vec3 place, uvec2 id, float share, out vec3 color) {
   vec2 low = floor(clamped(place)), part = clamped(place) - low;
   vec3 least = vec3(3e38), most = vec3(-3e38);
@@ -123,10 +125,11 @@ Sample sampleAt(ivec2 pixel, int number, float share, inout StaticBackground sta
 // True if both samples hit one surface, and the raster image shows both hit points.
 bool isOneShownSurface(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
 
-// Difference of the samples a and b from the surface that the raster image shows at the pixel at the time `number` of `count`:
-// the smaller of the two largest differences of a channel; 0 if it shows no surface there. The displacement d leads to one
-// texel of the raster image, and the displacement of that texel decides if its surface is at the pixel. The tolerance is 3/4
-// px, because rounding the position to a texel moves it by up to 1/2 px along each axis, and by 0.71 px diagonally.
+// Difference of the samples a and b from a surface that the raster image shows and that is at the pixel at the time
+// `number` of `count`. For each sample, take the largest difference over the channels. The result is the smaller of
+// these two numbers; 0 if the raster image shows no such surface. The displacement d leads to one texel of the raster
+// image, and the displacement of that texel decides if its surface is at the pixel. The tolerance is 3/4 px, because
+// rounding the position to a texel moves it by up to 1/2 px along each axis, and by 0.71 px diagonally.
 float apartFromShown(ivec2 pixel, vec2 d, int number, int count, Sample a, Sample b) {
   float t = sampleTime(number, count, 0.0);
   ivec2 texel = pixel + roundSymmetric(tapOffset(d, t));
@@ -160,8 +163,8 @@ bool needsNoRay(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int co
 // uniformly distributed time in the interval, the pixel's mean has the variance (change * share)^2 / 12.
 void addChange(float change, float share) { variance += change * change * share * share / 12.0; }
 
-// Distance in time between two successive first rays of a pixel, in samples: the largest power of two such that the
-// displacement d moves by at most `pace` image widths between the rays.
+// Distance in time between two successive first rays of a pixel, in samples: the largest power of two such that a
+// surface with the displacement d moves at most `pace` image widths between the rays.
 int firstStep(vec2 d, int count) {
   float longest = lengthOf(d);
   int step = 1;

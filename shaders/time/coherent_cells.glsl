@@ -4,14 +4,16 @@
 //      `velocity`: displacement, px over the exposure
 //      `id`: instance + 1 at the raster time; 0 for the sky
 //      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
-// Out: `certain`: 1 if the gather is reliable, 1/2 if the cell is static, 1/4 if a ray refuted this, otherwise 0
+// Out: `certain`: 1 if the gather is reliable, 1/2 if the cell is static, 1/4 if a ray refuted one of these two cases,
+//        otherwise 0
 //      `longest`: longest displacement of the surfaces that reach the cell, px over the exposure
 // Method: join the bounds of all cells that contain surfaces which reach this cell, or texels that a gather in this cell reads.
 //   If the diagonal of the joined box is at most `apart_px`, validate the cell with `validation_rays` rays. Each ray has a
 //   random pixel of the cell and its own part of the exposure. The ray must hit the point that the pixel's displacement brings
 //   there. Otherwise a surface is present that the displacements of the raster time do not describe: with a curved path,
-//   disoccluded, or from outside the image. The cell is then not certain, and `longest` is the displacement of the point hit,
-//   or kAssumedDisplacement image widths if the point does not move faster than the cell: then another surface has gone.
+//   disoccluded, or from outside the image. The cell is then not certain. If the point hit moves faster than the cell,
+//   `longest` is the displacement of this point. Otherwise another surface, of unknown motion, has moved away, and
+//   `longest` is kAssumedDisplacement image widths.
 // Fails: misses a surface much smaller than a cell that the raster image does not show and no ray hits.
 #include "lib/bounds.glsl"
 #include "lib/random.glsl"
@@ -20,9 +22,10 @@
 #include "mixin/limit.glsl"
 #include "mixin/trace.glsl"
 
-// Displacement assumed for a surface of unknown motion that only a validation ray has found, image widths. A long displacement
-// makes the pass adaptive_times trace dense first rays. On four scenes where rays refute cells, half this value gives up to 27
-// % fewer rays and up to 24 % more error; twice this value gives up to 35 % more rays and up to 13 % less error.
+// Displacement assumed for a surface of unknown motion that only a validation ray has found, image widths. With a
+// longer displacement, the first rays of the pass adaptive_times are closer together in time. On four scenes where
+// validation rays contradict the motion of some cells, half this value gives up to 27 % fewer rays and up to 24 % more
+// error; twice this value gives up to 35 % more rays and up to 13 % less error.
 const float kAssumedDisplacement = 0.5;
 
 // Shortest time, in exposures, that an offset is divided by to get a displacement. An error of 2^-8 px in the offset then

@@ -221,10 +221,10 @@ bool contradicts(Known known, Hit hit) {
   return isAtRest(hit) && known.consensus.xyz != ids.xyz;
 }
 
-// Shadows at the hit point that the first samples agree on (form of lib/consensus.glsl); 0 if unknown. With a static camera,
-// they are stored at the pixel itself, with a moving camera, at the pixel that shows the point at the raster time. `is_shown`:
-// true if the camera moves and the first samples in that pixel hit only the point's triangle, so that the raster image is
-// assumed to show the point.
+// Shadows at the hit point that the first samples agree on (form of lib/consensus.glsl); 0 if unknown. With a static
+// camera, they are stored at the pixel itself; with a moving camera, they are stored at the pixel that shows the point
+// at the raster time. `is_shown`: true if the camera moves and the first samples in that pixel hit only the point's
+// triangle, so that the raster image is assumed to show the point.
 uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   is_shown = false;
   if (!kFrozen || !isHit(hit)) return 0u;

@@ -11,10 +11,10 @@
 //      `even_color`: rgb: linear radiance; alpha: 1 if all samples hit one surface and their radiance differs by at most the
 //        share `even_within`, otherwise 0
 //      `more`: 0 if these samples are enough, otherwise 1
-// Method: compare the pixel with the eight pixels around, because a silhouette may cut off a part of a pixel so small that it
-//   lies between the pixel's samples. The samples of a neighbour then find the silhouette. The samples are enough if their
-//   radiance is uniform, the camera is static, shading is frozen, no moving surface can be visible at the pixel, and the pixel
-//   is not validated.
+// Method: compare the pixel with the eight pixels around, because a silhouette may cut off such a small part of a pixel
+//   that no sample of the pixel hits this part. The samples of a neighbour then find the silhouette. The samples are
+//   enough if their radiance is uniform, the camera is static, shading is frozen, no moving surface can be visible at
+//   the pixel, and the pixel is not validated.
 // Fails: misses a surface that lies between all of these samples.
 #include "lib/validation.glsl"
 #include "lib/moving_rect.glsl"

@@ -10,8 +10,9 @@
 // Fails: where three edges meet, one edge may end a pixel early.
 #include "lib/blur.glsl"
 
-// Scale of a gradient with a larger component of 1, before it is rounded to one of eight directions: 1 / (2 tan 22.5 deg). A
-// gradient at most 22.5 degrees from an axis rounds to this axis, any other gradient to a diagonal.
+// Factor on a gradient, before it is rounded to one of eight directions: 1 / (2 tan 22.5 deg). The larger component of
+// the gradient is 1 before this scaling. A gradient at most 22.5 degrees from an axis rounds to this axis, any other
+// gradient to a diagonal.
 const float kSector = 1.2071068;
 
 // Strength of the edge at a pixel: length of the gradient; 0 outside the image.
