@@ -163,7 +163,7 @@ TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
                with("set = { edg = 4 }"),
                "x.lua:8: arm 'hybrid': --set edg=4: the pipeline has no parameter 'edg'; did you mean 'edge'?"},
            {with("set = { [\"edges.depth\"] = 0.01 }"),
-            "x.lua:8: arm 'hybrid': --set edges.depth=0.01: there is no node 'edges'"},
+            "x.lua:8: arm 'hybrid': --set edges.depth=0.01: unknown node 'edges'"},
            {with("box = { tap = 4 }"), "x.lua:8: arm 'hybrid': --set tap=4: "},
            {with("", "move = { bra = { 1, 0, 0 } }"),
             "x.lua:11: shot 'bar': bar has no node 'bra'; did you mean 'bar'?"},
