@@ -45,7 +45,7 @@ TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
   expectRefusal("render hybrid -q", 2, "there is no option '-q'; strobe render --help lists what it takes");
   expectRefusal("render hybrid none", 2, "not expected: none; strobe render --help lists what it takes");
   expectRefusal("sweep", 2, "file is required; strobe sweep --help lists what it takes");
-  expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: there is no such file");
+  expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: no such file");
   expectRefusal("sweep experiments/samples", 1, "did you mean '");
   expectRefusal("sweep experiments/samples/", 1, "experiments/samples/samples.lua'?");
   expectRefusal("render none" + kScene + " --tap gbuffer", 2,

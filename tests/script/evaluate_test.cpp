@@ -404,7 +404,7 @@ TEST_F(Evaluate, NamesAndPaths) {
     evaluatePipeline(home_.home(), {"smaple", {}});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "there is no pipeline 'smaple'; did you mean 'sample'?");
+    EXPECT_STREQ(error.what(), "unknown pipeline 'smaple'; did you mean 'sample'?");
   }
   EXPECT_THROW(evaluatePipeline(home_.home(), {"nowhere/x.lua", {}}), Error);
 }
