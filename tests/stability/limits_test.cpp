@@ -128,7 +128,7 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
     return refusalOf(limits);
   };
   EXPECT_EQ(with([](auto& l) { l.instances = 2; }),
-            "small: the scene has 3 instances of at most 2; nothing is drawn; merge meshes, or take another device");
+            "small: the scene has 3 instances of at most 2; nothing is drawn; merge meshes, or use another device");
   EXPECT_EQ(with([](auto& l) { l.triangles = 1; }),
             "small: mesh 'square' has 2 triangles of at most 1; nothing is drawn; split the mesh");
   EXPECT_NE(with([](auto& l) { l.geometries = 0; }).find("mesh 'square' has 1 parts of at most 0"), std::string::npos);
@@ -153,10 +153,10 @@ TEST(DeviceLimits, MemoryIsAskedForBeforeAnythingIsAllocated) {
   using shader::StructureKind;
   EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 200), "");
   EXPECT_EQ(memoryRefusalOf(StructureKind::Own, 296), "");
-  EXPECT_EQ(
-      memoryRefusalOf(StructureKind::Driver, 199),
-      "small: what stays on the device has 200 bytes of at most 199; nothing is drawn; end other programs, take a "
-      "smaller picture, fewer vertices or smaller textures, or another device");
+  EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 199),
+            "small: the data that stays on the device has 200 bytes of at most 199; nothing is drawn; end other "
+            "programs, use a "
+            "smaller picture, fewer vertices or smaller textures, or another device");
   EXPECT_NE(memoryRefusalOf(StructureKind::Own, 295).find("has 296 bytes of at most 295"), std::string::npos);
 }
 
