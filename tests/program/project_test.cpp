@@ -277,7 +277,7 @@ TEST_F(Project, IsCheckedWithWhatShips) {
 
 TEST_F(Project, IsMarkedInHelp) {
   Outcome topics = inside("help", "shaders");
-  EXPECT_NE(topics.out.find("[project] marks what lies in " + path("").parent_path().string()), std::string::npos);
+  EXPECT_NE(topics.out.find("[project] marks the files in " + path("").parent_path().string()), std::string::npos);
   std::istringstream lines(topics.out);
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with("  "))

@@ -85,7 +85,7 @@ TEST_F(Limits, ExposuresThatLeaveAClipAreSaid) {
   EXPECT_TRUE(warningsAt(24, 3).empty());
   std::vector<std::string> seam = warningsAt(1000, 170);  // 0.17 s: 8 exposures end at 0.1667 s
   ASSERT_EQ(seam.size(), 1u);
-  EXPECT_NE(seam[0].find("spans the end of 'bent' at 0.166667 s; what is keyed jumps back"), std::string::npos)
+  EXPECT_NE(seam[0].find("spans the end of 'bent' at 0.166667 s; keyed values jump back"), std::string::npos)
       << seam[0];
   EXPECT_TRUE(warningsAt(1000, 160).empty());
 }
