@@ -59,7 +59,7 @@ void Commands::wait(const std::string& what, double allowance_s) {
   VkResult waited = device_->vk().WaitForFences(device_->handle(), 1, &fence, VK_TRUE, device_->limitNs(allowance_s));
   if (waited == VK_TIMEOUT) device_->overrun(what);
   pending_ = false;  // also if lost: a lost device executes nothing
-  device_->check(waited, "waiting for it");
+  device_->check(waited, "waiting for the device");
   check(device_->vk().ResetFences(device_->handle(), 1, &fence), "resetting the fence");
 }
 

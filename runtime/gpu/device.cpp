@@ -439,7 +439,7 @@ uint64_t Device::limitNs(double allowance_s) const {
 
 void Device::overrun(const std::string& what) const {
   std::string text = fmt::format("{}{} ran for more than {:g} s on the device", subject_.empty() ? "" : subject_ + ": ",
-                                 what.empty() ? "work without a name" : "'" + what + "'", time_limit_s_);
+                                 what.empty() ? "unnamed work" : "'" + what + "'", time_limit_s_);
   if (on_overrun_) on_overrun_(text);
   // Destroy nothing: destruction would wait for the device.
   std::fprintf(stderr, "strobe: %s\n", text.c_str());

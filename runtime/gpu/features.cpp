@@ -37,7 +37,7 @@ const std::vector<WantedFeature>& wantedFeatures() {
       {"shaderStorageImageExtendedFormats", "two-channel and 16-bit images", "", true,
        CORE(shaderStorageImageExtendedFormats)},
       {"scalarBlockLayout", "structures shared by C++ and GLSL", "", true, IN(v12, scalarBlockLayout)},
-      {"bufferDeviceAddress", "what rays traverse", "", true, IN(v12, bufferDeviceAddress)},
+      {"bufferDeviceAddress", "structures that rays traverse", "", true, IN(v12, bufferDeviceAddress)},
       {"descriptorIndexing", "textures chosen per pixel", "", true, IN(v12, descriptorIndexing)},
       {"runtimeDescriptorArray", "textures chosen per pixel", "", true, IN(v12, runtimeDescriptorArray)},
       {"shaderSampledImageArrayNonUniformIndexing", "textures chosen per pixel", "", true,

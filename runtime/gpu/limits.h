@@ -25,27 +25,27 @@ struct DeviceLimits {
 
 DeviceLimits limitsOf(const Device& device);
 
-inline constexpr Limit kInstanceLimit{"instances", Limit::Kind::Refused,
-                                      "a scene has more instances than the device's acceleration structures",
-                                      "nothing is drawn; merge meshes, or take another device"};
+inline constexpr Limit kInstanceLimit{
+    "instances", Limit::Kind::Refused,
+    "a scene has more instances than an acceleration structure of the device can hold",
+    "nothing is drawn; merge meshes, or use another device"};
 inline constexpr Limit kTriangleLimit{"triangles", Limit::Kind::Refused,
-                                      "a mesh has more triangles than the device's acceleration structures",
+                                      "a mesh has more triangles than an acceleration structure of the device can hold",
                                       "nothing is drawn; split the mesh"};
 inline constexpr Limit kGeometryLimit{"geometries", Limit::Kind::Refused,
-                                      "a mesh has more parts than the device's acceleration structures",
-                                      "nothing is drawn; merge its materials, or split it"};
+                                      "a mesh has more parts than an acceleration structure of the device can hold",
+                                      "nothing is drawn; merge the materials of the mesh, or split the mesh"};
 inline constexpr Limit kBufferLimit{"buffers", Limit::Kind::Refused,
-                                    "a buffer of a scene or a pass is larger than what a shader may see of one",
-                                    "nothing is drawn; take fewer vertices or instances, fewer `slices` of truth, a "
+                                    "a buffer of a scene or a pass is larger than the device allows for one buffer",
+                                    "nothing is drawn; use fewer vertices or instances, fewer `slices` of truth, a "
                                     "smaller picture, or another device"};
 inline constexpr Limit kMemoryLimit{
-    "memory", Limit::Kind::Refused,
-    "a frame, with its scene, takes more memory than the device or the machine has free",
-    "nothing is drawn; end other programs, take a smaller picture, fewer vertices or smaller textures, or another "
+    "memory", Limit::Kind::Refused, "a frame and its scene take more memory than is free on the device or the machine",
+    "nothing is drawn; end other programs, use a smaller picture, fewer vertices or smaller textures, or another "
     "device"};
 inline constexpr Limit kImageLimit{"images", Limit::Kind::Refused,
-                                   "a picture or texture is larger than the device's images",
-                                   "nothing is drawn; take a smaller one"};
+                                   "a picture or texture is larger than the largest image of the device",
+                                   "nothing is drawn; use a smaller picture or texture"};
 
 inline constexpr std::array kLimits = {kInstanceLimit, kTriangleLimit, kGeometryLimit,
                                        kBufferLimit,   kMemoryLimit,   kImageLimit};

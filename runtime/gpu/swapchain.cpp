@@ -18,9 +18,9 @@ Swapchain::Swapchain(const Device& device, VkSurfaceKHR surface)
   VkBool32 supported = VK_FALSE;
   const Dispatch& vk = device.vk();
   check(vk.GetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queueFamily(), surface, &supported),
-        "asking about the window");
+        "querying the window");
   if (!supported)
-    throw Error(fmt::format("device '{}' cannot show pictures in a window here; --device takes another one",
+    throw Error(fmt::format("device '{}' cannot show pictures in a window here; choose another device with --device",
                             device.info().name));
   chooseFormat();
 }

@@ -13,8 +13,11 @@ using PathView = std::array<double, 6>;
 
 static CameraKey keyOf(const std::string& text) {
   auto refuse = [&] {
-    throw Error(fmt::format("--path '{}' is not FRAME=ex,ey,ez,tx,ty,tz: where the camera is, and another point", text),
-                {}, 2);
+    throw Error(
+        fmt::format(
+            "--path '{}' is not FRAME=ex,ey,ez,tx,ty,tz: the position of the camera, and a different point to look at",
+            text),
+        {}, 2);
   };
   size_t equals = text.find('=');
   if (equals == std::string::npos) refuse();

@@ -86,7 +86,7 @@ static std::shared_ptr<const image::IdCoverage> coverageOf(const Picture& pictur
   if (picture.id_coverage) return picture.id_coverage;
   auto ids = picture.frame.outputs.find("id");
   if (ids == picture.frame.outputs.end() || !isUint(ids->second))
-    throw Error("the picture has no output 'id' of integers: there are no mattes to make");
+    throw Error("the picture has no output 'id' of integers, which mattes need");
   STROBE_ASSERT(picture.record["shot"].value("aa", 1) == 1, "the ids of the other samples are lost");
   auto seen = std::make_shared<image::IdCoverage>();
   seen->add(ids->second.uints);
@@ -117,7 +117,7 @@ static void addMattes(image::ExrFile& file, const Picture& picture, bool multipa
     image::ExrPart& part = placeFor(file, layer.name, multipart);
     size_t crowded = image::addCryptomatte(part, layer, *seen);
     if (crowded > 0)
-      warn(fmt::format("{}: {} pixels have more than six mattes, of which the smallest are left out", layer.name,
+      warn(fmt::format("{}: {} pixels have more than six mattes; the smallest mattes are left out", layer.name,
                        crowded));
     image::addCryptomatteTexts(file.texts, layer);
     if (multipart) image::addCryptomatteTexts(part.texts, layer);

@@ -25,7 +25,7 @@ static plan::ParamDesc declarationOf(const std::vector<plan::PresetDesc>& preset
   plan::ParamDesc declared;
   declared.name = plan::kPresetSetting;
   declared.type = plan::ParamDesc::Type::Choice;
-  declared.doc = "named set of values, which single settings override";
+  declared.doc = "named set of values; single settings override its values";
   for (const plan::PresetDesc& preset : presets) {
     declared.choices.push_back(preset.name);
     declared.values.emplace_back(preset.name, preset.doc);
@@ -86,8 +86,8 @@ std::vector<std::string> followers(const plan::Plan& plan, const std::string& pa
 std::string idleReason(const plan::Plan& plan, const std::string& param) {
   if (plan::decidesGraph(plan.pipeline, param) || !followers(plan, param, true).empty()) return "";
   std::vector<std::string> left_out = followers(plan, param, false);
-  if (left_out.empty()) return "no pass reads it with the present values of the others";
-  return fmt::format("only {} reads it, which this frame does not run", fmt::join(left_out, ", "));
+  if (left_out.empty()) return "no pass reads it with the present values of the other parameters";
+  return fmt::format("only {} reads it, which does not run in this frame", fmt::join(left_out, ", "));
 }
 
 void addPipeline(Collector& into, const plan::Plan& plan) {

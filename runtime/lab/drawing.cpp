@@ -316,9 +316,8 @@ static void describe(const Home& home, Picture& picture, const Drawing& drawing,
 static void requireIds(const plan::Plan& plan) {
   for (const auto& [name, image] : plan.outputs)
     if (name == "id" && gpu::formatInfo(plan.images[size_t(image)].format).uint) return;
-  throw Error(
-      fmt::format("pipeline '{}' has no output 'id' of integers: there are no mattes to make", plan.pipeline.name), {},
-      2);
+  throw Error(fmt::format("pipeline '{}' has no output 'id' of integers, which mattes need", plan.pipeline.name), {},
+              2);
 }
 
 Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,

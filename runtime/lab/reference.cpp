@@ -83,14 +83,14 @@ std::string paramInGlsl(const ParamDesc& param) {
 }
 
 std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
-  return tableText({"name", "type", "default", "range", "unit", "what it sets", "in GLSL"}, params,
+  return tableText({"name", "type", "default", "range", "unit", "description", "in GLSL"}, params,
                    [&](const ParamDesc& param) -> page::Row {
                      return {code(param.name),
                              typeName(param.type),
                              plainText(param, param.default_value),
                              rangeOf(param),
                              param.unit,
-                             param.wired ? param.doc + "; set by its pipeline alone" : param.doc,
+                             param.wired ? param.doc + "; set only by the pipeline" : param.doc,
                              in_glsl ? paramInGlsl(param) : ""};
                    });
 }
@@ -99,7 +99,7 @@ std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
 // pass, or "".
 template <class Link>
 std::string valueTable(const ParamDesc& param, const Link& link) {
-  Table table{"", {"value", "what it does and where it fails"}};
+  Table table{"", {"value", "effect and failures"}};
   for (const std::string& choice : param.choices) {
     auto is_it = [&](const auto& value) { return value.first == choice; };
     auto found = std::find_if(param.values.begin(), param.values.end(), is_it);
@@ -113,7 +113,7 @@ std::string valueTable(const ParamDesc& param, const Link& link) {
 
 // Invariants of a blur that do not hold, by parameter and value if they depend on one.
 std::string breaksText(const plan::Breaks& own, const std::vector<ParamDesc>& params) {
-  Table table{"", {"with", "invariant", "why it does not hold"}};
+  Table table{"", {"with", "invariant", "reason"}};
   for (const auto& [invariant, reason] : own) table.add({"", invariant, reason});
   for (const ParamDesc& param : params)
     for (const auto& [value, breaks] : param.breaks)
@@ -123,7 +123,7 @@ std::string breaksText(const plan::Breaks& own, const std::vector<ParamDesc>& pa
 
 // Stand-ins for the writes of a pass, for frames that do not require the pass.
 std::string withoutText(const PassDesc& pass) {
-  Table table{"", {"where there is no", "write", "is"}};
+  Table table{"", {"without", "write", "stand-in"}};
   for (const plan::WithoutDesc& without : pass.without)
     for (const auto& [write, read] : without.writes)
       table.add({without.name == plan::kReached ? "motion that reaches the pixel" : code(without.name), code(write),
@@ -148,7 +148,7 @@ std::string paramsText(const std::vector<ParamDesc>& params, bool in_glsl, const
 std::string kindText(const PassDesc& pass) {
   if (pass.kind == PassDesc::Kind::Raster) return "A raster pass: draws the scene's triangles";
   if (pass.kind == PassDesc::Kind::Trace) return "A trace pass: sends rays from every pixel";
-  return pass.scene ? "A compute pass that sees the scene" : "A compute pass";
+  return pass.scene ? "A compute pass that reads the scene" : "A compute pass";
 }
 
 std::string sizeText(const plan::SizeDesc& size) {
@@ -174,16 +174,16 @@ std::string absentText(const std::vector<double>& texel) {
 }
 
 std::string readsText(const PassDesc& pass) {
-  Table table{"", {"name", "what it is", "", "in GLSL"}};
+  Table table{"", {"name", "description", "", "in GLSL"}};
   for (const PortDesc& read : pass.reads) {
     std::vector<std::string> notes;
     if (read.uint) notes.push_back("unsigned integers");
     if (read.linear) notes.push_back("filtered");
-    if (read.pointwise) notes.push_back("at its own pixel alone");
+    if (read.pointwise) notes.push_back("only at the same pixel");
     if (read.optional) notes.push_back(fmt::format("optional: `HAS_{}`", read.name));
     if (!read.absent_read.empty()) notes.push_back(fmt::format("absent: `{}`", read.absent_read));
     if (!read.absent.empty()) notes.push_back(absentText(read.absent));
-    if (!read.needs.empty()) notes.push_back(fmt::format("of use with `{}`", fmt::join(read.needs, "` or `")));
+    if (!read.needs.empty()) notes.push_back(fmt::format("used only with `{}`", fmt::join(read.needs, "` or `")));
     std::string texel = read.buffer ? "{}_buf.entries[i]" : read.linear ? "textureLod({}_tex, uv, 0)" : "{}_at(p)";
     table.add({code(read.name), read.doc, fmt::format("{}", fmt::join(notes, "; ")),
                code(fmt::format(fmt::runtime(texel), read.name))});
@@ -207,19 +207,18 @@ std::string formatText(const PortDesc& port) {
 }
 
 std::string outputsText(const PassDesc& pass, const std::vector<PortDesc>& ports, bool updated) {
-  return tableText({"name", "format", "what it is", "", "in GLSL"}, ports, [&](const PortDesc& port) -> page::Row {
+  return tableText({"name", "format", "description", "", "in GLSL"}, ports, [&](const PortDesc& port) -> page::Row {
     return {code(port.name), formatText(port), port.doc, port.history ? "kept from frame to frame" : "",
             outputInGlsl(pass, port, updated)};
   });
 }
 
 std::string countersText(const PassDesc& pass) {
-  return tableText({"name", "what it counts", "where it is not 0", "in GLSL"}, pass.counters,
-                   [](const plan::CounterDesc& counter) -> page::Row {
-                     return {code(counter.name), counter.doc,
-                             counter.limit.empty() ? "" : "a warning: " + counter.limit,
-                             code(fmt::format("count_{}(n)", counter.name))};
-                   });
+  return tableText(
+      {"name", "description", "if not 0", "in GLSL"}, pass.counters, [](const plan::CounterDesc& counter) -> page::Row {
+        return {code(counter.name), counter.doc, counter.limit.empty() ? "" : "a warning: " + counter.limit,
+                code(fmt::format("count_{}(n)", counter.name))};
+      });
 }
 
 // Folder and file of a pass: "tile/largest" for passes/tile/largest.lua.
@@ -254,7 +253,7 @@ Presets presetsOf(const Home& home, const PipelineDesc& pipeline) {
 
 // Table of the presets and their purpose.
 std::string presetList(const PipelineDesc& pipeline) {
-  return tableText({"`--set preset=`", "what it is", ""}, pipeline.presets,
+  return tableText({"`--set preset=`", "description", ""}, pipeline.presets,
                    [](const plan::PresetDesc& preset) -> page::Row {
                      return {code(preset.name), preset.doc, preset.is_default ? "the default" : ""};
                    });
@@ -285,7 +284,7 @@ std::string ownParams(const plan::NodeDesc& node) {
 }
 
 std::string nodesText(const PipelineDesc& pipeline, const std::vector<PassDesc>& passes) {
-  Table table{"", {"node", "pass", "repeated by", "parameters of its own"}};
+  Table table{"", {"node", "pass", "loop", "own parameters"}};
   for (const auto& node : pipeline.nodes) {
     std::string pass = code(node.pass);
     for (const PassDesc& one : passes)
@@ -348,15 +347,15 @@ std::string linkOf(const Described& described) {
 
 std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vector<PassDesc>& passes) {
   std::string text =
-      "# Reference\n\nWhat every pipeline and every pass declares. `strobe help NAME` prints a page, "
-      "`strobe help NAME.PARAM` one parameter. What none of them can do: [limits](limits.md).\n\n"
+      "# Reference\n\nDeclarations of all pipelines and passes. `strobe help NAME` prints a page, "
+      "`strobe help NAME.PARAM` one parameter. The limits of passes and of the program: [limits](limits.md).\n\n"
       "## Pipelines\n\n";
-  text += tableText({"name", "what it is"}, pipelines, [](const auto& one) -> page::Row {
+  text += tableText({"name", "description"}, pipelines, [](const auto& one) -> page::Row {
     return {linkOf(one), one.doc};
   });
   for (const auto& [family, members] : families(passes))
     text += fmt::format("## passes/{}\n\n{}", family,
-                        tableText({"name", "what it computes"}, members, [](const PassDesc* pass) -> page::Row {
+                        tableText({"name", "description"}, members, [](const PassDesc* pass) -> page::Row {
                           return {linkOf(*pass), pass->doc};
                         }));
   return text;
@@ -365,7 +364,7 @@ std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vec
 // --- Limits
 
 std::string limitsOfPasses(const std::vector<PassDesc>& passes) {
-  Table table{"", {"pass", "count", "when it is met", "what is done, and what to do about it"}};
+  Table table{"", {"pass", "count", "condition", "consequence and remedy"}};
   for (const PassDesc& pass : passes)
     for (const auto& counter : pass.counters)
       if (!counter.limit.empty())
@@ -374,7 +373,7 @@ std::string limitsOfPasses(const std::vector<PassDesc>& passes) {
 }
 
 std::string limitsOfProgram(Limit::Kind kind) {
-  Table table{"", {"name", "when it is met", "what is done, and what to do about it"}};
+  Table table{"", {"name", "condition", "consequence and remedy"}};
   for (const Limit& limit : allLimits())
     if (limit.kind == kind)
       table.add({code(std::string(limit.name)), sentence(std::string(limit.met)), sentence(std::string(limit.result))});
@@ -383,9 +382,10 @@ std::string limitsOfProgram(Limit::Kind kind) {
 
 std::string limitsPage(const std::vector<PassDesc>& passes) {
   std::string text =
-      "# Limits\n\nWithin these, no scene and no parameter gives a wrong picture without a word. Where one "
-      "is met, Strobe says so: in `warnings` of the run record and on the terminal, or with an error before "
-      "anything is drawn. Truth shares those of the program and none of the filters'.\n\n";
+      "# Limits\n\nWithin these limits, no scene and no parameter gives a wrong picture without a message. If a limit "
+      "is exceeded, Strobe reports it: in `warnings` of the run record and on the terminal, or with an error before "
+      "the first allocation. Ground truth has only the limits of the program. The last table has the limits that are "
+      "not reported.\n\n";
   text +=
       "## Of passes\n\nCounted per pixel (or as said) while the picture is made. Declared in the pass, beside its "
       "counters.\n\n" +
@@ -421,7 +421,7 @@ const PassDesc* findPass(const std::vector<PassDesc>& passes, const std::string&
 [[noreturn]] void refuse(const std::string& topic, const std::vector<std::string>& known) {
   std::string hint = didYouMean(topic, known);
   if (hint.empty()) hint = "; strobe help lists the topics";
-  throw Error(fmt::format("there is no help on '{}'{}", topic, hint), {}, 2);
+  throw Error(fmt::format("unknown help topic '{}'{}", topic, hint), {}, 2);
 }
 
 std::string helpOnParam(const std::string& topic, const std::string& owner, const std::vector<ParamDesc>& params,
@@ -444,15 +444,15 @@ std::string listed(const std::string& title, const std::vector<std::pair<std::st
 std::string passPage(const PassDesc& pass) {
   std::string text = fmt::format("# {}\n\n{}\n\n", pass.name, sentence(pass.doc));
   text +=
-      fmt::format("{}; what it writes is {}.\n\nFiles: {}.\n\n", kindText(pass), sizeText(pass.size), filesText(pass));
-  text += section("Where it fails", pass.fails.empty() ? "" : sentence(pass.fails) + "\n\n");
+      fmt::format("{}; its outputs are {}.\n\nFiles: {}.\n\n", kindText(pass), sizeText(pass.size), filesText(pass));
+  text += section("Failures", pass.fails.empty() ? "" : sentence(pass.fails) + "\n\n");
   text += section("Reads", readsText(pass));
   text += section("Writes", outputsText(pass, pass.writes, false));
   text += section("Updates", outputsText(pass, pass.updates, true));
   text += section("Parameters", paramsText(pass.params, true, noLink));
   text += section("Counters", countersText(pass));
   text += section("Not required", withoutText(pass));
-  text += section("Invariants it breaks", breaksText(pass.breaks, pass.params));
+  text += section("Broken invariants", breaksText(pass.breaks, pass.params));
   text.pop_back();
   return text;
 }
@@ -463,9 +463,9 @@ static std::string pipelinePage(const PipelineDesc& pipeline, const Presets& pre
   std::string text = fmt::format("# {}\n\n{}\n\nFile: `{}`.\n\n", pipeline.name, sentence(pipeline.doc), pipeline.file);
   text += section("Presets", presetsText(pipeline, presets));
   text += section("Parameters", paramsText(pipeline.params, false, linkToMembers(passes)));
-  text += section("Invariants it breaks", breaksText(pipeline.breaks, pipeline.params));
-  text += section("What runs with its defaults", nodesText(pipeline, passes));
-  text += section("Outputs with its defaults", outputsText(pipeline));
+  text += section("Broken invariants", breaksText(pipeline.breaks, pipeline.params));
+  text += section("Nodes with default parameters", nodesText(pipeline, passes));
+  text += section("Outputs with default parameters", outputsText(pipeline));
   text.pop_back();
   return text;
 }
@@ -508,10 +508,11 @@ std::string helpTopics(const Home& home) {
   std::vector<std::pair<std::string, std::string>> entries;
   for (const PipelineDesc& one : allPipelines(home)) entries.push_back({one.name, marked(one.file, one.doc)});
   std::string text =
-      "strobe help NAME prints the page of one of these, NAME.PARAM one parameter of it, PARAM that of all "
-      "pipelines.\n\n";
+      "strobe help NAME prints the page of a pipeline or pass, NAME.PARAM one of its parameters, PARAM the parameter "
+      "with this name in all pipelines.\n\n";
   if (home.hasProject())
-    text += fmt::format("[project] marks what lies in {}; all else ships.\n\n", home.project().string());
+    text +=
+        fmt::format("[project] marks the files in {}; the other files ship with Strobe.\n\n", home.project().string());
   text += listed("pipelines", entries);
   for (const auto& [family, members] : families(passes)) {
     entries.clear();

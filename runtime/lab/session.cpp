@@ -170,7 +170,7 @@ void Session::tap(const std::vector<std::string>& ports) {
   shot.taps = ports;
   for (const std::string& port : ports)
     if (!hasPort(running_->plan().pipeline, port))
-      throw Error(fmt::format("there is no image '{}'{}", port, didYouMean(port, this->ports())));
+      throw Error(fmt::format("unknown image '{}'{}", port, didYouMean(port, this->ports())));
   if (shot.taps != shot_.taps) apply(shot);
 }
 
@@ -282,7 +282,7 @@ void Session::replace(Shot shot, const std::shared_ptr<const Evaluation>& evalua
   for (const std::string& name : histories) {
     bool lives_on = std::find(kept.begin(), kept.end(), name) != kept.end();
     if (lives_on) result.kept.push_back("history " + name);
-    else if (result.swapped) result.reset.push_back("history " + name + ": described differently");
+    else if (result.swapped) result.reset.push_back("history " + name + ": its declaration changed");
   }
 }
 
@@ -311,8 +311,9 @@ std::string textOf(const Reload& reload) {
   std::string files = fmt::format("{}", fmt::join(reload.changed, ", "));
   double ms = reload.evaluate_ms + reload.compile_ms + reload.build_ms;
   const bool taken = reload.swapped || reload.problems.empty();
-  std::string text = fmt::format("{} {} ({}{} compiled, {:.0f} ms)", taken ? "reloaded" : "kept the last good", files,
-                                 taken && !reload.swapped ? "same picture, " : "", reload.compilations, ms);
+  std::string text =
+      fmt::format("{} {} ({}{} compiled, {:.0f} ms)", taken ? "reloaded" : "kept the last valid version of", files,
+                  taken && !reload.swapped ? "same picture, " : "", reload.compilations, ms);
   for (const std::string& problem : reload.problems) text += "\n  " + problem;
   for (const std::string& choice : reload.choices) text += "\n  new choice " + choice;
   for (const std::string& kept : reload.kept) text += "\n  kept " + kept;

@@ -135,7 +135,7 @@ static Shot shotOf(const Json& json) {
   }
   for (const auto& [name, value] : json.items())
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw Error(fmt::format("a shot has no '{}'{}", name, didYouMean(name, known)));
+      throw Error(fmt::format("unknown field '{}' of a shot{}", name, didYouMean(name, known)));
   if (!json.contains("set")) return shot;
   for (const auto& [name, value] : json["set"].items()) shot.sets.push_back({name, plan::valueFromJson(value)});
   return shot;
@@ -144,7 +144,7 @@ static Shot shotOf(const Json& json) {
 Shot shotFromRecord(const Path& record) {
   Json json = Json::parse(readText(record), nullptr, false);
   auto refuse = [&record](const std::string& what) { throw Error(what, {record.string()}); };
-  if (!json.is_object() || !json.contains("shot")) refuse("is no run record: it has no 'shot'");
+  if (!json.is_object() || !json.contains("shot")) refuse("is not a run record: it has no 'shot'");
   try {
     return shotOf(json["shot"]);
   } catch (const std::exception& error) {  // an `Error`, or an exception of the JSON library

@@ -36,7 +36,8 @@ SceneFile sceneFile(const Home& home, const std::string& scene) {
   std::string name = scene.substr(prefix.size());
   std::optional<Path> data = home.data();
   if (!data)
-    return {scene, name, fmt::format("there is no shared data with '{}' (STROBE_DATA names its folder)", name)};
+    return {scene, name,
+            fmt::format("'{}' is in the shared data, which is missing; set STROBE_DATA to its folder", name)};
   if (!std::filesystem::exists(*data / name)) return {scene, name, fmt::format("the shared data has no '{}'", name)};
   return {(*data / name).string(), name, ""};
 }

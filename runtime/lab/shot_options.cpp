@@ -82,9 +82,9 @@ static std::vector<std::string> backendNames() {
 }
 
 static std::string backendDoc() {
-  std::string text = "how rays are traced: ";
+  std::string text = "method of ray tracing: ";
   for (const shader::BackendRow& row : shader::backends()) text += fmt::format("{}, {}; ", row.name, row.doc);
-  return text + "auto: query on a device that is not software and has it, else bvh";
+  return text + "auto: query on a hardware device with ray queries, otherwise bvh";
 }
 
 // Option with one field of the same name.
@@ -97,7 +97,7 @@ static std::vector<ShotOption> allOptions() {
   using O = ShotOption;
   constexpr double kSide = 16384, kLastFrame = 2147483647;
   return {
-      one(text("scene", &S::scene, "living_room"), "a name of scripts/scenes, a .lua, .glb or .gltf file",
+      one(text("scene", &S::scene, "living_room"), "name of a scene in scripts/scenes, or a .lua, .glb or .gltf file",
           Concern::Scene, O::kSpelled),
       {"size",
        "WIDTHxHEIGHT in pixels",
@@ -106,59 +106,60 @@ static std::vector<ShotOption> allOptions() {
        O::kSuggested | O::kControl},
       one(real("fps", &S::fps, 24, 1e-3, 1e6, "frames/s"), "frames per second of the clip", Concern::Motion,
           O::kSuggested | O::kControl),
-      one(whole("frame", &S::frame, 1, 0, kLastFrame), "the raster time is frame / fps seconds", Concern::Motion,
-          O::kSuggested | O::kControl),
+      one(whole("frame", &S::frame, 1, 0, kLastFrame), "number of the frame; its raster time is frame / fps seconds",
+          Concern::Motion, O::kSuggested | O::kControl),
       one(real("exposure", &S::exposure, 0.5, 0, kMostFrames, "frames"),
           "time the shutter is open, as a share of the frame interval", Concern::Frame, O::kSuggested | O::kControl),
       one(real("exposure_time", &S::exposure_time, 0, 0, 1e6, "s"),
-          "the same in seconds, instead: equal at any number of frames per second", Concern::Frame, O::kControl),
+          "time the shutter is open, seconds, independent of --fps; replaces --exposure", Concern::Frame, O::kControl),
       one(text("anchor", &S::anchor, "end", {"end", "centre", "start"}),
           "raster time within the exposure: its end, its centre, or its start", Concern::Frame,
           O::kSpelled | O::kControl),
       one(checked(text("shutter_curve", &S::shutter_curve, "box"), checkCurve),
-          "how much the times of the exposure count: box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA (shares "
+          "weight of each time of the exposure: box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA (shares "
           "of the exposure), or weights from opening to closing: 0,1,1,0.5 or TIME=WEIGHT,...",
           Concern::Frame, O::kControl),
       one(real("camera_blur", &S::camera_blur, 1, 0, 1, ""), "share of the camera's motion that blurs", Concern::Frame,
           O::kControl),
       one(real("object_blur", &S::object_blur, 1, 0, 1, ""), "share of the motion of objects and lights that blurs",
           Concern::Frame, O::kControl),
-      one(text("follow", &S::follow, ""), "a node that blurs as the camera does, with all below it", Concern::Frame,
+      one(text("follow", &S::follow, ""), "node that blurs like the camera, with all nodes below it", Concern::Frame,
           O::kControl),
       one(checked(text("motion_depths", &S::motion_depths, ""), checkDepths),
           "NEAR,FAR[,SOFT]: range of view depths that blur, metres. Surfaces outside the range at the raster time "
-          "stand still on the screen; over SOFT beyond the range they keep a share of their motion",
+          "are static on the screen; within SOFT of the range they keep a share of their motion",
           Concern::Frame, O::kControl),
       one(checked(text("cuts", &S::cuts, ""), checkCuts),
-          "T,T,...: seconds of scene time, increasing, at which everything jumps, beside those of the scene: no frame "
-          "blurs over one",
+          "T,T,...: times of cuts in addition to the cuts of the scene, seconds of scene time, increasing. No frame "
+          "blurs over a cut",
           Concern::Frame, O::kControl),
       one(text("camera", &S::camera, ""), "a camera of the scene (default: its first)", Concern::Scene, O::kControl),
       one(text("view", &S::view, ""), "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene",
           Concern::Frame),
       one(text("path", &S::path, ""),
-          "FRAME=EX,EY,EZ,TX,TY,TZ: a camera that moves through these (--view: one that stands instead)",
+          "FRAME=EX,EY,EZ,TX,TY,TZ: key of a moving camera, at E and looking at T (--view: a static camera)",
           Concern::Frame),
       one(text("animation", &S::animation, "all"), "a clip of the scene, all or none", Concern::Frame, O::kControl),
       one(text("variant", &S::variant, ""), "a variant of a glTF scene's materials (KHR_materials_variants)",
           Concern::Scene),
       one(text("faces", &S::faces, "material", {"material", "both"}),
-          "sides of surfaces that are seen: those that their materials say, or both", Concern::Scene, O::kControl),
+          "visible sides of surfaces: the sides that the materials declare, or both", Concern::Scene, O::kControl),
       one(text("move", &S::moves, ""), "NODE=dx,dy,dz: metres per frame in world axes", Concern::Scene),
       one(text("spin", &S::spins, ""), "NODE=ax,ay,az,deg: degrees per frame about an axis", Concern::Scene),
-      one(flag("allow_outside", &S::allow_outside), "files that the scene names may lie outside of its folder",
+      one(flag("allow_outside", &S::allow_outside), "files that the scene refers to may lie outside its folder",
           Concern::Scene),
       one(whole("rest_frame", &S::rest_frame, 0, 0, kLastFrame),
-          "frame at which --move and --spin are at rest (default: --frame)", Concern::Motion),
+          "frame without displacement by --move and --spin (default: --frame)", Concern::Motion),
       one(whole("aa", &S::aa, 1, 1, 256), "sub-pixel samples of a saved picture, each a full run of the pipeline",
           Concern::Frame, O::kControl),
-      one(whole("seed", &S::seed, 0, 0, 4294967295.0), "of every random number", Concern::Frame, O::kControl),
+      one(whole("seed", &S::seed, 0, 0, 4294967295.0), "seed of all random numbers", Concern::Frame, O::kControl),
       one(text("backend", &S::backend, "auto", backendNames()), backendDoc(), Concern::Plan, O::kControl),
       one(flag("model_everything", &S::model_everything),
-          "run also what the frame's scene does not require; changes no picture", Concern::Plan, O::kControl),
+          "also run the passes that the scene of the frame does not require; changes no picture", Concern::Plan,
+          O::kControl),
       one(text("device", &S::device, ""), "index or part of the name of a Vulkan device", Concern::Device,
           O::kNoPicture),
-      one(text("tap", &S::taps, ""), "NODE.PORT to write as well", Concern::Plan, O::kNoPicture),
+      one(text("tap", &S::taps, ""), "NODE.PORT: an additional image to write", Concern::Plan, O::kNoPicture),
   };
 }
 
@@ -283,7 +284,10 @@ static void setField(const ShotOption& option, const ShotField& field, Shot& sho
 static std::array<double, 6> viewFrom(const std::array<double, 6>& view, const std::string& text) {
   bool finite = std::all_of(view.begin(), view.end(), [](double number) { return std::isfinite(number); });
   if (finite && (view[0] != view[3] || view[1] != view[4] || view[2] != view[5])) return view;
-  throw Error(fmt::format("--view '{}' is not ex,ey,ez,tx,ty,tz: where the camera is, and another point", text), {}, 2);
+  throw Error(
+      fmt::format("--view '{}' is not ex,ey,ez,tx,ty,tz: the position of the camera, and a different point to look at",
+                  text),
+      {}, 2);
 }
 
 static void setList(std::vector<std::string> Shot::*list, Shot& shot, const std::vector<std::string>& texts) {
@@ -305,12 +309,12 @@ void setFromJson(const ShotOption& option, Shot& shot, const Json& value) {
     } else if (option.fields.size() == 1) {
       setField(option, option.fields.front(), shot, plan::valueFromJson(value));
     } else {
-      if (!value.is_array() || value.size() != option.fields.size()) refuse("a list of as many numbers");
+      if (!value.is_array() || value.size() != option.fields.size()) refuse("a list with one number per field");
       for (size_t i = 0; i < option.fields.size(); ++i)
         setField(option, option.fields[i], shot, plan::valueFromJson(value[i]));
     }
   } catch (const Json::exception&) {
-    refuse("of its form");
+    refuse("a valid value");
   }
 }
 

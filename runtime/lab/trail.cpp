@@ -84,7 +84,7 @@ std::string valueText(const TrailRow& row) {
 }
 
 page::Table imagesOf(const Trail& trail) {
-  page::Table table{fmt::format("pixel {},{} of {}x{}, pipeline {}: what every pass left there, in their order",
+  page::Table table{fmt::format("pixel {},{} of {}x{}, pipeline {}: outputs of every pass, in the order of execution",
                                 trail.x, trail.y, trail.width, trail.height, trail.pipeline),
                     {"pass", "image", "format", "texel", "value", "meaning"}};
   for (const TrailRow& row : trail.rows)
@@ -93,7 +93,7 @@ page::Table imagesOf(const Trail& trail) {
 }
 
 page::Table hitsOf(const Trail& trail) {
-  page::Table table{"what its ray meets, nearest first",
+  page::Table table{"surfaces on the ray through the pixel, nearest first",
                     {"layer", "instance", "geometry", "primitive", "side", "depth [m]", "normal [world]",
                      "displacement [px]", "color [linear]"}};
   for (const TrailHit& hit : trail.hits)
@@ -220,7 +220,7 @@ Json toJson(const Trail& trail) {
 
 std::string tableOf(const Trail& trail) {
   std::string text = page::textOf(imagesOf(trail)) + "\n";
-  return text + (trail.hits.empty() ? "its ray meets nothing\n" : page::textOf(hitsOf(trail)));
+  return text + (trail.hits.empty() ? "no surface on the ray through the pixel\n" : page::textOf(hitsOf(trail)));
 }
 
 }  // namespace strobe::lab

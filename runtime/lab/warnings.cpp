@@ -90,8 +90,8 @@ std::vector<std::string> limitsMet(const Shot& shot, const scene::Scene& scene) 
     if (isCut(shot, scene, *clip, open_s, close_s)) continue;
     const double first_s = firstKey(*clip);
     if (first_s < clip->duration && scene::isBefore(open_s, first_s) && scene::isBefore(first_s, close_s))
-      met.push_back(
-          kBeforeClipLimit.text(fmt::format("{} begins before '{}' does at {:.6g} s", times, clip->name, first_s)));
+      met.push_back(kBeforeClipLimit.text(
+          fmt::format("{} begins before the first key of '{}' at {:.6g} s", times, clip->name, first_s)));
     if (scene::beginsAgain(*clip, open_s, close_s) && jumpsAtTheEnd(*clip))
       met.push_back(
           kClipSeamLimit.text(fmt::format("{} spans the end of '{}' at {:.6g} s", times, clip->name, clip->duration)));

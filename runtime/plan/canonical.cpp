@@ -215,7 +215,7 @@ std::string nodeText(const Plan& plan, int index, const std::string& indent) {
   if (desc.name != pass.name) text += "  pass " + pass.name;
   if (node.over >= 0) text += "  over " + plan.images[node.over].name;
   if (pass.group) text += "  a group for each pixel";
-  if (node.in_moving_rect) text += "  where motion reaches";
+  if (node.in_moving_rect) text += "  in the moving rectangle";
   if (desc.time != "raster") text += "  time " + desc.time;
   text += "\n";
   auto line = [&](const char* what, const std::string& rest) {

@@ -34,12 +34,12 @@ std::string nameOf(Reader& reader) {
 }
 
 Breaks breaksOf(const Reader& reader, const Json& json) {
-  if (!json.is_object()) reader.fail("'breaks' is no table of invariants");
+  if (!json.is_object()) reader.fail("'breaks' is not a table of invariants");
   Breaks breaks;
   for (const auto& [invariant, reason] : json.items()) {
     const auto& known = invariantNames();
     bool is_known = std::find(known.begin(), known.end(), invariant) != known.end();
-    if (!is_known) reader.fail(fmt::format("there is no invariant '{}'{}", invariant, didYouMean(invariant, known)));
+    if (!is_known) reader.fail(fmt::format("unknown invariant '{}'{}", invariant, didYouMean(invariant, known)));
     if (!reason.is_string()) reader.fail(fmt::format("the reason that '{}' is broken is not a text", invariant));
     breaks.emplace_back(invariant, reason.get<std::string>());
   }
@@ -49,7 +49,7 @@ Breaks breaksOf(const Reader& reader, const Json& json) {
 std::vector<std::pair<std::string, std::string>> choiceTexts(Reader& reader, const char* key) {
   std::vector<std::pair<std::string, std::string>> texts;
   for (const auto& [name, text] : reader.table(key).items()) {
-    if (!text.is_string()) reader.fail(fmt::format("'{}' has something else than a text for a choice", key));
+    if (!text.is_string()) reader.fail(fmt::format("'{}' has a choice with a value that is not a text", key));
     texts.emplace_back(name, text.get<std::string>());
   }
   return texts;
@@ -62,7 +62,7 @@ static std::vector<std::pair<std::string, Breaks>> valueBreaks(Reader& reader, c
   for (const auto& [value, breaks] : reader.table("breaks").items()) {
     bool is_number = param.type == ParamDesc::Type::Int || param.type == ParamDesc::Type::Float;
     if (is_number && value != kOtherNumbers)
-      reader.fail(fmt::format("'breaks' of '{}' is about '{}'; of a number it is about '{}'", param.name, value,
+      reader.fail(fmt::format("'breaks' of the number '{}' has the key '{}' instead of '{}'", param.name, value,
                               kOtherNumbers));
     if (!is_number) checkValue(param, Value(value), param.place);
     result.emplace_back(value, breaksOf(reader, breaks));

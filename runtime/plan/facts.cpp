@@ -8,15 +8,15 @@ namespace strobe::plan {
 const std::vector<Fact>& facts() {
   static const std::vector<Fact> facts = {
       {"motion", "nothing moves in this frame"},
-      {"curves", "every point that moves goes over the picture in a straight line at an even speed"},
+      {"curves", "every moving point crosses the picture in a straight line at constant speed"},
       {"alpha", "no material is cut out or blended by its alpha", true},
       {"blend", "no material is blended by its alpha", true},
-      {"one_sided", "no material is seen from one side alone", true},
+      {"one_sided", "every material is visible from both sides", true},
       {"shadows", "no light casts shadows", true},
       {"deforms", "nothing is deformed by joints, morph targets or a flat transform", true},
       {"before", "the exposure has no part before the raster time"},
       {"after", "the exposure has no part after the raster time"},
-      {"weighted", "all times of the exposure count alike", false, true},
+      {"weighted", "all times of the exposure have equal weight", false, true},
   };
   return facts;
 }

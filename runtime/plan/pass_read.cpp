@@ -36,20 +36,22 @@ PortDesc readRead(const Json& json) {
 void checkAbsent(const PortDesc& read, const PassDesc& pass, const Reader& reader) {
   const bool is_given = !read.absent.empty() || !read.absent_read.empty();
   if (is_given && (!read.optional || read.buffer))
-    reader.fail(fmt::format("read '{}' has a value for its absence, but is not an optional image", read.name));
+    reader.fail(fmt::format("read '{}' has 'absent', but is not an optional image", read.name));
   if (!read.absent.empty() && read.absent.size() != 4)
-    reader.fail(fmt::format("absent of read '{}' is not four numbers", read.name));
+    reader.fail(fmt::format("'absent' of read '{}' is not four numbers", read.name));
   const PortDesc* other = find(pass.reads, read.absent_read);
   if (read.absent_read.empty()) return;
   if (!other || other == &read || other->buffer || other->uint != read.uint || (other->optional && !hasAbsent(*other)))
-    reader.fail(fmt::format("absent of read '{}' is '{}', which cannot stand in for it", read.name, read.absent_read));
+    reader.fail(
+        fmt::format("'absent' of read '{}' is '{}', which cannot stand in for it", read.name, read.absent_read));
 }
 
 void checkNeeds(const PortDesc& read, const PassDesc& pass, const Reader& reader) {
-  if (!read.needs.empty() && !read.optional) reader.fail(fmt::format("read '{}' is always wired", read.name));
+  if (!read.needs.empty() && !read.optional)
+    reader.fail(fmt::format("read '{}' has 'needs', but is always wired", read.name));
   for (const std::string& needed : read.needs)
     if (!find(pass.reads, needed))
-      reader.fail(fmt::format("read '{}' needs '{}', which is no read", read.name, needed));
+      reader.fail(fmt::format("read '{}' needs '{}', which is not a read", read.name, needed));
 }
 
 PortDesc readWrite(const Json& json) {
@@ -75,17 +77,17 @@ void checkFormats(const Reader& reader, const PortDesc& port, const PassDesc& pa
     reader.fail(fmt::format("the format of '{}' is chosen by '{}', {}", port.name, port.format_by, reason));
   };
   const ParamDesc* by = find(pass.params, port.format_by);
-  if (!by || by->type != ParamDesc::Type::Choice) wrong("which is no choice parameter of it");
-  if (by->choices.size() != port.formats.size()) wrong("but there is not one format for each of its choices");
+  if (!by || by->type != ParamDesc::Type::Choice) wrong("which is not a choice parameter of the pass");
+  if (by->choices.size() != port.formats.size()) wrong("but 'formats' does not have one format for each choice");
   for (const auto& [choice, format] : port.formats) {
     bool is_choice = std::find(by->choices.begin(), by->choices.end(), choice) != by->choices.end();
     if (!is_choice) wrong(fmt::format("which has no choice '{}'{}", choice, didYouMean(choice, by->choices)));
     bool known = std::find(formatNames().begin(), formatNames().end(), format) != formatNames().end();
-    if (!known) wrong(fmt::format("but there is no format '{}'{}", format, didYouMean(format, formatNames())));
-    if (isUint(format) != isUint(port.format)) wrong("but mixes unsigned integers and numbers");
-    if (isBuffer(format)) wrong("but a buffer is one whatever is chosen");
+    if (!known) wrong(fmt::format("but format '{}' is unknown{}", format, didYouMean(format, formatNames())));
+    if (isUint(format) != isUint(port.format)) wrong("but the formats mix unsigned integers and numbers");
+    if (isBuffer(format)) wrong("but the format of a buffer cannot be chosen");
     bool is_default = Value(choice) == by->default_value;
-    if (is_default && format != port.format) wrong(fmt::format("whose default is not {}", port.format));
+    if (is_default && format != port.format) wrong(fmt::format("but the format of the default is not {}", port.format));
   }
 }
 
@@ -125,8 +127,8 @@ void checkOver(const Reader& reader, const PassDesc& pass) {
   if (pass.over.empty()) return;
   const PortDesc* list = find(pass.reads, pass.over);
   if (!list || !list->buffer)
-    reader.fail(fmt::format("it runs over '{}', which is no read that is a buffer", pass.over));
-  if (pass.kind == PassDesc::Kind::Raster) reader.fail("a raster pass runs over triangles");
+    reader.fail(fmt::format("it runs over '{}', which is not a read with a buffer", pass.over));
+  if (pass.kind == PassDesc::Kind::Raster) reader.fail("a raster pass runs over triangles, so it cannot have 'over'");
   for (const PortDesc& write : pass.writes)
     if (!isCleared(write))
       reader.fail(fmt::format("it runs over '{}', but its write '{}' is not cleared", pass.over, write.name));
@@ -135,10 +137,12 @@ void checkOver(const Reader& reader, const PassDesc& pass) {
 // Checks the conditions on a pass with one work group per pixel.
 void checkGroup(const Reader& reader, const PassDesc& pass) {
   if (!pass.group) return;
-  if (pass.kind != PassDesc::Kind::Compute) reader.fail("compute passes alone have a group for each pixel");
-  if (!pass.over.empty()) reader.fail(fmt::format("it has a group for each pixel and runs over '{}'", pass.over));
+  if (pass.kind != PassDesc::Kind::Compute) reader.fail("only compute passes can have a group for each pixel");
+  if (!pass.over.empty())
+    reader.fail(fmt::format("a pass with a group for each pixel cannot run over '{}'", pass.over));
   for (const ParamDesc& param : pass.params)
-    if (param.role == Role::StillOnce) reader.fail("it has a group for each pixel and a parameter that is static_once");
+    if (param.role == Role::StillOnce)
+      reader.fail("a pass with a group for each pixel cannot have a parameter with the role 'static_once'");
 }
 
 // Checks buffers: compute and trace passes write them, and their contents are not kept from frame to frame.
@@ -149,7 +153,7 @@ void checkBuffers(const Reader& reader, const PassDesc& pass) {
   for (const auto* ports : {&pass.writes, &pass.updates})
     for (const PortDesc& port : *ports) {
       if (!isBuffer(port.format)) {
-        if (port.each != 1) reader.fail(fmt::format("'{}' is an image, which has one texel for each pixel", port.name));
+        if (port.each != 1) reader.fail(fmt::format("'{}' is an image, so 'each' must be 1", port.name));
         continue;
       }
       if (pass.kind == PassDesc::Kind::Raster)
@@ -185,7 +189,8 @@ PassDesc passFromJson(const Json& json) {
   pass.writes = itemsOf(reader.list("writes"), readWrite);
   pass.updates = itemsOf(reader.list("updates"), readWrite);
   bool cleared = std::any_of(pass.writes.begin(), pass.writes.end(), [](const PortDesc& port) { return port.cleared; });
-  if (cleared && pass.kind == PassDesc::Kind::Raster) reader.fail("a raster pass writes all of its pixels");
+  if (cleared && pass.kind == PassDesc::Kind::Raster)
+    reader.fail("a raster pass writes all of its pixels, so its writes cannot be 'cleared'");
   pass.params = itemsOf(reader.list("params"), readParam);
   pass.counters = itemsOf(reader.list("counters"), readCounter);
   pass.size = readSize(reader.at("size"), pass);

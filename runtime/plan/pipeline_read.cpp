@@ -28,7 +28,7 @@ Binding readBinding(const Json& json, const PipelineDesc& pipeline, const ParamD
   Reader reader(json, fmt::format("parameter '{}'", param.name));
   Binding binding;
   binding.place = reader.place();
-  if (reader.has("value") == reader.has("follows")) reader.fail("wants either 'value' or 'follows'");
+  if (reader.has("value") == reader.has("follows")) reader.fail("needs either 'value' or 'follows'");
   if (reader.has("value")) binding.value = checkValue(param, valueFromJson(reader.at("value")), binding.place);
   if (reader.has("follows")) binding.follows = reader.text("follows", std::nullopt);
   if (reader.has("follows")) checkFollows(pipeline, param, binding);
@@ -49,7 +49,7 @@ const PortDesc* sourcePort(const PipelineDesc& pipeline, const std::string& sour
 
 const PortDesc& checkSource(const PipelineDesc& pipeline, const Json& source, const Place& place) {
   const PortDesc* port = source.is_string() ? sourcePort(pipeline, source.get<std::string>()) : nullptr;
-  if (!port) throw Error(fmt::format("{} is no port of an earlier node", source.dump()), place);
+  if (!port) throw Error(fmt::format("{} is not a port of an earlier node", source.dump()), place);
   return *port;
 }
 
@@ -90,7 +90,7 @@ NodeDesc readNode(const Json& json, const PipelineDesc& pipeline) {
   node.pass = reader.text("pass", std::nullopt);
   if (find(pipeline.nodes, node.name)) reader.fail(fmt::format("two nodes are named '{}'", node.name));
   const PassDesc* pass = find(pipeline.passes, node.pass);
-  if (!pass) reader.fail(fmt::format("there is no pass '{}'", node.pass));
+  if (!pass) reader.fail(fmt::format("unknown pass '{}'", node.pass));
   readInputs(reader.table("inputs"), pipeline, *pass, node);
   readNodeParams(reader.table("params"), pipeline, *pass, node);
   node.time = kNodeTimes[reader.oneOf("time", kNodeTimes)];
@@ -99,8 +99,8 @@ NodeDesc readNode(const Json& json, const PipelineDesc& pipeline) {
   if (node.runs == Runs::MovingInstances && pass->kind != PassDesc::Kind::Raster)
     reader.fail("only raster passes run for moving instances");
   bool in_loop = !node.loop.empty();
-  if (in_loop && !find(pipeline.loops, node.loop)) reader.fail(fmt::format("there is no loop '{}'", node.loop));
-  if (node.time == "sample" && !in_loop) reader.fail("time 'sample' exists inside a loop only");
+  if (in_loop && !find(pipeline.loops, node.loop)) reader.fail(fmt::format("unknown loop '{}'", node.loop));
+  if (node.time == "sample" && !in_loop) reader.fail("time 'sample' exists only in a loop");
   reader.finish();
   return node;
 }
@@ -143,14 +143,14 @@ void checkUntil(const PipelineDesc& pipeline, const LoopDesc& loop) {
   for (const auto& [choice, format] : port.formats) fits &= format == "r32f";
   bool inside = node->loop == loop.name && fits;
   if (inside) return;
-  throw Error(fmt::format("'{}' is no r32f image written in loop '{}'", loop.until, loop.name), loop.place);
+  throw Error(fmt::format("'{}' is not an r32f image written in loop '{}'", loop.until, loop.name), loop.place);
 }
 
 std::vector<std::string> namesIn(const Json& json, const PipelineDesc& pipeline) {
   std::vector<std::string> names;
   for (const Json& name : json) {
     bool known = name.is_string() && find(pipeline.params, name.get<std::string>());
-    if (!known) throw Error(fmt::format("{} is no parameter", name.dump()), {pipeline.file});
+    if (!known) throw Error(fmt::format("{} is not a parameter", name.dump()), {pipeline.file});
     names.push_back(name.get<std::string>());
   }
   std::sort(names.begin(), names.end());
@@ -162,7 +162,7 @@ void readValues(const Json& json, PipelineDesc& pipeline) {
     if (!json.contains(param.name)) throw Error(fmt::format("parameter '{}' has no value", param.name), param.place);
     pipeline.values.emplace_back(param.name, checkValue(param, valueFromJson(json[param.name]), param.place));
   }
-  if (json.size() != pipeline.params.size()) throw Error("there are values of unknown parameters", {pipeline.file});
+  if (json.size() != pipeline.params.size()) throw Error("'values' has unknown parameters", {pipeline.file});
 }
 
 std::vector<std::pair<std::string, Value>> settingsOf(const Json& json) {
@@ -178,7 +178,7 @@ EqualDesc readEqual(const Json& json, const PipelineDesc& pipeline) {
                   reader.text("pipeline", std::nullopt)};
   for (const auto& [name, value] : equal.when) {
     const ParamDesc* param = find(pipeline.params, name);
-    if (!param) reader.fail(fmt::format("there is no parameter '{}'", name));
+    if (!param) reader.fail(fmt::format("unknown parameter '{}'", name));
     checkValue(*param, value, {pipeline.file});
   }
   reader.finish();
@@ -188,11 +188,11 @@ EqualDesc readEqual(const Json& json, const PipelineDesc& pipeline) {
 PresetDesc readPreset(const Json& json, const PipelineDesc& pipeline) {
   Reader reader(json, "preset", {pipeline.file});
   std::string name = reader.text("name", std::nullopt);
-  if (!isName(name) && !name.ends_with(".lua")) reader.fail(fmt::format("'{}' is no name of a preset", name));
+  if (!isName(name) && !name.ends_with(".lua")) reader.fail(fmt::format("'{}' is not the name of a preset", name));
   PresetDesc preset{name, reader.text("doc"), {}, reader.boolean("default", false)};
   for (const auto& [name, value] : settingsOf(reader.table("values"))) {
     const ParamDesc* param = paramNamed(pipeline, name);
-    if (!param) reader.fail(fmt::format("'{}' sets '{}', which is no parameter", preset.name, name));
+    if (!param) reader.fail(fmt::format("'{}' sets the unknown parameter '{}'", preset.name, name));
     preset.values.emplace_back(name, checkValue(*param, value, {pipeline.file}));
   }
   reader.finish();
@@ -206,9 +206,10 @@ void readPresets(Reader& reader, PipelineDesc& pipeline) {
   pipeline.preset = reader.text("preset");
   const auto& presets = pipeline.presets;
   auto defaults = std::count_if(presets.begin(), presets.end(), [](const auto& preset) { return preset.is_default; });
-  if (defaults != (presets.empty() ? 0 : 1)) reader.fail(fmt::format("{} presets are the default", defaults));
+  if (defaults != (presets.empty() ? 0 : 1))
+    reader.fail(fmt::format("{} presets are the default instead of one", defaults));
   bool taken = presets.empty() ? pipeline.preset.empty() : find(presets, pipeline.preset) != nullptr;
-  if (!taken) reader.fail(fmt::format("there is no preset '{}'", pipeline.preset));
+  if (!taken) reader.fail(fmt::format("unknown preset '{}'", pipeline.preset));
 }
 
 RegionDesc readRegion(const Json& json, const PipelineDesc& pipeline) {
@@ -217,7 +218,7 @@ RegionDesc readRegion(const Json& json, const PipelineDesc& pipeline) {
   reader.finish();
   bool is_output = std::any_of(pipeline.outputs.begin(), pipeline.outputs.end(),
                                [&](const auto& output) { return output.first == region.name; });
-  if (!is_output) reader.fail(fmt::format("there is no output '{}'", region.name));
+  if (!is_output) reader.fail(fmt::format("unknown output '{}'", region.name));
   return region;
 }
 
@@ -232,15 +233,14 @@ void refuseTwinRoles(const Reader& reader, const std::vector<ParamDesc>& params)
 PassDesc passOf(const Reader& reader, const Json& json, const Known& known) {
   if (!json.is_number_integer()) return passFromJson(json);
   const int64_t number = json.get<int64_t>();
-  if (number < 1 || uint64_t(number) > known.passes.size())
-    reader.fail(fmt::format("there is no pass number {}", number));
+  if (number < 1 || uint64_t(number) > known.passes.size()) reader.fail(fmt::format("unknown pass number {}", number));
   return known.passes[size_t(number) - 1];
 }
 
 }  // namespace
 
 Known knownFromJson(const Json& json) {
-  Reader reader(json, "what is known");
+  Reader reader(json, "known declarations");
   Known known;
   known.params = itemsOf(reader.list("params"), readParam);
   for (const Json& pass : reader.list("passes")) known.passes.push_back(passFromJson(pass));

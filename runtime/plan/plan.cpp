@@ -49,8 +49,8 @@ class Compiler {
 
  private:
   void addCulled(size_t node, bool with_all_facts, const std::string& left_out) {
-    std::string reason = options_.outputs.empty() ? "not needed by any output" : "no output requested needs it";
-    if (with_all_facts) reason = left_out.empty() ? "needed by nothing but what is left out" : left_out;
+    std::string reason = options_.outputs.empty() ? "not needed by any output" : "not needed by any requested output";
+    if (with_all_facts) reason = left_out.empty() ? "needed only by nodes that do not run" : left_out;
     plan_.culled.push_back({plan_.pipeline.nodes[node].name, reason, with_all_facts});
   }
 

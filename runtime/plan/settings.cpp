@@ -27,10 +27,10 @@ static void setOfPipeline(PipelineDesc& pipeline, const std::string& name, const
 static void setOfNode(PipelineDesc& pipeline, const std::string& node_name, const std::string& name,
                       const Value& value) {
   NodeDesc* node = named(pipeline.nodes, node_name);
-  if (!node) throw Error(fmt::format("there is no node '{}'", node_name));
+  if (!node) throw Error(fmt::format("unknown node '{}'", node_name));
   const ParamDesc* param = named(named(pipeline.passes, node->pass)->params, name);
   if (!param) throw Error(fmt::format("node '{}' has no parameter '{}'", node_name, name));
-  if (param->wired) throw Error(fmt::format("the pipeline alone sets '{}' of node '{}'", name, node_name));
+  if (param->wired) throw Error(fmt::format("only the pipeline sets '{}' of node '{}'", name, node_name));
   Binding bound{checkValue(*param, value, {}), "", {fmt::format("--set {}.{}={}", node_name, name, textOf(value)), 0}};
   for (auto& [held, binding] : node->params)
     if (held == name) binding = bound;

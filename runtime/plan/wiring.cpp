@@ -132,7 +132,8 @@ class Wirer {
   void checkChosenFormats(const PassDesc& pass, const PortDesc& port) {
     int by = indexOf(pass.params, port.format_by);
     if (by < 0) {
-      problem(port.place, "the format of port '{}' of pass '{}' is chosen by '{}', which is no parameter of it{}",
+      problem(port.place,
+              "the format of port '{}' of pass '{}' is chosen by '{}', which is not a parameter of the pass{}",
               port.name, pass.name, port.format_by, didYouMean(port.format_by, namesOf(pass.params)));
       return;
     }
@@ -167,8 +168,8 @@ class Wirer {
     if (size.divide.empty()) return;
     int param = indexOf(pass.params, size.divide);
     if (param < 0) {
-      problem(pass.place, "pass '{}' divides its size by '{}', which is no parameter of it{}", pass.name, size.divide,
-              didYouMean(size.divide, namesOf(pass.params)));
+      problem(pass.place, "pass '{}' divides its size by '{}', which is not one of its parameters{}", pass.name,
+              size.divide, didYouMean(size.divide, namesOf(pass.params)));
     } else if (pass.params[param].type != ParamDesc::Type::Int) {
       problem(pass.place, "pass '{}' divides its size by '{}', which is not an int", pass.name, size.divide);
     }
@@ -192,7 +193,7 @@ class Wirer {
         problem(node.place, "node '{}' has unknown time '{}'{}", node.name, node.time, didYouMean(node.time, times));
       }
       if (node.time == "sample" && node.loop.empty()) {
-        problem(node.place, "node '{}' has time 'sample' but is in no loop", node.name);
+        problem(node.place, "node '{}' has time 'sample' but is not in a loop", node.name);
       }
       bool traces = wired.pass >= 0 && pipeline_.passes[wired.pass].kind == PassDesc::Kind::Trace;
       if (traces && (node.time == "shutter_open" || node.time == "shutter_close")) {
@@ -264,14 +265,14 @@ class Wirer {
     std::string port_name = dot == std::string::npos ? "" : text.substr(dot + 1);
     int node = indexOf(pipeline_.nodes, node_name);
     if (node < 0) {
-      problem(place, "{} reads '{}', but there is no node '{}'{}", reader, text, node_name,
+      problem(place, "{} reads '{}', but node '{}' is unknown{}", reader, text, node_name,
               didYouMean(node_name, namesOf(pipeline_.nodes)));
       return {};
     }
     const PassDesc& pass = passOf(node);
     std::vector<std::string> ports = producedPorts(pass);
     if (port_name.empty()) {
-      problem(place, "{} reads '{}', which is a node: '{}.NAME' is an image of it; it writes {}", reader, text,
+      problem(place, "{} reads '{}', which is a node and not an image; use '{}.NAME' with one of {}", reader, text,
               node_name, fmt::join(ports, ", "));
       return {};
     }
@@ -359,8 +360,8 @@ class Wirer {
     wired.first = loop.first;
     wired.parts = loop.parts > 0 ? loop.parts : wired.count;
     if (wired.first < 0 || wired.count > wired.parts - wired.first)
-      problem(loop.place, "loop '{}' takes {} parts of {} from number {} on", loop.name, wired.count, wired.parts,
-              wired.first);
+      problem(loop.place, "loop '{}' takes {} parts of {} from number {} on, which is out of range", loop.name,
+              wired.count, wired.parts, wired.first);
     if (!loop.until.empty()) wired.until = untilOf(loop);
     wiring_.loops.push_back(wired);
   }
@@ -371,7 +372,8 @@ class Wirer {
     for (const NodeDesc& node : pipeline_.nodes)
       if (node.loop == loop.name && node.time == "sample")
         problem(node.place,
-                "node '{}' has time 'sample', but the times of loop '{}' are parts; their middle is 'raster'",
+                "node '{}' has time 'sample', but the times of loop '{}' are parts; use time 'raster' for the middle "
+                "of a part",
                 node.name, loop.name);
   }
 

@@ -40,13 +40,13 @@ WithoutDesc readOne(const Json& json, const PassDesc& pass) {
   without.name = fields.text("name", std::nullopt);
   bool known = findFact(without.name) != nullptr || without.name == kReached;
   if (known == (portNamed(pass.reads, without.name) != nullptr))
-    fail(pass, without.place, fmt::format("'{}' is not a fact or else a read", without.name));
+    fail(pass, without.place, fmt::format("'{}' must be either a fact or a read", without.name));
   const Json& writes = fields.table("writes");
   for (const PortDesc& write : pass.writes) {
     if (!writes.contains(write.name)) fail(pass, without.place, fmt::format("'{}' is missing", write.name));
     without.writes.emplace_back(write.name, standInOf(writes[write.name], write, pass, without.place));
   }
-  if (writes.size() != pass.writes.size()) fail(pass, without.place, "there are writes that it does not have");
+  if (writes.size() != pass.writes.size()) fail(pass, without.place, "'writes' has unknown writes");
   fields.finish();
   return without;
 }
@@ -56,7 +56,7 @@ WithoutDesc readOne(const Json& json, const PassDesc& pass) {
 std::vector<WithoutDesc> withoutFromJson(const Json& json, const PassDesc& pass) {
   std::vector<WithoutDesc> all;
   for (const Json& one : json) {
-    if (!pass.updates.empty()) fail(pass, pass.place, "what it updates has nothing that could stand in");
+    if (!pass.updates.empty()) fail(pass, pass.place, "a pass with updates cannot have stand-ins");
     all.push_back(readOne(one, pass));
   }
   return all;

@@ -45,7 +45,7 @@ Main mainFile(const Home& home, const std::string& path, const Texts& texts = {}
   main.name = main.file.stem();
   main.own_folder = true;
   if (texts.count(main.file) || fs::is_regular_file(main.file)) return main;
-  if (!fs::is_directory(main.file)) throw Error("there is no such file", {path});
+  if (!fs::is_directory(main.file)) throw Error("no such file", {path});
   const Path folder = main.file.has_filename() ? main.file : main.file.parent_path();
   const Path inside = Path(path) / (folder.filename().string() + ".lua");
   bool is_there = fs::is_regular_file(inside);
@@ -57,13 +57,13 @@ std::string noneNamed(const Home& home, const std::string& name, const std::stri
                       const std::vector<std::string>& names) {
   std::error_code ignored;
   if (fs::is_regular_file(name, ignored))
-    return fmt::format("'{}' is not a {}: {}s are names, or files that end in {}", name, what, what,
+    return fmt::format("'{}' is not a {}: a {} is a name, or a file that ends in {}", name, what, what,
                        what == "scene" ? ".lua, .glb or .gltf" : ".lua");
-  std::string text = fmt::format("there is no {} '{}'", what, name), near = didYouMean(name, names);
+  std::string text = fmt::format("unknown {} '{}'", what, name), near = didYouMean(name, names);
   if (!near.empty()) return text + near;
-  text += " in " + placesText(home, Path("scripts") / (what + "s"));
+  text += "; not found in " + placesText(home, Path("scripts") / (what + "s"));
   return home.hasProject() ? text
-                           : text + fmt::format("; the current folder is in no project ({})", Home::kProjectFile);
+                           : text + fmt::format("; the current folder is not in a project ({})", Home::kProjectFile);
 }
 
 // `what` is "pipeline" or "scene"; its files are in scripts/<what>s. A path that does not exist in the current folder
@@ -94,14 +94,14 @@ std::string outOfMemory(const Limits& limits) {
 
 std::string endedBy(const ProgramEnd& child, const Limits& limits) {
   if (child.timed_out) return fmt::format("stopped: more than {} s (the limit for a script)", limits.wall_s);
-  if (child.too_long) return "stopped: the script describes more than fits in 64 MB";
+  if (child.too_long) return "stopped: the result of the script is larger than 64 MB";
   if (child.signal == SIGXCPU || child.signal == SIGKILL) {
     const char* text = "stopped: more than {} s of processor time (the limit for a script); endless loop?";
     return fmt::format(fmt::runtime(text), limits.cpu_s);
   }
   if (child.exit_status == kOutOfMemory) return outOfMemory(limits);
   if (child.signal) return fmt::format("the script's process ended: {}", ::strsignal(child.signal));
-  return fmt::format("the script's process ended with status {} and no answer", child.exit_status);
+  return fmt::format("the script's process ended with status {} and without an answer", child.exit_status);
 }
 
 std::vector<Dependency> dependenciesOf(const Json& files) {
@@ -134,7 +134,7 @@ std::string plain(std::string text) {
   std::vector<std::string> messages;
   for (const Error& problem : problems) messages.emplace_back(problem.what());
   throwIfAny(messages, exit_code);
-  throw Error("a script failed without saying why");
+  throw Error("the script failed without an error message");
 }
 
 Json requestOf(const Home& home, const Main& main, const std::string& function, const Json& argument,
@@ -173,7 +173,7 @@ Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>
     if (hashes) *hashes = std::move(answer.at("hashes"));
     return std::move(answer.at("result"));
   } catch (const Json::exception&) {
-    throw Error("the script's process gave an answer in a wrong form", {main.shown});
+    throw Error("the answer of the script's process has a wrong form", {main.shown});
   }
 }
 
@@ -346,7 +346,7 @@ plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& req
     now->pass_hashes = hashes.at("passes").get<std::vector<std::string>>();
     now->params_hash = hashes.at("params").get<std::string>();
   } catch (const Json::exception&) {
-    throw Error("the script's process gave an answer in a wrong form", {main.shown});
+    throw Error("the answer of the script's process has a wrong form", {main.shown});
   }
   if (now->pass_hashes.size() == pipeline.passes.size()) *described = std::move(now);
   return pipeline;

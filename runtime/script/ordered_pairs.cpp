@@ -109,7 +109,7 @@ int orderedPairs(lua_State* lua) {
     lua_call(lua, 1, 3);
     return 3;
   }
-  if (lua_type(lua, 1) != LUA_TTABLE) return luaL_error(lua, "pairs wants a table, got %s", luaL_typename(lua, 1));
+  if (lua_type(lua, 1) != LUA_TTABLE) return luaL_error(lua, "pairs needs a table, got %s", luaL_typename(lua, 1));
   pushOrderedKeys(lua);
   lua_pushvalue(lua, 1);
   lua_pushinteger(lua, 0);
@@ -120,9 +120,9 @@ int orderedPairs(lua_State* lua) {
 }
 
 int firstPair(lua_State* lua) {
-  if (lua_type(lua, 1) != LUA_TTABLE) return luaL_error(lua, "next wants a table, got %s", luaL_typename(lua, 1));
+  if (lua_type(lua, 1) != LUA_TTABLE) return luaL_error(lua, "next needs a table, got %s", luaL_typename(lua, 1));
   if (!lua_isnoneornil(lua, 2))
-    return luaL_error(lua, "next answers only whether a table is empty; walk it with pairs");
+    return luaL_error(lua, "next only tests whether a table is empty; use pairs to iterate over a table");
   pushOrderedKeys(lua);
   if (lua_rawgeti(lua, -1, 1) == LUA_TNIL) return 1;
   lua_pushvalue(lua, -1);

@@ -42,7 +42,7 @@ end
 local raw_randomseed = math.randomseed
 raw_randomseed(0)
 local function randomseed(seed, ...)
-  if type(seed) ~= "number" then error("math.randomseed wants a number", 2) end
+  if type(seed) ~= "number" then error("math.randomseed needs a number", 2) end
   raw_randomseed(seed, ...)
 end
 
@@ -73,7 +73,7 @@ function native.define(name, value) rawset(env, name, value) end
 return setmetatable(env, {
   __metatable = false,
   __index = function(_, name)
-    error("there is no global '" .. safe.tostring(name) .. "'" .. native.nearest(safe.tostring(name), names()), 2)
+    error("unknown global '" .. safe.tostring(name) .. "'" .. native.nearest(safe.tostring(name), names()), 2)
   end,
   __newindex = function(_, name)
     name = safe.tostring(name)

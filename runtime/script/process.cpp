@@ -18,7 +18,8 @@ static constexpr const char* kInsideChild = "STROBE_SCRIPT_CHILD";
 // end calls that do not return to Lua's loop (a long library call).
 static Program childOf(const Path& path, const Limits& limits) {
   // A program without the option --script-child would evaluate again, and so recurse without end.
-  if (std::getenv(kInsideChild)) throw Error("a script child was asked to start another; is STROBE_PROGRAM strobe?");
+  if (std::getenv(kInsideChild))
+    throw Error("a script child cannot start another one; check that STROBE_PROGRAM is strobe");
   Program program{.arguments = {path.string(), "--script-child"},
                   .environment = {std::string(kInsideChild) + "=1"},
                   .errors = Program::Errors::inherited,

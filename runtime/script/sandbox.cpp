@@ -93,7 +93,7 @@ void Sandbox::read(const Path& file, const std::string& shown) {
 
 void Sandbox::list(const std::string& folder) {
   if (folder.find("..") != std::string::npos || home_.folders(folder).empty())
-    throw Error(fmt::format("there is no folder '{}'", folder));
+    throw Error(fmt::format("unknown folder '{}'", folder));
   names_ = home_.namesIn(folder, ".lua");
   // Folders that do not exist yet are dependencies too, because a project may add them.
   for (const Path& path : home_.places(folder)) {
@@ -133,7 +133,7 @@ void Sandbox::resolve(const std::string& module) {
   }
   std::string near = didYouMean(module, moduleNames());
   if (!in_home && near.empty()) near = "; modules begin with passes., scripts. or strobe.";
-  throw Error(fmt::format("there is no module '{}'{}", module, near));
+  throw Error(fmt::format("unknown module '{}'{}", module, near));
 }
 
 std::vector<std::string> Sandbox::moduleNames() const {
@@ -238,7 +238,7 @@ bool Sandbox::run(const std::string& function, const Json& request, Json& result
   } catch (const Error& error) {
     addProblem(error.message());
   } catch (const Json::exception&) {
-    addProblem("the error is a table of a wrong form");
+    addProblem("the error is a table with a wrong form");
   }
   return !out_of_memory_ && problems_.empty();
 }

@@ -57,7 +57,7 @@ static const BackendRow& rowNamed(const std::string& name) {
     if (row.name == name) return row;
     names.push_back(row.name);
   }
-  throw Error(fmt::format("there is no tracing backend '{}'{}", name, didYouMean(name, names)));
+  throw Error(fmt::format("unknown tracing backend '{}'{}", name, didYouMean(name, names)));
 }
 
 static Backend firstPresent(const gpu::DeviceInfo& device) {
@@ -76,8 +76,8 @@ Backend chooseBackend(const gpu::DeviceInfo& device, const std::string& asked) {
   if (asked == "auto") return firstPresent(device);
   const BackendRow& row = rowNamed(asked);
   if (isPresent(row, device)) return row.backend;
-  throw Error(fmt::format("device '{}' has no {}, which tracing backend '{}' needs; --backend auto takes what there is",
-                          device.name, row.feature, asked));
+  throw Error(fmt::format("device '{}' has no {}, which tracing backend '{}' needs; use --backend auto", device.name,
+                          row.feature, asked));
 }
 
 }  // namespace strobe::shader

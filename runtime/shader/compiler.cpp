@@ -108,7 +108,7 @@ constexpr const char* kBehind = "generated code";
 // closed.
 std::string errorBehind(const std::string& line, const std::string& message) {
   if (message.rfind("'run'", 0) == 0) return "no function 'void run(ivec2 pixel)'";
-  return fmt::format("{} (line {} of the {} behind the shader)", message, line, kBehind);
+  return fmt::format("{} (line {} of the {} after the shader)", message, line, kBehind);
 }
 
 // Message for an include that is not found. glslang's own message does not have the reason.
@@ -119,7 +119,7 @@ std::string errorOfInclude(const Home& home, const std::string& message) {
   std::string name = message.substr(at + before.size());
   std::vector<std::string> names;
   for (const std::string& known : home.namesBelow("shaders", ".glsl")) names.push_back(known + ".glsl");
-  return fmt::format("'#include': there is no '{}' beside the file or in {}{}", name, placesText(home, "shaders"),
+  return fmt::format("'#include': '{}' not found beside the file or in {}{}", name, placesText(home, "shaders"),
                      didYouMean(name, names));
 }
 
@@ -210,7 +210,7 @@ static KeptCode compileAnew(const Home& home, const Source& source, Stage stage,
   startOnce();
   bool calls_run = source.epilogue.find("run(") != std::string::npos;
   if (int line = calls_run ? lineOfMain(*texts.all.front().text) : 0)
-    throw Error("'main': the shader of a pass has 'void run(ivec2 pixel)' instead; main is generated and calls it",
+    throw Error("'main': the shader of a pass defines 'void run(ivec2 pixel)' instead; main is generated and calls it",
                 {home.shown(source.file), line});
   std::string end = "\n" + source.epilogue;
   std::string name = source.file.string();

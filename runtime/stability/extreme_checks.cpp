@@ -51,8 +51,8 @@ void within(Probe& probe, const ExtremeCheck& check) {
   auto [least, most] = rangeOf(colorIn(picture));
   double slack = 1e-5 * std::max(std::abs(check.low), std::abs(check.high));  // rounding of N weights, 2 ulp each
   bool inside = least >= check.low - slack && most <= check.high + slack;
-  probe.expect(inside,
-               fmt::format("colours from {} to {}, of surfaces from {} to {}", least, most, check.low, check.high));
+  probe.expect(inside, fmt::format("colours are {} to {}, colours of the surfaces {} to {}", least, most, check.low,
+                                   check.high));
 }
 
 // A filter must bring the picture nearer to truth.
@@ -60,7 +60,7 @@ void nearer(Probe& probe, const ExtremeCheck& check) {
   const Image &truth = colorIn(probe.truth(check.shot)), &sharp = colorIn(probe.sharp(check.shot));
   double own = image::rootMeanSquaredError(colorIn(probe.picture(check.shot)), truth);
   double without = image::rootMeanSquaredError(sharp, truth);
-  probe.expect(own < without, fmt::format("RMSE {:.5f} to truth, {:.5f} without blur", own, without));
+  probe.expect(own < without, fmt::format("RMSE against truth is {:.5f}, without blur {:.5f}", own, without));
 }
 
 void same(Probe& probe, const ExtremeCheck& check) {
@@ -81,7 +81,7 @@ void displaced(Probe& probe, const ExtremeCheck& check) {
       double off = glm::length(own - exact) / (check.share * glm::length(exact) + check.tolerance_px);
       if (!(off > worst)) continue;
       worst = off;
-      text = fmt::format("displacement at ({}, {}) is ({:.6g}, {:.6g}), exactly ({:.6g}, {:.6g})", x, y, own.x, own.y,
+      text = fmt::format("displacement at ({}, {}) is ({:.6g}, {:.6g}), expected ({:.6g}, {:.6g})", x, y, own.x, own.y,
                          exact.x, exact.y);
     }
   probe.expect(text.empty(), text);
@@ -97,7 +97,7 @@ void exactTruth(Probe& probe, const ExtremeCheck& check) {
       double off = std::abs(color.at(x, y, 0) - exact);
       if (off <= worst) continue;
       worst = off;
-      text = fmt::format("({}, {}) is {:.6f}, exactly {:.6f} within {:.6f}", x, y, color.at(x, y, 0), exact,
+      text = fmt::format("pixel ({}, {}) is {:.6f}, expected {:.6f} within {:.6f}", x, y, color.at(x, y, 0), exact,
                          check.tolerance);
     }
   probe.expect(worst <= check.tolerance, text);
@@ -105,15 +105,16 @@ void exactTruth(Probe& probe, const ExtremeCheck& check) {
 
 void sharpAt(Probe& probe, const ExtremeCheck& check) {
   double seen = colorIn(probe.sharp(check.shot)).at(check.pixel[0], check.pixel[1], 0);
-  probe.expect(std::abs(seen - check.value) < check.tolerance, fmt::format("{} is seen, not {}", seen, check.value));
+  probe.expect(std::abs(seen - check.value) < check.tolerance,
+               fmt::format("the value is {}, expected {}", seen, check.value));
 }
 
 void warns(Probe& probe, const ExtremeCheck& check) {
-  probe.expect(warnedOf(probe.picture(check.shot), check.text), fmt::format("not said: {}", check.text));
+  probe.expect(warnedOf(probe.picture(check.shot), check.text), fmt::format("missing warning: {}", check.text));
 }
 
 void silent(Probe& probe, const ExtremeCheck& check) {
-  probe.expect(!warnedOf(probe.picture(check.shot), check.text), fmt::format("said without reason: {}", check.text));
+  probe.expect(!warnedOf(probe.picture(check.shot), check.text), fmt::format("warning without reason: {}", check.text));
 }
 
 // ---- reading
@@ -142,7 +143,8 @@ void readExact(Fields& fields, ExtremeCheck& check, size_t channels) {
   for (const Json& value : fields.list("exact"))
     check.exact.push_back(value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
   size_t count = size_t(check.shot.width) * size_t(check.shot.height) * channels;
-  if (check.exact.size() != count) fields.problem(fmt::format("'exact' has {} of {}", check.exact.size(), count));
+  if (check.exact.size() != count)
+    fields.problem(fmt::format("'exact' has {} numbers instead of {}", check.exact.size(), count));
 }
 
 void readPixel(Fields& fields, ExtremeCheck& check) {

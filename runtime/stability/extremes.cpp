@@ -158,7 +158,7 @@ static page::Table countsOf(const std::vector<ExtremeOutcome>& outcomes) {
       count->failed += !outcome.failures.empty();
     }
   }
-  page::Table table{"", {"clause", {"cases", true}, {"cases x methods", true}, {"failed", true}, "which"}};
+  page::Table table{"", {"clause", {"cases", true}, {"cases x methods", true}, {"failed", true}, "names"}};
   auto add = [&](const Count& count, const std::string& which) {
     table.add({count.clause,
                std::to_string(count.cases.size()),
@@ -187,7 +187,7 @@ std::string textOf(const std::vector<ExtremeOutcome>& outcomes) {
 }
 
 std::string pageOf(const std::vector<ExtremeOutcome>& outcomes) {
-  page::Table cases{"", {"case", "what must hold"}};
+  page::Table cases{"", {"case", "expected result"}};
   const Extreme* last = nullptr;
   for (const ExtremeOutcome& outcome : outcomes) {
     if (outcome.extreme != last) cases.add({outcome.extreme->name, outcome.extreme->says});

@@ -283,7 +283,7 @@ Finding scaled(const Subject& subject) {
   if (different <= allowed) return {};
   Finding finding = same(subject, other, shot, tolerance);
   finding.excess = different - allowed;
-  finding.text += fmt::format(", and {} pixels differ where {} may", different, allowed);
+  finding.text += fmt::format(", and {} pixels differ, at most {} may", different, allowed);
   return finding;
 }
 
@@ -316,7 +316,7 @@ Finding moreErrorThan(double error, double bound, const std::string& text, const
   finding.shots = shots;
   finding.excess = error - bound;
   finding.holds = !(error > bound);
-  finding.text = fmt::format("{}: error {:.5f} where {:.5f} is allowed", text, error, bound);
+  finding.text = fmt::format("{}: error {:.5f}, at most {:.5f} is allowed", text, error, bound);
   return finding;
 }
 
@@ -329,12 +329,12 @@ Finding converging(const Subject& subject) {
   std::vector<lab::Shot> scenes = {shot, with(shot, "scene.seed", seed + 1)};
   lab::Shot few = with(shot, samples->name, 4), many = with(shot, samples->name, 32);
   double coarse = errorOf(subject, few, scenes), fine = errorOf(subject, many, scenes);
-  Finding finding = moreErrorThan(fine, 1.1 * coarse + 1e-3, "32 samples against 4", {many, few});
+  Finding finding = moreErrorThan(fine, 1.1 * coarse + 1e-3, "32 samples compared with 4", {many, few});
   if (subject.pipeline.compare_with.empty() || !subject.is_base) return finding;
   lab::Shot other = inCommon(subject, many, subject.pipeline.compare_with, {});
   double theirs = errorOf(subject, other, scenes);
-  return worse(finding,
-               moreErrorThan(fine, 1.1 * theirs + 1e-3, "against " + subject.pipeline.compare_with, {many, other}));
+  return worse(finding, moreErrorThan(fine, 1.1 * theirs + 1e-3, "compared with " + subject.pipeline.compare_with,
+                                      {many, other}));
 }
 
 // True if the shot sets a value of a node; another pipeline lacks the node.
@@ -394,53 +394,52 @@ Finding permuted(const Subject& subject) {
 
 const std::vector<Invariant>& invariants() {
   static const std::vector<Invariant> list = {
-      {"constant", "a picture of one colour stays that colour, with any motion in it",
-       "2 units in the last place for each sample: each adds one rounding of a weight and one of the sum; numbers "
-       "below "
-       "the smallest normal one may become 0",
+      {"constant", "a picture of one colour keeps this colour under any motion",
+       "2 units in the last place per sample: each sample adds one rounding of its weight and one of the sum; "
+       "subnormal numbers may become 0",
        constant},
-      {"still", "where nothing moves, or the shutter does not open, the picture is bit for bit the sharp one",
+      {"still", "without motion, or with an exposure of 0, the picture equals the sharp picture bit for bit",
        "none: nothing is computed", still},
       {"brief",
-       "as the exposure goes to 0 the picture becomes the sharp one: with displacements of 1/16 px, less than "
-       "any silhouette is off a pixel's centre, it is the sharp one; with 0.4 px no pixel leaves the range of the "
-       "eight "
-       "around it",
+       "as the exposure approaches 0, the picture approaches the sharp picture: both are equal for displacements of "
+       "1/16 px, which is less than the distance of any silhouette from a pixel centre; with 0.4 px no pixel leaves "
+       "the range of its neighbours",
        "0.00001: the rounding of a mean", brief},
-      {"mirrored", "a scene mirrored, flipped, turned by a half or a quarter gives the mirrored picture",
-       "0.00001 of the brightest colour: light and projection are rounded otherwise", mirrored},
-      {"shifted", "a scene moved by whole tiles (by any pixels where there are none) gives the moved picture",
+      {"mirrored",
+       "a scene that is mirrored, flipped or turned by a half or a quarter gives the picture changed in the same way",
+       "0.00001 of the brightest colour: light and projection are rounded differently", mirrored},
+      {"shifted", "a scene moved by whole tiles (without tiles: by whole pixels) gives the moved picture",
        "none: every length in the scene is a sum of few powers of two", shifted},
       {"reversed", "time run backwards, with the raster time at the other end of the exposure, gives the same picture",
-       "0.00001 of the brightest colour: sums are added up in the other order", reversed},
+       "0.00001 of the brightest colour: sums are computed in the reverse order", reversed},
       {"convex", "no colour leaves the range of the colours of all layers in reach",
-       "0.00001 of the brightest colour: weights add up to 1 but for rounding", convex},
-      {"uniform", "where everything moves alike the picture is the exact mean of the sharp one along the motion",
-       "per pixel, (1 / samples + 0.5 / displacement) of the sum of the steps along the motion: a sample stands for "
-       "its "
-       "share of the exposure, jittered by up to half of it, and a pixel for what is within half a pixel. No more "
-       "samples "
-       "count than the displacement has pixels",
+       "0.00001 of the brightest colour: weights add up to 1 except for rounding", convex},
+      {"uniform",
+       "if everything has the same displacement, the picture is the exact mean of the sharp picture along the motion",
+       "per pixel, (1 / samples + 0.5 / displacement) times the sum of the steps along the motion: a sample represents "
+       "its share of the exposure, jittered by up to half of this share, and a pixel represents the colours within "
+       "half a pixel. The number of samples counts at most as the displacement in pixels",
        uniform},
       {"linear",
-       "the picture of a sum of two lights is the sum of their pictures; three times the light, three times "
+       "the picture of a sum of two lights is the sum of their pictures; three times the light gives three times "
        "the picture",
        "0.000002: three roundings of colours up to 3", linear},
-      {"scaled", "a scene enlarged or shrunk as a whole gives the same picture, bit for bit if by a power of two",
-       "other factors: 0.1 % of the pixels may differ by more than 0.00001, silhouettes that fall on pixel centres",
-       scaled},
+      {"scaled",
+       "a scene enlarged or shrunk as a whole gives the same picture, bit for bit if the factor is a power of two",
+       "other factors: 0.1 % of the pixels, at silhouettes on pixel centres, may differ by more than 0.00001", scaled},
       {"converging",
-       "with 32 samples instead of 4 the error against the truth does not grow, in the mean of two scenes; "
-       "and it is not larger than that of the pipeline it is to be compared with",
-       "10 % and 0.001: where a few samples meet a silhouette is chance", converging},
-      {"unmasked", "with values that the pipeline declares to make it equal to another one it is equal, bit for bit",
+       "the mean error of two scenes against ground truth is not larger with 32 samples than with 4, and not larger "
+       "than the error of the pipeline in `compare_with`",
+       "10 % and 0.001: the positions of a few samples at a silhouette are random", converging},
+      {"unmasked",
+       "under the conditions that a pipeline declares in `equals`, it equals the other pipeline bit for bit",
        "none: the same is computed", unmasked},
       {"finite",
-       "radiance up to the largest number, infinite or not a number leaves every pixel finite that is finite in "
-       "the sharp picture",
+       "with radiance up to the largest number, infinite or not a number, every pixel that is finite in the sharp "
+       "picture stays finite",
        "none", finite},
-      {"permuted", "the order of objects and triangles changes nothing", "none: no two surfaces are equally far away",
-       permuted},
+      {"permuted", "the order of objects and triangles does not change the picture",
+       "none: no two surfaces are equally far away", permuted},
   };
   return list;
 }
@@ -448,7 +447,7 @@ const std::vector<Invariant>& invariants() {
 const Invariant& invariantNamed(const std::string& name) {
   for (const Invariant& one : invariants())
     if (one.name == name) return one;
-  throw Error(fmt::format("there is no invariant '{}'{}; there are {}", name, didYouMean(name, plan::invariantNames()),
+  throw Error(fmt::format("unknown invariant '{}'{}; known: {}", name, didYouMean(name, plan::invariantNames()),
                           fmt::join(plan::invariantNames(), ", ")),
               {}, 2);
 }

@@ -13,7 +13,7 @@ struct Finding {
   bool applies = true;           // false: nothing to check in this case
   int x = 0, y = 0;              // the worst pixel
   double excess = 0;             // amount beyond the tolerance
-  std::string text;              // "pixel (3, 4) is 0.51 where 0.5 is right within 0.001"
+  std::string text;              // "pixel (3, 4) is 0.51, expected 0.5 within 0.001"
   std::vector<lab::Shot> shots;  // shots with contradictory pictures
 };
 

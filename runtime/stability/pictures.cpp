@@ -14,7 +14,7 @@ static double beyond(double value, const Right& right) {
 static std::string describe(double value, const Right& right, int x, int y) {
   std::string range = right.low == right.high ? fmt::format("{:.9g}", right.low)
                                               : fmt::format("{:.9g} to {:.9g}", right.low, right.high);
-  return fmt::format("pixel ({}, {}) is {:.9g} where {} is right within {:.3g}", x, y, value, range, right.tolerance);
+  return fmt::format("pixel ({}, {}) is {:.9g}, expected {} within {:.3g}", x, y, value, range, right.tolerance);
 }
 
 Finding compare(const image::Image& picture, const RightAt& right, std::vector<lab::Shot> shots) {

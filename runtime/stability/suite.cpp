@@ -254,7 +254,7 @@ static page::Table exceptionsOf(const Report& report) {
     if (group == groups.end()) group = groups.insert(groups.end(), {text, {}});
     group->second.push_back("`" + variant + "`");
   }
-  page::Table table{"", {"what does not hold", {"variants", true}, "which"}};
+  page::Table table{"", {"not held", {"variants", true}, "names"}};
   for (const auto& [text, variants] : groups)
     table.add({text, std::to_string(variants.size()), fmt::format("{}", fmt::join(variants, ", "))});
   return table;
@@ -291,7 +291,7 @@ std::string pageOf(const std::vector<Report>& reports, const Options& options) {
       "do not hold all invariants. The last table of the page has the declared breaks with their reasons.\n\n",
       options.cases, options.seed);
   for (const Report& report : reports) text += sectionOf(report);
-  page::Table declared{"", {"with", "invariant", "seen in", "why"}};
+  page::Table declared{"", {"with", "invariant", "broken in", "reason"}};
   for (const auto& [key, one] : merged(reports))
     declared.add({"`" + one.where + "`", one.invariant, fmt::format("{} of {} cases", one.seen, one.used), one.reason});
   return text +

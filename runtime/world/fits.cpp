@@ -65,7 +65,7 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   };
   requireBytes("vertices", counts.vertices * sizeof(shared::SceneVertex), limits.array_bytes);
   requireBytes("indices", counts.indices * sizeof(uint32_t), limits.array_bytes);
-  requireBytes("bent vertices", counts.bending * slices * sizeof(shared::SceneDeformedVertex), limits.array_bytes);
+  requireBytes("deformed vertices", counts.bending * slices * sizeof(shared::SceneDeformedVertex), limits.array_bytes);
   requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform), limits.array_bytes);
   for (const Texture& texture : scene.textures)
     beyond.require(gpu::kImageLimit, fmt::format("texture '{}'", texture.name),
@@ -95,7 +95,7 @@ void requireMemory(const Scene& scene, shader::StructureKind structures, const g
   if (own)
     beyond.require(gpu::kBufferLimit, "the buffer of all triangles of its tree",
                    triangles * sizeof(shared::BvhTriangle), "bytes", limits.array_bytes);
-  beyond.require(gpu::kMemoryLimit, "what stays on the device", unposedBytes(scene, structures), "bytes",
+  beyond.require(gpu::kMemoryLimit, "the data that stays on the device", unposedBytes(scene, structures), "bytes",
                  limits.memory_bytes);
   beyond.finish();
 }

@@ -10,8 +10,8 @@ namespace strobe::world {
 
 inline constexpr Limit kTreeLimit{
     "tree", Limit::Kind::Refused,
-    "tracing backend `bvh`: a scene has more triangles, instances or nodes of its tree than it can number",
-    "nothing is drawn; take fewer, or `--backend query` or `pipeline` on a device that has it"};
+    "tracing backend `bvh`: a scene has more triangles, instances or tree nodes than the tree can number",
+    "nothing is drawn; use a smaller scene, or `--backend query` or `pipeline` on a device that has it"};
 
 inline constexpr std::array kLimits = {kTreeLimit};
 

@@ -397,14 +397,14 @@ local function apply_node_sets(problems, self, graph, sets, unknown, dropped)
     end
     local wanted = made and param.find(graph.passes[made.pass].params, name)
     if wanted and wanted.wired then
-      refuse(problems, dropped, set, "the pipeline alone sets '%s' of node '%s'", name, node_name)
+      refuse(problems, dropped, set, "only the pipeline sets '%s' of node '%s'", name, node_name)
     elseif wanted then
       local value, wrong = native.check_value(wanted, set.value)
       if wrong then refuse(problems, dropped, set, "node '%s': %s", node_name, wrong) end
       if not wrong then made.params[name] = { value = value, place = set.place } end
     elseif node_name then
       local what = made and ("node '%s' has no parameter '%s'"):format(node_name, name)
-      what = what or ("there is no node '%s'"):format(node_name)
+      what = what or ("unknown node '%s'"):format(node_name)
       refuse(problems, dropped, set, "%s%s", what, native.nearest(set.name, settable_names(self, graph)))
     end
   end

@@ -28,8 +28,8 @@ TEST(LostDevice, IsNamedWithWhatItDrew) {
   callsOf(device).WaitForFences = [](VkDevice, uint32_t, const VkFence*, VkBool32, uint64_t) {
     return VK_ERROR_DEVICE_LOST;
   };
-  EXPECT_EQ(lossOf(device),
-            "the device '" + device.info().name + "' was lost (waiting for it): its driver failed or was reset");
+  EXPECT_EQ(lossOf(device), "the device '" + device.info().name +
+                                "' was lost (waiting for the device): its driver failed or was reset");
 }
 
 TEST(LostDevice, IsFoundWhereWorkIsSubmitted) {

@@ -53,50 +53,50 @@ TEST(ReferencePage, OfAPassSaysAllItDeclares) {
 
 Longest | velocity.
 
-A compute pass; what it writes is as large as `velocity` divided by `tile`, rounded up.
+A compute pass; its outputs are as large as `velocity` divided by `tile`, rounded up.
 
 Files: `passes/tile/largest.lua`, `shaders/tile/largest.glsl`.
 
-## Where it fails
+## Failures
 
 Never.
 
 ## Reads
 
-| name | what it is | | in GLSL |
+| name | description | | in GLSL |
 | --- | --- | --- | --- |
 | `velocity` | px | | `velocity_at(p)` |
 | `id` | instance | unsigned integers; optional: `HAS_id` | `id_at(p)` |
 
 ## Updates
 
-| name | format | what it is | | in GLSL |
+| name | format | description | | in GLSL |
 | --- | --- | --- | --- | --- |
 | `max` | `rg32f` | px | kept from frame to frame | `imageLoad(max_img, p)`, `imageStore(max_img, p, v)` |
 
 ## Parameters
 
-| name | type | default | range | unit | what it sets | in GLSL |
+| name | type | default | range | unit | description | in GLSL |
 | --- | --- | --- | --- | --- | --- | --- |
 | `tile` | int | 20 | 1 to 256 | px | side | `params.tile` |
 | `order` | choice | rows | `rows`, `columns` | | which first | `PARAM_order == order_rows` |
 
 ### Values of `order`
 
-| value | what it does and where it fails |
+| value | effect and failures |
 | --- | --- |
 | `rows` | |
 | `columns` | By columns. |
 
 ## Counters
 
-| name | what it counts | in GLSL |
+| name | description | in GLSL |
 | --- | --- | --- |
 | `clamped` | tiles that were clamped | `count_clamped(n)` |
 
-## Invariants it breaks
+## Broken invariants
 
-| with | invariant | why it does not hold |
+| with | invariant | reason |
 | --- | --- | --- |
 | | scaled | by a length of 1 m |
 | `order = rows` | mirrored | rows go right |

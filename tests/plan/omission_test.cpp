@@ -75,7 +75,7 @@ TEST(Omission, AReadStandsInAndWhatFedTheNodeAloneGoesToo) {
   EXPECT_EQ(order(plan), Names{"base"});
   EXPECT_EQ(imageOf(plan, "color"), "base.x");
   EXPECT_EQ(reason(plan, "filter"), "nothing moves in this frame: z = x");
-  EXPECT_EQ(reason(plan, "tiles"), "needed by nothing but what is left out");
+  EXPECT_EQ(reason(plan, "tiles"), "needed only by nodes that do not run");
   EXPECT_EQ(plan.images.size(), 1u);
 }
 
@@ -240,7 +240,7 @@ TEST(Omission, ZerosAreClearedOnceAndLeaveOutWhatFollowsFromThem) {
   EXPECT_EQ(ids.width, 64);
   EXPECT_TRUE(ids.zero && ids.kept && ids.usage & kUsageTransferTarget && ids.usage & kUsageTransferSource);
   EXPECT_EQ(reason(plan, "rays"), "'m' is 0 everywhere: a = 0, b = 0");
-  EXPECT_EQ(reason(plan, "base"), "needed by nothing but what is left out");
+  EXPECT_EQ(reason(plan, "base"), "needed only by nodes that do not run");
 }
 
 TEST(Omission, ZerosLiveFromTheirClearToTheirLastReader) {
@@ -293,8 +293,8 @@ TEST(Omission, NeedsAreReadWithoutTrust) {
     }
   };
   EXPECT_EQ(refused("mask", true), "");
-  EXPECT_NE(refused("fog", true).find("read 'layer' needs 'fog', which is no read"), std::string::npos);
-  EXPECT_NE(refused("mask", false).find("read 'layer' is always wired"), std::string::npos);
+  EXPECT_NE(refused("fog", true).find("read 'layer' needs 'fog', which is not a read"), std::string::npos);
+  EXPECT_NE(refused("mask", false).find("read 'layer' has 'needs', but is always wired"), std::string::npos);
 }
 
 TEST(Omission, AnotherFormatOrSizeRuns) {
@@ -369,7 +369,7 @@ TEST(Omission, OutputsThatNobodyAsksForAreCulled) {
   Plan plan = planned(masked(), {}, {}, {"ids"});
   EXPECT_EQ(order(plan), (Names{"base", "mask", "rays"}));
   EXPECT_EQ(plan.outputs.size(), 1u);
-  EXPECT_EQ(reason(plan, "end"), "no output requested needs it");
+  EXPECT_EQ(reason(plan, "end"), "not needed by any requested output");
 }
 
 // Plans that differ in nothing but facts that no shader and no node of theirs asks for go on with one another.
@@ -402,7 +402,7 @@ std::string refusal(const WithoutDesc& one) {
 TEST(Without, IsReadWithoutTrust) {
   EXPECT_EQ(refusal(without("m", {{"a", "x"}, {"b", ""}})), "accepted");
   EXPECT_EQ(refusal(without("noise", {{"a", ""}, {"b", ""}})),
-            "passes/x.lua:9: pass 'rays' if_no: 'noise' is not a fact or else a read");
+            "passes/x.lua:9: pass 'rays' if_no: 'noise' must be either a fact or a read");
   EXPECT_EQ(refusal(without("m", {{"a", ""}})), "passes/x.lua:9: pass 'rays' if_no: 'b' is missing");
   EXPECT_EQ(refusal(without("m", {{"a", ""}, {"b", "x"}})),
             "passes/x.lua:9: pass 'rays' if_no: 'b' and 'x' hold different numbers");

@@ -466,8 +466,8 @@ TEST(ChosenFormats, MistakesAreRefused) {
     return refusal(b.pipeline);
   };
   EXPECT_EQ(refused([](PortDesc& port) { port.format_by = "precison"; }),
-            "passes/store.lua:4: the format of port 'v' of pass 'store' is chosen by 'precison', which is no parameter "
-            "of it; did you mean 'precision'?");
+            "passes/store.lua:4: the format of port 'v' of pass 'store' is chosen by 'precison', which is not a "
+            "parameter of the pass; did you mean 'precision'?");
   EXPECT_EQ(refused([](PortDesc& port) { port.formats.pop_back(); }),
             "passes/store.lua:4: port 'v' of pass 'store' has no format for 'precision' = 'half'");
   EXPECT_EQ(refused([](PortDesc& port) { port.formats[1].second = "rg16"; }),
@@ -588,7 +588,7 @@ TEST(Refusals, UnknownNodeAndPort) {
   Builder b = chain();
   b.node("third").inputs = {{"y", "secnd.y"}};
   EXPECT_EQ(refusal(b.pipeline),
-            "test.lua:3: node 'third' reads 'secnd.y', but there is no node 'secnd'; did you mean 'second'?");
+            "test.lua:3: node 'third' reads 'secnd.y', but node 'secnd' is unknown; did you mean 'second'?");
   b.node("third").inputs = {{"y", "second.yy"}};
   EXPECT_EQ(refusal(b.pipeline),
             "test.lua:3: node 'third' reads 'second.yy', but pass 'second' does not write 'yy'; did you mean 'y'?");
@@ -691,13 +691,14 @@ TEST(Refusals, Loops) {
   EXPECT_EQ(refusal(b.pipeline), "test.lua:100: loop 'shutter' stops on 'add.sum', which is 64x32 instead of 1x1");
   b.pipeline.loops[0].until = "";
   b.pipeline.loops[0].first = 3, b.pipeline.loops[0].parts = 4;
-  EXPECT_EQ(refusal(b.pipeline), "test.lua:100: loop 'shutter' takes 2 parts of 4 from number 3 on");
+  EXPECT_EQ(refusal(b.pipeline),
+            "test.lua:100: loop 'shutter' takes 2 parts of 4 from number 3 on, which is out of range");
   b.pipeline.loops[0].first = 2;
   b.node("add").loop = "shuter";
   EXPECT_EQ(refusal(b.pipeline), "test.lua:1: node 'add' is in unknown loop 'shuter'; did you mean 'shutter'?");
   b.node("add").loop = "";
   b.node("add").time = "sample";
-  EXPECT_EQ(refusal(b.pipeline), "test.lua:1: node 'add' has time 'sample' but is in no loop");
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:1: node 'add' has time 'sample' but is not in a loop");
 }
 
 TEST(Refusals, SizesAndOutputs) {

@@ -45,11 +45,11 @@ TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
   expectRefusal("render hybrid -q", 2, "there is no option '-q'; strobe render --help lists what it takes");
   expectRefusal("render hybrid none", 2, "not expected: none; strobe render --help lists what it takes");
   expectRefusal("sweep", 2, "file is required; strobe sweep --help lists what it takes");
-  expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: there is no such file");
+  expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: no such file");
   expectRefusal("sweep experiments/samples", 1, "did you mean '");
   expectRefusal("sweep experiments/samples/", 1, "experiments/samples/samples.lua'?");
   expectRefusal("render none" + kScene + " --tap gbuffer", 2,
-                "'gbuffer', which is a node: 'gbuffer.NAME' is an image of it; it writes ");
+                "'gbuffer', which is a node and not an image; use 'gbuffer.NAME' with one of ");
   expectRefusal("tune hybrid" + kScene + " --budget-ratio x", 2, "--budget-ratio: 'x' is not a number above 0");
   expectRefusal("render adaptive" + kScene + " --budget-ms -1", 2, "--budget-ms: '-1' is not a number above 0");
   for (const char* command : {"render none", "live none"})

@@ -353,7 +353,7 @@ TEST_F(Capture, RefusesWhatIsWrong) {
     writeText(script_, kCapture);
   };
   refused("size =", "siez =", "small.lua:4: the capture has no field 'siez'");
-  refused("\"hybrid_layered\", shots", "\"hybird\", shots", "there is no pipeline 'hybird'");
+  refused("\"hybrid_layered\", shots", "\"hybird\", shots", "unknown pipeline 'hybird'");
   refused("shots = { \"card\" }", "shots = { \"crad\" }", "did you mean 'card'?");
   refused("pipeline = \"none\"", "pipeline = \"none\", layers = { \"dephth\" }", "no layer 'dephth'");
   refused("frames = { 0, 2, 1 }", "frames = { 2, 0, 1 }", "frames are not");

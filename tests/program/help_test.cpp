@@ -46,7 +46,7 @@ TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {
                                 {"edge/sobel.nrm", "edge/sobel.norm"}}) {
     Outcome outcome = run(std::string("help ") + topic);
     EXPECT_EQ(outcome.exit_code, 2) << topic;
-    std::string expected = fmt::format("strobe: there is no help on '{}'; did you mean '{}'?\n", topic, nearest);
+    std::string expected = fmt::format("strobe: unknown help topic '{}'; did you mean '{}'?\n", topic, nearest);
     EXPECT_EQ(outcome.err, expected);
     EXPECT_EQ(outcome.out, "");
   }

@@ -51,7 +51,7 @@ TEST_F(Installed, ReadsItsOwnFiles) {
   // What the sources lack is found; what is missing there is missing, though the sources have it.
   fs::rename(shipped() / "scripts/pipelines/ue4.lua", shipped() / "scripts/pipelines/renamed.lua");
   EXPECT_EQ(strobeIn(folder_->path(), "plan renamed").exit_code, 0);
-  EXPECT_NE(strobeIn(folder_->path(), "plan ue4").err.find("there is no pipeline 'ue4'"), std::string::npos);
+  EXPECT_NE(strobeIn(folder_->path(), "plan ue4").err.find("unknown pipeline 'ue4'"), std::string::npos);
   fs::rename(shipped() / "scripts/pipelines/renamed.lua", shipped() / "scripts/pipelines/ue4.lua");
 }
 

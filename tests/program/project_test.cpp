@@ -79,7 +79,7 @@ TEST_F(Project, Runs) {
                            "strobe:passes/gbuffer/gbuffer.lua", "strobe:shaders/lib/hit.glsl"})
     EXPECT_NE(record.find("\"" + std::string(file) + "\""), std::string::npos) << file;
   EXPECT_EQ(inside("render none" + kSmall).exit_code, 0);
-  EXPECT_NE(run("plan smear").err.find("there is no pipeline 'smear'"), std::string::npos);  // outside of it
+  EXPECT_NE(run("plan smear").err.find("unknown pipeline 'smear'"), std::string::npos);  // outside of it
 }
 
 TEST_F(Project, AddsMembersToFamilies) {
@@ -188,27 +188,27 @@ TEST_F(Project, NamesTheFoldersThatWereSearched) {
   write("shaders/smear.glsl", std::regex_replace(shader, std::regex("lib/times"), "lib/tims"));
   expectRefused(
       "check smear",
-      fmt::format("shaders/smear.glsl:7: '#include': there is no 'lib/tims.glsl' beside the file or in {}/shaders or "
+      fmt::format("shaders/smear.glsl:7: '#include': 'lib/tims.glsl' not found beside the file or in {}/shaders or "
                   "{}/shaders; did you mean 'lib/times.glsl'?",
                   own, shipped));
   write("shaders/smear.glsl", std::regex_replace(shader, std::regex("void run\\(ivec2 pixel\\)"), "void main()"));
   expectRefused("check smear",
-                "strobe: shaders/smear.glsl:9: 'main': the shader of a pass has 'void run(ivec2 pixel)' instead");
+                "strobe: shaders/smear.glsl:9: 'main': the shader of a pass defines 'void run(ivec2 pixel)' instead");
   EXPECT_NE(inside("plan chroma")
-                .err.find(fmt::format("there is no pipeline 'chroma' in {}/pipelines or {}/scripts/pipelines\n", own,
-                                      shipped)),
+                .err.find(fmt::format("unknown pipeline 'chroma'; not found in {}/pipelines or {}/scripts/pipelines\n",
+                                      own, shipped)),
             std::string::npos);
   Outcome outside = run("plan chroma");
   EXPECT_EQ(outside.exit_code, 2);
-  EXPECT_NE(
-      outside.err.find(fmt::format("there is no pipeline 'chroma' in {}/scripts/pipelines; the current folder is in no "
-                                   "project (strobe.project.lua)",
-                                   shipped)),
-      std::string::npos)
+  EXPECT_NE(outside.err.find(fmt::format(
+                "unknown pipeline 'chroma'; not found in {}/scripts/pipelines; the current folder is not in a "
+                "project (strobe.project.lua)",
+                shipped)),
+            std::string::npos)
       << outside.err;
   write("a.obj", "v 0 0 0\n");
   EXPECT_NE(inside("plan smear --scene a.obj")
-                .err.find("'a.obj' is not a scene: scenes are names, or files that end in .lua, .glb or .gltf"),
+                .err.find("'a.obj' is not a scene: a scene is a name, or a file that ends in .lua, .glb or .gltf"),
             std::string::npos);
 }
 
@@ -277,7 +277,7 @@ TEST_F(Project, IsCheckedWithWhatShips) {
 
 TEST_F(Project, IsMarkedInHelp) {
   Outcome topics = inside("help", "shaders");
-  EXPECT_NE(topics.out.find("[project] marks what lies in " + path("").parent_path().string()), std::string::npos);
+  EXPECT_NE(topics.out.find("[project] marks the files in " + path("").parent_path().string()), std::string::npos);
   std::istringstream lines(topics.out);
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with("  "))

@@ -369,7 +369,7 @@ return pipeline { doc = "x", build = function() return { color = mask { is_last 
   plan::PipelineDesc plain = evaluate();
   EXPECT_EQ(std::get<bool>(*bindingOf(nodeOf(plain, "mask"), "is_last").value), true);
   EXPECT_EQ(failure({{"mask.is_last", "false"}}),
-            "--set mask.is_last=false: the pipeline alone sets 'is_last' of node 'mask'");
+            "--set mask.is_last=false: only the pipeline sets 'is_last' of node 'mask'");
   EXPECT_EQ(failure({{"is_last", "false"}}), "--set is_last=false: the pipeline has no parameter 'is_last'");
   EXPECT_THROW(plan::withSettings(plain, {{"mask.is_last", false}}), Error);
 }
@@ -388,7 +388,7 @@ TEST_F(Evaluate, WrongSettingsAreRefusedWithTheNearestName) {
             "--set bias=1: the pipeline has no parameter 'bias'; nodes have it: 'far.bias', 'near.bias'");
   EXPECT_EQ(failure({{"far.tiel", "1"}}),
             "--set far.tiel=1: node 'far' has no parameter 'tiel'; did you mean 'far.tile'?");
-  EXPECT_EQ(failure({{"fra.tile", "1"}}), "--set fra.tile=1: there is no node 'fra'; did you mean 'far.tile'?");
+  EXPECT_EQ(failure({{"fra.tile", "1"}}), "--set fra.tile=1: unknown node 'fra'; did you mean 'far.tile'?");
   EXPECT_EQ(failure({{"far.tile", "1000"}}),
             "--set far.tile=1000: node 'far': 'tile' = '1000' is above max 256 (range 1 to 256 px)");
   EXPECT_EQ(failure({{"a", "1"}, {"far.b", "1"}}),
@@ -404,7 +404,7 @@ TEST_F(Evaluate, NamesAndPaths) {
     evaluatePipeline(home_.home(), {"smaple", {}});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "there is no pipeline 'smaple'; did you mean 'sample'?");
+    EXPECT_STREQ(error.what(), "unknown pipeline 'smaple'; did you mean 'sample'?");
   }
   EXPECT_THROW(evaluatePipeline(home_.home(), {"nowhere/x.lua", {}}), Error);
 }

@@ -112,21 +112,21 @@ TEST(Sandbox, HasNoWayOut) {
     const char* error;
   };
   const Attempt attempts[] = {
-      {"return { os.time() }", "there is no global 'os'"},
-      {"return { io.open('x') }", "there is no global 'io'"},
-      {"return { debug.getinfo(1) }", "there is no global 'debug'"},
-      {"return { package.path }", "there is no global 'package'"},
-      {"return { load('return 1')() }", "there is no global 'load'"},
-      {"return { loadfile('x') }", "there is no global 'loadfile'"},
-      {"return { dofile('x') }", "there is no global 'dofile'"},
-      {"return { collectgarbage('count') }", "there is no global 'collectgarbage'"},
-      {"return { coroutine.create(print) }", "there is no global 'coroutine'"},
-      {"return { _G.os }", "there is no global '_G'"},
-      {"return { _ENV.os }", "there is no global 'os'"},
+      {"return { os.time() }", "unknown global 'os'"},
+      {"return { io.open('x') }", "unknown global 'io'"},
+      {"return { debug.getinfo(1) }", "unknown global 'debug'"},
+      {"return { package.path }", "unknown global 'package'"},
+      {"return { load('return 1')() }", "unknown global 'load'"},
+      {"return { loadfile('x') }", "unknown global 'loadfile'"},
+      {"return { dofile('x') }", "unknown global 'dofile'"},
+      {"return { collectgarbage('count') }", "unknown global 'collectgarbage'"},
+      {"return { coroutine.create(print) }", "unknown global 'coroutine'"},
+      {"return { _G.os }", "unknown global '_G'"},
+      {"return { _ENV.os }", "unknown global 'os'"},
       {"return { string.dump(function() end) }", "attempt to call a nil value (field 'dump')"},
       {"return { ('').dump(print) }", "attempt to call a nil value (field 'dump')"},
       {"return { require('../secret') }", "is not the name of a module"},
-      {"return { require('secret') }", "there is no module 'secret'"},
+      {"return { require('secret') }", "unknown module 'secret'"},
       {"return { require('scripts...secret') }", "is not the name of a module"},
       {"return { require('/etc/passwd') }", "is not the name of a module"},
       {"return { require('passes/../secret') }", "is not the name of a module"},
@@ -138,12 +138,12 @@ TEST(Sandbox, HasNoWayOut) {
       {"rawset(_ENV, 'x', 1)", "a global cannot be set"},
       {"setmetatable(_ENV, nil)", "cannot change a protected metatable"},
       {"return { string.format('%p', {}) }", "%p would print an address"},
-      {"math.randomseed()", "math.randomseed wants a number"},
+      {"math.randomseed()", "math.randomseed needs a number"},
       {"for k in pairs({ [{}] = 1 }) do end", "keys of type table have no fixed order"},
       {"error({})", "the error is a table instead of a text"},
       {"error()", "the error is a nil instead of a text"},
-      {"error({ problems = 3 })", "the error is a table of a wrong form"},
-      {"error({ problems = { { place = 3 } } })", "the error is a table of a wrong form"},
+      {"error({ problems = 3 })", "the error is a table with a wrong form"},
+      {"error({ problems = { { place = 3 } } })", "the error is a table with a wrong form"},
       {"error('two\\nlines\\27[31m')", "two lines [31m"},
   };
   for (const Attempt& attempt : attempts) {
@@ -187,8 +187,8 @@ return { seen = table.concat(seen, " "), first = key .. value }
   Json scene = evaluateScene(home.home(), "order", {});
   EXPECT_EQ(scene["seen"], "false true -1 1.5 2 9007199254740992 9007199254740993 inf 1B 1a 3a 1b a c 1n 2n");
   EXPECT_EQ(scene["first"], "y4");
-  EXPECT_EQ(failureOf(home, "none", "pairs(3)"), "scripts/scenes/none.lua:1: pairs wants a table, got number");
-  EXPECT_EQ(failureOf(home, "none", "next(3)"), "scripts/scenes/none.lua:1: next wants a table, got number");
+  EXPECT_EQ(failureOf(home, "none", "pairs(3)"), "scripts/scenes/none.lua:1: pairs needs a table, got number");
+  EXPECT_EQ(failureOf(home, "none", "next(3)"), "scripts/scenes/none.lua:1: next needs a table, got number");
 }
 
 TEST(Sandbox, ErrorsInsideTheLibraryPointAtTheUsersLine) {

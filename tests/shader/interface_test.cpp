@@ -111,7 +111,7 @@ TEST_F(Shaders, ErrorsOfTheCodeBehindNameTheShader) {
   EXPECT_NE(error.find("scale.glsl: no function 'void run(ivec2 pixel)'"), std::string::npos) << error;
   error = errorOf(std::string(kGood, strlen(kGood) - 2));  // without its last brace
   EXPECT_NE(error.find("scale.glsl: "), std::string::npos) << error;
-  EXPECT_NE(error.find("behind the shader"), std::string::npos) << error;
+  EXPECT_NE(error.find("after the shader"), std::string::npos) << error;
 }
 
 TEST_F(Shaders, WhatIsDeclaredMustBeUsed) {

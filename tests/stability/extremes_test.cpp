@@ -150,7 +150,7 @@ TEST(ExtremeChecks, MistakesAreNamed) {
   EXPECT_EQ(mistakeIn({{"check", "draws"}, {"shot", barShot(0)}, {"hi", 1}}).substr(0, 47),
             "cases.lua: case 'x': check 1: unknown key 'hi';");
   EXPECT_EQ(mistakeIn({{"check", "truth"}, {"shot", barShot(0)}, {"tolerance", 1}, {"exact", {1, 2}}}),
-            "cases.lua: case 'x': check 1: 'exact' has 2 of 192");
+            "cases.lua: case 'x': check 1: 'exact' has 2 numbers instead of 192");
 }
 
 }  // namespace extremes_test

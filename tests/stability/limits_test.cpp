@@ -85,7 +85,7 @@ TEST_F(Limits, ExposuresThatLeaveAClipAreSaid) {
   EXPECT_TRUE(warningsAt(24, 3).empty());
   std::vector<std::string> seam = warningsAt(1000, 170);  // 0.17 s: 8 exposures end at 0.1667 s
   ASSERT_EQ(seam.size(), 1u);
-  EXPECT_NE(seam[0].find("spans the end of 'bent' at 0.166667 s; what is keyed jumps back"), std::string::npos)
+  EXPECT_NE(seam[0].find("spans the end of 'bent' at 0.166667 s; keyed values jump back"), std::string::npos)
       << seam[0];
   EXPECT_TRUE(warningsAt(1000, 160).empty());
 }
@@ -128,7 +128,7 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
     return refusalOf(limits);
   };
   EXPECT_EQ(with([](auto& l) { l.instances = 2; }),
-            "small: the scene has 3 instances of at most 2; nothing is drawn; merge meshes, or take another device");
+            "small: the scene has 3 instances of at most 2; nothing is drawn; merge meshes, or use another device");
   EXPECT_EQ(with([](auto& l) { l.triangles = 1; }),
             "small: mesh 'square' has 2 triangles of at most 1; nothing is drawn; split the mesh");
   EXPECT_NE(with([](auto& l) { l.geometries = 0; }).find("mesh 'square' has 1 parts of at most 0"), std::string::npos);
@@ -153,10 +153,10 @@ TEST(DeviceLimits, MemoryIsAskedForBeforeAnythingIsAllocated) {
   using shader::StructureKind;
   EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 200), "");
   EXPECT_EQ(memoryRefusalOf(StructureKind::Own, 296), "");
-  EXPECT_EQ(
-      memoryRefusalOf(StructureKind::Driver, 199),
-      "small: what stays on the device has 200 bytes of at most 199; nothing is drawn; end other programs, take a "
-      "smaller picture, fewer vertices or smaller textures, or another device");
+  EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 199),
+            "small: the data that stays on the device has 200 bytes of at most 199; nothing is drawn; end other "
+            "programs, use a "
+            "smaller picture, fewer vertices or smaller textures, or another device");
   EXPECT_NE(memoryRefusalOf(StructureKind::Own, 295).find("has 296 bytes of at most 295"), std::string::npos);
 }
 

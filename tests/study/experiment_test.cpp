@@ -163,7 +163,7 @@ TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
                with("set = { edg = 4 }"),
                "x.lua:8: arm 'hybrid': --set edg=4: the pipeline has no parameter 'edg'; did you mean 'edge'?"},
            {with("set = { [\"edges.depth\"] = 0.01 }"),
-            "x.lua:8: arm 'hybrid': --set edges.depth=0.01: there is no node 'edges'"},
+            "x.lua:8: arm 'hybrid': --set edges.depth=0.01: unknown node 'edges'"},
            {with("box = { tap = 4 }"), "x.lua:8: arm 'hybrid': --set tap=4: "},
            {with("", "move = { bra = { 1, 0, 0 } }"),
             "x.lua:11: shot 'bar': bar has no node 'bra'; did you mean 'bar'?"},
@@ -173,7 +173,7 @@ TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
             "x.lua:13: axis 'speed', shot 'bar': --camera mian: bar has no camera 'mian'; did you mean 'main'?"},
            {with("", "follow = \"bra\""), "x.lua:11: shot 'bar': --follow bra: bar has no node 'bra'"},
            {with("", "animation = \"al\""), "x.lua:11: shot 'bar': --animation al: bar has no animation 'al'"},
-           {with("", "scene = \"oracles/bra\""), "x.lua:11: shot 'bar': there is no scene 'oracles/bra'"},
+           {with("", "scene = \"oracles/bra\""), "x.lua:11: shot 'bar': unknown scene 'oracles/bra'"},
            {with("", "[\"scene.lft\"] = 20"),
             "x.lua:11: shot 'bar': --set scene.lft=20: the scene has no parameter 'lft'"},
            {with("", "truth = { sampels = 4 }"), "x.lua:11: shot 'bar', truth: --set sampels=4: "},
@@ -184,7 +184,7 @@ TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
     expectRefusal(text, wanted, true);
   std::string misspelt = with("");
   misspelt.replace(misspelt.find("\"none\""), 6, "\"noen\"");
-  expectRefusal(misspelt, "x.lua:7: arm 'no blur': there is no pipeline 'noen'; did you mean 'none'?", true);
+  expectRefusal(misspelt, "x.lua:7: arm 'no blur': unknown pipeline 'noen'; did you mean 'none'?", true);
 }
 
 TEST(Mistakes, OfLacksAreFound) {
