@@ -44,9 +44,9 @@ local text = {
   edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit",
   weights = "mcguire2012",
 }
--- Settings of the preset `paper`: the settings `text`, except for two where the text of the paper is silent or contradicts the
--- paper's claims. With these two, a ray passes the whole foreground object at once, and each tap has an equal share of the
--- exposure.
+-- Settings of the preset `paper`: the settings `text` with two changes, where the text of the paper is silent or
+-- contradicts the paper's claims. With these changes, a ray passes the whole foreground object at once, and each tap
+-- has an equal share of the exposure.
 local paper = { text, advance = "instance_filter", weights = "uniform" }
 
 return pipeline {
