@@ -7,7 +7,7 @@ local experiment = require "strobe.experiment"
 
 -- Reasons why some of the expectations below failed; reports print them.
 local own_rays = "rasterised layers need rays only for light, while adaptive traces rays at several times. " ..
-                 "Rasterised layers in turn draw the scene again for each layer"
+                 "For each rasterised layer, however, the scene is drawn again"
 
 local shots = { "vase", "three", "enters", "tracking" }
 local layers, best = "layers 2024", "adaptive"
