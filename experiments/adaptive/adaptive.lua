@@ -197,7 +197,7 @@ return experiment {
              "quality leads from a post-process blur to truth. Do its settings form the front of error against time?",
   note     = "The shots are all scenes of the repository except the exhibits. In relation to the size of the " ..
              "picture, displacements are as long as in the scenes' own pictures. Errors and times are ratios to " ..
-             "McGuire 2012 in the same scene. Over all scenes they are geometric means. The curve of adaptive is " ..
+             "McGuire 2012 in the same scene; values over all scenes are geometric means. The curve of adaptive is " ..
              "linear in the logarithms of cost and error between two settings. Points of other pipelines that cost " ..
              "less than the first setting of adaptive are not compared with the curve. Pairs in parentheses are " ..
              "(cost, error).",

@@ -62,7 +62,8 @@ local rules = {
     end },
 }
 
--- Reasons why some expectations failed; reports print them. The table `known` has them by shot and number of the rule.
+-- Reasons why some expectations failed; reports print these reasons. The table `known` has a reason per shot and number
+-- of the rule.
 local slow = "the figure moves by 3 px only, so each pixel starts with few rays: details that pass the pixel " ..
              "between two rays of similar colour are missed. With first rays at more times (a smaller `pace`) the " ..
              "error is below the floor"

@@ -3,7 +3,7 @@
 -- pixels with an edge along their motion.
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local thinned = "edges thinned to lines of one pixel mark fewer pixels than need a ray"
 local creases = "normals do add edges: with a low threshold of normal steps, silhouettes with a small step in depth " ..
                 "are marked"

@@ -6,7 +6,7 @@
 local experiment = require "strobe.experiment"
 local sequences = require "strobe.sequences"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local gather = "the composite in_gather is as good as layered in this shot, because only the vase moves"
 
 local count = 64

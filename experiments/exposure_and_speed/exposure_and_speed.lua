@@ -2,7 +2,7 @@
 -- Measures the errors of post-process blurs, of the hybrid and of adaptive at many pairs of exposure and speed.
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local all_moves = "in a tracking shot nearly all pixels get rays at several times"
 local slow = "at 3 px truth needs few samples, while the error tolerance of the default quality keeps adaptive from " ..
              "a smaller error"

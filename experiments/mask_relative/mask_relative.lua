@@ -4,7 +4,7 @@
 -- relative to the surface beyond its silhouette.
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local many = "in the tracking shot tiles have more velocities than their lists hold, so the relative mask misses pixels too"
 local steps = "between twigs, a mask that tests a single position misses disoccluded surfaces (with 4 positions the " ..
   "error is smaller), and Sobel misses small steps in depth"

@@ -8,7 +8,7 @@ local experiment = require "strobe.experiment"
 local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
 local best, floor = "adaptive", "truth, as many samples"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local tolerance = "at its default quality adaptive gathers surfaces whose displacements differ by at most 0.35 px. " ..
                   "If they differ more, the error depends on the error tolerance of the quality, and more samples " ..
                   "do not reduce it"

@@ -4,7 +4,7 @@
 -- its motion.
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local turns = "termination by motion treats each instance as one object: it compares the motions of different instances only"
 
 local ways = { "luminance", "geometry", "instance", "motion" }

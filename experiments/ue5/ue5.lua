@@ -16,7 +16,7 @@ local parameters = {
   { name = cheap, param = "cheap", on = true, changed = "without", value = false },
   { name = nearest, param = "nearest_depth", on = true, changed = "without", value = false },
 }
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local across = "half resolution blurs edges that are parallel to the motion; in the tracking shot, nine tenths of the added " ..
                "squared error are at the edge of a bright lamp"
 local small_part = "on the software device the gather takes a small part of the frame time, and the passes that the " ..

@@ -100,7 +100,8 @@ return pipeline {
       doc = "find the regions of the error report (inner, hidden, outer, self); costs one more ray per sample" },
     validation_share = trace.params.validation_share,
     tolerance        = float { 0, min = 0, max = 1e6,
-      doc = "standard error of the mean at which sampling stops, linear radiance; 0: sampling does not stop early" },
+      doc = "bound of the standard error of the mean, linear radiance: sampling stops when the error is at most " ..
+            "this bound. 0: sampling does not stop early" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"

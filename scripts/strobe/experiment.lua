@@ -128,8 +128,8 @@ experiment.fields = {
 -- order.
 experiment.scales = { "log", "linear", "even" }
 experiment.roles = { "method", "floor" }
--- Measures that `against` of an axis may name. `strobe bench slopes` can plot times against them, because they depend on the
--- picture alone and not on the speed of the machine.
+-- Measures that `against` of an axis may name. `strobe bench slopes` can plot times against these measures, because
+-- their values depend on the picture alone and not on the speed of the machine.
 experiment.counted = { "masked", "displacement" }
 -- Kinds of growth of a time along an axis, for the field `grows` of `costs`.
 experiment.growths = { "constant", "linear", "logarithmic" }

@@ -109,8 +109,8 @@ function node.is_reference(value)
   return getmetatable(value) == Reference
 end
 
--- Returns the reason why the parameter `wanted` of a pass cannot have the value of the parameter `source` of the
--- pipeline, or nil if there is no such reason.
+-- Returns nil if the parameter `wanted` of a pass can have the values of the parameter `source` of the pipeline.
+-- Otherwise returns the reason why it cannot.
 local function cannot_follow(wanted, source)
   local same = wanted.type == source.type or (wanted.type == "float" and source.type == "int")
   if not same then return ("is %s, but '%s' of the pipeline is %s"):format(wanted.type, source.name, source.type) end

@@ -99,7 +99,7 @@ local function check_absent(problems, reads, name, at, what)
     local texel = type(given) == "number" and { given, given, given, given } or given
     if is_texel(texel, port.uint) then return texel end
     local numbers = port.uint and "unsigned integer" or "number"
-    problems:add(at, "'absent' of %s is neither one %s nor four, nor the name of a read", what, numbers)
+    problems:add(at, "'absent' of %s must be one %s, four of these, or the name of a read", what, numbers)
     return nil
   end
   local other = reads[given]
