@@ -30,10 +30,10 @@
 ---@field unit? string unit of the value: "px", "m", "image widths"
 ---@field doc string meaning
 ---@field role? strobe.Role role, by which commands find the parameter
----@field wired? boolean (passes) describes the rest of the graph, so that only a pipeline may set the parameter
+---@field wired? boolean (passes) the value describes the rest of the graph, so that only a pipeline may set it
 ---@field auto? boolean the parameter also accepts "auto" (for a float that is never negative)
 ---@field variant? boolean (int and float) the value is compiled into the shader instead of passed to the shader
----@field breaks? table<string, table<strobe.Invariant, string>> invariants that a value (a number: `other`) breaks
+---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a value breaks; key of numbers: `other`
 
 ---The choices in order, `{ "a", "b", default = "b", doc = "which" }`. Without `default` the first choice is the default.
 ---@class strobe.ChoiceTable
@@ -42,7 +42,7 @@
 ---@field unit? string unit of the choices
 ---@field doc string meaning
 ---@field role? strobe.Role role, by which commands find the parameter
----@field wired? boolean (passes) describes the rest of the graph, so that only a pipeline may set the parameter
+---@field wired? boolean (passes) the value describes the rest of the graph, so that only a pipeline may set it
 ---@field values? table<string, string> effect of each choice, and its failures
 ---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a choice breaks, with reasons
 
@@ -50,7 +50,7 @@
 ---@field doc string meaning, unit, range
 ---@field uint? boolean the texels are unsigned integers
 ---@field optional? boolean the read may be left unwired; then HAS_<name> is 0 in the shader
----@field absent? number|number[]|string value of each texel if the read is left unwired: 1 or 4 numbers, or another read
+---@field absent? number|number[]|string replacement if the read is left unwired: 1 or 4 numbers, or another read's name
 ---@field linear? boolean the shader samples the image with a linear filter, instead of fetching texels
 ---@field pointwise? boolean the shader fetches the image only at the pixel of the invocation
 ---@field buffer? boolean the read is a buffer of unsigned integers instead of an image
@@ -105,7 +105,7 @@
 ---@field updates? table<string, strobe.Update> images that the shader reads and writes; zero before the first execution
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string|strobe.Counter> counters, each with its counted event
----@field if_no? table<strobe.Fact|string, table<string, 0|string>> stand-ins for writes if a fact is false or a read 0
+---@field if_no? table<strobe.Fact|string, table<string, 0|string>> stand-ins if a fact is false or a read is all zeros
 
 ---An image that a node writes. It can be wired to reads of other nodes.
 ---@class strobe.Image
@@ -114,7 +114,7 @@
 ---@class strobe.Ports
 ---@field [string] strobe.Image
 
----Arguments of a call: images for reads, literals or parameters of the pipeline for parameters.
+---Arguments of a call: an image for each read, a constant or a parameter of the pipeline for each parameter.
 ---@class strobe.CallTable
 ---@field as? string name of the node
 ---@field time? strobe.Time time of the scene that the node reads; default "raster"
@@ -193,7 +193,7 @@ function pass.choice(t) end
 ---@field name string
 ---@field count integer|strobe.Parameter number of iterations
 ---@field first? integer number of the first part of the exposure, 0-based; needs `parts`
----@field parts? integer number of parts of the exposure, of which the loop takes `count`; default: `count`
+---@field parts? integer number of parts of the exposure, of which the loop samples `count`; default: `count`
 ---@field times? "midpoint"|"stratified"|"even"|"frames"|strobe.Parameter scene times of the iterations; default "midpoint"
 ---@field slices? integer|strobe.Parameter scene times per iteration, of which each pixel uses a random one; default 1
 ---@field until_? strobe.Image|fun(results: strobe.Ports): strobe.Image 1x1 r32f image; the loop ends when it is not zero

@@ -6,7 +6,7 @@ local experiment = require "strobe.experiment"
 local all_shots  = require "scripts.scenes.lib.all_shots"
 
 local shots, width, height = all_shots.list(), 160, 90
-local arms, others, own = {}, {}, {}  -- all; names of arms with other pipelines, with adaptive
+local arms, others, own = {}, {}, {}  -- all arms; names of the arms of other pipelines; names of the arms of adaptive
 local base = "McGuire 2012"
 local postprocess = "UE4-style"  -- equals adaptive with quality = 0
 local function arm(list, name, pipeline, set)
@@ -143,9 +143,10 @@ local function reaches(most, cost, known)
     end, known = known }
 end
 
-local passes = "the passes that find reliable cells take half of the time of McGuire 2012, even if few rays follow"
+local passes = "even if few rays follow, the passes that find reliable cells take half as long as McGuire 2012"
 local expect = { reaches(0.05, 2.5), reaches(0.12, 1.6, passes) }
-local few_rays = "layers at the raster time are drawn by raster passes and few rays: they need few rays but much time"
+local few_rays = "methods with layers at the raster time rasterise most of these layers: they trace few rays, but " ..
+                 "take long"
 for _, part in ipairs { of_curve("ms", "error against time"), of_curve("rays", "error against rays", few_rays) } do
   for _, one in ipairs(part) do expect[#expect + 1] = one end
 end
@@ -154,7 +155,8 @@ local function also(text, holds, known) expect[#expect + 1] = { text, holds, kno
 also("in no single scene does a point of another pipeline lie below the curve of adaptive (error against time)", function(r)
   local good, texts = scene_by_scene(r, "ms")
   return good == #shots, ("in %d of %d; %s"):format(good, #shots, table.concat(texts, "; "))
-end, "in some scenes layers at the raster time contain all visible surfaces, and have a smaller error for the same time")
+end, "in some scenes, layers at the raster time contain all surfaces that are visible at any time. There, methods " ..
+  "with layers have a smaller error for the same time")
 also("the first setting, a quality of 0, is on the front if the post-process that it equals is not counted", function(r)
   local curve, list = fronts(r, "ms")
   local names = {}
@@ -193,10 +195,12 @@ return experiment {
   title    = "Adaptive",
   question = "The pipeline adaptive gathers in cells where a gather is certain, and traces all other pixels. Its parameter " ..
              "quality leads from a post-process blur to truth. Do its settings form the front of error against time?",
-  note     = "The shots are all scenes of the repository except the exhibits. Their displacements are the same shares of " ..
-             "the picture as at the scenes' own sizes. Errors and times are ratios to McGuire 2012 in the same scene. Over " ..
-             "all scenes they are geometric means. The curve of adaptive connects its settings linearly in logarithms. " ..
-             "Points that cost less than its first setting are not compared with it. Pairs are (cost, error).",
+  note     = "The shots are all scenes of the repository except the exhibits. In relation to the size of the " ..
+             "picture, displacements are as long as in the scenes' own pictures. Errors and times are ratios to " ..
+             "McGuire 2012 in the same scene; values over all scenes are geometric means. The curve of adaptive is " ..
+             "linear in the logarithms of cost and error between two settings. Points of other pipelines that cost " ..
+             "less than the first setting of adaptive are not compared with the curve. Pairs in parentheses are " ..
+             "(cost, error).",
   size     = { width, height },
   shots    = shots,
   arms     = arms,

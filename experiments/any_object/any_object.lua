@@ -1,12 +1,14 @@
 -- SPDX-License-Identifier: MIT
--- Measures the errors of the pipeline adaptive for objects that turn, have many parts, enter or leave the picture, before
--- backgrounds with detail. The baselines are other methods. The floor is the RMSE of ground truth with 16 midpoint samples, as
--- many as each method has. The part of an error e above the floor is sqrt(e^2 - floor^2), or 0 if e is smaller than the floor.
+-- Measures the errors of the pipeline adaptive for objects that turn, have many parts, enter or leave the picture, in
+-- front of backgrounds with detail. The baselines are other methods. The floor is the RMSE of ground truth with 16
+-- midpoint samples, as many as each method has. An error e beyond the floor is sqrt(e^2 - floor^2), or 0 if
+-- e is smaller than the floor.
 -- Expectations in each shot, written before measuring:
---   In disoccluded regions (inner, hidden, self), the RMSE of adaptive above the floor is at most a third of the RMSE of
---     the best post-process above the floor.
+--   In disoccluded regions (inner, hidden, self), the RMSE of adaptive beyond the floor is at most a third of the RMSE
+--     of the best post-process beyond the floor.
 --   In every region, the RMSE of adaptive is at most 1.5 times the floor.
---   In no region does a baseline have a smaller RMSE. Baselines with layers or rays (`others`) were added later.
+--   In no region does a baseline have a smaller RMSE than adaptive. Baselines with layers or rays (`others`) were added
+--   later.
 --   strobe sweep experiments/any_object/any_object.lua -o out/any_object
 -- The scenes of the last shots are shared data (STROBE_DATA). These shots are skipped if the data is missing.
 local experiment = require "strobe.experiment"
@@ -46,7 +48,8 @@ local function above(error, least) return math.sqrt(math.max(0, error * error - 
 -- The three expectations as rules. Each rule is tested in its `regions`. The function `holds` takes the errors of one region,
 -- and returns two values: true if the rule holds, and a text with the compared numbers.
 local rules = {
-  { text = "in disoccluded regions adaptive's error above the floor is at most a third of the best post-process's",
+  { text = "in disoccluded regions the error of adaptive beyond the floor is at most a third of the error of the " ..
+           "best post-process beyond the floor",
     regions = uncovered, holds = function(e)
       local own, best = above(e.own, e.floor), above(e.best.rmse, e.floor)
       return own <= best / 3, ("%.4f of %.4f (%s)"):format(own, best, e.best.name)
@@ -59,9 +62,11 @@ local rules = {
     end },
 }
 
--- Reasons why some expectations failed; reports print them. The table `known` has them by shot and number of the rule.
-local slow = "the figure moves by 3 px only, so each pixel has few first rays: details that pass the pixel between two rays " ..
-             "of similar colour are missed. With first rays at more times (pace) the error is below the floor"
+-- Reasons why some expectations failed; reports print these reasons. The table `known` has a reason per shot and number
+-- of the rule.
+local slow = "the figure moves by 3 px only, so each pixel starts with few rays: details that pass the pixel " ..
+             "between two rays of similar colour are missed. With first rays at more times (a smaller `pace`) the " ..
+             "error is below the floor"
 local known = { walker = { [2] = slow } }
 
 local function expected(shots)
@@ -101,7 +106,8 @@ local shots = {
          "spokes disocclude each other."),
   object("enters", "Leaves and enters", "A crate is visible only at the beginning of the exposure, a ball only at " ..
          "its end."),
-  object("caged_fan", "Caged fan", "Blades turn by 60 degrees behind and before thin wires at rest."),
+  object("caged_fan", "Caged fan", "Blades turn by 60 degrees. Thin static wires are in front of the blades " ..
+         "and behind them."),
   object("pendulum", "Pendulum", "Rod and bob swing by 25 degrees behind the bars of a clock's case."),
   object("leaves", "Leaves", "There are three layers of leaves, one behind the other. Each leaf moves and turns differently."),
   object("car_and_road", "Car and road", "A car drives with rolling wheels. The camera moves by nine tenths of the car's " ..
@@ -117,18 +123,20 @@ local shots = {
     note = "A skinned figure walks on the spot.", fps = 6, frame = 4, exposure = 1,
     view = { 2.2, 1.3, 2.2, 0, 0.8, 0 } },
   { name = "desk_fan", title = "Desk fan", scene = "shared:scenes/vintage_desk_fan/vintage_desk_fan.glb",
-    note = "Head, cage and blades turn to the side together by 36 degrees. Wires of the cage are before and behind the blades.",
+    note = "Head, cage and blades turn to the side together by 36 degrees. The cage has wires in front of the " ..
+           "blades and behind them.",
     fps = 24, exposure = 0.5, animation = "none", view = { 6, 34, 70, 0, 29, 0 },
     spin = { fanHead_low = { 0, 1, 0, 72 }, fanBlade_low = { 0, 1, 0, 72 } } },
   { name = "truck", title = "Milk truck", scene = samples .. "CesiumMilkTruck.glb",
     note = "The truck drives by. Its wheels turn by 70 degrees within the exposure.",
     fps = 4, frame = 3, exposure = 1, view = { 1.2, 1.8, 6.2, -0.3, 1.1, 0 }, move = { node_0 = { 0.5225, 0, 0 } } },
   { name = "box_rises", title = "Box out of a box", scene = samples .. "BoxAnimated.glb",
-    note = "A box rises out of another box, which hides more of the first box at the beginning than at the raster time.",
+    note = "A box rises out of another box. The other box hides more of the rising box at the beginning of the " ..
+           "exposure than at the raster time.",
     fps = 4, frame = 2, exposure = 1, view = { 1, 1.9, 2.3, 0, 0.8, 0 } },
   { name = "box_turns", title = "Turning box", scene = samples .. "BoxAnimated.glb",
-    note = "A box turns by 36 degrees above another box. A face that is visible at the beginning is hidden at the raster " ..
-           "time.",
+    note = "A box turns by 36 degrees above another box. A face that is visible at the beginning of the exposure is " ..
+           "hidden at the raster time.",
     fps = 4, frame = 8, exposure = 1, view = { 1.1, 3.1, 1.5, 0, 2.5, 0 } },
 }
 
@@ -144,10 +152,11 @@ arms[#arms + 1] = { name = floor, pipeline = "ground_truth", role = "floor", sho
 return experiment {
   title = "Any object",
   question = "Is adaptive accurate for objects that turn, have many parts, enter or leave the picture?",
-  note = "All methods have 16 samples, the exposure ends at the raster time, and no displacement is shortened. The floor is " ..
-         "the error of truth with 16 samples. adaptive is expected to have an error above the floor of at most a " ..
-         "third of the best post-process's, in disoccluded regions. In every region its error is expected to be at " ..
-         "most 1.5 times the floor, and no baseline is expected to have a smaller error.",
+  note = "All methods have 16 samples, the exposure ends at the raster time, and no displacement is shortened. The " ..
+         "floor is the error of truth with 16 samples. An error e beyond the floor f is sqrt(e^2 - f^2). Expected " ..
+         "for disoccluded regions: the error of adaptive beyond the floor is at most a third of the error of the " ..
+         "best post-process beyond the floor. Expected for every region: the error of adaptive is at most 1.5 times " ..
+         "the floor, and no baseline has a smaller error.",
   size = { 480, 270 },
   regions = regions,
   measures = { "rmse", "flip", "rays", "clamped", "displacement", "pixels" },

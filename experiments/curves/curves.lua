@@ -42,8 +42,9 @@ return experiment {
   title    = "Curved paths",
   question = "How much error do curved paths save where objects turn or approach?",
   note     = "The arms \"layers\" use layers at the raster time alone. They reveal a background behind all moving surfaces, " ..
-             "and each point moves along a line, a parabola or an arc. The arm adaptive follows no path between the texels " ..
-             "of two layers: it traces rays at several times.",
+             "and each point moves along a line, a parabola or an arc. The arm adaptive does not model the paths of " ..
+             "points: it traces rays at several times. The floor is the error of truth with as many samples. An " ..
+             "error e beyond the floor f is sqrt(e^2 - f^2).",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -60,8 +61,8 @@ return experiment {
   regions  = { "whole", "inner", "hidden", "outer", "self" },
   measures = { "rmse", "flip", "rays", "pixels" },
   expect   = {
-    { "for wheel, fan, pendulum and approaching box, the error of arcs is at most half of the error of lines, both beyond " ..
-      "the error of truth with as many samples", function(r)
+    { "for wheel, fan, pendulum and approaching box, the error of arcs beyond the floor is at most half of the " ..
+      "error of lines beyond the floor", function(r)
       local most, where = 0, ""
       for _, shot in ipairs { "wheel", "fan", "pendulum", "nearer" } do
         local ratio = beyond(r, shot, layers "arc") / beyond(r, shot, layers "line")
@@ -75,8 +76,8 @@ return experiment {
       end)
       return most <= 1.02, ("at most %.3f times the error (%s)"):format(most, where)
     end },
-    { "found afterwards: for a fan that turns by more than half a turn, the error of arcs is at most three quarters of the " ..
-      "error of parabolas, both beyond the error of truth with as many samples", function(r)
+    { "found afterwards: for a fan that turns by more than half a turn, the error of arcs beyond the floor is at " ..
+      "most three quarters of the error of parabolas beyond the floor", function(r)
       local ratio = beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "quadratic")
       return ratio <= 0.75, ("%.2f of the error of parabolas, %.2f of the error of lines"):format(ratio,
         beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "line"))

@@ -3,9 +3,10 @@
 -- pixels with an edge along their motion.
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local thinned = "edges thinned to lines of one pixel mark fewer pixels than need a ray"
-local creases = "normals do add edges: a low threshold of normals marks silhouettes with a small step in depth"
+local creases = "normals do add edges: with a low threshold of normal steps, silhouettes with a small step in depth " ..
+                "are marked"
 
 local list = experiment.list
 local gradients = { "sobel", "scharr", "prewitt", "roberts" }
@@ -42,10 +43,10 @@ arms[#arms + 1] = arm("id", { of_depth, of_normal, of_canny, canny_normal })
 return experiment {
   title    = "Edge detectors",
   question = "Which edge detector does the published mask need, and which thresholds?",
-  note     = "All arms are hybrid_layered with the published mask and one edge detector each. A detector only tests " ..
-             "pixels whose displaced position is farther away and on another instance. One shot is the living room. In " ..
-             "the others a panel moves before a wall at 1.5 and at 1.03 times the panel's depth. Times are ratios to the " ..
-             "arm \"no rays\".",
+  note     = "All arms are hybrid_layered with the published mask and one edge detector each. A detector tests only " ..
+             "candidates: pixels with a displaced position that is farther away and on another instance. One shot " ..
+             "is the living room. In the other two, a panel moves in front of a wall at 1.5 or 1.03 times the " ..
+             "panel's depth. Times are ratios to the arm \"no rays\".",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -73,8 +74,8 @@ return experiment {
   regions  = { "whole", "inner" },
   measures = { "rmse", "flip", "ms_ratio", "masked" },
   expect   = {
-    { "gradients differ little before a far background: the errors of Sobel, Scharr, Prewitt and Roberts are within a tenth " ..
-      "of each other", function(r)
+    { "gradients differ little in front of a far background: the errors of Sobel, Scharr, Prewitt and Roberts are " ..
+      "within a tenth of each other", function(r)
         local least, most = math.huge, 0
         for _, name in ipairs(gradients) do
           local error = error_of(r, "far", name)

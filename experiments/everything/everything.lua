@@ -6,7 +6,7 @@
 local experiment = require "strobe.experiment"
 local sequences = require "strobe.sequences"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local gather = "the composite in_gather is as good as layered in this shot, because only the vase moves"
 
 local count = 64
@@ -111,7 +111,8 @@ local expected = {
     for _, number in pairs(counts) do sum = sum + number end
     return (counts.none or 0) <= sum / 3, text
   end },
-  { "no setting on the front combines rays with the published termination, luminance, and an advance from hit to hit",
+  { "no setting with rays on the front has both the published termination, by luminance, and an advance from hit to " ..
+    "hit",
     function(r)
     local found = 0
     for _, i in ipairs((front(r))) do
@@ -134,8 +135,8 @@ local expected = {
     return values.composite[who] == "layered" and values.termination[who] ~= "luminance",
       ("RMSE %.4f with %s"):format(least, table.concat(parts, ", "))
   end },
-  { "on the front the first increase of time gains most: within 0.1 times McGuire's time from the fastest setting, the " ..
-    "error is halved",
+  { "on the front the first increase of time gains most: some setting takes at most 0.1 times McGuire's time longer " ..
+    "than the fastest setting, and has at most half of its error",
     function(r)
       local on, all = front(r)
       table.sort(on, function(a, b) return all[a].ms_ratio < all[b].ms_ratio end)
@@ -181,8 +182,8 @@ matters("composite", 1.3)
 matters("weights", 1.1)
 matters("samples", 1.1)
 matters("advance", 1.1)
-hardly_matters("tile", 1.15, "64 points do not fully average out the other parameters: alone, the tile size changes the " ..
-  "error less (experiment samples)")
+hardly_matters("tile", 1.15, "64 points do not fully average out the other parameters: varied alone, the tile size " ..
+  "changes the error less (experiment `samples`)")
 for _, name in ipairs { "edge", "on_cap", "tiles", "jitter" } do hardly_matters(name, 1.15) end
 
 return experiment {

@@ -93,12 +93,14 @@ return experiment {
              "paths (trajectory=arc) in the layered composite, or rays at several times." },
     { name = "silhouette", title = "2 Blur stops at the silhouette", scene = "living_room", camera = "main",
       ["scene.pixels"] = 26,
-      note = "Each pixel gathers along its own displacement, which is zero beside the vase. Remedy outside the silhouette: " ..
-             "gather along the dominant displacement of the tile. Remedy inside: rays, which find the background." },
+      note = "Each pixel gathers along its own displacement, which is zero beside the vase. Remedy outside the " ..
+             "silhouette: gather along the dominant displacement of the tile. Remedy inside the silhouette: rays, " ..
+             "which find the background." },
     { name = "halo", title = "3 Halos around near objects", scene = "objects/car_and_road", ["scene.follow"] = 1,
       ["scene.pixels"] = 60,
       note = "The blur of the road beside the car needs road that the car hides at the raster time. Taps on the car are " ..
-             "rejected, and the remaining taps leave a border around the car. Remedy: rays, which find the road behind it." },
+             "rejected, and the remaining taps leave a border around the car. Remedy: rays, which find the road " ..
+             "behind the car." },
     { name = "glass", title = "4 Transparent objects", scene = "objects/glass",
       note = "A pixel stores one displacement, of the pane or of the wall behind the pane. Here blended materials are drawn " ..
              "in a random share of the pixels, and each pixel stores the displacement of the surface that it shows. Rays " ..
@@ -115,8 +117,9 @@ return experiment {
       note = "Remedy: exposure_time gives the exposure in seconds, so it lasts as long as at 24 frames per second." },
     { name = "jump", title = "7 First frame, cut, teleport: a streak over the screen", scene = "objects/jump", frame = 12,
       anchor = "start",
-      note = "A renderer that keeps only the poses of the last frame treats the jump as motion. Remedy: poses within the " ..
-             "exposure (displacement=window), which is after the jump, or a cut if the jump is within the exposure." },
+      note = "A renderer that keeps only the poses of the last frame treats the jump as motion. Here the exposure " ..
+             "is after the jump, and the remedy is to use poses within the exposure (displacement=window). If the " ..
+             "jump is within the exposure, the remedy is a cut." },
     { name = "followed", title = "8 The object that the camera follows is blurred", scene = "objects/car_and_road",
       ["scene.follow"] = 1, ["scene.pixels"] = 60, camera_blur = 0.3,
       note = "Many games let the player reduce the blur of the camera's motion. Then the car, which moves with the camera, " ..
@@ -134,16 +137,17 @@ return experiment {
              "time. Only truth with shading=full blurs the shadow. Reflections of objects are not tested, because surfaces " ..
              "reflect only the sky." },
     { name = "chase", title = "11 The road under a racing car appears on the car", scene = "objects/chase",
-      note = "Filters compare depths at the raster time. The road mark before the bumper is nearer than the car then, but " ..
-             "when it reaches a pixel of the car it is under the car. Remedy: compare depths at the time of the sample." },
+      note = "Filters compare depths at the raster time. At that time, a road mark between the camera and the " ..
+             "bumper is nearer than the car. But at the time when the mark is at a pixel of the car, the mark is " ..
+             "under the car. Remedy: compare depths at the time of the sample." },
     { name = "drive", title = "12 Vectors flip behind the near plane", scene = "objects/drive", anchor = "start",
       note = "A post that the camera passes leaves the view frustum through the near plane. The perspective division by a " ..
              "negative depth reverses its path. Here the path is extrapolated from its part in front of the near plane. " ..
              "Rays need no such division." },
     { name = "skin", title = "13 Skinned and instanced objects", scene = "skin.gltf", fps = 2, frame = 1,
-      note = "A skin that has only its node's motion vectors stays sharp, and so do instances without motion vectors. Here " ..
-             "motion vectors are differences of vertex positions at shutter open and close, so every method blurs these " ..
-             "objects. Rays find the disoccluded background." },
+      note = "A skinned mesh that has only the motion vectors of its node stays sharp, and so do instances without " ..
+             "motion vectors. Here motion vectors are differences of vertex positions at shutter open and close, so " ..
+             "every method blurs these objects. Rays find the disoccluded background." },
   },
   arms     = {
     { name = none, pipeline = "none" },
@@ -179,8 +183,8 @@ return experiment {
     mends("halo", mcguire, best, 0.5), mends("halo", ue4, best, 0.5),
     mends("glass", mcguire, best, 0.5),
     mends("sky", none, mcguire, 0.5), mends("sky", none, best, 0.2),
-    { "share: at 144 frames per second the displacement is a sixth of that at 24, and adaptive's picture changes by more " ..
-      "than five times its error", shot = "share", function(r)
+    { "share: at 144 frames per second the displacement is a sixth of that at 24, and the picture of adaptive " ..
+      "changes by more than five times the error of adaptive", shot = "share", function(r)
       local fast, slow = at(r, "share", best, { rate = 144 }), at(r, "share", best, { rate = 24 })
       local ratio = fast.displacement / slow.displacement
       return math.abs(ratio * 6 - 1) < 0.02 and fast.change_rms > 5 * slow.rmse,

@@ -17,8 +17,8 @@ local offsets = { 0, 1, 100, 1e4, 1e6, 1e7 }
 -- Returns the error of an arm at a value of an axis (a varied quantity).
 local function error_at(r, axis, value, arm, region) return r.at { [axis] = value, arm = arm, region = region }.rmse end
 
-local tolerance = "displacements that differ by at most 0.35 px count as one, and up to 8 px the error tolerance of the " ..
-                  "default quality bounds the error of adaptive"
+local tolerance = "displacements that differ by at most 0.35 px count as equal, and at speeds up to 8 px the error " ..
+                  "tolerance of the default quality keeps adaptive from a smaller error"
 
 -- Returns an expectation. `of(r)` returns a deviation divided by the allowed deviation; the expectation holds if this is at
 -- most 1. `known`: reason why the expectation fails; nil: it holds.
@@ -47,9 +47,9 @@ local function all_drift(axis, values, benign, allowed)
   end
 end
 
--- Returns a function, which returns the largest relative difference between the errors with the formats `values` and the error
--- with the format `benign`, divided by the allowed difference `allowed`. The maximum is over all cases and blurs; a
--- pair is left out if `except(arm, case)` is true.
+-- Returns a function of `r`. It returns the largest relative difference between the error with one of the formats
+-- `values` and the error with the format `benign`, divided by the allowed difference `allowed`. The maximum is over all
+-- cases and all arms that blur; a pair of these is left out if `except(arm, case)` is true.
 local function format_drift(axis, values, benign, allowed, except)
   return function(r)
     local most = 0
@@ -121,12 +121,12 @@ local expected = {
      all_drift("scale", scales, 1, 1e-3)),
   expectation("offset", "no distance from the origin changes the error of a method by more than a thousandth",
      all_drift("offset", offsets, 0, 1e-3)),
-  expectation("gap", "if the background is between a millionth and 9999 times the front's depth beyond the front, the error " ..
-    "of adaptive changes by at most a thousandth", function(r)
+  expectation("gap", "if the background is farther than the front by 1e-6 to 9999 times the front's depth, the " ..
+    "error of adaptive changes by at most a thousandth", function(r)
     return drift(r, "gap", { 1e-6, 1e-4, 0.01, 10, 9999 }, 0.5, best, "inner", 1e-3)
   end),
-  expectation("gap", "if the background is less than a thirtieth of the front's depth beyond the front, hybrid (text) " ..
-    "has the error of McGuire 2012", function(r)
+  expectation("gap", "if the background is farther than the front by less than a thirtieth of the front's depth, " ..
+    "hybrid (text) has the error of McGuire 2012", function(r)
     local most = 0
     for _, gap in ipairs { 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03 } do
       local base = error_at(r, "gap", gap, "McGuire 2012", "inner")
@@ -134,8 +134,9 @@ local expected = {
     end
     return most
   end),
-  expectation("gap", "if the background is a ten-thousandth of the front's depth beyond the front, the errors of Jimenez " ..
-    "2014 and UE4-style are at least a tenth larger than at half of the depth", function(r)
+  expectation("gap", "if the background is farther than the front by a ten-thousandth of the front's depth, the " ..
+    "errors of Jimenez 2014 and UE4-style are at least a tenth larger than if it is farther by half of that " ..
+    "depth", function(r)
     local most = 0
     for _, arm in ipairs { "Jimenez 2014", "UE4-style" } do
       most = math.max(most, 1.1 * error_at(r, "gap", 0.5, arm, "inner") / error_at(r, "gap", 1e-4, arm, "inner"))
@@ -196,7 +197,7 @@ return experiment {
       name = "speed", title = "Speed", unit = "px over the exposure", scale = "log", benign = 12.8, region = "whole",
       values = speeds,
       shots = { "passage" },
-      fixed = "A panel of 96 x 72 px moves to the right before a wall at 1.5 times the panel's depth.",
+      fixed = "A panel of 96 x 72 px moves to the right in front of a wall at 1.5 times the panel's depth.",
       reading = "If the displacement is at most half a pixel, filters copy the rasterised image. At 0.3 px the error of " ..
                 "UE4-style is {UE4-style @ 0.3} of the contrast, the same as without blur. The rasterised image has one " ..
                 "sample per pixel, so a filter cannot locate an edge within its pixel, and edges move in steps of a whole " ..
@@ -215,11 +216,12 @@ return experiment {
       values = samples,
       shots = { "passage" },
       fixed = "The panel moves by 12.8 px. The floor has as many samples as the methods.",
-      reading = "The error of adaptive is below the floor up to 64 samples: there it is {adaptive @ 64}, and the floor " ..
-                "{floor @ 64}. More samples hardly reduce it, because the error tolerance of the quality bounds it. With " ..
-                "256 samples it is {adaptive @ 256}, the floor {floor @ 256}, and truth's own error {truth @ 256}. The " ..
-                "errors of the other methods do not fall with more samples, because they come from a wrong background and " ..
-                "not from noise: Jimenez 2014 has {Jimenez 2014 @ 16} with 16 and {Jimenez 2014 @ 256} with 256 samples.",
+      reading = "The error of adaptive is below the floor up to 64 samples. With 64 samples the error of adaptive " ..
+                "is {adaptive @ 64}, and the floor {floor @ 64}. More samples hardly reduce the error of adaptive, " ..
+                "because it depends on the error tolerance of the quality: with 256 samples it is {adaptive @ 256}, " ..
+                "the floor {floor @ 256}, and truth's own error {truth @ 256}. The errors of the other methods do " ..
+                "not fall with more samples, because they come from a wrong background and not from noise: Jimenez " ..
+                "2014 has {Jimenez 2014 @ 16} with 16 and {Jimenez 2014 @ 256} with 256 samples.",
       at = function(value) return { samples = value, truth = { samples = 1024 } } end,
     },
     list {
@@ -248,8 +250,9 @@ return experiment {
       values = { 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.5, 10, 100, 9999 },
       shots = { "passage" },
       fixed = "The panel moves by 12.8 px, 10 m away. The wall grows with its depth, so that the picture stays the same.",
-      reading = "The rays of adaptive find the nearest surface, at any ratio of the depths. Its error is {adaptive @ " ..
-                "1e-06} at a millionth and {adaptive @ 9999} at ten thousand times the depth. Jimenez 2014 and UE4-style " ..
+      reading = "The rays of adaptive find the nearest surface, at any ratio of the depths. The error of adaptive " ..
+                "is {adaptive @ 1e-06} if the background is farther by a millionth of the front's depth, and " ..
+                "{adaptive @ 9999} if it is farther by ten thousand times that depth. Jimenez 2014 and UE4-style " ..
                 "mirror colours only if the background is farther than the front by more than a hundredth of the depth " ..
                 "(depth_extent). For a nearer background the error of Jimenez 2014 is {Jimenez 2014 @ 0.0001} instead of " ..
                 "{Jimenez 2014 @ 0.5}. hybrid (text) reveals a background only at edges with a step of at least a " ..
@@ -272,10 +275,10 @@ return experiment {
       values = { 0, 30, 60, 75, 85, 88, 89.5, 89.9 },
       shots = { "grazing" },
       fixed = "A panel of 96 x 72 px rotates about the camera, which moves it by 8 px.",
-      reading = "The depth of a panel that is nearly edge-on changes by up to a tenth from pixel to pixel. Such a panel is " ..
-                "blurred as accurately as one that faces the camera. The error of adaptive is {adaptive @ 0} at " ..
-                "0 and {adaptive @ 89.9} at 89.9 degrees. The error of McGuire 2012 is {McGuire 2012 @ 0} and " ..
-                "{McGuire 2012 @ 89.9}.",
+      reading = "The depth of a panel that is nearly edge-on changes by up to a tenth from pixel to pixel. Such a " ..
+                "panel is blurred as accurately as one that faces the camera. The error of adaptive is {adaptive @ " ..
+                "0} at 0 degrees and {adaptive @ 89.9} at 89.9 degrees. The error of McGuire 2012 at these angles " ..
+                "is {McGuire 2012 @ 0} and {McGuire 2012 @ 89.9}.",
       at = function(value) return { ["scene.tilt"] = value } end,
     },
     list { name = "velocity_format", title = "Displacements", shots = cases, benign = "fp32",
@@ -291,7 +294,8 @@ return experiment {
                 "exact measurements. Half floats for colours are the first choice to save memory." },
     list { name = "depth_encoding", title = "Depths", shots = cases, benign = "linear",
       values = { "linear", "reversed", "inverse", "unorm24" },
-      reading = "All four encodings have 4 bytes per pixel. The default is linear, which adds no rounding." },
+      reading = "The four encodings (linear, reversed, inverse, unorm24) all store a depth in 4 bytes. The default, " ..
+                "linear, stores the depth unchanged, as a single-precision number." },
   } },
   skip = function(point)
     local varies_format = point.velocity_format or point.color_format or point.depth_encoding

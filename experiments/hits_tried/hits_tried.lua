@@ -4,7 +4,7 @@
 --   strobe sweep experiments/hits_tried/hits_tried.lua -o out/hits_tried
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local target = "the hit that ends the ray counts as tested too, so four walls need a cap of 4, and twigs and leaves up to 16"
 
 local list = experiment.list
@@ -21,9 +21,9 @@ return experiment {
   title    = "Hits that a ray may test",
   question = "How many hits must a ray be allowed to test?",
   note     = "All arms are hybrid_layered. The ray of the arm \"one ray\" ignores the instance in front. The rays of the " ..
-             "other arms advance from hit to hit until a hit has another instance (or luminance), or until the number of " ..
-             "tested hits reaches the cap. At the cap they reveal nothing, or the last hit, as in the paper. Times are " ..
-             "ratios to the arm \"one ray\".",
+             "other arms advance from hit to hit until a hit has another instance (or luminance), or until the " ..
+             "number of tested hits reaches the cap. A ray that reaches the cap reveals nothing or, as in the " ..
+             "paper, the last hit. Times are ratios to the arm \"one ray\".",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Compares two ray masks, which decide the pixels where a ray looks for the background. The published mask depends on the
--- motion of the foreground. The disocclusion mask (arm "relative") depends on the motion of the foreground relative to the
--- surface beyond its silhouette.
+-- Compares two ray masks. A ray mask selects the pixels that trace a ray to the background. The published mask depends
+-- on the motion of the foreground. The disocclusion mask (arm "relative") depends on the motion of the foreground
+-- relative to the surface beyond its silhouette.
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local many = "in the tracking shot tiles have more velocities than their lists hold, so the relative mask misses pixels too"
-local steps = "between twigs, a single tested position skips disoccluded surfaces (4 positions have a smaller error), and " ..
-  "Sobel misses small steps in depth"
+local steps = "between twigs, a mask that tests a single position misses disoccluded surfaces (with 4 positions the " ..
+  "error is smaller), and Sobel misses small steps in depth"
 
 local moving_background = { "slower", "together", "against", "faster", "only_background", "tracking" }
 local still_background = { "bar", "vase" }
@@ -39,8 +39,9 @@ return experiment {
   question = "When does a mask that depends on relative motion have a smaller error than the published mask?",
   note     = "All arms are hybrid_layered with different ray masks. \"paper\" is the published mask. \"relative\" is the " ..
              "disocclusion mask. \"moving\" has all pixels that move or that a moving surface may cover. In six shots a " ..
-             "striped bar moves over a striped background, which may move too. The other two shots are the living room " ..
-             "before a camera at rest and before a camera that follows the vase. Times are ratios to the arm \"no rays\".",
+             "striped bar moves over a striped background, which may move too. The other two shots are the living " ..
+             "room, with a camera at rest and with a camera that follows the vase. Times are ratios to the arm \"no " ..
+             "rays\".",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -67,7 +68,8 @@ return experiment {
   regions  = { "whole", "inner", "hidden" },
   measures = { "rmse", "flip", "ms_ratio", "masked", "pixels" },
   expect   = {
-    { "before a background at rest the error with the published mask is at most 1.1 times the error with the relative mask",
+    { "over a background at rest the error with the published mask is at most 1.1 times the error with the relative " ..
+      "mask",
       known = steps, function(r)
       local most, where = 0, ""
       for _, shot in ipairs(still_background) do

@@ -45,8 +45,9 @@ return experiment {
   title = "Methods",
   question = "How large are time and error of each method, in the units that papers use?",
   note = "The displacement over the exposure is a twentieth of the picture's width. Every method with the parameter samples " ..
-         "has 16 samples. Times are medians of frames after the first, all methods drawn in turns. FLIP is computed at 67 " ..
-         "pixels per degree, PSNR and SSIM on clamped, sRGB-encoded values, all over the whole picture.",
+         "has 16 samples. A time is the median over all frames except the first; the methods are drawn in turns. " ..
+         "FLIP is computed at 67 pixels per degree, and PSNR and SSIM on clamped, sRGB-encoded values. All three " ..
+         "are over the whole picture.",
   size = sizes[measured],
   shots = shots,
   arms = arms,
@@ -78,7 +79,7 @@ return experiment {
       end
       return #worse == 0, table.concat(worse, "; ")
     end },
-    { "before a moving camera, every post-process has at least five times the FLIP of adaptive", function(r)
+    { "with a moving camera, every post-process has at least five times the FLIP of adaptive", function(r)
       local least, own = math.huge, error_of(r, "camera", dial:format(0.4))
       for _, arm in ipairs { base, "Guertin 2014", "Jimenez 2014", "UE4-style", "Bevy", "HDRP" } do
         least = math.min(least, error_of(r, "camera", arm) / own)

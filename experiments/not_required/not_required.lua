@@ -5,7 +5,7 @@ local experiment = require "strobe.experiment"
 
 local base = "raster layers"
 
--- Parts that are not needed to blur a panel that slides before a wall.
+-- Parts that are not needed to blur a panel that slides in front of a wall.
 local parts = {
   { "curved paths", { trajectory = "arc" } },
   { "no limit", { limit = "auto" } },
@@ -23,9 +23,9 @@ for _, part in ipairs(parts) do add("+ " .. part[1], part[2]) end
 return experiment {
   title    = "Parts that are not required",
   question = "How much time does a part of the hybrid cost in a scene that does not need the part?",
-  note     = "A panel slides by 40 px before a wall, parallel to the picture: no object turns or enters, and no surface is " ..
-             "behind two others. Times are ratios to the first arm. The arms are timed in turn in one run. All arms have " ..
-             "the same plan, so differences between them are noise.",
+  note     = "A panel slides by 40 px in front of a wall, parallel to the picture: no object turns or enters, and " ..
+             "no surface is behind two others. Times are ratios to the first arm. The arms are timed in turn in one " ..
+             "run. All arms run the same passes (their plans are equal), so differences between their times are noise.",
   size     = { 480, 270 },
   shots    = { { name = "slide", title = "A panel slides", scene = "stability/passage", ["scene.speed"] = 40 } },
   arms     = arms,

@@ -5,9 +5,9 @@
 --   strobe sweep experiments/peers/peers.lua -o out/peers
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local own_rays = "rasterised layers need rays only for light, while adaptive traces rays at several times. " ..
-                 "Rasterised layers in turn draw the scene again for each layer"
+                 "For each rasterised layer, however, the scene is drawn again"
 
 local shots = { "vase", "three", "enters", "tracking" }
 local layers, best = "layers 2024", "adaptive"

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Measures errors in real scenes, where an object moves by about 40 px over the exposure before a background with detail. No
--- displacement is shortened to a limit. The expectation was written before measuring. It applies if the background has detail:
--- in the region inner, its standard deviation is at least a fifth of its mean difference from the foreground. Then the RMSE of
--- adaptive in inner is at most a fifth of the RMSE of each baseline with the same anchor. It is also at most 1.5 times the
--- RMSE of ground truth with 16 samples. Errors are against ground truth with the light of the raster time.
+-- Measures errors in real scenes, where an object moves by about 40 px over the exposure in front of a background with
+-- detail. No displacement is shortened to a limit. The expectation was written before measuring. It applies if the
+-- background has detail: in the region inner, the standard deviation of the background is at least a fifth of its mean
+-- difference from the foreground. Then the RMSE of adaptive in inner is at most a fifth of the RMSE of each baseline
+-- with the same anchor, and at most 1.5 times the RMSE of ground truth with 16 samples. Errors are against ground truth
+-- with the light of the raster time.
 --   strobe sweep experiments/real_scenes/real_scenes.lua -o out/real_scenes
 -- Two of the scenes are shared data (STROBE_DATA). Their shots are skipped if the data is missing.
 local experiment = require "strobe.experiment"
@@ -87,20 +88,21 @@ return experiment {
     { name = "living_room", title = "Living room", note = "The vase and its twigs slide past the cushions.",
       scene = "living_room", camera = "main" },
     { name = "pot", title = "Country kitchen, pot",
-      note = "The steel pot slides parallel to the picture plane, behind the saucepan, before tiles and hood.",
+      note = "The steel pot slides parallel to the picture plane, behind the saucepan, in front of tiles and hood.",
       scene = kitchen, exposure = 0.5, move = { Mesh080_SteelPot = { 0.4, 0, -0.195 } }, attribution = kitchen_by },
     { name = "mug", title = "Country kitchen, mug",
-      note = "The mug slides over the edge of the worktop, before chairs and floor.",
+      note = "The mug slides over the edge of the worktop, in front of chairs and floor.",
       scene = kitchen, exposure = 0.5, move = { Mesh036_WhitePot = { 0.34, 0, 0 } }, attribution = kitchen_by },
     { name = "lamp", title = "Country kitchen, lamp",
-      note = "The lamp moves sideways before the bars of the window. It has four instances, one behind the other.",
+      note = "The lamp moves sideways in front of the bars of the window. It has four instances, one behind the other.",
       scene = kitchen, exposure = 0.5,
       move = together({ 0.5, 0, 0 }, { "Mesh052_Lamp", "Mesh050_LampInside", "Mesh055_Bulb", "Mesh053_LampCable" }),
       attribution = kitchen_by },
-    { name = "bowl", title = "Modern living room", note = "The small red bowl slides over the table before two vases.",
+    { name = "bowl", title = "Modern living room",
+      note = "The small red bowl slides over the table in front of two vases.",
       scene = modern, exposure = 0.5, move = { Mesh017_Glass = { -0.25, 0, -0.122 } }, attribution = modern_by },
     { name = "vase", title = "Modern living room, the paper's vase",
-      note = "The vase of the paper's figure slides before the cushions.",
+      note = "The vase of the paper's figure slides in front of the cushions.",
       scene = modern, exposure = 0.5, move = { Mesh035_Glass = { -0.25, 0, -0.122 } }, attribution = modern_by },
   },
   expect = {

@@ -6,7 +6,8 @@ local function inner(r, arm, samples, tile)
   return r.at { arm = arm, samples = samples, tile = tile, region = "inner" }.rmse
 end
 
-local bounded = "from 8 samples on the error tolerance of its quality bounds the error of adaptive, not the number of samples"
+local bounded = "from 8 samples on the error of adaptive depends on the error tolerance of its quality, not on the " ..
+  "number of samples"
 
 -- Returns the expectation that the inner error of an arm falls at least by half from 4 to 64 samples.
 local function samples_help(arm, known)

@@ -4,7 +4,7 @@
 -- over the exposure, or two displacements, one before and one after the raster time.
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local sides = "the card's left edge is lighter than its right edge, and the anchor decides which of the two edges lies " ..
               "inside the region: the errors of truth with 16 samples differ by the same factor"
 

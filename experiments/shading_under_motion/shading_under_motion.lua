@@ -48,8 +48,8 @@ return experiment {
     { name = "shadow", title = "The shadow of a moving ball", scene = "objects/shadow",
       note = "The ball is blurred, its shadow is not." },
     { name = "gloss", title = "A glazed vase turns", scene = "objects/gloss",
-      note = "Frozen shading moves with the surface. So highlights that are at rest are blurred, and each side of the vase " ..
-             "keeps the light of its direction at the raster time." },
+      note = "Frozen shading moves with the surface. So highlights that are at rest are blurred, and each side of " ..
+             "the vase keeps the light that it has at the raster time." },
     { name = "telescope", title = "A telescope turns to the camera", scene = "objects/telescope" },
     { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 26,
       note = "The vase slides. Truth with full shading moves its shadow on the table and the highlights on its glaze." },
@@ -69,8 +69,8 @@ return experiment {
   regions  = { "whole", "inner", "outer", "moving" },
   measures = { "rmse", "rmse_full", "flip" },
   expect   = {
-    { "if a lamp passes objects at rest, all methods give the same picture, and at least 0.98 of its squared error against " ..
-      "full truth is frozen shading", shot = "lamp", function(r)
+    { "if a lamp passes objects at rest, all methods give the same picture, and frozen shading causes at least 0.98 " ..
+      "of the squared error of this picture against full truth", shot = "lamp", function(r)
         local same, least = true, 1
         for _, arm in ipairs { none, mcguire, ue4, best } do
           same = same and at(r, "lamp", arm).rmse == at(r, "lamp", none).rmse
@@ -86,8 +86,8 @@ return experiment {
     of_shading(mcguire, { "telescope", "vase", "car" }, -1, 0.05, "found afterwards: if objects move in constant light, " ..
       "at most a twentieth of McGuire's squared error is frozen shading"),
     of_shading(best, { "telescope", "vase", "car" }, 0.25, 1,
-      "found afterwards: if objects move in constant light, at least a quarter of adaptive's squared error is frozen " ..
-      "shading, because its visibility is correct and only the error of the light remains"),
+      "found afterwards: if objects move in constant light, at least a quarter of adaptive's squared error is " ..
+      "frozen shading, because adaptive has correct visibility, so that mainly the error of the light remains"),
     { "found afterwards: for the glazed vase that turns, the sharp picture has a smaller error than exact blur with " ..
       "frozen light",
       shot = "gloss", function(r)

@@ -1,16 +1,17 @@
 -- SPDX-License-Identifier: MIT
--- Measures errors under motion by less than a pixel and more, and with few and many samples. Under slow motion and with many
--- samples, the remaining errors are steps at silhouettes, and textures that are smoothed because a layer stores one colour per
--- pixel.
+-- Measures errors with few and many samples, under motion by less than a pixel and by many pixels. Under slow motion
+-- and with many samples, the remaining errors are steps at silhouettes, and textures that are smoothed because a layer
+-- stores one colour per pixel.
 --   strobe sweep experiments/sub_pixel/sub_pixel.lua -o out/sub_pixel
 local experiment = require "strobe.experiment"
 
 local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
 local best, floor = "adaptive", "truth, as many samples"
 
--- Reasons why some of the expectations below failed; reports print them.
-local tolerance = "at its default quality adaptive gathers surfaces whose displacements differ by at most 0.35 px. If they " ..
-                  "differ more, the error tolerance of the quality bounds the error, which more samples do not reduce"
+-- Reasons why some of the expectations below failed; reports print these reasons.
+local tolerance = "at its default quality adaptive gathers surfaces whose displacements differ by at most 0.35 px. " ..
+                  "If they differ more, the error depends on the error tolerance of the quality, and more samples " ..
+                  "do not reduce it"
 local many = "if a surface moves fast, adaptive traces the first rays of a pixel at many times, while truth traces moving " ..
              "objects only where they are at the time of the sample"
 

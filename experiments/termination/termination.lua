@@ -4,7 +4,7 @@
 -- its motion.
 local experiment = require "strobe.experiment"
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local turns = "termination by motion treats each instance as one object: it compares the motions of different instances only"
 
 local ways = { "luminance", "geometry", "instance", "motion" }
@@ -47,18 +47,20 @@ return experiment {
   title    = "Termination of rays",
   question = "A revealing ray ends at the first hit that counts as background. When does a test of the GeometryIndex, " ..
              "proposed by the paper, have a smaller error than the published test of luminance?",
-  note     = "All arms except \"no rays\" are hybrid_layered with the mask moving, which traces a ray behind every moving " ..
-             "surface. They differ in the rule that ends the ray. Rays advance from hit to hit, up to 8 hits. In the arm " ..
-             "\"instance, one ray\" a single traversal ignores the instance in front. If no hit ends the ray, the pixel is " ..
-             "blurred as without rays. Times are ratios to the arm \"no rays\".",
+  note     = "All arms except \"no rays\" are hybrid_layered with the mask moving, which selects every pixel that " ..
+             "moves or that a moving surface may cover. The arms differ in the rule that ends the ray. Rays advance " ..
+             "from hit to hit, up to 8 hits. In the arm \"instance, one ray\" a single traversal ignores the " ..
+             "instance in front. If no hit ends the ray, the pixel is blurred as without rays. Times are ratios to " ..
+             "the arm \"no rays\".",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24,
       note = "A hollow glazed vase with twigs in it slides past a striped cushion." },
-    panels("plain", "One colour", "plain", "varied", "A closed box of one colour moves before cells of other luminances."),
+    panels("plain", "One colour", "plain", "varied",
+           "A closed box of one colour moves in front of cells of other luminances."),
     panels("equal", "Equal luminance behind", "plain", "alike",
-           "The box moves before cells of the box's luminance. Behind the cells is a wall."),
+           "The box moves in front of cells of the box's luminance. Behind the cells is a wall."),
     panels("textured", "Textured front", "textured", "varied", "The box is checkered in two luminances."),
     panels("parts", "Two parts", "parts", "varied", "One object of two parts with different luminance: a box in a box."),
     panels("alike", "Two parts alike", "alike", "varied", "One object of two parts with equal luminance: a box in a box."),
@@ -74,27 +76,31 @@ return experiment {
   measures = { "rmse", "flip", "ms_ratio", "pixels" },
   expect   = {
     alike("plain", "luminance", "geometry",
-          "for a box of one colour before a background of another luminance, luminance suffices: its error and the error " ..
-            "with geometry are within a tenth of each other"),
+          "for a box of one colour in front of a background of another luminance, termination by luminance " ..
+            "suffices: the error with luminance and the error with geometry are within a tenth of each other"),
     worse("equal", "luminance", "geometry", 3,
-          "before a background of equal luminance the error with luminance is at least 3 times the error with geometry"),
+          "in front of a background of equal luminance the error with luminance is at least 3 times the error with " ..
+          "geometry"),
     worse("textured", "luminance", "geometry", 3,
           "if the foreground is textured, the error with luminance is at least 3 times the error with geometry"),
     worse("vase", "luminance", "geometry", 3,
           "the vase's far wall is lit differently from its near wall, so the error with luminance is at least 3 times the " ..
             "error with geometry"),
     alike("vase", "geometry", "instance",
-          "for the vase geometry suffices: its error and the error with instance are within a tenth of each other",
+          "for the vase, termination by geometry suffices: the error with geometry and the error with instance are " ..
+            "within a tenth of each other",
           "twigs and leaves in and behind the vase are separate geometries, so rays end at them"),
     worse("parts", "geometry", "instance", 3,
-          "an object of two parts needs instance: the error with geometry is at least 3 times the error with instance"),
+          "an object of two parts needs termination by instance: the error with geometry is at least 3 times the " ..
+            "error with instance"),
     worse("alike", "geometry", "luminance", 3,
           "if the parts of an object are equally bright, the error with geometry is at least 3 times the error with luminance"),
     worse("nodes", "instance", "motion", 3,
-          "two objects that move as one need motion: the error with instance is at least 3 times the error with motion"),
+          "two objects that move as one need termination by motion: the error with instance is at least 3 times the " ..
+            "error with motion"),
     worse("posts", "instance", "motion", 1.25,
-          "an object that covers itself needs motion: in the region hidden the error with instance is at least 1.25 times " ..
-            "the error with motion", "hidden", turns),
+          "an object that covers itself needs termination by motion: in the region hidden the error with instance " ..
+            "is at least 1.25 times the error with motion", "hidden", turns),
     { "in the region hidden of every shot the error with motion is at most 1.1 times the smallest error of the other rules",
       known = turns, function(r)
       local most, where = 0, ""

@@ -34,7 +34,7 @@ local function most_apart(r, groups)
   return most
 end
 
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local borders = "some of truth's tens of millions of rays pass so close to the border of a triangle that rounding decides " ..
                 "the hit, and backends round differently. The pictures of methods are equal bit for bit"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Measures the time that ground truth needs for a given error, in two modes: it traces every ray, or it skips rays with a
--- result that the first samples of the pixel agree on. Samples are spread over the area of each pixel.
+-- Measures the time that ground truth needs for a given error, in two modes: it traces every ray, or it skips a ray if
+-- the first samples of the pixel agree on the result of that ray. Samples are spread over the area of each pixel.
 --   strobe sweep experiments/truth/truth.lua -o out/truth
 local experiment = require "strobe.experiment"
 
@@ -52,8 +52,8 @@ return experiment {
       end
       return most <= 0.02, ("at most %.2f %%"):format(100 * most)
     end },
-    { "in a lit room before a camera at rest, truth that skips rays takes at most 0.8 times the time of truth with every " ..
-      "ray for the same error, from 64 samples on", function(r)
+    { "in a lit room with a camera at rest, truth that skips rays takes at most 0.8 times the time of truth with " ..
+      "every ray for the same error, from 64 samples on", function(r)
       local most = 0
       for _, samples in ipairs(counts) do
         if samples >= 64 then most = math.max(most, share(r, shots[2], spared, samples, brute)) end

@@ -8,18 +8,19 @@ local shots = { "vase", "crossing", "tracking", "pan", "drive" }
 local base, ue4, ue5 = "McGuire 2012", "UE4-style", "UE5-style"
 local half, two, cheap, nearest = "half resolution", "two directions", "cheap taps", "nearest depth"
 local off = { half_resolution = false, directions = "one", cheap = false, nearest_depth = false }
--- Each parameter of ue5: value that differs from ue4, and the arm that is ue5 with another value of this parameter.
+-- Parameters of ue5. `on`: value that differs from ue4. `value`: value in the arm that is ue5 with this parameter
+-- changed; `changed`: word for the name of this arm.
 local parameters = {
   { name = half, param = "half_resolution", on = true, changed = "without", value = false },
   { name = two, param = "directions", on = "two", changed = "with", value = "two" },
   { name = cheap, param = "cheap", on = true, changed = "without", value = false },
   { name = nearest, param = "nearest_depth", on = true, changed = "without", value = false },
 }
--- Reasons why some of the expectations below failed; reports print them.
+-- Reasons why some of the expectations below failed; reports print these reasons.
 local across = "half resolution blurs edges that are parallel to the motion; in the tracking shot, nine tenths of the added " ..
                "squared error are at the edge of a bright lamp"
-local small_part = "on the software device the gather is a small part of the frame, and the passes that prepare its " ..
-                   "parameter take as long as the parameter saves, or nearly so"
+local small_part = "on the software device the gather takes a small part of the frame time, and the passes that the " ..
+                   "parameter adds take about as much time as the parameter saves"
 local mixed = "where two motions meet, half of each surface's blur is along the motion of the other surface"
 
 local arms = {
@@ -38,7 +39,7 @@ for _, one in ipairs(parameters) do
     set = { [one.param] = one.value } }
 end
 
--- Returns a shot whose scene takes the size of the picture.
+-- Sets the parameters width and height of a shot's scene to the size of the picture, and returns the shot.
 local function sized(shot)
   shot["scene.width"], shot["scene.height"] = width, height
   return shot

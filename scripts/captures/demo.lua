@@ -16,7 +16,7 @@ local baselines = { "McGuire 2012", "UE4-style" }
 local crop_size, colors = { 120, 68 }, { "#ffc208", "#1abff2" }
 
 local function less_than_baselines(shot)
-  return { "in the region inner the error of adaptive is below that of either baseline", shot = shot, function(r)
+  return { "in the region inner the error of adaptive is below the errors of both baselines", shot = shot, function(r)
     local function error_of(arm) return r.at { shot = shot, arm = arm, region = "inner" }.rmse end
     local own, best, noise = error_of "adaptive", math.huge, error_of(truth)
     for _, name in ipairs(baselines) do best = math.min(best, error_of(name)) end

@@ -50,9 +50,9 @@ return capture {
         { row = 2, column = "ray-traced", empty = true },
       },
     },
-    -- Two interpretations of the paper: its text to the letter, and ours. To the letter, a ray ends at the first hit with a
-    -- luminance that differs from the foreground. Here this fails, because the pattern of the vase itself has several
-    -- luminances.
+    -- Two interpretations of the paper: its text to the letter (preset `text`), and the preset `paper`. To the letter,
+    -- a ray ends at the first hit with a luminance that differs from the luminance of the foreground. This fails here,
+    -- because the pattern of the vase itself has several luminances.
     {
       name = "figure1_presets", crop = crop, zoom = 2, width_mm = 85, text_size = 22, gap = 8,
       caption = "inner RMSE {rmse inner %.3f}",

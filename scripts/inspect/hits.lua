@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Data for an inspector of pixels: all hits along the ray of the camera through one pixel. The output is not a picture of the
--- scene.
+-- Data for an inspector of pixels: the first 16 hits of the camera's ray through one pixel. The output is not a picture
+-- of the scene.
 local pipeline = require "strobe.pipeline"
 local hits     = require "passes.inspect.hits"
 
 return pipeline {
-  doc    = "The first 16 hits of the camera's ray through one pixel, one per texel, nearest first",
+  doc    = "The first 16 hits of the camera's ray through one pixel, nearest first; each texel of the outputs has " ..
+           "one hit",
   kind   = "list",
   params = { pixel_x = hits.params.pixel_x, pixel_y = hits.params.pixel_y },
   build  = function()

@@ -4,7 +4,7 @@ local pipeline = require "strobe.pipeline"
 local rays     = require "passes.inspect.test_rays"
 
 return pipeline {
-  doc    = "A separate ray through the scene for each pixel, and its hit, to compare tracing backends",
+  doc    = "One test ray through the scene per pixel, and the hit of this ray, to compare tracing backends",
   params = { ray_kind = rays.params.ray_kind },
   build  = function(p)
     local found = rays { ray_kind = p.ray_kind }

@@ -27,11 +27,12 @@ return pipeline {
                    "surface moves by at most `detail_below` from sample to sample.",
       } },
     contrast = raster_color.contrast {
-      doc = "largest relative difference between the colours of the four raster texels around a surface point at which " ..
-            "these texels are still blended; above it, samples of slow surfaces are shaded. Used with reuse = detailed" },
+      doc = "bound of the relative difference between the colours of the four raster texels around a surface point. " ..
+            "Up to this difference, the texels are blended; above it, samples of slow surfaces are shaded. Used " ..
+            "with reuse = detailed" },
     detail_below = raster_color.detail_below {
-      doc = "displacement of a surface from one time sample to the next, above which its four raster texels are blended " ..
-            "even if they differ; used with reuse = detailed" },
+      doc = "displacement of a surface from one time sample to the next. Above it, the four raster texels around a " ..
+            "point of the surface are blended even if their colours differ. Used with reuse = detailed" },
   },
   build = function(p)
     local raster = scene.raster()

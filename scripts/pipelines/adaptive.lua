@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Blur with one parameter, `quality`, that leads from a post-process gather (0) to ground truth (1). Between these ends, a
--- pixel is gathered if the gather is reliable there. The other pixels trace rays at several times.
+-- Blur with one parameter, `quality`, that leads from a post-process gather (0) to ground truth (1). Between these two
+-- values, a pixel is gathered if the gather is reliable there. The other pixels trace rays at several times.
 local pipeline = require "strobe.pipeline"
 local velocity_bounds  = require "passes.cell.velocity_bounds"
 local tile_max         = require "passes.tile.tile_max"
@@ -58,9 +58,10 @@ return pipeline {
   params = {
     options.blur(16),
     quality = pipeline.float { 0.4, min = 0, max = 1, role = "quality",
-      doc = "work per picture. 0, or any value if limit = 0: the gather of ue4. Above 0 and below 0.75: rays at several " ..
-            "times where the gather is not reliable. From 0.75: ground truth; at 1, with 16 times `samples` time samples. " ..
-            "The option --budget-ms of render and live chooses the value by the times of frames" },
+      doc = "work per picture. 0: the gather of the pipeline ue4, as for any value with limit = 0. Above 0 and " ..
+            "below 0.75: rays at several times where the gather is not reliable. From 0.75 on: ground truth; at 1, " ..
+            "it has 16 times `samples` time samples. The option --budget-ms of `strobe render` and `strobe live` " ..
+            "chooses the value from measured frame times" },
   },
   presets = {
     post_process = { doc = "a post-process blur without rays", set = { quality = 0 } },

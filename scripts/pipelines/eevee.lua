@@ -27,7 +27,7 @@ local function blurred(p, raster)
   return gathers.blurred(p.weights(), images, "gather")
 end
 
--- Depth, normal, ids and displacement over the whole exposure of the surfaces that are visible at the raster time.
+-- Depth, normal, ids and displacement (over the whole exposure) of the surfaces that are visible at the raster time.
 local function raster_layer()
   return gbuffer { hit = visibility { as = "raster_visibility" }.hit, as = "raster_gbuffer" }
 end
@@ -39,8 +39,9 @@ return pipeline {
   params = {
     options.blur(40),
     steps = pipeline.int { 4, min = 1, max = 64,
-      doc = "number of parts of equal weight that the exposure is divided into; the scene is drawn and shaded once for " ..
-            "each. 1: a post-process blur of the middle of the exposure. Many: an accumulation buffer" },
+      doc = "number of parts of equal weight that the exposure is divided into; the scene is drawn and shaded once " ..
+            "for each part. 1: a post-process blur of the image at the middle of the exposure. Many: an " ..
+            "accumulation buffer" },
     weights    = pipeline.choice(gathers.choice("guertin2014", "weights of the taps in the blur of a step")),
     directions = gather.params.directions,
   },

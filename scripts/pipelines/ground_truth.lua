@@ -53,7 +53,8 @@ return pipeline {
   },
   params = {
     mode         = choice { "rays", "brute", "raster", default = "rays",
-      doc = "method that finds the nearest surface at each time; `raster` does not find the regions of the error report",
+      doc = "method that determines the nearest surface at each time; `raster` does not compute the error regions " ..
+            "(inner, hidden, outer, self)",
       values = {
         rays   = "Rays through the whole pixel or its centre, at several times in one iteration. Static surfaces are traced " ..
                  "once, moving surfaces at each time. A ray is skipped if the first samples of the pixel and its " ..
@@ -76,8 +77,9 @@ return pipeline {
                      "instead of bands. Fails by up to twice the error of `midpoint` at each silhouette.",
       },
       breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
-    slices       = int { 1, min = 1, max = 64, doc = "number of sample times per iteration, each with its pose of the " ..
-                                                 "scene; each pixel uses one of these times at random",
+    slices       = int { 1, min = 1, max = 64, doc = "number of sample times per iteration of the loop over time " ..
+                                                 "samples. Each time has its own pose of the scene; each pixel uses " ..
+                                                 "one of the times, chosen at random",
       breaks = { other = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
     shading      = shade.params.shading,
     pixel        = choice { "centre", "box", default = "centre", doc = "position of a sample in its pixel",
@@ -98,7 +100,8 @@ return pipeline {
       doc = "find the regions of the error report (inner, hidden, outer, self); costs one more ray per sample" },
     validation_share = trace.params.validation_share,
     tolerance        = float { 0, min = 0, max = 1e6,
-      doc = "sampling stops once the standard error of the mean is at most this, linear radiance; 0: it does not stop early" },
+      doc = "bound of the standard error of the mean, linear radiance: sampling stops when the error is at most " ..
+            "this bound. 0: sampling does not stop early" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"

@@ -14,9 +14,9 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
--- Dominant displacement of each tile: the longest displacement that passes over the tile. Each tile writes (scatters) its
--- displacement to all tiles along this displacement. Elsewhere, tiles.dominant reads (gathers) the displacements of the
--- surrounding tiles.
+-- Dominant displacement of each tile: the longest displacement that passes over the tile. Each tile writes (scatters)
+-- its displacement to all tiles along this displacement. In other pipelines, each tile reads (gathers) the
+-- displacements of the surrounding tiles instead (tiles.dominant).
 local function dominant(raster)
   local tile = tile_max { velocity = raster.velocity }
   local longest = tile.longest
@@ -29,7 +29,8 @@ local function dominant(raster)
 end
 
 return pipeline {
-  doc = "Unity HDRP: tap pairs of Jimenez 2014, tiles that scatter along their motion, weights by the alignment of motions",
+  doc = "Unity HDRP: tap pairs as in Jimenez 2014; each tile scatters its displacement to the tiles along it; the " ..
+        "weight of a tap depends on the projection of its displacement on the dominant one",
   params = {
     options.picture,
     tile         = blur.tile { 16 },

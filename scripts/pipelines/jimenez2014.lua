@@ -9,8 +9,8 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "Jimenez 2014: gather of tap pairs along the longest displacement nearby; background that one tap lacks is filled " ..
-        "from the opposite tap",
+  doc = "Jimenez 2014: gather of tap pairs along the longest displacement nearby; where a moving surface hides the " ..
+        "background at one tap of a pair, the opposite tap replaces it",
   params = {
     options.blur(20),
     mirror      = gather.params.mirror,

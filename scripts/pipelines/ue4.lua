@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Stand-in for the post-process blur of game engines around 2020: the filter of Jimenez 2014 with tiles of 16 px. Background
--- that one tap lacks is filled from the opposite tap.
+-- Stand-in for the post-process blur of game engines around 2020: the filter of Jimenez 2014 with tiles of 16 px. Where
+-- a moving surface hides the background at one tap of a pair, the opposite tap replaces it.
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.jimenez2014"
 local gathers  = require "scripts.pipelines.lib.gathers"

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- The pipeline ue4 with four changes that public pages on Unreal Engine 5 describe: the console variables
--- r.MotionBlur.HalfResGather and r.MotionBlur.Directions
--- (https://indxzero.github.io/ue544cvarwiki/articles/r.motionblur.halfresgather), and the flattened velocities of
--- https://howuerenderacube.super.site/motion-blur. Details that these pages leave open are choices of this pipeline
--- (docs/methods.md). Written without the source code of Unreal Engine.
+-- The pipeline ue4 with four changes, after public pages on Unreal Engine 5. Half resolution and a second direction
+-- follow the console variables r.MotionBlur.HalfResGather and r.MotionBlur.Directions
+-- (https://indxzero.github.io/ue544cvarwiki/articles/r.motionblur.halfresgather). Cheap taps and displacements of the
+-- nearest surface follow https://howuerenderacube.super.site/motion-blur. Details that these pages leave open are
+-- choices of this pipeline (docs/methods.md). Written without the source code of Unreal Engine.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.jimenez2014"
@@ -39,14 +39,15 @@ local function blurred(images, name, listed)
 end
 
 return pipeline {
-  doc = "Stand-in for the blur of Unreal Engine 5: `ue4` with a gather at half resolution under heavy motion, an optional " ..
-        "second direction, cheap taps in uniform motion, and displacements of the nearest surface",
+  doc = "Stand-in for the blur of Unreal Engine 5: `ue4` with a gather at half resolution under heavy motion, an " ..
+        "optional second direction, taps with equal weights in uniform motion, and displacements of the nearest " ..
+        "surface",
   params = {
     options.blur(16),
     mirror = gather.params.mirror,
     half_resolution = pipeline.bool { true,
-      doc = "gather at one of 2x2 pixels, and interpolate the others, in tiles whose shortest displacement is at least " ..
-            "`heavy_motion`",
+      doc = "in tiles whose shortest displacement is at least `heavy_motion`, gather at one pixel of each 2x2 " ..
+            "pixels and interpolate the other three",
       breaks = { ["true"] = { mirrored = on_grid, shifted = on_grid, uniform = between } } },
     heavy_motion = half_grid.params.heavy_motion,
     directions = pipeline.choice { "one", "two", default = "one",

@@ -4,7 +4,7 @@
 -- looks the same at every size. Parameters:
 -- cover      side of the moving card, as a share of the height
 -- shift      displacement of this card over the exposure, as a share of the height
--- instances  number of small cards on the wall; if it is a square number, they cover a quarter of the picture
+-- instances  number of small cards on the wall; a square number of cards covers a quarter of the picture
 -- cells      number of squares along a side of the wall; each square has two triangles
 -- lights     number of point lights, all with shadows; their total intensity does not depend on the number
 local scene = require "strobe.scene"

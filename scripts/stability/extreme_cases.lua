@@ -119,7 +119,8 @@ local function bar_over_time(left, right, d, from, to)
   return function(x) return back_value + (bar_value - back_value) * coverage(left, right, d, from, to, x) end
 end
 
--- The bar has two silhouettes, each with a jump of 0.8. Each silhouette is wrong by at most half a time sample.
+-- Largest error of truth. The bar has two silhouettes, each with a step of 0.8 in colour. A silhouette causes an error
+-- of at most this step times half the weight of a time sample.
 local bar_tolerance = 2 * (bar_value - back_value) / (2 * truth_times) + 1e-4
 
 local function between(a_shot) return within(a_shot, back_value, bar_value) end
@@ -167,7 +168,7 @@ end
 
 for _, v in ipairs { { "one_pixel", 24, 25 }, { "a_tenth_of_a_pixel", 24.45, 24.55 } } do
   case("bar_of_" .. v[1], "displacement",
-       "truth of a bar narrower than its displacement is its width divided by its displacement",
+       "in truth, a bar narrower than its displacement covers a pixel for width / displacement of the exposure",
        function() return exact_bar(12, v[2], v[3]) end)
 end
 
@@ -205,7 +206,8 @@ for _, v in ipairs { { 1, 1 }, { 1, 40 }, { 40, 1 }, { 2, 2 }, { 37, 23 }, { 7, 
 end
 
 case("size_1xN_shortens_and_says", "picture sizes",
-     "the displacement limit is a share of the width; all motion exceeds it in a picture 1 px wide, with a warning", function()
+     "the displacement limit is a share of the width; in a picture 1 px wide all motion exceeds it, with a warning",
+     function()
   local numbers = { left = 0, right = 1, top = 12, bottom = 28, d_x = 0, d_y = 9 }
   return {
     warns(shot("oracles/quad_2d", 1, 40, numbers, { limit = 0.1 }), "farther than the limit", "filters"),
@@ -246,7 +248,7 @@ for _, anchor in ipairs(anchors) do
     return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, { anchor = anchor, exposure = 0 })) }
   end)
   case("exposure_3_" .. anchor, "exposure",
-       "longer than a frame: displacements span the whole exposure, and truth equals the exact coverage", function()
+       "exposure of three frames: displacements span all of it, and truth equals the exact coverage", function()
     -- 4 px over an exposure of 0.5 are 24 px over an exposure of 3.
     local long, from = bar(4, { limit = 10, tile = 8 }, { anchor = anchor, exposure = 3 }), window_start[anchor]
     return {

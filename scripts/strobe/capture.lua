@@ -20,7 +20,7 @@ capture.fields = {
   -- Fields of a capture:
   -- layers     images to store in the EXR file of a picture besides its colour: "all" (every output of every pass), or a list
   --            with names of outputs of the pipeline and with images between passes, written "node.port"
-  -- most_flip  largest mean FLIP of a picture from another device that still counts as the same picture
+  -- most_flip  largest mean FLIP at which two pictures of one shot, from different devices, count as equal
   -- truth      name of the arm that is the reference of all errors
   -- figures    list of figures, checked by strobe.figure
   -- films      list of films, checked by strobe.figure
@@ -38,8 +38,8 @@ capture.fields = {
   -- stops        brightness of the displayed pictures: factor 2^stops
   -- curve        tone curve of the displayed pictures
   -- truth        settings of the truth arm for this shot
-  -- crops        areas that the report magnifies: { x, y, width, height } in pixels, or "inner" for the place with the most
-  --              inner blur
+  -- crops        areas that the report magnifies: { x, y, width, height } in pixels, or "inner" for the place with the
+  --              most pixels of the error region inner
   -- note         text for the report
   -- attribution  author of the scene
   shot = {
@@ -52,8 +52,8 @@ capture.fields = {
   -- set     values of parameters of the pipeline
   -- shots   names of the shots that the arm renders; default: all
   -- layers  replaces the field `layers` of the capture
-  -- files   a folder beside the script, with versions of scripts and shaders that replace the current ones for this arm: in its
-  --         subfolder strobe/ for shipped files, in project/ for files of the project
+  -- files   a folder beside the script. For this arm, the scripts and shaders in the subfolder strobe/ replace shipped
+  --         files, and those in the subfolder project/ replace files of the project
   -- role    role of the arm if the capture is measured: "method", or "floor" (ground truth with as many samples as a method)
   -- shown   false: the arm is in the tables of the report, but its pictures are not shown
   arm = {
@@ -84,8 +84,8 @@ end
 function capture.orbit(t)
   local target, keys = three(t.target), {}
   local from, to = math.rad(t.from or 0), math.rad(t.to or 360)
-  -- The camera follows a cubic curve through the keys of its path. Keys at most 10 degrees apart, with one extra key beyond
-  -- each end, keep this curve within 3e-5 of the radius of the circle.
+  -- The camera follows a cubic curve through the keys of its path. Keys are at most 10 degrees apart, with one extra
+  -- key beyond each end, so the distance between this curve and the circle is at most 3e-5 times the radius.
   local count = math.max(1, math.ceil(math.abs(to - from) / math.rad(10)))
   for i = -1, count + 1 do
     local angle = from + (to - from) * i / count
@@ -235,9 +235,9 @@ end
 
 local Made = { kind = "capture" }
 
--- Checks `result`, which the file of a capture returned, and returns it as plain data. `given.options`: the options that a shot
--- may have. `given.measures`: the measures of experiments, or nil if the command measures nothing. With them, a capture that
--- has `measures` is returned as an experiment.
+-- Checks `result`, which the file of a capture returned, and returns it as plain data. `given.options`: the options
+-- that a shot may have. `given.measures`: the measures of experiments, or nil if the command measures nothing. If
+-- `given.measures` is not nil, a capture that has `measures` is returned as an experiment.
 function Made.finished(result, given)
   local self = Checker.at(result.place)
   self.options = shots.by_name(given.options)

@@ -33,8 +33,8 @@ experiment.fields = {
   -- note         text for the report
   -- attribution  author of the scene; default: read from the file of the scene
   -- truth        settings of truth for this shot
-  -- crops        areas that the report magnifies: { x, y, width, height } in pixels of the experiment's size, or "inner", the
-  --              place with the most inner blur
+  -- crops        areas that the report magnifies: { x, y, width, height } in pixels of the experiment's size, or
+  --              "inner", the place with the most pixels of the error region inner
   -- picture_aa   number of sub-pixel samples of the displayed pictures; the measured pictures have one sample per pixel
   -- stops        brightness of the displayed pictures: factor 2^stops
   -- curve        tone curve of the displayed pictures
@@ -48,8 +48,8 @@ experiment.fields = {
   -- Fields of an arm, which is a pipeline with settings:
   -- role       "method", or "floor" (truth with as many samples as a method)
   -- lacks      names of axes, or of single parameters that an axis sets, that do not apply to this arm
-  -- box        more settings of the arm, for displayed pictures in shots with `picture_aa`. With them the arm takes several
-  --            samples per pixel itself, so the shot's sub-pixel samples are not drawn
+  -- box        further settings of the arm, for displayed pictures in shots with `picture_aa`. With these settings, the
+  --            pipeline itself has several samples per pixel, so the sub-pixel samples of `picture_aa` are not drawn
   -- shown      false: the arm is in the tables of the report, but its pictures are not shown
   -- timed      true: frame times are measured; default: true for methods, false for truth
   -- published  published frame rate of this arm: fps in the shot `shot`, measured by the authors `by`
@@ -77,7 +77,8 @@ experiment.fields = {
   -- fixed         text for the report: the quantities that do not vary
   -- note          text for the report
   -- reading       text for the report; {ARM @ VALUE} in the text is replaced by the error of the arm ARM at the value VALUE
-  -- against       measure that replaces the values of the axis as the x axis of `strobe bench slopes`, which plots times
+  -- against       measure on the x axis of the charts of times (`strobe bench slopes`), in place of the values of the
+  --               axis
   -- costs         list of expectations of `strobe bench slopes`: how the times of parts of a frame grow along the axis
   axis = {
     name = { text }, values = { list }, at = { func, optional = true }, shots = { list, optional = true },
@@ -127,8 +128,8 @@ experiment.fields = {
 -- order.
 experiment.scales = { "log", "linear", "even" }
 experiment.roles = { "method", "floor" }
--- Measures that `against` of an axis may name. `strobe bench slopes` can plot times against them, because they depend on the
--- picture alone and not on the speed of the machine.
+-- Measures that `against` of an axis may name. `strobe bench slopes` can plot times against these measures, because
+-- their values depend on the picture alone and not on the speed of the machine.
 experiment.counted = { "masked", "displacement" }
 -- Kinds of growth of a time along an axis, for the field `grows` of `costs`.
 experiment.growths = { "constant", "linear", "logarithmic" }
@@ -365,7 +366,7 @@ end
 -- them to find mistakes before anything is rendered.
 local function placeholders(result, given)
   local values = {}
-  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- all measures, as layouts add some
+  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- all measures, because layouts add some
   local arms = copied(result.arms)
   arms[#arms + 1] = { name = result.truth.name, role = "truth" }
   local groups = {}

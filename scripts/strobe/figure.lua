@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- Checks the figures and films of a capture, and returns them as plain data. A figure is a grid of cells, each with a picture.
--- A film is a sequence of figures. A field of a cell may also be set in its figure, row or column, for all cells there. The
--- cell then has priority, followed by its column, its row and the figure. Marks and insets of all four are drawn.
--- docs/figures.md describes each field.
+-- Checks the figures and films of a capture, and returns them as plain data. A figure is a grid of cells, each with a
+-- picture. A film is a sequence of figures. A field of a cell may also be set in its figure, row or column, for all
+-- cells there. If several of these set a field, the cell has priority, then the column, then the row, then the figure.
+-- The marks and insets of all four are drawn. docs/figures.md describes each field.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local native = require "strobe.native"
@@ -230,7 +230,8 @@ function Checker:inserted(inside, path)
   else
     local near = copied(figure.measures)
     for option in pairs(self.options or {}) do near[#near + 1] = option end
-    self:add(path, "a caption has no '{%s}': there are the measures %s, options of a shot, set.PARAM and scene.PARAM%s",
+    self:add(path, "'{%s}' of a caption is none of these: a measure (%s), an option of a shot, set.PARAM, " ..
+                   "scene.PARAM%s",
              name, table.concat(figure.measures, ", "), native.nearest(name, near))
   end
   return part
@@ -289,8 +290,8 @@ function Checker:lines(t, name, path)
   return labels, looked
 end
 
--- Returns the number of a row or column, which a cell gives as `value`: a number from 1, or a label. `labels`: the rows or
--- columns of the figure. If there is only one, `value` may be nil.
+-- Returns the number of the row or column that `value` names, a number from 1 or a label. `labels`: the rows or the
+-- columns of the figure. If `labels` has a single entry, `value` may be nil.
 function Checker:line_number(value, labels, path, what)
   local names = {}
   for i, line in ipairs(labels) do
@@ -299,7 +300,8 @@ function Checker:line_number(value, labels, path, what)
   end
   if value == nil and #labels == 1 then return 1 end
   local near = type(value) == "string" and native.nearest(value, names) or ""
-  self:add(path, "%s of a cell is %s: a number from 1 to %d, or a label%s", what, check.quoted(value), #labels, near)
+  self:add(path, "%s of a cell is %s; it must be a number from 1 to %d or a label%s", what, check.quoted(value),
+           #labels, near)
 end
 
 -- Merges the fields of one cell. `parts`: the fields set in the figure, the row, the column and the cell, in this order. A

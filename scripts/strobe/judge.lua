@@ -7,9 +7,10 @@ local shown  = require "strobe.fields".shown
 
 local judge = {}
 
--- The results of an experiment. The method `at(place, wanted)` returns the mean of each measure over the points that match
--- `wanted`, a table with any of the fields `arm`, `shot`, `region` and the names of axes. An expectation writes
--- `r.at { arm = "hybrid", samples = 16 }`. This table is `wanted`. `place`, the line of the call, is added for error messages.
+-- The results of an experiment. The method `at(place, wanted)` returns the mean of each measure over the points that
+-- match `wanted`, a table with any of the fields `arm`, `shot`, `region` and the names of axes. An expectation calls it
+-- as `r.at { arm = "hybrid", samples = 16 }`, with `wanted` as the only argument. `place`, the line of this call, is
+-- added for error messages.
 local Results = {}
 Results.__index = Results
 

@@ -9,8 +9,9 @@ local node = {}
 
 node.times = { "raster", "shutter_open", "shutter_close", "sample" }
 
--- The graph that the running `build` makes; nil outside of a `build`. Main fields: `nodes`, `passes`, `loops`, `loop` (name of
--- the loop with the body that is running, or nil), `params` (parameters of the pipeline), `p` (the argument of `build`).
+-- The graph that the running `build` makes; nil outside of a `build`. Main fields: `nodes`, `passes`, `loops`, `loop`
+-- (name of a loop while its body runs, otherwise nil), `params` (parameters of the pipeline), `p` (the argument of
+-- `build`).
 node.graph = nil
 
 -- ---- values
@@ -108,13 +109,13 @@ function node.is_reference(value)
   return getmetatable(value) == Reference
 end
 
--- Returns the reason why the parameter `wanted` of a pass cannot take its value from the parameter `source` of the pipeline.
--- Returns nil if it can.
+-- Returns nil if the parameter `wanted` of a pass can have the values of the parameter `source` of the pipeline.
+-- Otherwise returns the reason why it cannot.
 local function cannot_follow(wanted, source)
   local same = wanted.type == source.type or (wanted.type == "float" and source.type == "int")
   if not same then return ("is %s, but '%s' of the pipeline is %s"):format(wanted.type, source.name, source.type) end
   if wanted.unit ~= "" and source.unit ~= "" and wanted.unit ~= source.unit then
-    return ("is in %s, but '%s' of the pipeline in %s"):format(wanted.unit, source.name, source.unit)
+    return ("is in %s, but '%s' of the pipeline is in %s"):format(wanted.unit, source.name, source.unit)
   end
   for _, choice in ipairs(source.choices or {}) do
     if not check.contains(wanted.choices, choice) then
@@ -124,13 +125,13 @@ local function cannot_follow(wanted, source)
   end
   local outside = wanted.min and (source.min < wanted.min or source.max > wanted.max)
   if not outside then return nil end
-  return ("is from %s to %s, but '%s' of the pipeline from %s to %s"):format(wanted.min, wanted.max, source.name,
-                                                                              source.min, source.max)
+  return ("is from %s to %s, but '%s' of the pipeline is from %s to %s"):format(wanted.min, wanted.max, source.name,
+                                                                                source.min, source.max)
 end
 
--- Returns the reference `p.NAME` to the parameter of the pipeline that sets `wanted`, a parameter of a pass, if the call of the
--- pass does not set it. Such a parameter of the pipeline has the name of `wanted`, and both come from one shared declaration.
--- Returns nil if the pipeline has no such parameter.
+-- Returns the value of `wanted`, a parameter of a pass, for a call that does not set this parameter. If the pipeline
+-- has a parameter of the same name from the same shared declaration, the value is the reference `p.NAME` to it.
+-- Otherwise returns nil.
 local function shared(wanted)
   local declared = param.find(node.graph.params, wanted.name)
   return declared and param.same(declared, wanted) and node.graph.p[wanted.name] or nil

@@ -171,8 +171,8 @@ function param.same(a, b)
   return origins[a] ~= nil and origins[a] == origins[b]
 end
 
--- Records that a pass has the parameters in `list`. A parameter of a pipeline with the origin of such a parameter counts as
--- used.
+-- Records that a pass has the parameters in `list`. A parameter of a pipeline counts as used if its origin is the
+-- origin of a recorded parameter.
 function param.note_pass(list)
   for _, one in ipairs(list) do of_passes[origins[one]] = true end
 end
@@ -258,7 +258,7 @@ function param.declare(problems, name, declared, at, owner)
 end
 
 -- Returns `value` in the canonical form of the parameter's type, or nil and a message. A text is refused unless the parameter
--- is a choice (or accepts "auto"). The command line, where all values are texts, converts it instead.
+-- is a choice (or accepts "auto"). On the command line all values are texts; there, native.check_value converts them.
 function param.check(declared, value)
   if type(value) == "string" and declared.type ~= "choice" and not (declared.auto and value == "auto") then
     return nil, ("'%s' = '%s' is a text instead of a value of type %s"):format(declared.name, value, declared.type)

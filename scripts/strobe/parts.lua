@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Loops over the parts of the exposure. Each part is a whole exposure of its own: the passes of the loop draw the scene at the
--- part's middle, and displacements are those over the part. The parts have equal weight by the shutter curve.
+-- Loops over the parts of the exposure. Each part is a whole exposure of its own: the passes of the loop draw the scene
+-- at the middle of the part, and displacements are from the beginning to the end of the part. The shutter curve gives
+-- all parts equal weights.
 local check    = require "strobe.check"
 local native   = require "strobe.native"
 local node     = require "strobe.node"

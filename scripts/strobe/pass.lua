@@ -76,8 +76,8 @@ local function is_texel(value, uint)
   return true
 end
 
--- True if the replacements of the read `name` form a circle. The field `absent` of a read may name another read that replaces
--- it when it is not wired; the chain of such names, followed from `name`, then comes back to `name`.
+-- True if the chain of replacements from the read `name` comes back to `name`. The field `absent` of a read may name
+-- another read, which replaces the first one if that is not wired.
 local function leads_back(reads, name)
   local at = reads[name].absent
   for _ in pairs(reads) do
@@ -99,7 +99,7 @@ local function check_absent(problems, reads, name, at, what)
     local texel = type(given) == "number" and { given, given, given, given } or given
     if is_texel(texel, port.uint) then return texel end
     local numbers = port.uint and "unsigned integer" or "number"
-    problems:add(at, "'absent' of %s is neither one %s nor four, nor the name of a read", what, numbers)
+    problems:add(at, "'absent' of %s must be one %s, four of these, or the name of a read", what, numbers)
     return nil
   end
   local other = reads[given]
@@ -274,8 +274,8 @@ local function declare_counters(problems, t, place, owner)
   return list
 end
 
--- Checks `dispatch_over` and returns it; "" without it. It names a read that is a buffer with a list of pixels. The pass then
--- runs once for each pixel of the list, instead of once for each pixel of the picture.
+-- Checks `dispatch_over` and returns it; "" without this field. The field names a read that is a buffer with a list of
+-- pixels. The pass then runs once for each pixel of the list, instead of once for each pixel of the picture.
 local function declare_over(problems, t, kind, result, place, owner)
   if t.dispatch_over == nil then return "" end
   local at = native.key_place(place, "dispatch_over")
@@ -288,7 +288,7 @@ local function declare_over(problems, t, kind, result, place, owner)
     local near = is_unknown and native.nearest(t.dispatch_over, port_names(result.reads)) or ""
     problems:add(at, "%s runs over %s, which is not a buffer read of the pass%s", owner, check.quoted(t.dispatch_over), near)
   end
-  if kind == "raster" then problems:add(at, "%s is a raster pass, which runs over triangles", owner) end
+  if kind == "raster" then problems:add(at, "%s is a raster pass, and runs over triangles, not over a list", owner) end
   for _, write in ipairs(result.writes) do
     if not write.cleared and not check.is_buffer(write.format or "") then
       problems:add(write.place, "'%s' of %s, which runs over '%s', needs cleared = true: pixels outside of the list stay 0",
@@ -298,8 +298,8 @@ local function declare_over(problems, t, kind, result, place, owner)
   return t.dispatch_over
 end
 
--- Checks `group` and returns its value. If it is true, the pass runs one work group of invocations for each output pixel,
--- instead of a single invocation.
+-- Checks `group` and returns its value. With group = true, the pass runs one work group of invocations for each output
+-- pixel, instead of a single invocation.
 local function declare_group(problems, t, kind, result, place, owner)
   if t.group == nil or not check.field(problems, t, "group", "boolean", place, owner) or not t.group then return false end
   local at = native.key_place(place, "group")
@@ -334,9 +334,9 @@ local restrictions = setmetatable({}, { __mode = "k" })  -- description of a pas
 -- Returns the restriction `runs` that the pass with this description declares.
 function pass.restriction_of(description) return restrictions[description] end
 
--- Checks `runs` and returns it. It restricts a pass to some pixels or instances; a call of the pass in a pipeline may give
--- another restriction. The default "moving_rect" has no effect unless `if_no.moving_rect` has stand-ins, which fill the pixels
--- outside of the moving rectangle.
+-- Checks `runs` and returns it. The field `runs` restricts a pass to some pixels or instances; a call of the pass in a
+-- pipeline may give another restriction. The default "moving_rect" has no effect unless `if_no.moving_rect` has
+-- stand-ins, which fill the pixels outside of the moving rectangle.
 local function declare_runs(problems, t, result, place, owner)
   if t.runs == nil then return "moving_rect" end
   return pass.check_runs(problems, t.runs, result, native.key_place(place, "runs"), owner) and t.runs or "moving_rect"

@@ -155,8 +155,9 @@ local function check_results(problems, results, place)
   end
 end
 
--- Checks `until_` of a loop, and returns it as "NODE.PORT"; "" after a mistake. It is an image of one texel that a pass in the
--- loop writes, or a function of the loop's result that returns this image. The loop ends when the texel is not zero.
+-- Checks `until_` of a loop, and returns it as "NODE.PORT"; "" after a mistake. The field `until_` is an image of one
+-- texel that a pass in the loop writes, or a function of the loop's result that returns this image. The loop ends when
+-- the texel is not zero.
 local function check_until(problems, t, loop, results, place)
   local value = t.until_
   if type(value) == "function" then value = value(results) end

@@ -8,9 +8,10 @@ local pipeline = require "strobe.pipeline"
 
 local run = {}
 
--- Loads the file of a pipeline ahead of the requests to evaluate it with settings. Returns the data that is common to all these
--- requests: the passes that files declare, and the parameters of the pipeline. To save time, the result of a later request does
--- not repeat this data. It has the numbers of passes in the returned list, and no parameters.
+-- Loads the file of a pipeline before the requests that evaluate the pipeline with settings. Returns the data that is
+-- common to all these requests: the passes that files declare, and the parameters of the pipeline. To save time, the
+-- result of a later request does not repeat this data: it refers to a pass by its number in the returned list, and has
+-- no parameters.
 local loaded
 local numbers = {}
 function run.load()
@@ -86,7 +87,7 @@ function run.data(request)
   return finished and finished(result, request.arguments) or result
 end
 
--- Returns the kind of the file: "experiment" or "capture" if it returns one, otherwise "".
+-- Returns "experiment" or "capture" if the file returns one of these, otherwise "".
 function run.kind()
   return { kind = (getmetatable(native.main()) or {}).kind or "" }
 end
@@ -111,7 +112,8 @@ function run.passes(request)
       local other = by_name[description.name]
       if other then
         local second, first = description.place, other.place
-        if second.file:find("^strobe:") then second, first = first, second end  -- the mistake is in the file of the project
+        -- Report the mistake at the pass of the project, not at the shipped pass.
+        if second.file:find("^strobe:") then second, first = first, second end
         problems:add(second, "another pass is called '%s': %s:%d", description.name, first.file, first.line)
       end
       by_name[description.name] = description

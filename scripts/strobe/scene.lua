@@ -35,10 +35,12 @@ end
 -- superellipsoid { size, north, east, segments }      exponents `north`, `east`; both 1: ellipsoid; near 0: box; 2: octahedron
 -- cylinder { radius, top_radius, height, segments, bevel }   `bevel`: rounding of the two rims
 -- lathe { profile = { {radius, y}, ... }, segments, smooth, crease }   profile from bottom to top, outside on its right;
---                                                     `smooth`: steps per span; corners above the angle `crease` stay sharp
+--                                                     `smooth`: steps of the smooth curve between two points of the
+--                                                     profile; corners above the angle `crease` stay sharp
 -- tube { path = { {x, y, z}, ... }, radius | radii, segments, smooth, flatten, up }   `flatten` below 1: flattened along `up`
 -- cushion { size, pinch, quilt, quilt_depth, segments }   lies in the xy plane; `pinch`: how far the sides are drawn in
--- cloth { size = {w, h, depth}, folds, flare, thickness, segments, segments_down }   `flare`: growth of the folds to the hem
+-- cloth { size = {w, h, depth}, folds, flare, thickness, segments, segments_down }
+--                                                     `flare`: growth of the folds towards the lower edge
 -- triangles { positions, normals, uvs, indices }      indices start at 1; without indices, every three positions are a triangle
 for _, name in ipairs { "quad", "box", "sphere", "torus", "superellipsoid", "cylinder", "lathe", "tube", "cushion",
                         "cloth", "triangles" } do

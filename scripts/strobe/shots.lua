@@ -136,7 +136,7 @@ function Methods:sequence(frames, shot, path)
   good = good and frames[1] >= 0 and frames[3] >= 1 and frames[2] >= frames[1] + frames[3]
   good = good and frames[2] < frames[1] + 1000 * frames[3]
   if not good then self:add(path, "frames are not { from, to, step } of 2 to 1000 frames, as whole numbers") end
-  if shot.frame ~= nil then self:add(path, "a shot with frames has no single frame") end
+  if shot.frame ~= nil then self:add(path, "a shot has 'frames' or 'frame', not both") end
 end
 
 function Methods:shot(t, path)

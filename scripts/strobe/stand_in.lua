@@ -43,7 +43,7 @@ local function check_stand_in(problems, write, given, reads, at, what)
   if given == 0 then return end
   local read = type(given) == "string" and port_named(reads, given)
   if given == nil then
-    problems:add(at, "%s has no stand-in for '%s', which is 0 or the name of a read", what, write.name)
+    problems:add(at, "%s has no stand-in for '%s'; a stand-in is 0 or the name of a read", what, write.name)
   elseif not read then
     problems:add(at, "%s: '%s' is neither 0 nor a read of the pass, but %s%s", what, write.name, check.quoted(given),
                  near(given, names_of(reads, {})))

@@ -213,9 +213,9 @@ local function check_range(range, place, name)
   return {}
 end
 
--- Returns axes with the names of the table `ranges`, for `random` and `sobol`. There is one combination for each point that
--- `points_of(dimensions)` returns. A point is in the unit cube, with one dimension per axis; its coordinate is the position in
--- the range of the axis.
+-- Returns axes with the names of the table `ranges`, for `random` and `sobol`. There is one combination for each point
+-- that `points_of(dimensions)` returns. A point is in the unit cube, with one dimension per axis; each coordinate is a
+-- position in the range of its axis.
 local function spread(place, ranges, usage, points_of)
   local axes, rows = axes_of(ranges, place, usage, check_range), {}
   for i, point in ipairs(points_of(#axes)) do
@@ -247,7 +247,7 @@ vary.sobol = native.at_caller(function(place, count, ranges)
   check_count(place, "sobol", count, 1)
   return spread(place, ranges, "sobol(COUNT, { NAME = { from, to }, ... })", function(width)
     if width > sequences.most_dimensions then
-      check.fail(place, "sobol varies %d parameters; it can vary %d", width, sequences.most_dimensions)
+      check.fail(place, "sobol varies %d parameters; it can vary at most %d", width, sequences.most_dimensions)
     end
     return sequences.sobol(count, width)
   end)

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Starting points of `strobe tune`: the first `count` points of the Sobol sequence in `width` dimensions. The point 0, a corner
--- of the cube, is left out. If `width` is larger than the number of dimensions of the sequence, the other coordinates of each
--- point are 0.5.
+-- Starting points of `strobe tune`: the first `count` points of the Sobol sequence in `width` dimensions, without the
+-- origin, which is a corner of the unit cube. If `width` is larger than the number of dimensions of the sequence, the
+-- coordinates of the remaining dimensions are 0.5.
 local sequences = require "strobe.sequences"
 
 local asked = ...

@@ -41,7 +41,7 @@ TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {
   // The table begins in line 11, these fields in line 13.
   const Mistake mistakes[] = {
       {"nam = 'y'", "13", "has no field 'nam'"},
-      {"cells = { { row = 2, zoom = 2 } }", "13", "'row' of a cell is 2: a number from 1 to 1, or a label"},
+      {"cells = { { row = 2, zoom = 2 } }", "13", "'row' of a cell is 2; it must be a number from 1 to 1 or a label"},
       {"rows = { { arm = 'plai' } }", "13",
        "the arm is 'plai', which is not one of plain, truth; did you mean 'plain'?"},
       {"shot = 'stil'", "13", "the shot is 'stil', which is not one of still, other; did you mean 'still'?"},

@@ -5,7 +5,7 @@ local second_surface = require "passes.second_surface"
 local scene          = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc    = "Raster image, averaged with the second surface on each ray",
+  doc    = "Raster image, averaged with the colour of the second surface on each pixel's ray",
   breaks = { uniform = "the pipeline does not blur" },
   params = { share = second_surface.params.share },
   build  = function(p)

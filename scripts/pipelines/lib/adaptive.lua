@@ -23,9 +23,10 @@ function adaptive.truth_samples(quality, samples)
 end
 
 -- Settings for a quality above 0 and below `truth_from`:
---   pace       largest displacement between two successive first rays of a pixel, image widths; halves if quality rises by 0.2
---   allowance  error below which no ray is traced between two rays, linear radiance times fraction of the exposure; halves if
---              quality rises by 0.1
+--   pace       largest displacement of a surface between two successive first rays of a pixel, image widths; halves if
+--              quality rises by 0.2. The first rays are traced before any interval between two rays is subdivided
+--   allowance  error up to which no ray is traced between two rays, linear radiance times fraction of the exposure;
+--              halves if quality rises by 0.1
 --   apart_px   largest difference of displacements that count as uniform motion, px; halves if quality rises by 0.2
 --   hit_color  source of the colour of a hit: the raster texels that show the surface ("blended"), or new shading ("shaded")
 --   parts      number of intervals between the times of rays
@@ -37,7 +38,7 @@ function adaptive.settings(quality, samples)
     allowance = 0.08 * 2 ^ -tenths,
     apart_px = 2 ^ (-tenths / 2),
     hit_color = quality < 0.55 and "blended" or "shaded",
-    parts = math.min(2 ^ (math.floor(math.log(samples, 2)) + finer) // 1 | 0, most_parts),  -- halved evenly
+    parts = math.min(2 ^ (math.floor(math.log(samples, 2)) + finer) // 1 | 0, most_parts),  -- a power of two
   }
 end
 

@@ -78,8 +78,8 @@ local function put(images, prefix, layer)
   for name, image in pairs(layer) do images[prefix .. name] = image end
 end
 
--- Adds the curved paths of surface points to both layers, unless paths are straight lines. The raster layer is left out if
--- curves are extrapolated, because layers.both has added its curve before.
+-- Adds the curved paths of surface points to both layers, unless paths are straight lines. The raster layer is left out
+-- if curves are extrapolated, because layers.both has already added the curve of the raster layer.
 function layers.add_curves(p, raster, revealed)
   local background = { "revealed", revealed }
   paths.add_curves(p, paths.are_extrapolated(p) and { background } or { { "raster", raster }, background })
@@ -89,7 +89,8 @@ end
 --   whole             the raster layer, with one displacement for the whole exposure
 --   mask              the disocclusion mask
 --   found             the outputs of the pass ray_reveal
---   raster, revealed  both layers for a composite; with range = split, each has a velocity before and after the raster time
+--   raster, revealed  both layers for a composite; with range = split, each layer has one velocity before the raster
+--                     time and one after it
 function layers.both(p)
   local whole = scene.raster()
   if paths.are_extrapolated(p) then paths.add_curves(p, { { "raster", whole } }) end

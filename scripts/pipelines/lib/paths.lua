@@ -36,8 +36,10 @@ local function copy_of(layer)
 end
 
 -- If the motion is split at the raster time (range = split), returns a copy of `layer` with these fields:
---   velocity        velocity before the raster time, scaled to the whole exposure, px
---   velocity_post   velocity after the raster time, scaled to the whole exposure, px
+--   velocity        velocity of the segment before the raster time: displacement at this velocity over the whole
+--                   exposure, px
+--   velocity_post   velocity of the segment after the raster time: displacement at this velocity over the whole
+--                   exposure, px
 -- Otherwise returns `layer`. `name`: name of the node.
 function paths.split(p, layer, name)
   if not paths.are_split(p) then return layer end
@@ -93,8 +95,9 @@ function paths.require_curves(p, filter, setting)
   end
 end
 
--- Number of poses in the loop that fits curves to paths. An extrapolated curve is fitted to the raster time and to the poses of
--- this number of earlier frames. Any other curve is fitted to shutter open, shutter close and this number of times between.
+-- Number of poses in the loop that fits curves to paths. An extrapolated curve is fitted to the poses at the raster
+-- time and in this number of earlier frames. Any other curve is fitted to the poses at shutter open, at shutter close
+-- and at this number of times between the two.
 local function poses_of(p)
   if not paths.are_extrapolated(p) then return p.trajectory() == "arc" and 5 or 3 end
   if p.trajectory() == "arc" then

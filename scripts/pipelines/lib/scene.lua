@@ -15,8 +15,8 @@ scene.layer = pipeline.record("a layer", {
 })
 
 -- Returns the colour of the surfaces `hit`, shaded at the raster time, and `light_visibility`: for each tile, the lights that
--- are visible from all or from no points of the tile, and therefore need no shadow rays. `shading` is fixed, because its values
--- differ only at other times than the raster time. `prefix`: start of the names of the nodes; nil: none.
+-- are visible from all or from no points of the tile, and therefore need no shadow rays. The choice of the parameter
+-- `shading` has no effect at the raster time. `prefix`: start of the names of the nodes; nil: none.
 function scene.shaded(hit, prefix)
   prefix = prefix or ""
   local light_visibility = tile_light_visibility { hit = hit, as = prefix .. "tile_light_visibility" }.light_visibility

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Ground truth by rays at many times. The functions take a table `p` of settings: mode, samples, times, slices, pixel, shading,
--- mark_regions, tolerance, first_samples, even_within, validation_share. Each setting is a parameter of a pipeline or a plain
--- value. The pipeline ground_truth documents them.
+-- mark_regions, tolerance, first_samples, even_within, validation_share. Each setting is a parameter of a pipeline or a
+-- plain value. The pipeline ground_truth documents the settings.
 local pipeline          = require "strobe.pipeline"
 local agreement         = require "passes.truth.sample_consensus"
 local join_half_buffers = require "passes.truth.join_half_buffers"

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- Shots of all scenes of the repository except the exhibits, for experiments that compare methods over all scenes. The
--- displacements are the same shares of the picture as in the scenes at 480x270.
+-- Shots of all scenes of the repository except the exhibits, for experiments that compare methods over all scenes. In
+-- relation to the width of the picture, displacements are as long as in the scenes at 480x270.
 
--- Scenes and their displacements in a picture of 160x90, px; none: as the scene's file has it.
+-- Scenes, and their displacements in a picture of 160x90, px. An entry without a number has the displacement of the
+-- scene's file.
 local objects = { { "caged_fan", 27 }, { "car_and_road", 33 }, { "door", 33 }, { "enters", 33 }, { "leaves", 20 }, { "nearer" },
   { "pendulum", 33 }, { "spoked_wheel", 20 }, { "stacked", 27 }, { "telescope", 33 }, { "tracking_parallax", 17 } }
 local oracles = { { "bar" }, { "half_plane" }, { "hidden_white" }, { "quad_2d" }, { "textured_bar" }, { "wedge" } }

@@ -53,7 +53,7 @@ end
 --   name, colors, seed, motion  name of the node; list of colours; seed of the pattern; motion of the node
 --   edges   { left, top, right, bottom }, px
 --   cell    side of a cell, px
---   slant   shift to the right per pixel down; slanted edges pass pixel centres at all fractions of a pixel
+--   slant   shift to the right, px, per pixel downwards; a slanted edge passes pixel centres at all sub-pixel distances
 --   depth   depth of all corners, or a function that returns the depth at a position x (px), metres
 --   at      position of the node in camera space; nil: the camera's position
 function stage:panel(given)

@@ -60,7 +60,7 @@ end
 --   position    centre of the face of the wall
 --   size        { width, height }, metres
 --   cell        side of a cell, metres
---   depth       largest height of a block over the wall, metres
+--   depth       largest distance by which a block protrudes from the wall, metres
 --   every       on average, one in `every` cells has a block; nil: 2
 function studio.wall(given)
   local random, cell = studio.generator(given.seed or 1), given.cell

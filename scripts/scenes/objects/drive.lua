@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The camera moves ahead by `metres` over the exposure, through an avenue of posts and over the marks of a road. Near objects
--- pass the camera within the exposure, so they are behind the camera at its end.
+-- The camera moves ahead by `metres` over the exposure, through an avenue of posts and over the marks of a road. The
+-- camera passes near objects within the exposure, so these objects are behind the camera at the end of the exposure.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A ball drifts by `pixels` px over the exposure, and jumps to another place after half a second. `cut`: true if the scene
--- declares the jump as a cut, so that frames do not blur over the jump. At 24 frames per second, frame 12 is the first frame
--- after the jump.
+-- A ball drifts by `pixels` px over the exposure. Half a second after frame 0, the ball jumps to another place. `cut`:
+-- true if the scene declares the jump as a cut, so that frames do not blur over the jump. At 24 frames per second,
+-- frame 12 is the first frame after the jump.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- A telescope on a tripod turns by `degrees` over the exposure. Its three parts (dew cap, barrel, eyepiece) are objects with
--- one parent node. At the raster time, the telescope points at the camera, but is turned aside by `off` degrees, and the dew
--- cap hides the barrel. At earlier times the barrel is visible. `pixels`: displacement of the front of the cap over the
--- exposure, px.
+-- A telescope on a tripod turns by `degrees` over the exposure. The three parts of the telescope (dew cap, barrel,
+-- eyepiece) are objects with one parent node. At the raster time, the telescope points `off` degrees beside the camera,
+-- so the dew cap hides the barrel. At earlier times the barrel is visible. `pixels`: displacement of the front of the
+-- cap over the exposure, px.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- The camera moves to the right past static objects at many depths: posts, balls, boxes, a wall. `pixels`: displacement of
--- objects at the middle depth over the exposure, px. In the picture, the nearest post moves more than twice as far, the wall
--- half as far.
+-- The camera moves to the right past static objects at many depths: posts, balls, boxes, a wall. `pixels`: displacement
+-- over the exposure of objects at the middle depth, px. In the picture, the nearest post moves more than twice as far,
+-- and the wall half as far.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 

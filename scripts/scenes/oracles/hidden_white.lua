@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- A grey surface moves by `d_f` px over the exposure. At frame 0, it covers the pixel columns [left, right). The static
--- background is white up to the column `border` and black beyond this column. So the background is white behind the whole
--- surface at frame 0, although black is visible close to its right edge. docs/derivations.md has the exact picture, in the
--- section "A background that is invented".
+-- background is white up to the column `border` and black beyond this column. So the background is white behind the
+-- whole surface at frame 0, although black is visible close to the right edge of the surface. docs/derivations.md has
+-- the exact picture, in the section "A background that is invented".
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -7,9 +7,9 @@
 -- camera.
 -- Positions: the distance of a silhouette from a pixel edge is an odd multiple of 1/8 px. So no silhouette passes through the
 -- centre of a pixel, even if the scene is mirrored.
--- Displacements: their components are p / 16 px, with primes p of at least 37. So with up to 33 taps, no tap falls exactly
--- between two pixels, where rounding would decide. No two moving objects have equally long displacements. With `ties` = 1,
--- components are whole pixels, so that many taps fall exactly between two pixels.
+-- Displacements: each component is p / 16 px, with a prime p of at least 37. So with up to 33 taps, no tap falls
+-- exactly between two pixels, where rounding would decide. No two moving objects have equally long displacements. With
+-- `ties` = 1, components are whole pixels, so that many taps fall exactly between two pixels.
 local scene = require "strobe.scene"
 
 local param = scene.param
@@ -26,8 +26,8 @@ local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                       
 local order, peel = param("order", 0), param("peel", 0)  -- order of objects (0: fixed); number of nearest objects left out
 local value = param("value", 0)                          -- colour of all objects; 0: random colours
 local first, second = param("first", 1), param("second", 1)  -- weights of the two terms that add up to each colour
--- Radiance of the nearest card (0: as the other cards), and a factor on this radiance. A negative factor selects a lit metal:
--- shading multiplies its colour by 0, and 0 times an infinite colour is not a number.
+-- Radiance of the nearest card (0: as the other cards), and a factor on this radiance. With a negative factor, the card
+-- is a lit metal: shading multiplies the colour of the card by 0, and 0 times an infinite colour is not a number.
 local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 
 local exposures_per_second = 24 / 0.5

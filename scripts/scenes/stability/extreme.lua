@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Test scene for numerical extremes: a lit, textured room, which can be moved, scaled and sped up with known effects on the
--- picture. A card moves to the right and down, a ball turns in front of a wall, and a floor recedes. The camera is a pinhole
--- with a focal length of 64 px, so one pixel spans z / 64 at the depth z. Parameters:
+-- Test scene for numerical extremes: a lit, textured room, which can be moved, scaled and sped up with known effects on
+-- the picture. A card moves to the right and down, a ball turns in front of a wall, and a floor extends into the
+-- distance. The camera is a pinhole with a focal length of 64 px, so one pixel spans z / 64 at the depth z. Parameters:
 -- scale     factor on all lengths, and on lights, so that the picture stays the same
 -- offset    translation of the whole scene, with the camera, along (1, 0.3, -0.7), metres
 -- nesting   0: each node has the offset; 1: one parent node has the offset; 2: a parent node has the offset and each node
@@ -22,7 +22,7 @@ local exposures_per_second = 24 / 0.5
 local function world(p) return { p[1] + offset, p[2] + 0.3 * offset, p[3] - 0.7 * offset } end
 local function scaled(p) return { p[1] * scale, p[2] * scale, p[3] * scale } end
 
--- Returns a node at the position `p` (before scaling), with the offset of the scene, applied by the rule `nesting`.
+-- Returns a node at the position `p` (before scaling). The parameter `nesting` decides how the node gets the offset.
 local function placed(p, fields)
   p = scaled(p)
   if nesting == 0 or nesting == 3 then
