@@ -110,7 +110,7 @@ TEST_F(Tune, RefusesMisuse) {
   expectRefusal(shot_ + goal + "--measure psnr", "there is no 'psnr'");
   expectRefusal(shot_ + goal + "--region iner", "did you mean 'inner'?");
   expectRefusal(shot_ + goal + "--vary smaples", "'mcguire2012' has no parameter 'smaples'; did you mean 'samples'?");
-  expectRefusal(shot_ + goal + "--set samples=4 --vary samples", "'samples' is set besides");
+  expectRefusal(shot_ + goal + "--set samples=4 --vary samples", "'samples' is also set");
   expectRefusal(shot_ + goal + "--base mcguire2013", "did you mean 'mcguire2012'?");
   expectRefusal("none" + goal, "'none' has no parameter to vary");
   expectRefusal("ground_truth" + goal, "'ground_truth' is truth");
