@@ -141,8 +141,8 @@ TEST_F(Bench, RefusesMisuse) {
   expectRefusal("hybrid --size 32x18 --size 32x18", 2, "--size '32x18' is given twice");
   expectRefusal("hybrid --size 32", 2, "--size '32' is not WIDTHxHEIGHT");
   expectRefusal("none hybrid --set samples=4 " + kShot, 2, "method 'none'");
-  expectRefusal("hybrid " + kShot + "--against no.json", 2, "--against 'no.json': there is no such file");
-  expectRefusal("hybrid --within 0.1 --against " + programPath(), 2, "--within goes with no program");
+  expectRefusal("hybrid " + kShot + "--against no.json", 2, "--against 'no.json': file not found");
+  expectRefusal("hybrid --within 0.1 --against " + programPath(), 2, "--within cannot be used with a program");
 }
 
 TEST_F(Bench, RefusesOtherRuns) {

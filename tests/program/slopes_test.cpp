@@ -83,7 +83,7 @@ TEST_F(BenchSlopes, RefusesMisuse) {
   expectRefusal(fileWith("shot = \"cards\"", "shot = \"card\""), 1, "did you mean 'cards'?");
   expectRefusal(
       fileWith("vary = { experiment.each {", "vary = { experiment.grid { seed = { 1, 2 } }, experiment.each {"), 2,
-      "one thing varied at a time");
+      "one varied axis at a time");
 }
 
 }  // namespace slopes_test

@@ -283,9 +283,9 @@ TEST(Sweep, ListsItsPointsAndRefusesWhatIsNone) {
   refused(command + " --only arm=hybird", "did you mean 'hybrid'?");
   refused(command + " --size 3", "WIDTHxHEIGHT");
   refused("sweep " + (folder / "x.lua") + " -o /dev/null/x", "is not a folder");
-  refused("report " + folder.path().string(), "there are no results");
+  refused("report " + folder.path().string(), "no results in");
   refused("bench", "A subcommand is required");
-  refused("bench relod hybrid", "there is no command 'relod' of bench; did you mean 'reload'?");
+  refused("bench relod hybrid", "unknown command 'relod' of bench; did you mean 'reload'?");
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
