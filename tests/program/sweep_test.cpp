@@ -214,7 +214,7 @@ TEST(Demo, RefusesWhatIsNotMeasured) {
   refused("truth = \"truth\", ", "", "measures compare pictures with truth, but the capture has no 'truth' arm");
   refused("role = \"floor\"", "role = \"flor\"", "demo.lua:9: the role of an arm is 'flor'");
   refused("return capture", "do return require \"strobe.experiment\" { title = \"x\" } end return capture",
-          "is an experiment, no capture { ... }: `strobe sweep` runs it");
+          "is an experiment, not a capture { ... }: run it with `strobe sweep`");
   refused("move =", "vary = { exposure = { 0.1, 0.2 } }, move =", "a shot with vary cannot be measured");
 }
 
