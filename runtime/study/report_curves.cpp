@@ -253,12 +253,11 @@ Parts curveParts(const Results& results) {
                   results.width, results.height),
       Tone::soft, Part::kRead));
   parts.push_back(heading("Range with errors near the sampling floor", 2, "", Part::kRead));
-  parts.push_back(
-      text(fmt::format(
-               "Values around the benign value with an error of at most {:g} times the floor at the same value (truth "
-               "with as many samples as the method), without a met limit and without values that are not finite.",
-               factor),
-           Tone::soft, Part::kRead));
+  parts.push_back(text(
+      fmt::format("Values around the benign value. At each value, the method's error is at most {:g} times the floor "
+                  "(truth with as many samples as the method), the method met no limit, and all colours are finite.",
+                  factor),
+      Tone::soft, Part::kRead));
   parts.push_back({rangeTable(curves, Against::floor), Part::kRead});
   parts.push_back(heading("Range with errors no worse than usual", 2, "", Part::kRead));
   parts.push_back(text(fmt::format("The error may also be {:g} times the method's own error at the benign value: the "
