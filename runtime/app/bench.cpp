@@ -52,10 +52,11 @@ void reload(const Home& own, const ReloadOptions& options) {
 }  // namespace
 
 void registerBench(CLI::App& program, const Home& home) {
-  CLI::App* command = program.add_subcommand("bench", "Measure what the program costs");
+  CLI::App* command = program.add_subcommand("bench", "Measure reload, frame and pass times");
   command->require_subcommand(1);
   auto options = std::make_shared<ReloadOptions>();
-  CLI::App* of_reload = command->add_subcommand("reload", "From saving a file to the first picture made of it");
+  CLI::App* of_reload =
+      command->add_subcommand("reload", "Measure the time from a save to the first picture with the edit");
   of_reload->add_option("--repeats", options->repeats, "edits of each kind")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

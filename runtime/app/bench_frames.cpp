@@ -106,9 +106,10 @@ void requireSound(const FramesOptions& options) {
   if (!options.save.empty()) requireWritable(std::filesystem::absolute(options.save).parent_path(), "--save");
   if (options.against.empty()) return;
   if (!std::filesystem::is_regular_file(options.against))
-    throw Error(fmt::format("--against '{}': there is no such file", options.against), {}, 2);
+    throw Error(fmt::format("--against '{}': file not found", options.against), {}, 2);
   if (isProgram(options.against) && options.rounds.within > 0)
-    throw Error("--within goes with no program in --against: each of its --blocks has --rounds rounds", {}, 2);
+    throw Error("--within cannot be used with a program in --against, where each of the --blocks has --rounds rounds",
+                {}, 2);
 }
 
 // ---- measurement
@@ -191,32 +192,36 @@ void frames(const Home& home, FramesOptions options) {
 
 void registerBenchFrames(CLI::App& bench, const Home& home) {
   auto options = std::make_shared<FramesOptions>();
-  CLI::App* command = bench.add_subcommand("frames", "What a frame of each method costs, all drawn in turn");
+  CLI::App* command = bench.add_subcommand("frames", "Measure the frame time of each method, all methods in turn");
   command->add_option("pipelines", options->methods,
-                      "PIPELINE or PIPELINE:NAME=VALUE,NAME=VALUE with settings of its own; the first is the base "
-                      "(default: the one without blur, then all methods)");
-  command->add_option("--rounds", options->rounds.least, "frames of each that are timed; of a program's block")
+                      "PIPELINE or PIPELINE:NAME=VALUE,NAME=VALUE with its own settings; the first is the base "
+                      "(default: the pipeline without blur, then all methods)");
+  command
+      ->add_option("--rounds", options->rounds.least,
+                   "timed frames of each method; with a program in --against, per block")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command
       ->add_option("--within", options->rounds.within,
-                   "more rounds until the 95 % interval of each median is within this share of it (default: none)")
+                   "draw more rounds until the 95 % interval of each median is within this share of the median "
+                   "(default: no more rounds)")
       ->check(aboveZero());
-  command->add_option("--most-rounds", options->rounds.most, "at most so many then")
+  command->add_option("--most-rounds", options->rounds.most, "maximum number of rounds with --within")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command
       ->add_option("--in-flight", options->in_flight,
-                   "frames of each that are under way at once (default: 1 on a software device, else 2)")
+                   "frames of a method that are in flight at once (default: 1 on a software device, else 2)")
       ->check(CLI::Range(1, 8));
   command->add_option("-o,--out", options->out, "folder for index.html, bench.json and trace.json");
-  command->add_option("--save", options->save, "file for the times, which --against takes later");
+  command->add_option("--save", options->save, "file for the times, for a later --against");
   command->add_option("--against", options->against,
-                      "a saved run, or the program of another revision, which then runs alternately with this one");
-  command->add_option("--moved", options->moved, "share of a time by which it has to change to count as moved")
+                      "a saved run, or the program of another revision, which runs alternately with this program");
+  command
+      ->add_option("--moved", options->moved, "smallest change of a time that counts as moved, as a share of the time")
       ->check(aboveZero())
       ->capture_default_str();
-  command->add_option("--blocks", options->blocks, "how often each program runs, with a program in --against")
+  command->add_option("--blocks", options->blocks, "number of runs of each program, with a program in --against")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_flag("--json", options->json, "print the times as JSON");

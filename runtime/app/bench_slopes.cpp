@@ -42,14 +42,14 @@ std::vector<Points> pointsOf(const study::Experiment& experiment) {
   for (const study::Group& group : experiment.groups) {
     if (!experiment.shots[group.shot].missing.empty()) continue;
     if (group.at.size() != 1)
-      throw Error("slopes are of one thing varied at a time: vary = { experiment.each { ... } }", {experiment.file}, 2);
+      throw Error("slopes need one varied axis at a time: vary = { experiment.each { ... } }", {experiment.file}, 2);
     size_t axis = group.at.front().axis;
     auto found = std::find_if(all.begin(), all.end(),
                               [&](const Points& points) { return points.axis == axis && points.shot == group.shot; });
     if (found == all.end()) found = all.insert(all.end(), Points{axis, group.shot, {}});
     found->groups.push_back(&group);
   }
-  if (all.empty()) throw Error("no shot of it can be drawn here", {experiment.file});
+  if (all.empty()) throw Error("no shot of the experiment can be drawn here", {experiment.file});
   return all;
 }
 
@@ -78,7 +78,7 @@ std::vector<double> counted(lab::Batch& batch, const std::vector<bench::NamedSho
   }
   auto known = std::find_if(counts.begin(), counts.end(), [](double count) { return !std::isnan(count); });
   if (known == counts.end())
-    throw Error(fmt::format("no method's picture of '{}' has what is counted: {}", shots.front().scene, measure));
+    throw Error(fmt::format("no picture of '{}' has a value of the measure {}", shots.front().scene, measure));
   const double first = *known;
   for (double& count : counts) count = std::isnan(count) ? first : count;
   return counts;
@@ -191,21 +191,23 @@ void slopes(const Home& home, const SlopesOptions& options) {
 void registerBenchSlopes(CLI::App& bench, const Home& home) {
   auto options = std::make_shared<SlopesOptions>();
   CLI::App* command =
-      bench.add_subcommand("slopes", "How the time of a frame follows what it has, one thing at a time");
-  command->add_option("file", options->file, "an experiment whose axes vary one thing each")->capture_default_str();
-  command->add_option("--rounds", options->rounds, "frames of each that are timed (default: as the experiment says)")
+      bench.add_subcommand("slopes", "Measure how the frame time grows with the size and content of the frame");
+  command->add_option("file", options->file, "an experiment with axes that vary one at a time")->capture_default_str();
+  command->add_option("--rounds", options->rounds, "timed frames of each method (default: rounds of the experiment)")
       ->check(CLI::Range(1, 10000));
   command->add_option("--size", options->size, "WIDTHxHEIGHT instead of the experiment's");
-  command->add_option("--only", options->only, "some of the points: arm=NAME, shot=NAME, AXIS, AXIS=VALUE, ...");
+  command->add_option("--only", options->only, "only points with arm=NAME, shot=NAME, AXIS, AXIS=VALUE, ...");
   command
-      ->add_option("--bandwidth", options->gpu.gigabytes_per_s, "gigabytes per second of the GPU that is asked about")
+      ->add_option("--bandwidth", options->gpu.gigabytes_per_s, "memory bandwidth of the GPU of the time bounds, GB/s")
       ->check(aboveZero())
       ->capture_default_str();
-  command->add_option("--ray-rate", options->gpu.gigarays_per_s, "billions of rays per second that it traces")
+  command
+      ->add_option("--ray-rate", options->gpu.gigarays_per_s,
+                   "ray rate of the GPU of the time bounds, billions of rays per second")
       ->check(aboveZero())
       ->capture_default_str();
   command->add_option("-o,--out", options->out, "folder for index.html and slopes.json");
-  command->add_option("--device", options->device, "part of its name");
+  command->add_option("--device", options->device, "index or part of the name of a Vulkan device");
   command->add_flag("--json", options->json, "print everything as JSON");
   command->callback([options, &home] { slopes(home, *options); });
 }

@@ -55,7 +55,7 @@ auto ofManifests(const std::string& manifests, const Work& work) {
   try {
     return work();
   } catch (const Json::exception&) {
-    throw Error("is damaged: a field of the manifest is missing or of another type", {manifests});
+    throw Error("is damaged: a field of the manifest is missing or has the wrong type", {manifests});
   }
 }
 
@@ -69,7 +69,7 @@ void verify(const Home& home, const VerifyOptions& options) {
   Json json = archive::toJson(verdict.differences);
   json["holds"] = verdict.holds, json["same_device"] = verdict.same_device, json["most_flip"] = verdict.most_flip;
   std::fputs((options.json ? json.dump(1) + "\n" : archive::textOf(verdict)).c_str(), stdout);
-  if (!verdict.holds) throw Error("the capture does not come out as its manifest says");
+  if (!verdict.holds) throw Error("the repeated capture differs from its manifest");
 }
 
 struct DiffOptions {
@@ -99,27 +99,28 @@ void registerCapture(CLI::App& program, const Home& home) {
   order->out = "out/capture";
   command->add_option("-o,--out", order->out, "folder for pictures, figures, films and manifest.json")
       ->capture_default_str();
-  command->add_option("--only", order->only, "pictures alone whose names begin so (SHOT.ARM)")->type_name("NAME");
+  command->add_option("--only", order->only, "only pictures with names that start with NAME (SHOT.ARM)")
+      ->type_name("NAME");
   command->add_option("--size", order->size, "WIDTHxHEIGHT in pixels: scales the whole capture (default: the file's)");
-  command->add_flag("--bundle", order->bundle, "copy every file that was used, so that the folder verifies anywhere");
-  command->add_flag("--zip", order->zip, "a bundle, and the same as one file, FOLDER.zip");
+  command->add_flag("--bundle", order->bundle, "copy every used file, so that the folder can be verified anywhere");
+  command->add_flag("--zip", order->zip, "write a bundle, and a copy as one file, FOLDER.zip");
   command->add_option("--device", order->device, "index or part of the name of a Vulkan device");
   command->add_flag("--json", order->json, "print the manifest");
   command->callback([order, &home] { capture(home, *order); });
 
   auto asked = std::make_shared<VerifyOptions>();
-  command = program.add_subcommand("verify", "Take a capture again and compare it, bit for bit, with its manifest");
+  command = program.add_subcommand("verify", "Take a capture again and compare it with its manifest, bit for bit");
   command->add_option("manifest", asked->manifest, "the folder of a capture, or its manifest.json")->required();
-  command->add_option("-o,--out", asked->out, "folder for pictures of what differs");
+  command->add_option("-o,--out", asked->out, "folder for pictures of the differences");
   command->add_option("--device", asked->device, "index or part of the name of a Vulkan device");
   command->add_flag("--json", asked->json, "print the differences as JSON");
   command->callback([asked, &home] { verify(home, *asked); });
 
   auto pair = std::make_shared<DiffOptions>();
-  command = program.add_subcommand("diff", "Why two captures differ: inputs, parameters, device, the first pass");
+  command = program.add_subcommand("diff", "Show why two captures differ: inputs, parameters, device, first pass");
   command->add_option("first", pair->first, "the folder of a capture, or its manifest.json")->required();
-  command->add_option("second", pair->second, "another")->required();
-  command->add_option("-o,--out", pair->out, "folder for pictures of what differs");
+  command->add_option("second", pair->second, "the folder of another capture, or its manifest.json")->required();
+  command->add_option("-o,--out", pair->out, "folder for pictures of the differences");
   command->add_flag("--json", pair->json, "print the differences as JSON");
   command->callback([pair] { diff(*pair); });
 }

@@ -89,20 +89,19 @@ void compare(const Request& request) {
 
 void registerCompare(CLI::App& program) {
   auto request = std::make_shared<Request>();
-  CLI::App* command = program.add_subcommand("compare", "error metrics of two images (PNG or OpenEXR)");
+  CLI::App* command = program.add_subcommand("compare", "Compute error metrics of two images (PNG or OpenEXR)");
   command->footer(
-      "PNG values are decoded from sRGB, or by the gAMA and cHRM of the file. OpenEXR files lie over each other by\n"
-      "their display windows; their colours are converted to Rec. 709. PSNR and SSIM are measured on clamped,\n"
-      "sRGB-encoded values.\n"
-      "HDR-FLIP needs two OpenEXR files. JSON: null is \"not measured\", \"inf\" the PSNR of equal images.");
-  command->add_option("test", request->test, "the image to judge")->required()->type_name("FILE");
-  command->add_option("reference", request->reference, "what it should be")->required()->type_name("FILE");
+      "PNG values are decoded from sRGB, or by the gAMA and cHRM of the file. OpenEXR files are aligned by\ntheir "
+      "display windows; their colours are converted to Rec. 709. PSNR and SSIM are measured on clamped,\nsRGB-encoded "
+      "values.\nHDR-FLIP needs two OpenEXR files. JSON: null is \"not measured\", \"inf\" the PSNR of equal images.");
+  command->add_option("test", request->test, "image to test")->required()->type_name("FILE");
+  command->add_option("reference", request->reference, "reference image")->required()->type_name("FILE");
   command->add_option("--mask", request->mask, "count only pixels where this image is at least 0.5")->type_name("FILE");
   command->add_option("--layer", request->layer, "compare this layer of OpenEXR files")->type_name("NAME");
   command->add_option("--flip-map", request->flip_map, "write the error map: .png in colour, .exr as values")
       ->type_name("FILE");
   command->add_flag("--json", request->json, "print JSON");
-  command->add_option("--ppd", request->pixels_per_degree, "pixels per degree of the viewer's sight")
+  command->add_option("--ppd", request->pixels_per_degree, "pixels per degree of visual angle")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
   command->add_option("--flip-curve", request->curve, "tone curve of HDR-FLIP")
@@ -110,9 +109,9 @@ void registerCompare(CLI::App& program) {
       ->type_name("aces|hable|reinhard")
       ->capture_default_str();
   CLI::Option* start = command->add_option("--start", request->exposures.start, "first exposure of HDR-FLIP, in stops");
-  CLI::Option* stop = command->add_option("--stop", request->exposures.stop, "its last exposure");
-  CLI::Option* count =
-      command->add_option("--exposures", request->exposures.count, "how many exposures")->check(CLI::Range(1, 1000));
+  CLI::Option* stop = command->add_option("--stop", request->exposures.stop, "last exposure of HDR-FLIP, in stops");
+  CLI::Option* count = command->add_option("--exposures", request->exposures.count, "number of exposures of HDR-FLIP")
+                           ->check(CLI::Range(1, 1000));
   start->needs(stop)->needs(count);
   stop->needs(start);
   count->needs(start);

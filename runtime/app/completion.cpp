@@ -130,7 +130,8 @@ Line lineOf(const std::string& text) {
 
 void registerCompletion(CLI::App& program, const Home& home) {
   auto text = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("complete", "What the last word of a command line may become, for shells");
+  CLI::App* command =
+      program.add_subcommand("complete", "List completions of the last word of a command line, for shells");
   command->add_option("line", *text, "the command line up to the cursor, as one argument")->required();
   command->callback([text, &program, &home] {
     Line line = lineOf(*text);

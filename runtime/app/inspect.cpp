@@ -285,8 +285,7 @@ void check(const Home& home, const CheckOptions& options) {
   script::Settings sets;
   for (const std::string& set : options.sets) sets.push_back(script::settingFromText(set));
   const Checked checked = files.empty() ? allFiles(home) : byKind(home, files);
-  if (!sets.empty() && (files.empty() || checked.pipelines.empty()))
-    throw Error("--set needs a pipeline to set it in", {}, 2);
+  if (!sets.empty() && (files.empty() || checked.pipelines.empty())) throw Error("--set needs a pipeline", {}, 2);
   std::vector<std::string> problems;
   for (const std::string& file : checked.experiments) collect(problems, [&] { checkExperiment(home, file); });
   for (const std::string& file : checked.captures) collect(problems, [&] { checkCapture(home, file); });
@@ -328,7 +327,7 @@ std::string treeText(const lab::Shot& shot, const scene::Scene& scene) {
   scene::SceneTree tree = scene::treeOf(scene, pose);
   std::string text = fmt::format("scene {}: {} in {}; ", shot.scene, countText(tree.triangles, "triangle"),
                                  countText(tree.instances, "instance"));
-  return text + fmt::format("a random line meets {:.0f} nodes of the tree over them, in the file's order {:.0f}\n",
+  return text + fmt::format("a random line meets {:.0f} nodes of their tree, or {:.0f} in the file's order\n",
                             tree.visits, tree.visits_as_given);
 }
 
@@ -386,7 +385,7 @@ Json deviceJson(const gpu::DeviceInfo& info) {
 }
 
 std::string featuresOf(const gpu::DeviceInfo& info) {
-  page::Table table{"", {"", "feature", "what it provides"}};
+  page::Table table{"", {"", "feature", "provides"}};
   for (const auto& feature : info.features)
     table.add({feature.present ? "  yes" : feature.required ? "  NO" : "  no", feature.name, feature.provides});
   return page::textOf(table);
@@ -431,8 +430,8 @@ void doctor(const Home& home, bool json) {
       std::printf("  %s\n", missing.empty() ? "suffices" : ("lacks " + missing).c_str());
       if (mayBeWider(info))
         std::puts(
-            "  the processor has vectors of 512 bits: LP_NATIVE_VECTOR_WIDTH=512 gives the same pictures, truth "
-            "sooner");
+            "  the processor has vectors of 512 bits: LP_NATIVE_VECTOR_WIDTH=512 gives the same pictures, and truth in "
+            "less time");
     }
     for (const std::string& problem : driver_problems) std::printf("driver not loaded: %s\n", problem.c_str());
     for (const Path& root : home.roots()) std::printf("files: %s\n", root.c_str());
@@ -451,7 +450,8 @@ void doctor(const Home& home, bool json) {
   std::string more = unloaded.empty() ? "" : "; " + unloaded;
   if (devices.empty())
     throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)" + more);
-  if (!suffices) throw Error("no device suffices; Mesa 25's software device (Debian: bookworm-backports) does" + more);
+  if (!suffices)
+    throw Error("no device meets the requirements; Mesa 25's software device (Debian: bookworm-backports) does" + more);
   if (!unloaded.empty()) throw Error(unloaded);
 }
 
@@ -464,7 +464,8 @@ void registerCheck(CLI::App& program, const Home& home) {
                       "names of pipelines, or .lua files of pipelines, experiments, captures (default: everything that "
                       "ships)");
   command
-      ->add_option("--set", options->sets, "PARAM=VALUE: the pipeline with this alone, not with each preset and pass")
+      ->add_option("--set", options->sets,
+                   "PARAM=VALUE: check the pipelines with this setting only, not with each preset and pass")
       ->allow_extra_args(false);
   command->add_flag("--json", options->json, "report as JSON");
   command->callback([options, &home] { check(home, *options); });
@@ -472,16 +473,16 @@ void registerCheck(CLI::App& program, const Home& home) {
 
 void registerPlan(CLI::App& program, const Home& home) {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command = program.add_subcommand("plan", "Print what a pipeline runs, in which order, on which memory");
-  CLI::Option* json = command->add_flag("--json", options->json, "the plan as data");
-  command->add_flag("--dot", options->dot, "the graph for Graphviz: | dot -Tsvg")->excludes(json);
+  CLI::App* command = program.add_subcommand("plan", "Print the passes of a pipeline, their order and their memory");
+  CLI::Option* json = command->add_flag("--json", options->json, "print the plan as JSON");
+  command->add_flag("--dot", options->dot, "print the graph for Graphviz: | dot -Tsvg")->excludes(json);
   options->shot.addWithPipeline(*command);
   command->callback([options, &home] { plan(home, *options); });
 }
 
 void registerDoctor(CLI::App& program, const Home& home) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = program.add_subcommand("doctor", "What this machine can do and what is missing");
+  CLI::App* command = program.add_subcommand("doctor", "List Vulkan devices, their features and missing requirements");
   command->add_flag("--json", *json, "report as JSON");
   command->callback([json, &home] { doctor(home, *json); });
 }

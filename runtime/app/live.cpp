@@ -51,16 +51,16 @@ void live(const Home& home, const LiveCommandOptions& options) {
 void registerLive(CLI::App& program, const Home& home) {
   auto options = std::make_shared<LiveCommandOptions>();
   CLI::App* command =
-      program.add_subcommand("live", "Show a pipeline in a window; edits of scripts and shaders are taken in");
+      program.add_subcommand("live", "Show a pipeline in a window; edited scripts and shaders are reloaded");
   options->shot.addWithPipeline(*command);
   command->add_option("--vs", options->versus, "a second pipeline to compare with, under the same clock and camera");
-  command->add_option("--vs-set", options->versus_sets, "PARAM=VALUE of that pipeline, NODE.PARAM=VALUE of a pass")
+  command
+      ->add_option("--vs-set", options->versus_sets, "PARAM=VALUE of the pipeline of --vs, NODE.PARAM=VALUE of a pass")
       ->allow_extra_args(false);
-  command->add_option(
-      "--truth", options->truth,
-      "the pipeline that errors are measured against (default: the one that declares kind = \"truth\")");
+  command->add_option("--truth", options->truth,
+                      "the pipeline that errors are measured against (default: the pipeline with kind = \"truth\")");
   command->add_option("--window", options->window, "WIDTHxHEIGHT of the window in pixels")->capture_default_str();
-  command->add_option("-o,--out", options->out, "folder for what is saved")->capture_default_str();
+  command->add_option("-o,--out", options->out, "folder for saved files")->capture_default_str();
   command->add_option("--drive", options->drive, "a file of commands that drives the window");
   addBudget(*command, options->budget_ms);
   addTimeLimit(*command, options->time_limit_s);

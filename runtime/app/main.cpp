@@ -57,7 +57,7 @@ static std::string unknownOption(const CLI::App& program, const CLI::App& comman
       return fmt::format("'{}' has no option '{}'; it is an option of {}", command.get_name(), name,
                          fmt::join(others, ", "));
     const std::string nearest = name.size() > 2 ? strobe::didYouMean(name, names) : "";
-    return fmt::format("there is no option '{}'{}", name, nearest);
+    return fmt::format("unknown option '{}'{}", name, nearest);
   }
   return "";
 }
@@ -74,14 +74,14 @@ static std::string usageText(const CLI::App& program, const CLI::ParseError& err
     auto known = std::find(names.begin(), names.end(), argv[i]);
     std::string of = at == &program ? "" : fmt::format(" of {}", at->get_name());
     if (known == names.end())
-      return fmt::format("there is no command '{}'{}{}; there {} {}", argv[i], of, strobe::didYouMean(argv[i], names),
+      return fmt::format("unknown command '{}'{}{}; there {} {}", argv[i], of, strobe::didYouMean(argv[i], names),
                          names.size() == 1 ? "is" : "are", fmt::join(names, ", "));
     at = at->get_subcommands({})[size_t(known - names.begin())];
     called += " " + at->get_name();
   }
   std::string text = dynamic_cast<const CLI::ExtrasError*>(&error) ? unknownOption(program, *at, argc, argv) : "";
   if (text.empty()) text = error.what();
-  return text.ends_with('?') ? text : fmt::format("{}; {} --help lists what it takes", text, called);
+  return text.ends_with('?') ? text : fmt::format("{}; see {} --help", text, called);
 }
 
 // Refuses a project with files under shipped names, even if the command does not need the files. Commands that describe
@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
   const strobe::Home home = strobe::Home::fromEnvironment();
   CLI::App program("Strobe: a research sandbox for motion blur", "strobe");
   program.set_version_flag("--version", "strobe " STROBE_VERSION);
-  program.set_help_all_flag("--help-all", "help of every command");
+  program.set_help_all_flag("--help-all", "print the help of every command");
   strobe::app::registerDemo(program, home);
   strobe::app::registerRender(program, home);
   strobe::app::registerHelp(program, home);

@@ -59,7 +59,7 @@ void makeProject(const Home& home, const Path& given, bool has_examples) {
   requireName(name, given);
   std::error_code ignored;
   if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored))
-    throw Error(fmt::format("'{}' is there already and is not an empty folder", given.string()), {}, 2);
+    throw Error(fmt::format("'{}' exists and is not an empty folder", given.string()), {}, 2);
   requireWritable(folder, "new");
   for (const char* part : {"passes", "shaders", "pipelines", "scenes", "experiments", "captures"})
     fs::create_directories(folder / part);
@@ -72,13 +72,13 @@ void makeProject(const Home& home, const Path& given, bool has_examples) {
 
 void registerNew(CLI::App& program, const Home& home) {
   auto folder = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("new", "Make a project of one's own, with a pass and a pipeline that run");
-  command->add_option("folder", *folder, "its folder, new or empty; its name is the project's")
+  CLI::App* command = program.add_subcommand("new", "Make a project with a pass and a pipeline that run");
+  command->add_option("folder", *folder, "folder of the project, new or empty; its name is the name of the project")
       ->required()
       ->type_name("DIR");
   auto has_examples = std::make_shared<bool>(false);
   command->add_flag("--examples", *has_examples,
-                    "adds an edge detector, a ray, a loop, a family and an extended pipeline");
+                    "add an edge detector, a ray, a loop, a family and an extended pipeline");
   command->callback([folder, has_examples, &home] { makeProject(home, *folder, *has_examples); });
 }
 

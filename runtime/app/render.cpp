@@ -59,10 +59,9 @@ void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
   }
   bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty();
   if (!options.views.empty()) requireWritable(options.views, "--views");
-  if (!shot.taps.empty() && !held)
-    throw Error("--tap needs an .exr file or --views: a .png holds the color alone", {}, 2);
+  if (!shot.taps.empty() && !held) throw Error("--tap needs an .exr file or --views: a .png has only the color", {}, 2);
   if (options.asksForExr() && Path(options.out).extension() != ".exr")
-    throw Error("--half, --multipart and --cryptomatte are of .exr files; name one with -o", {}, 2);
+    throw Error("--half, --multipart and --cryptomatte need an .exr file; name one with -o", {}, 2);
 }
 
 // Draws frames until their times determine the pipeline's quality parameter. Sets the parameter in `shot`, like --set.
@@ -133,7 +132,8 @@ void exportShot(const Home& home, const RenderOptions& options, lab::Shot shot) 
       scene::exportMitsuba(loaded.scene, lab::frameSetup(shot, loaded.scene).pose_at,
                            {shot.captureTime(), open_s, close_s, open_s, shot.width, shot.height}, options.mitsuba);
   if (shot.shutter_curve != "box")
-    written.left_out.push_back(fmt::format("the shutter curve ({}): all times count alike", shot.shutter_curve));
+    written.left_out.push_back(
+        fmt::format("the shutter curve ({}): all times have the same weight", shot.shutter_curve));
   for (const std::string& warning : loaded.scene.warnings) warn(warning);
   for (const std::string& what : written.left_out) warn("--export-mitsuba leaves out: " + what);
   for (const Path& file : written.files)
@@ -186,23 +186,25 @@ void registerRender(CLI::App& program, const Home& home) {
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
   command->add_option(
       "-o,--out", options->out,
-      "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png, "
-      "with --tap or an option of .exr files .exr; with --pixel, --tev, --views or --export-mitsuba none)");
-  command->add_option("--views", options->views, "folder: every output and tap as the window shows it, as PNG files");
+      "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png; out/PIPELINE.exr "
+      "with --tap or an option of .exr files; no picture with --pixel, --tev, --views or --export-mitsuba)");
+  command->add_option("--views", options->views,
+                      "folder: write every output and tap as PNG files, as the window shows them");
   command->add_option("--export-mitsuba", options->mitsuba,
-                      "folder: the shot as a scene of Mitsuba 3, to check ground truth with another renderer");
+                      "folder: write the shot as a scene of Mitsuba 3, to check ground truth with another renderer");
   command->add_option("--pixel", options->pixel,
-                      "X,Y from the top left: print what every pass left there and what its ray meets");
+                      "X,Y from the top left: print the values of every pass at this pixel, and the hits of its ray");
   addTev(*command, options->tev);
-  command->add_flag("--half", options->exr.half, "EXR in 16-bit floats (rounds more than the errors measured here)");
+  command->add_flag("--half", options->exr.half,
+                    "write EXR in 16-bit floats (with rounding errors above the errors measured here)");
   command->add_flag("--multipart", options->exr.multipart,
-                    "EXR with a part for each output and tap, those of another size than the picture too");
+                    "write EXR with a part for each output and tap, also for images of another size than the picture");
   command->add_flag("--cryptomatte", options->exr.cryptomatte,
-                    "EXR with mattes by node and by material, as sub-pixel samples (--aa) cover each pixel");
+                    "write EXR with mattes by node and by material, from the coverage of sub-pixel samples (--aa)");
   command->add_flag("--json", options->json,
-                    "print the run record (with --pixel: the trail) instead of the files written");
+                    "print the run record (with --pixel: the trail) instead of the names of written files");
   command->add_flag("-v,--verbose", options->verbose,
-                    "print the counters of the passes; the run record has them always");
+                    "print the counters of the passes, which the run record always has");
   addBudget(*command, options->budget_ms);
   addTimeLimit(*command, options->time_limit_s);
   options->shot.addWithPipeline(*command);

@@ -9,9 +9,9 @@
 namespace strobe::app {
 
 void ShotOptions::addWithPipeline(CLI::App& command) {
-  command.add_option("pipeline", pipeline, "a name of scripts/pipelines or a .lua file");
+  command.add_option("pipeline", pipeline, "name of a pipeline of scripts/pipelines, or a .lua file");
   addTo(command);
-  command.add_option("--record", record, "a run record: its shot instead of the defaults; options given beside it win");
+  command.add_option("--record", record, "run record: use its shot instead of the defaults; other options override it");
 }
 
 // Help text of an option, with its default.
@@ -111,7 +111,7 @@ void addTev(CLI::App& command, std::string& address) {
 void addTimeLimit(CLI::App& command, double& seconds) {
   command
       .add_option("--time-limit", seconds,
-                  "seconds that one pass, or all between two loops, may take on the device; 0: any")
+                  "maximum device time of one pass, or of all passes between two loops, seconds; 0: no limit")
       ->type_name("S")
       ->check(CLI::Range(0.0, 86400.0))
       ->capture_default_str();
@@ -119,10 +119,9 @@ void addTimeLimit(CLI::App& command, double& seconds) {
 
 void addBudget(CLI::App& command, double& ms) {
   command
-      .add_option(
-          "--budget-ms", ms,
-          "most milliseconds of a frame: the times of drawn frames choose the parameter with the role 'quality'; "
-          "--set with the chosen value draws the same picture")
+      .add_option("--budget-ms", ms,
+                  "maximum time of a frame, milliseconds: the times of drawn frames choose the parameter with the role "
+                  "'quality'; --set with the chosen value draws the same picture")
       ->type_name("B")
       ->check(aboveZero());
 }

@@ -75,24 +75,24 @@ void run(const Home& home, const StabilityOptions& options) {
       std::printf("declared, but it holds in all %d cases: %s breaks %s\n", one.used, one.where.c_str(),
                   one.invariant.c_str());
   if (failed || !stale.empty())
-    throw Error(fmt::format("{} cases break an invariant, {} declared breaks do not show", failed, stale.size()));
+    throw Error(fmt::format("{} cases break an invariant, {} declared breaks do not occur", failed, stale.size()));
 }
 
 }  // namespace
 
 void registerStability(CLI::App& program, const Home& home) {
   auto options = std::make_shared<StabilityOptions>();
-  CLI::App* command = program.add_subcommand("stability", "Check properties that every blur has on generated scenes");
+  CLI::App* command = program.add_subcommand("stability", "Check invariants of every blur on generated scenes");
   command->add_option("pipelines", options->pipelines, "names or .lua files (default: every pipeline that ships)");
-  command->add_option("--cases", options->suite.cases, "cases of each variant and invariant")
+  command->add_option("--cases", options->suite.cases, "number of cases for each variant and invariant")
       ->check(CLI::Range(1, 100000));
-  command->add_option("--seed", options->suite.seed, "what the cases are drawn by");
-  command->add_option("--invariant", options->suite.invariants, "NAME: this one alone (may be given again)")
+  command->add_option("--seed", options->suite.seed, "seed of the random cases");
+  command->add_option("--invariant", options->suite.invariants, "NAME: check only this invariant (repeatable)")
       ->allow_extra_args(false);
-  command->add_option("--variant", options->suite.only, "only variants whose name contains this");
-  command->add_option("--device", options->device, "number or part of the name of a device");
+  command->add_option("--variant", options->suite.only, "check only variants with this text in the name");
+  command->add_option("--device", options->device, "index or part of the name of a Vulkan device");
   command->add_flag("--extremes", options->extremes,
-                    "instead, the extreme cases (sizes, scales, offsets, near plane ...)");
+                    "check the extreme cases instead (sizes, scales, offsets, near plane ...)");
   command->add_flag("--json", options->json, "report as JSON");
   command->add_option("--write", options->write, "write the table of counts")->type_name("FILE");
   command->callback([options, &home] { run(home, *options); });

@@ -70,9 +70,9 @@ void show(const study::Results& results, const Path& folder, const ResultNames& 
     if (!json) std::printf("%s\n", file.c_str());
   std::vector<std::string> wrong, contradicted = results.contradicted();
   for (const Path& file : damaged)
-    wrong.push_back(file.string() + ": is damaged and left out; the same sweep makes it again");
+    wrong.push_back(file.string() + ": is damaged and left out; run the same sweep again to make it");
   if (std::string missing = results.missingText(); !missing.empty())
-    wrong.push_back("not drawn yet: " + missing + "; the same sweep goes on with them");
+    wrong.push_back("not drawn yet: " + missing + "; run the same sweep again to draw them");
   for (const std::string& failure : results.failed()) wrong.push_back(failure);
   wrong.insert(wrong.end(), contradicted.begin(), contradicted.end());
   throwIfAny(wrong);
@@ -162,7 +162,7 @@ void sweep(const Home& home, const SweepOptions& options) {
   study::Results results = ranTo(outline, [&] { return study::run(experiment, *bench, store, started); });
   study::nameInputs(results.inputs, home);
   bench->device().refuseMessages();
-  if (!good) throw Error("a process of the sweep failed; its message stands above");
+  if (!good) throw Error("a process of the sweep failed; see its message above");
   note(fmt::format("{} in {:.0f} s", countText(experiment.points(), "point"), clockSeconds() - started_s));
   show(concluded(std::move(results), command, outline), options.out, names, options.json);
 }
@@ -215,12 +215,12 @@ void addCommon(CLI::App& command, SweepOptions& options) {
 
 void addSweep(CLI::App& command, SweepOptions& options) {
   addCommon(command, options);
-  command.add_option("--jobs", options.jobs, "processes that draw; times are measured by one alone")
+  command.add_option("--jobs", options.jobs, "number of drawing processes; times are measured by one process")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command
       .add_option("--truth-error", options.truth_error,
-                  "truth has more samples until its standard error over the picture is at most this")
+                  "draw truth with more samples until its standard error over the picture is at most this")
       ->type_name("E")
       ->check(aboveZero());
   command.add_flag("--exr", options.exr, "keep every picture as points/KEY.exr, linear, with its record");
@@ -237,7 +237,7 @@ void report(const Home& home, const ReportOptions& options) {
   ResultNames names = has(kDemoNames.results) || has(kDemoNames.outline) ? kDemoNames : ResultNames();
   Path file = folder / (has(names.outline) ? names.outline : names.results);
   if (!std::filesystem::exists(file))
-    throw Error(fmt::format("there are no results in '{}' ({})", options.folder, ResultNames().results), {}, 2);
+    throw Error(fmt::format("no results in '{}' ({})", options.folder, ResultNames().results), {}, 2);
   requireWritable(folder, "the folder");
   study::Results results = study::resultsIn(file);
   std::vector<Path> damaged = study::takePoints(results, folder), altered = study::alteredFiles(results, folder);
@@ -251,14 +251,12 @@ void report(const Home& home, const ReportOptions& options) {
 
 void registerSweep(CLI::App& program, const Home& home) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = program.add_subcommand(
-      "sweep", "Run an experiment, or go on with one that was interrupted, and lay out its results");
+  CLI::App* command = program.add_subcommand("sweep", "Run or continue an experiment, and lay out its results");
   command->add_option("file", options->file, "an experiment (docs/writing-experiments.md)")->required();
   command->add_option("-o,--out", options->out, "folder for result.json, report.html, result.md, table.csv, pictures")
       ->default_str("out/sweep");
   options->out = "out/sweep";
-  command
-      ->add_option("--only", options->only, "points alone that have NAME=VALUE[,NAME=VALUE...]: arm, shot or an axis")
+  command->add_option("--only", options->only, "only points with NAME=VALUE[,NAME=VALUE...]: arm, shot or an axis")
       ->type_name("EXPR");
   command->add_flag("--dry-run", options->dry_run, "print the points and draw nothing");
   addSweep(*command, *options);
@@ -268,12 +266,12 @@ void registerSweep(CLI::App& program, const Home& home) {
 void registerReport(CLI::App& program, const Home& home) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = program.add_subcommand("report", "Lay out the results of an experiment again");
-  command->add_option("folder", options->folder, "what `sweep -o` wrote")->required();
-  command->add_option("--experiment", options->file, "take texts, layout and expectations from this file as it is now")
+  command->add_option("folder", options->folder, "folder of `sweep -o`")->required();
+  command->add_option("--experiment", options->file, "use the texts, layout and expectations of this file")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "print the results as JSON");
   command->add_flag("--static", options->still,
-                    "a page of figures and tables alone, as results in a repository have it");
+                    "make a static page of figures and tables, such as the results in a repository");
   command->callback([options, &home] { report(home, *options); });
 }
 

@@ -36,7 +36,7 @@ struct TuneOptions {
 
 void requireKnown(const std::string& option, const std::string& name, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  throw Error(fmt::format("{}: there is no '{}'{}; there are {}", option, name, didYouMean(name, known),
+  throw Error(fmt::format("{}: unknown value '{}'{}; there are {}", option, name, didYouMean(name, known),
                           fmt::join(known, ", ")),
               {}, 2);
 }
@@ -55,7 +55,7 @@ void setLimit(study::Wish& wish, const TuneOptions& options) {
   using Limit = study::Wish::Limit;
   int given = (options.budget_ms > 0) + (options.budget_ratio > 0) + !options.max_error.empty();
   if (given != 1)
-    throw Error(fmt::format("{} of --budget-ms, --budget-ratio and --max-error {}: tune takes one",
+    throw Error(fmt::format("{} of --budget-ms, --budget-ratio and --max-error {}: tune needs exactly one",
                             given == 0   ? "none"
                             : given == 2 ? "two"
                                          : "three",
@@ -72,7 +72,8 @@ void setLimit(study::Wish& wish, const TuneOptions& options) {
   wish.limit = whole ? double(*whole) : real ? *real : 0;
   if (!(wish.limit > 0))
     throw Error(
-        fmt::format("--max-error '{}' is no error above 0, nor a multiple of the base's as 1.1x", options.max_error),
+        fmt::format("--max-error '{}' is neither a number above 0 nor a multiple of the base's error such as 1.1x",
+                    options.max_error),
         {}, 2);
 }
 
@@ -192,20 +193,20 @@ std::string choiceText(const study::Wish& wish, const study::Tuned& tuned) {
   if (!shown) return "Nothing could be measured.";
   std::string settings = shown->changed.empty() ? "nothing changed" : textOf(shown->changed);
   std::string text =
-      fmt::format("{}: {}, {}; as given {}", tuned.chosen ? "Chosen" : "Nothing met the limit; the nearest", settings,
-                  textOf(wish, *shown), textOf(wish, tuned.start));
+      fmt::format("{}: {}, {}; as given {}", tuned.chosen ? "Chosen" : "No setting met the limit; the nearest",
+                  settings, textOf(wish, *shown), textOf(wish, tuned.start));
   return text + (wish.base.empty() ? "." : fmt::format("; {} {}.", wish.base, textOf(wish, tuned.base)));
 }
 
 void explain(const study::Wish& wish, study::Tuned& tuned) {
   const std::string& base = tuned.results.arms[1].name;
-  tuned.results.question = "What gives " + goalText(wish, base) + "?";
+  tuned.results.question = "Which settings give " + goalText(wish, base) + "?";
   tuned.results.note = fmt::format(
-      "{} {} evaluations over {} parameters, of which a point names those that are not as given: starts that fill the "
-      "space, halved over the levels below, then {}. Cost is the time of {}, as a multiple of that of {} in the same "
-      "rounds.",
+      "{} {} evaluations over {} parameters; a point names its changed parameters. The search began with points that "
+      "fill the space, kept the best points of each level, and then made {}. Cost is the time of {}, divided by the "
+      "time of {} in the same rounds.",
       choiceText(wish, tuned), tuned.evaluations, tuned.results.axes.size(),
-      tuned.finished ? "steps along each parameter until none was better"
+      tuned.finished ? "steps along each parameter until no step was better"
                      : "steps along each parameter until the evaluations were used up",
       wish.own ? "the passes that a frame without blur does not have" : "a frame", base);
 }
@@ -247,8 +248,8 @@ void tune(const Home& home, TuneOptions options) {
     if (tuned.chosen) std::printf("\n%s\n", renderCommand(wish.shot, file).c_str());
   }
   if (!tuned.chosen)
-    throw Error(fmt::format("nothing that was tried meets the limit of '{}': {} shows what there is", goal,
-                            (folder / "report.html").string()));
+    throw Error(
+        fmt::format("no tried setting meets the limit of '{}': see {}", goal, (folder / "report.html").string()));
 }
 
 }  // namespace
@@ -257,35 +258,36 @@ void registerTune(CLI::App& program, const Home& home) {
   auto options = std::make_shared<TuneOptions>();
   CLI::App* command = program.add_subcommand(
       "tune", "Find the best setting of a pipeline within a budget, or the cheapest within an error, as a preset");
-  command->add_option("--budget-ms", options->budget_ms, "most milliseconds: the least error within them")
+  command->add_option("--budget-ms", options->budget_ms, "maximum time, milliseconds: find the least error within it")
       ->type_name("B")
       ->check(aboveZero());
-  command->add_option("--budget-ratio", options->budget_ratio, "most cost, as a multiple of the base's")
+  command->add_option("--budget-ratio", options->budget_ratio, "maximum cost, as a multiple of the base's cost")
       ->type_name("R")
       ->check(aboveZero());
   command
       ->add_option("--max-error", options->max_error,
-                   "most error: the least cost within it; 1.1x: that many times the base's")
+                   "maximum error: find the least cost within it; 1.1x: a multiple of the base's error")
       ->type_name("E|Rx");
-  command->add_option("--base", options->base, "pipeline whose cost and error are 1 (default: this one as it is given)")
+  command
+      ->add_option("--base", options->base, "base of relative costs and errors (default: the tuned pipeline as given)")
       ->type_name("PIPELINE");
   command
       ->add_option("--cost", options->cost,
-                   "time of the frame, or of the passes alone that a frame without blur does not have")
+                   "time of the frame, or only of the passes that a frame without blur does not have")
       ->type_name("frame|own")
       ->check(CLI::IsMember({"frame", "own"}))
       ->capture_default_str();
-  command->add_option("--measure", options->measure, "of the error")->capture_default_str();
-  command->add_option("--region", options->region, "where it is measured")->capture_default_str();
-  command->add_option("--vary", options->vary, "parameters that are varied (default: all that are not set)")
+  command->add_option("--measure", options->measure, "measure of the error")->capture_default_str();
+  command->add_option("--region", options->region, "region of the error")->capture_default_str();
+  command->add_option("--vary", options->vary, "parameters to vary (default: all parameters that are not set)")
       ->delimiter(',')
       ->type_name("NAME[,NAME]")
       ->allow_extra_args(false);
-  command->add_option("--evaluations", options->evaluations, "pictures that are drawn and measured, at most")
+  command->add_option("--evaluations", options->evaluations, "maximum number of drawn and measured pictures")
       ->check(CLI::Range(10, 100000))
       ->capture_default_str();
   command->add_option("-o,--out", options->out,
-                      "the preset, a .lua file; results go into the folder of that name beside it (default: "
+                      "preset to write, a .lua file; results go into the folder of the same name beside it (default: "
                       "out/tune/PIPELINE.lua)");
   command->add_flag("--json", options->json, "print the choice and the results as JSON");
   options->shot.addWithPipeline(*command);

@@ -64,8 +64,7 @@ CapturedArm armFrom(const Json& json, const Path& script) {
   const std::string files = json["files"].get<std::string>();
   arm.files = (here / files / "").lexically_normal().parent_path();
   bool inside = std::filesystem::is_directory(arm.files) && liesIn(arm.files, here);
-  if (!inside)
-    throw Error(fmt::format("arm '{}': there is no folder '{}' beside the script", arm.name, files), {script});
+  if (!inside) throw Error(fmt::format("arm '{}': '{}' is not a folder beside the script", arm.name, files), {script});
   return arm;
 }
 
@@ -105,8 +104,8 @@ CaptureFile readCapture(const Home& home, const std::string& file, std::array<in
   capture.file = file;
   Json json = script::evaluateData(home, file, {{"options", lab::shotOptionsJson()}}, &capture.scripts);
   if (json.is_object() && json.value("kind", "") == "experiment")
-    throw Error("is an experiment, no capture { ... }: `strobe sweep` runs it", {file});
-  if (!json.is_object() || json.value("kind", "") != "capture") throw Error("returns no capture { ... }", {file});
+    throw Error("is an experiment, not a capture { ... }: run it with `strobe sweep`", {file});
+  if (!json.is_object() || json.value("kind", "") != "capture") throw Error("does not return capture { ... }", {file});
   capture.title = json.at("title").get<std::string>();
   capture.note = json.value("note", ""), capture.truth = json.value("truth", "");
   capture.measured = json.contains("measures");
@@ -116,7 +115,7 @@ CaptureFile readCapture(const Home& home, const std::string& file, std::array<in
   if (size[0] == 0) size = own;
   capture.width = size[0], capture.height = size[1];
   if (std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > 16384)
-    throw Error("size is not 1 to 16384 pixels", {file});
+    throw Error("size must be 1 to 16384 pixels", {file});
   for (const Json& shot : json.at("shots")) capture.shots.push_back(shotFrom(home, shot, file, json.value("seed", 0u)));
   for (const Json& arm : json.at("arms")) capture.arms.push_back(armFrom(arm, file));
   refuseSameFiles(capture.shots, "shot", file);

@@ -144,7 +144,7 @@ Captured Capturing::finish() {
     const std::string name = frames_[i].name();
     if (taker_.has(name)) continue;
     bool drawn = taker_.draw(frames_[i]) != nullptr;
-    if (report_) report_(fmt::format("{} of {}: {}{}", i + 1, frames_.size(), name, drawn ? "" : ", is there"));
+    if (report_) report_(fmt::format("{} of {}: {}{}", i + 1, frames_.size(), name, drawn ? "" : ", already drawn"));
   }
   if (order_.only.empty() || of_figure) drawFigures();
   for (const Frame& frame : framesOf(capture_))

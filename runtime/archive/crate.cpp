@@ -105,7 +105,7 @@ class Crate {
  public:
   Crate(const Manifest& manifest, const std::set<std::string>& names) : manifest_(manifest.json) {
     Json itself = fileOf(kManifestFile, fileEntry(manifest.folder / kManifestFile));
-    itself["description"] = "All that the pictures depend on, and the hash of what every pass wrote";
+    itself["description"] = "All inputs of the pictures, and the hash of the output of every pass";
     addPart(itself, results_);
     addPictures();
     addInputs(names);
@@ -165,7 +165,7 @@ class Crate {
       }
       entity["@id"] = fmt::format("#{}", uriOf(copy));
       entity["@type"] = "CreativeWork";
-      entity["description"] = "Was read, and is not in this folder: a capture with --bundle has it";
+      entity["description"] = "Input that is not in this folder; a capture with --bundle includes it";
       objects_.push_back(linkTo(entity));
       entities_.push_back(std::move(entity));
     }
@@ -183,8 +183,8 @@ class Crate {
             {"@type", "Dataset"},
             {"name", capture.at("title")},
             {"description", note + (note.empty() ? "" : " ") +
-                                "A capture of Strobe: pictures, and figures made of them, that can be taken again "
-                                "and compared bit for bit by manifest.json."},
+                                "A capture of Strobe: pictures, and figures made from the pictures. With "
+                                "manifest.json, the capture can be taken again and compared bit for bit."},
             {"datePublished", date},
             {"license", link("#licences")},
             {"conformsTo", link(kProfile)},
@@ -229,9 +229,9 @@ class Crate {
             {"@type", "CreativeWork"},
             {"name", "Licences of the parts"},
             {"description",
-             "Files of Strobe are under the MIT licence. Scripts, scenes and textures of others keep their own; what a "
-             "scene says of its author and licence is linked from the pictures that show it (isBasedOn). A capture "
-             "grants no licence for its pictures."}};
+             "Files of Strobe are under the MIT licence. Scripts, scenes and textures of other authors keep their own "
+             "licences. Pictures link to the author and licence of their scene (isBasedOn). A capture grants no "
+             "licence for its pictures."}};
   }
 
   const Json& manifest_;
@@ -248,7 +248,7 @@ std::string crateDate(const Home& home) {
     const std::string_view text = given;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
     if (error != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds >= kYear10000)
-      throw Error(fmt::format("SOURCE_DATE_EPOCH is no number of seconds since 1970: '{}'", text));
+      throw Error(fmt::format("SOURCE_DATE_EPOCH is not a number of seconds since 1970: '{}'", text));
   } else {
     seconds = revisionTime(home).value_or(0);
   }

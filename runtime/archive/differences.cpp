@@ -152,12 +152,12 @@ std::vector<std::string> parameterDifferences(const Json& was, const Json& is) {
   std::map<std::string, Json> a = byName(was), b = byName(is);
   std::vector<std::string> lines;
   for (const auto& [name, one] : a) {
-    if (!b.count(name)) lines.push_back(fmt::format("{}: {}, now not there", name, parameterText(one)));
+    if (!b.count(name)) lines.push_back(fmt::format("{}: {}, now missing", name, parameterText(one)));
     else if (one.at("value") != b[name].at("value") || one.at("set_by") != b[name].at("set_by"))
       lines.push_back(fmt::format("{}: {}, now {}", name, parameterText(one), parameterText(b[name])));
   }
   for (const auto& [name, one] : b)
-    if (!a.count(name)) lines.push_back(fmt::format("{}: not there, now {}", name, parameterText(one)));
+    if (!a.count(name)) lines.push_back(fmt::format("{}: missing, now {}", name, parameterText(one)));
   return lines;
 }
 
@@ -240,14 +240,14 @@ std::vector<std::string> fileDifferences(const Manifest& stated, const Manifest&
   const Json &was = stated.json.at("files"), &is = now.json.at("files");
   for (const auto& [name, file] : was.items()) {
     if (name.starts_with("pictures/")) continue;
-    if (!is.contains(name)) lines.push_back(name + ": not there");
+    if (!is.contains(name)) lines.push_back(name + ": missing");
     else if (is.at(name).at("sha256") != file.at("sha256")) lines.push_back(name);
   }
   return lines;
 }
 
 std::string textOf(const ImageDifference& one) {
-  if (!one.is_kept) return fmt::format("{}: differs (its texels are not kept in both folders)", one.image);
+  if (!one.is_kept) return fmt::format("{}: differs (its texels are not in both folders)", one.image);
   std::string text = fmt::format(
       "{}: {} pixels, largest {:.6g} ({:.0f} units in the last place), mean {:.3g} ({:.3g}); first at {},{} "
       "channel {}: {:.9g}, now {:.9g}",
@@ -342,7 +342,7 @@ std::string textOf(const Differences& all) {
     text += fmt::format("input {}: {}\n", kindName(one.kind), one.name);
     if (one.line) text += fmt::format("  line {}: {}\n  now     {}\n", one.line, one.was, one.is);
   }
-  for (const std::string& name : all.missing) text += fmt::format("picture {}: not there\n", name);
+  for (const std::string& name : all.missing) text += fmt::format("picture {}: missing\n", name);
   for (const std::string& name : all.added) text += fmt::format("picture {}: new\n", name);
   for (const PictureDifference& one : all.pictures) {
     text += fmt::format("picture {}:{}\n", one.name,

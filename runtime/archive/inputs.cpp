@@ -67,8 +67,8 @@ std::string InputNames::nameOf(const Path& file, bool allow_outside) const {
   if (name) return *name;
   if (allow_outside) return "outside:" + path.generic_string();
   throw Error(
-      "lies outside of Strobe's folder, the project, the shared data and the folder of the capture; "
-      "allow_outside = true of the shot lists it in the manifest",
+      "lies outside Strobe's folder, the project, the shared data and the folder of the capture; allow_outside = true "
+      "of the shot lists it in the manifest",
       {path.string()});
 }
 

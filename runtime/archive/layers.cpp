@@ -32,7 +32,7 @@ Images readLayers(const Path& file, const Json& layers) {
     if (!images.count(name)) throw Error(fmt::format("has no layer '{}'", name), {file.string()});
     images[name].format = layer.at("format").get<std::string>();
     if (lab::hashOf(images[name]) != layer.at("hash").get<std::string>())
-      throw Error(fmt::format("layer '{}' is not as the manifest says", name), {file.string()});
+      throw Error(fmt::format("layer '{}' differs from the manifest", name), {file.string()});
   }
   return images;
 }

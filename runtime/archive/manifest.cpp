@@ -86,7 +86,8 @@ Manifest readManifest(const Path& given) {
     if (!json.contains(part)) throw Error(fmt::format("is a manifest without '{}'", part), place);
   std::string stated = statedSum(file);
   if (!stated.empty() && stated != sha256(text))
-    throw Error(fmt::format("differs from its sum in {}: one of the two is damaged or was edited", kSumsFile), place);
+    throw Error(fmt::format("differs from its checksum in {}: one of the two is damaged or was edited", kSumsFile),
+                place);
   return {file.parent_path(), std::move(json)};
 }
 

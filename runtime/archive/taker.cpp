@@ -138,7 +138,8 @@ std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only)
       for (size_t step = 0; step < shot.steps.size() && shot.missing.empty() && arm.draws(shot.name); ++step)
         if (Frame frame{&shot, &arm, step}; frame.name().starts_with(only)) frames.push_back(frame);
   if (frames.empty() && !only.empty())
-    throw Error(fmt::format("--only '{}': the capture has no picture of a name that begins so", only), {}, 2);
+    throw Error(fmt::format("--only '{}': the capture has no picture with a name that starts with this text", only), {},
+                2);
   return frames;
 }
 
@@ -223,7 +224,7 @@ std::shared_ptr<const lab::Picture> Taker::draw(const Frame& frame, const Progre
   if (fs::exists(file)) {
     std::optional<Json> known = unsealed(readText(file));
     if (!known)
-      warn(fmt::format("{}: is damaged, or of an earlier program; its picture is taken again", file.string()));
+      warn(fmt::format("{}: is damaged or from an earlier program; its picture is taken again", file.string()));
     bool same = known && known->value("key", "") == key && isThere(folder_, known->at("files"));
     if (same && areCurrent(known->at("inputs"))) {
       entries_[name] = *known;
@@ -309,7 +310,7 @@ const figure::Taken& Taker::find(const std::string& shot, const std::string& arm
   }
   Frame frame{&capture_.shot(shot), &capture_.arm(arm), size_t(step)};
   if (size_t(step) >= frame.shot->steps.size())
-    throw Error(fmt::format("shot '{}' has {} steps, none of number {}", shot, frame.shot->steps.size(), step));
+    throw Error(fmt::format("shot '{}' has {} steps, but no step {}", shot, frame.shot->steps.size(), step));
   kept_.push_front(readBack(entry(frame)));
   if (kept_.size() > figure::kPicturesFound) kept_.pop_back();
   return kept_.front();

@@ -37,7 +37,7 @@ void checkBundle(const Manifest& manifest) {
     Path copy = manifest.folder / inputCopy(name);
     if (!fs::is_regular_file(copy)) problems.push_back(Error("is missing in the bundle", {copy.string()}).what());
     else if (sha256(readText(copy)) != input.sha256)
-      problems.push_back(Error("was altered: its SHA-256 is not that of the manifest", {copy.string()}).what());
+      problems.push_back(Error("was altered: its SHA-256 differs from the manifest", {copy.string()}).what());
   }
   throwIfAny(problems);
 }
@@ -57,8 +57,7 @@ Path scriptOf(const Home& home, const Manifest& manifest, bool bundle) {
   Path file = name.starts_with("capture:") ? manifest.folder / capture.at("from_here").get<std::string>()
                                            : InputNames(home, home, manifest.folder / kManifestFile).pathOf(name);
   if (fs::is_regular_file(file)) return file;
-  throw Error(fmt::format("the capture's script '{}' is not there", name),
-              {(manifest.folder / kManifestFile).string()});
+  throw Error(fmt::format("the capture's script '{}' is missing", name), {(manifest.folder / kManifestFile).string()});
 }
 
 }  // namespace
@@ -91,7 +90,7 @@ std::string textOf(const Verdict& verdict) {
   if (verdict.differences.identical())
     return text + "identical: every output of every pass, every layer, every figure\n";
   if (verdict.same_device) return text + "not identical\n";
-  return text + fmt::format("another device: {} a mean FLIP of {:g}, the most that the capture allows\n",
+  return text + fmt::format("another device: {} the mean FLIP of {:g} that the capture allows\n",
                             verdict.holds ? "within" : "beyond", verdict.most_flip);
 }
 

@@ -47,7 +47,7 @@ class Zip {
 
   // The file is read when the zip is closed.
   void add(const Path& file, const std::string& name) {
-    if (!fs::is_regular_file(file)) throw Error("is listed, and is not there", {file.string()});
+    if (!fs::is_regular_file(file)) throw Error("is listed, but is missing", {file.string()});
     zip_source_t* source = ::zip_source_file(zip_.get(), file.c_str(), 0, -1);
     zip_int64_t added = source ? ::zip_file_add(zip_.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8) : -1;
     if (source && added < 0) ::zip_source_free(source);

@@ -59,7 +59,7 @@ void leaveOut(const Home& home, const std::vector<Path>& copies, const Path& lis
     if (name.empty()) continue;
     const std::string first = name.begin()->string();
     if ((first != "strobe" && first != "project") || std::next(name.begin()) == name.end())
-      throw Error(fmt::format("'{}' begins with neither strobe/ nor project/", line), {list.string(), number});
+      throw Error(fmt::format("'{}' must begin with strobe/ or project/", line), {list.string(), number});
     for (size_t i = 0; i < copies.size(); ++i)
       if (rootName(home, home.roots()[i]) == first) fs::remove(copies[i] / name.lexically_relative(first));
   }
@@ -99,7 +99,7 @@ int locked(const Path& folder) {
     else break;
   }
   ::close(descriptor);
-  if (is_held) throw Error("another process is at work in this folder", {folder.parent_path().string()}, 2);
+  if (is_held) throw Error("another process is using this folder", {folder.parent_path().string()}, 2);
   return -1;
 }
 

@@ -134,7 +134,7 @@ void Home::requireInside(const Path& file) const {
   Path found = real(file);
   bool inside = std::any_of(real_roots_.begin(), real_roots_.end(),
                             [&](const Path& root) { return found == root || isBelow(found, root); });
-  if (!inside) throw Error("is a link that leads out of the folders in which files are looked for", {shown(file)});
+  if (!inside) throw Error("is a link that leads out of the searched folders", {shown(file)});
 }
 
 // Throws `Error` if a project's file has a shipped name without the declaration, or the declaration without a shipped
@@ -149,7 +149,7 @@ void Home::requireDeclared(const Path& own, const Path& shipped) const {
                             this->shown(shipped), comment),
                 {this->shown(own)});
   if (line && !replaces)
-    throw Error(fmt::format("'replaces = true', but there is no shipped file {}", this->shown(shipped)),
+    throw Error(fmt::format("'replaces = true', but {} is not a shipped file", this->shown(shipped)),
                 {this->shown(own), line});
 }
 

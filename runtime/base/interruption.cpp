@@ -42,9 +42,9 @@ void handle(int signal, void (*handler)(int)) {
 }  // namespace
 
 Interruption::Interruption(std::function<std::string()> last_words) : last_words_(std::move(last_words)) {
-  STROBE_ASSERT(writing_end < 0, "there is one already");
+  STROBE_ASSERT(writing_end < 0, "an interruption handler exists already");
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw Error("no pipe for signals");
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw Error("cannot create a pipe for signals");
   reading_ = ends[0];
   writing_end = ends[1];
   for (int signal : kSignals) handle(signal, passOn);

@@ -335,7 +335,7 @@ bool WaitingProgram::waits() const {
 }
 
 ProgramEnd WaitingProgram::run(const std::string& input) {
-  STROBE_ASSERT(!std::exchange(state_->is_over, true), "it has ended");
+  STROBE_ASSERT(!std::exchange(state_->is_over, true), "the program has ended");
   state_->child.feeding->give(input, true);
   ProgramEnd end;
   answered(state_->child, state_->program, {}, end);
@@ -343,7 +343,7 @@ ProgramEnd WaitingProgram::run(const std::string& input) {
 }
 
 ProgramEnd WaitingProgram::ask(const std::string& input, double wall_s, const IsWhole& is_whole) {
-  STROBE_ASSERT(!state_->is_over, "it has ended");
+  STROBE_ASSERT(!state_->is_over, "the program has ended");
   state_->program.wall_s = wall_s;
   state_->child.feeding->give(input, false);
   ProgramEnd end;

@@ -110,7 +110,7 @@ const Json& Fields::collection(const std::string& key, bool is_list, size_t most
   bool right = is_list ? value->is_array() : value->is_object();
   if (!right) problem(fmt::format("'{}' is {}, not a {}", key, value->type_name(), is_list ? "list" : "table"));
   if (right && value->size() > most)
-    problem(fmt::format("'{}' has {} entries of at most {}", key, value->size(), most));
+    problem(fmt::format("'{}' has {} entries; the maximum is {}", key, value->size(), most));
   return right && value->size() <= most ? *value : none;
 }
 

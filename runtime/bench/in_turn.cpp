@@ -18,8 +18,7 @@ static Run runOf(const std::string& program, const std::vector<std::string>& arg
   child.arguments.insert(child.arguments.end(), arguments.begin(), arguments.end());
   ProgramEnd end = run(child);
   if (!end.succeeded())
-    throw Error(fmt::format("it does not run these shots: exit code {}, '{}'", end.code(), lastLine(end.errors)),
-                {program});
+    throw Error(fmt::format("cannot run these shots: exit code {}, '{}'", end.code(), lastLine(end.errors)), {program});
   return runFrom(Json::parse(end.output, nullptr, false), program + " bench frames");
 }
 

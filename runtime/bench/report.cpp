@@ -118,7 +118,7 @@ page::Table passTable(const ShotTimes& shot) {
 // One bar per part at its median, one after the other.
 page::Waterfall waterfallOf(const ShotTimes& shot) {
   page::Waterfall waterfall;
-  waterfall.about = fmt::format("{}: its passes one after the other, the table below has the numbers", shot.name());
+  waterfall.about = fmt::format("{}: passes in order; the table below has the numbers", shot.name());
   waterfall.x.title = "milliseconds, medians";
   double start_ms = 0;
   for (const PassTimes& pass : shot.parts()) {
@@ -138,24 +138,24 @@ page::Waterfall waterfallOf(const ShotTimes& shot) {
 std::string basisOf(const Comparison& comparison) {
   using Kind = Comparison::Kind;
   std::string moved = fmt::format(
-      "Moved is what differs by more than {} and whose 95 % interval excludes 1; intervals are not widened for their "
-      "number, so that a few of a hundred exclude 1 by chance.",
+      "A time counts as moved if its ratio differs from 1 by more than {} and the 95 % interval excludes 1. Intervals "
+      "are not corrected for multiple comparisons, so a few of a hundred exclude 1 by chance.",
       shownShare(comparison.share));
   if (comparison.kind == Kind::blocks)
     return fmt::format(
-        "Both programs ran in this session, {} blocks of each in turn. Ratios are those of milliseconds, each block's "
-        "medians to those of the block beside it. {}",
+        "Both programs ran in this session, {} blocks of each in turn. A ratio divides the median of a block, in "
+        "milliseconds, by the median of the paired block of the other program. {}",
         comparison.blocks, moved);
   if (comparison.kind == Kind::milliseconds)
-    return "The same device at another time: ratios are those of milliseconds, and another clock or load would show in "
-           "all of them. A program in the place of the file runs alternately with this one, which is fair. " +
+    return "The same device at another time: ratios are ratios of milliseconds, so another clock or load changes all "
+           "ratios. For a fair comparison, use a program instead of the file: both programs then run alternately. " +
            moved;
-  return "Ratios are those of times divided by the frame time of the base in the same round, as a software device or "
-         "another machine is faster or slower from session to session; what slows all methods alike is taken away. A "
-         "part counts as moved only where its milliseconds say so too, and even so another session can be mistaken for "
-         "another program: intervals know nothing of what differs between sessions. The frame of a base has its "
-         "milliseconds alone; whether it or the machine changed cannot be told. A program in the place of the file "
-         "runs alternately with this one, which is fair. " +
+  return "The speed of a software device or of another machine changes from session to session, so each time is first "
+         "divided by the frame time of the base in the same round. This removes changes that affect all methods alike. "
+         "A part counts as moved only if its milliseconds moved too. A difference between sessions can still look like "
+         "a difference between programs, because the intervals do not include it. The frame of a base is compared in "
+         "milliseconds only, so a change can come from the base or from the machine. For a fair comparison, use a "
+         "program instead of the file: both programs then run alternately. " +
          moved;
 }
 
@@ -189,8 +189,8 @@ std::string summaryOf(const Comparison& comparison) {
   auto add = [&](const char* what, const std::vector<std::string>& names) {
     if (!names.empty()) text += fmt::format(" {}: {}.", what, fmt::join(names, "; "));
   };
-  add("The runs differ besides", comparison.differ);
-  add("No longer there", comparison.gone);
+  add("The runs also differ", comparison.differ);
+  add("Removed", comparison.gone);
   add("New", comparison.added);
   return text;
 }

@@ -74,7 +74,7 @@ page::Table slopeTable(const AxisRun& axis, const std::vector<Fit>& fits, bool a
 // Medians of the frames with their intervals, and the line of each method.
 page::Chart chartOf(const AxisRun& axis, const std::vector<Fit>& fits) {
   page::Chart chart;
-  chart.about = fmt::format("Time of a frame against {}, the table below has the lines", axis.title);
+  chart.about = fmt::format("Time of a frame against {}; the table below has the lines", axis.title);
   chart.x.title = axis.title;
   chart.y.title = "milliseconds, medians";
   chart.y.ends = {0};
@@ -99,11 +99,10 @@ const char* const kLegend = "Filled: medians with their intervals. Hollow: the l
 
 std::string basisOf() {
   return fmt::format(
-      "A line is the least-squares line through the medians of the rounds, its interval Student's t with two degrees "
-      "of "
-      "freedom less than values: what bends away from the line widens it. A constant time holds where the interval of "
-      "its change along the axis reaches into ±{:.0f} % of its mean; a growing one where the interval of the slope is "
-      "above 0 and R² at least {:g}.",
+      "A line is the least-squares line through the medians of the rounds. Its interval is Student's t with two "
+      "degrees of freedom less than values; values off the line widen the interval. A time is constant if the interval "
+      "of its change along the axis reaches into ±{:.0f} % of its mean. A time grows if the interval of the slope is "
+      "above 0 and R² is at least {:g}.",
       100 * kConstantShare, kLeastR2);
 }
 
@@ -115,7 +114,7 @@ std::string summaryOf(const Slopes& slopes) {
       holds += fit.verdict == Verdict::holds;
       fails += fit.verdict == Verdict::fails;
     }
-  return fmt::format("Of {} expectations {} hold and {} fail.", expected, holds, fails);
+  return fmt::format("{} expectations: {} hold and {} fail.", expected, holds, fails);
 }
 
 // ---- demands
@@ -145,9 +144,9 @@ page::Table demandTable(const Slopes& slopes) {
 
 std::string demandBasisOf(const Slopes& slopes) {
   return fmt::format(
-      "A GPU of {:g} GB/s and {:g} billion rays per second, used to the full. A bound from traffic and rays, no "
-      "prediction: each pass takes at least the time of its bytes or of its rays, whichever is longer; arithmetic, "
-      "waiting, geometry and textures are not in it. Rays grow with the pixels.",
+      "Bound for a GPU of {:g} GB/s and {:g} billion rays per second, not a prediction: each pass takes at least the "
+      "time of its bytes or of its rays, whichever is longer. Arithmetic, waiting, geometry and textures are not "
+      "included. Rays grow with the pixels.",
       slopes.gpu.gigabytes_per_s, slopes.gpu.gigarays_per_s);
 }
 
@@ -173,7 +172,7 @@ std::string textOf(const Slopes& slopes) {
   for (size_t i = 0; i < slopes.axes.size(); ++i)
     text +=
         fmt::format("{}\n{}\n", slopes.axes[i].title, page::textOf(slopeTable(slopes.axes[i], slopes.fits[i], false)));
-  text += fmt::format("{} {}\n\nWhat a frame asks of a GPU at least\n{}\n{}\n\n", summaryOf(slopes), basisOf(),
+  text += fmt::format("{} {}\n\nLower bound of a frame's GPU time\n{}\n{}\n\n", summaryOf(slopes), basisOf(),
                       page::textOf(demandTable(slopes)), demandBasisOf(slopes));
   const Run& run = anyRun(slopes);
   return text + fmt::format("{}.\n{}. {}\n{}\n", deviceOf(run), roundsOf(run), cautionOf(run), kWorkNote);
@@ -194,7 +193,7 @@ page::Page pageOf(const Slopes& slopes) {
     page.blocks.push_back(slopeTable(axis, slopes.fits[i], false));
     page.blocks.push_back(page::Details{"All passes", {slopeTable(axis, slopes.fits[i], true)}});
   }
-  page.blocks.push_back(page::Heading{"What a frame asks of a GPU at least", 2, "demand"});
+  page.blocks.push_back(page::Heading{"Lower bound of a frame's GPU time", 2, "demand"});
   page.blocks.push_back(page::Paragraph{demandBasisOf(slopes), Kind::soft});
   page.blocks.push_back(demandTable(slopes));
   page.blocks.push_back(page::Paragraph{kWorkNote, Kind::soft});

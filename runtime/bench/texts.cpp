@@ -27,8 +27,8 @@ std::string shownCount(uint64_t count) { return count == 0 ? page::kNotMeasured 
 
 std::string roundsOf(const Run& run) {
   std::string of = "a frame";
-  if (run.frames_in_flight > 1) of = fmt::format("frames, {} under way at once,", run.frames_in_flight);
-  return fmt::format("{} rounds of {} of each shot in turn; the first frames, which compile, do not count",
+  if (run.frames_in_flight > 1) of = fmt::format("frames, {} in flight at once,", run.frames_in_flight);
+  return fmt::format("{} rounds of {} of each shot in turn; the first frames, which compile, are not counted",
                      run.shots.front().ms.size(), of);
 }
 
@@ -41,14 +41,13 @@ std::string deviceOf(const Run& run) {
 std::string cautionOf(const Run& run) {
   if (!run.software) return "Clocks are not locked.";
   std::string text =
-      "A software device: its milliseconds are not comparable across machines, nor with a GPU's; ratios are what "
-      "counts.";
-  if (!run.timesPasses()) text += " It has no clock for passes while several frames are under way.";
+      "A software device: compare ratios; its milliseconds are not comparable across machines, nor with a GPU's.";
+  if (!run.timesPasses()) text += " It has no clock for passes while several frames are in flight.";
   return text;
 }
 
 const char* const kWorkNote =
-    "Bytes are those of the images that a pass is wired to, each once, a lower bound of its traffic: what it reads "
-    "again, the scene and what rays traverse are not in them.";
+    "Bytes are the sizes of a pass's images, each counted once: a lower bound of its traffic, without repeated reads, "
+    "the scene and the ray tracing structures.";
 
 }  // namespace strobe::bench

@@ -136,16 +136,17 @@ static bool isWhole(const ShotTimes& shot) {
 
 Run runFrom(const Json& json, const std::string& file) {
   if (!json.is_object() || !json.contains("strobe_bench"))
-    throw Error("this is no run of `strobe bench frames` (--save, --json)", {file});
+    throw Error("is not a run of `strobe bench frames` (--save, --json)", {file});
   if (json["strobe_bench"] != kFormat)
-    throw Error(fmt::format("a run of another format, {}: this program knows {}", json["strobe_bench"].dump(), kFormat),
-                {file});
+    throw Error(
+        fmt::format("is a run of format {}; this program reads format {}", json["strobe_bench"].dump(), kFormat),
+        {file});
   try {
     Run run = runFrom(json);
     if (!run.shots.empty() && std::all_of(run.shots.begin(), run.shots.end(), isWhole)) return run;
   } catch (const Json::exception&) {
   }
-  throw Error("a run of `strobe bench frames` that is damaged", {file});
+  throw Error("is a damaged run of `strobe bench frames`", {file});
 }
 
 Run readRun(const std::string& file) { return runFrom(Json::parse(readText(file), nullptr, false), file); }
@@ -179,11 +180,11 @@ static std::string otherOptions(const Json& shot, const Json& other) {
 void requireSameShots(const Run& run, const Run& other, const std::string& file) {
   std::vector<std::string> missing = lackingIn(other, run), besides = lackingIn(run, other), wrong;
   if (!missing.empty()) wrong.push_back(fmt::format("it has no '{}'", fmt::join(missing, "', '")));
-  if (!besides.empty()) wrong.push_back(fmt::format("it has '{}' besides", fmt::join(besides, "', '")));
+  if (!besides.empty()) wrong.push_back(fmt::format("it also has '{}'", fmt::join(besides, "', '")));
   for (size_t i = 0; i < run.shots.size() && wrong.empty(); ++i) {
-    if (run.shots[i].name() != other.shots[i].name()) wrong.push_back("they are in another order");
+    if (run.shots[i].name() != other.shots[i].name()) wrong.push_back("the shots are in another order");
     else if (std::string differ = otherOptions(run.shots[i].shot, other.shots[i].shot); !differ.empty())
-      wrong.push_back(fmt::format("'{}' is taken otherwise: {}", run.shots[i].name(), differ));
+      wrong.push_back(fmt::format("'{}' has other options: {}", run.shots[i].name(), differ));
   }
   if (!wrong.empty())
     throw Error(fmt::format("a run of other shots cannot be compared: {}", fmt::join(wrong, "; ")), {file});

@@ -56,7 +56,7 @@ Image colorOf(const Taken& taken) {
 }
 
 std::string measured(const CaptionPart& part, const Taken& taken, const Taken* truth) {
-  if (!truth) throw Unknown{fmt::format("'{}' is measured against truth, and there is none", part.measure)};
+  if (!truth) throw Unknown{fmt::format("'{}' is measured against truth, but the capture has no truth", part.measure)};
   Image mask = regionOf(*truth, part.region);
   if (!mask.empty() && image::countedPixels(mask, mask) == 0) return page::kNotMeasured;
   if (part.measure == "standard_error") {
@@ -75,7 +75,7 @@ std::string measured(const CaptionPart& part, const Taken& taken, const Taken* t
     double value = measure.of(color, reference, mask);
     return written(value, part, std::isnan(value) ? page::kNotMeasured : measure.written(value));
   }
-  throw Unknown{fmt::format("there is no measure '{}'", part.measure)};
+  throw Unknown{fmt::format("unknown measure '{}'", part.measure)};
 }
 
 std::string textOf(const Json& value, const CaptionPart& part) {
@@ -130,7 +130,7 @@ Image regionOf(const Taken& truth, const std::string& region) {
   try {
     return lab::maskOf(*truth.picture, region);
   } catch (const Error& error) {
-    throw Error(error.message() + ", or its file does not keep it: see `layers`");
+    throw Error(error.message() + ", or its file does not store it: see `layers`");
   }
 }
 

@@ -116,9 +116,8 @@ std::vector<Path> writeFilm(const Json& data, const FindTaken& find, int steps, 
   FigureData film = figureFrom(data);
   if (steps < 1) throw Error(fmt::format("film '{}' has no frames", film.name), film.place);
   if (!hasFfmpeg())
-    throw Error(
-        fmt::format("film '{}' is written by ffmpeg, which is not installed (Debian package ffmpeg)", film.name),
-        film.place);
+    throw Error(fmt::format("film '{}' needs ffmpeg, which is not installed (Debian package ffmpeg)", film.name),
+                film.place);
   Frames frames(film, find, truth_arm, steps);
   std::string first = frames.next();
   fs::create_directories(folder);

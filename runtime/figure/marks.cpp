@@ -106,7 +106,7 @@ class Drawer {
     shapes_.back().to = to;
   }
   void problem(const Mark& mark, const std::string& what) {
-    problems_.add(mark.place, what + " outside of what its cell shows");
+    problems_.add(mark.place, what + " outside the visible part of its cell");
   }
 
   // Position in the picture, pixels. Empty for a node that is not visible.
@@ -137,7 +137,7 @@ class Drawer {
     const graph::ReadImage* read = findImage(taken_, range.along, range.place, problems_);
     if (!read) return {};
     if (read->floats.empty() || read->floats.channels < 2) {
-      problems_.add(range.place, fmt::format("a range follows '{}', which holds no displacements", range.along));
+      problems_.add(range.place, fmt::format("a range follows '{}', which has no displacements", range.along));
       return {};
     }
     auto known = taken_.divides.find(range.along);
@@ -156,7 +156,7 @@ class Drawer {
     if (anchor == "end" || anchor.empty()) return dvec2(-1, 0);
     if (anchor == "centre") return dvec2(-0.5, 0.5);
     if (anchor == "start") return dvec2(0, 1);
-    problems_.add(range.place, fmt::format("there is no anchor '{}'", anchor));
+    problems_.add(range.place, fmt::format("unknown anchor '{}'", anchor));
     return {};
   }
 
@@ -180,7 +180,7 @@ const graph::ReadImage* findImage(const Taken& taken, const std::string& name, c
     for (const auto& [known, image] : *images) names.push_back(known);
   }
   std::string near = didYouMean(name, names);
-  if (near.empty()) near = ", or its file does not keep it: see `layers`";
+  if (near.empty()) near = ", or its file does not store it: see `layers`";
   problems.add(place,
                fmt::format("the picture of shot '{}' drawn by '{}' has no '{}'{}", taken.shot, taken.arm, name, near));
   return nullptr;

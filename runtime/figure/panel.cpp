@@ -68,8 +68,8 @@ std::optional<Source> differenceOf(const Cell& cell, const Taken& taken, const T
   const graph::ReadImage* b = findImage(other, cell.view, cell.place, problems);
   if (!a || !b) return {};
   if (a->floats.empty() || !image::sameSize(a->floats, b->floats)) {
-    problems.add(cell.place, fmt::format("'{}' of '{}' and of '{}' are no images of numbers of the same size",
-                                         cell.view, taken.arm, other.arm));
+    problems.add(cell.place, fmt::format("'{}' of '{}' and of '{}' are not numeric images of the same size", cell.view,
+                                         taken.arm, other.arm));
     return {};
   }
   Image first = image::threeChannels(a->floats), second = image::threeChannels(b->floats);
@@ -95,7 +95,7 @@ std::optional<Rectangle> areaOf(const std::optional<Area>& crop, const Image& pi
   if (!crop) return Rectangle{0, 0, picture.width, picture.height};
   int width = int(std::lround(picture.width / scale.x)), height = int(std::lround(picture.height / scale.y));
   if (crop->x + crop->width > width || crop->y + crop->height > height) {
-    problems.add(place, fmt::format("the crop {}x{} at {},{} lies outside of the picture of {}x{}", crop->width,
+    problems.add(place, fmt::format("the crop {}x{} at {},{} lies outside the picture of {}x{}", crop->width,
                                     crop->height, crop->x, crop->y, width, height));
     return {};
   }
@@ -163,7 +163,8 @@ class Maker {
   std::optional<Area> placed(const Area& area, const Place& place) {
     if (area.region.empty()) return area;
     try {
-      if (!truth()) throw Error(fmt::format("where most of '{}' lies, truth says, and there is none", area.region));
+      if (!truth())
+        throw Error(fmt::format("the region '{}' is computed from truth, but the capture has no truth", area.region));
       Image mask = regionOf(*truth(), area.region);
       Rectangle size = {0, 0, int(area.width), int(area.height)};
       size = image::scaledCrop(size, scale_.x, scale_.y, mask);

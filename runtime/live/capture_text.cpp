@@ -34,7 +34,7 @@ class Script {
 
   std::string text() const {
     const lab::Shot& first = recorded_.moments.front().shots.front();
-    std::string text = "-- Recorded in the window. It began with:\n-- " + lab::commandOf(first) +
+    std::string text = "-- Recorded in the window. Command of the first picture:\n-- " + lab::commandOf(first) +
                        "\nlocal capture = require \"strobe.capture\"\n\nreturn capture {\n";
     text += fmt::format("  title = {},\n", quoted("recorded: " + Path(first.scene).stem().string()));
     text += fmt::format("  size = {{ {}, {} }},\n  shots = {{\n", first.width, first.height);

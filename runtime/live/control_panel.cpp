@@ -150,7 +150,7 @@ void sweepButton(PanelState& state, const lab::Control& control) {
   ImGui::PushStyleColor(ImGuiCol_Text, colours::kDim);
   if (ImGui::Button("\u25a5")) state.swept_control = control.declaration.name;
   ImGui::PopStyleColor(2);
-  tooltip("sweep: several values of it beside each other, with their errors and times (R)");
+  tooltip("sweep: show several values of this control side by side, with errors and times (R)");
 }
 
 // True if the pointer is anywhere in the row that begins at `top`.
@@ -180,14 +180,14 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
   ImGui::PopStyleVar();
   takeEdit(desk, state, control, edit);
   bool plain = control.declaration.values.empty();
-  std::string idle = control.idle.empty() ? "" : "changes nothing: " + control.idle;
+  std::string idle = control.idle.empty() ? "" : "has no effect: " + control.idle;
   std::string doc = plain ? control.declaration.doc : "";
   tooltip(doc + (doc.empty() || idle.empty() ? "" : "\n\n") + idle);
   ImGui::TableNextColumn();
   sweepButton(state, control);
   if (isPointed(top)) state.pointed_control = name;
   ImGui::TableNextColumn();
-  if (control.set && quietButton("\u21ba", "give it back to preset, scene or default (now: " + control.origin + ")"))
+  if (control.set && quietButton("\u21ba", "reset to the preset, scene or default (now: " + control.origin + ")"))
     attempt(state, [&] { desk.sides().unset(name, of_b); });
 
   std::string refused = desk.sides().refusalOf(name, of_b);
@@ -241,7 +241,7 @@ void drawControls(const Fonts& fonts, Desk& desk, PanelState& state) {
   std::vector<lab::Control> controls = session.controls();
   std::erase_if(controls, [&](const lab::Control& control) { return !isFound(control, state.search); });
   ImGui::BeginChild("controls");
-  if (controls.empty()) textIn(fonts.text, colours::kDim, "no control has that in name or description");
+  if (controls.empty()) textIn(fonts.text, colours::kDim, "no control has this text in its name or description");
   for (size_t i = 0; i < controls.size();) {
     const std::string& group = controls[i].group;
     size_t end = i;
@@ -252,7 +252,7 @@ void drawControls(const Fonts& fonts, Desk& desk, PanelState& state) {
     ImGui::PushFont(fonts.bold);
     bool shown = ImGui::CollapsingHeader(group.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopFont();
-    if (of_b_shot && shown) textIn(fonts.small, colours::kDim, "as A has it");
+    if (of_b_shot && shown) textIn(fonts.small, colours::kDim, "same as A");
     if (shown && !of_b_shot && ImGui::BeginTable(group.c_str(), 4)) {
       float room = ImGui::GetContentRegionAvail().x;
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, std::min(118.0f, 0.4f * room));

@@ -8,39 +8,39 @@ namespace strobe::live {
 
 const std::vector<CommandForm>& commandForms() {
   static const std::vector<CommandForm> forms = {
-      {"set", "NAME VALUE", "change the value of the control NAME, as --set or an option of the shot would"},
+      {"set", "NAME VALUE", "set the control NAME, like --set or an option of the shot"},
       {"unset", "NAME", "reset the control NAME to the value of the preset or the scene, or to the default"},
       {"pipeline", "NAME", "run another pipeline"},
-      {"replace", "FILE BY", "overwrite the text of FILE with the text of BY, as an editor saves"},
-      {"reloaded", "", "wait until edited files run or are refused, 20 s at most"},
-      {"wait", "N", "let N frames of the window pass"},
+      {"replace", "FILE BY", "overwrite FILE with the text of BY, like a save in an editor"},
+      {"reloaded", "", "wait until edited files are loaded or refused, 20 s at most"},
+      {"wait", "N", "wait for N frames of the window"},
       {"frame", "N", "go to frame N"},
       {"play", "on|off", "start or stop playback; each drawn frame raises the frame number by one"},
       {"orbit", "DX DY", "turn the camera about the point in the middle, as a drag by DX, DY window pixels does"},
       {"view", "PORT", "show an output or NODE.PORT"},
       {"kind", "NAME", "show the image as colour, depth, ...; auto chooses the kind by its format and name"},
       {"mode", "MODE", "display A and B in the mode MODE: single, wipe, flicker, difference or error"},
-      {"wipe", "AT", "put the line of the wipe at the share AT of the width, 0 to 1"},
+      {"wipe", "AT", "move the line of the wipe to AT of the width, 0 to 1"},
       {"zoom", "Z X Y", "magnify the fitted picture Z times with pixel (X, Y) in the middle"},
-      {"point", "[X] [Y]", "put the pointer on a pixel, or away from the picture"},
+      {"point", "[X] [Y]", "move the pointer to a pixel, or away from the picture"},
       {"inspect", "X Y", "pin a pixel, so that the surfaces along its ray stay listed"},
-      {"key", "KEY", "press a key as the help spells it"},
+      {"key", "KEY", "press a key, spelled as in the help"},
       {"sweep", "AXIS [AXIS]", "sweep a control, or two; an axis is NAME or NAME=VALUE,VALUE,..."},
       {"swept", "", "wait until the sweep has all pictures, errors and times, 60 s at most"},
       {"experiment", "FILE.lua", "save the sweep as an experiment"},
-      {"click", "X Y", "press and release the left button at a pixel of the window"},
-      {"search", "[TEXT]", "show only the controls that have TEXT in name or description"},
+      {"click", "X Y", "click the left button at a pixel of the window"},
+      {"search", "[TEXT]", "show only controls with TEXT in name or description"},
       {"panels", "on|off", "show or hide everything but the picture"},
       {"help", "on|off", "show or hide the keys"},
-      {"resize", "WxH", "give the window another size"},
+      {"resize", "WxH", "resize the window"},
       {"screenshot", "FILE.png", "write a screenshot of the window"},
-      {"capture", "FILE.exr", "write the picture as 'strobe render' would"},
+      {"capture", "FILE.exr", "write the picture like 'strobe render'"},
       {"record", "", "start a recording"},
-      {"recording", "FILE.lua", "end the recording, and write it as a capture script"},
+      {"recording", "FILE.lua", "write the recording as a capture script"},
       {"trail", "FILE.json", "write the trail of the pinned pixel"},
       {"truth", "N", "wait until ground truth in the background has N samples, 60 s at most"},
       {"expect", "NAME VALUE", "fail unless the control has this value"},
-      {"problems", "yes|no", "yes: fail unless the window shows a problem; no: fail if it shows a problem"},
+      {"problems", "yes|no", "fail unless there are problems (yes) or no problems (no)"},
       {"quit", "", "close the window"},
   };
   return forms;
@@ -83,7 +83,7 @@ std::string mistakeIn(const std::vector<std::string>& words) {
     return fmt::format("'{}' takes {}, got {} argument{}", form.name, *form.arguments ? form.arguments : "nothing",
                        words.size() - 1, words.size() == 2 ? "" : "s");
   }
-  return fmt::format("there is no command '{}'{}", words[0], didYouMean(words[0], names));
+  return fmt::format("unknown command '{}'{}", words[0], didYouMean(words[0], names));
 }
 
 }  // namespace

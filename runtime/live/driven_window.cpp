@@ -65,7 +65,7 @@ void DrivenWindow::addShotHandlers(Handlers& handlers) {
       throw Error(fmt::format("{} is {}, expected {}", c.arguments[0], lab::plainText(control.value), c.arguments[1]),
                   c.place);
     }
-    throw Error(fmt::format("there is no control '{}'", c.arguments[0]), c.place);
+    throw Error(fmt::format("unknown control '{}'", c.arguments[0]), c.place);
   };
 }
 
@@ -104,7 +104,7 @@ void DrivenWindow::addWaitHandlers(Handlers& handlers) {
   handlers["wait"] = [this](const Command& c) { return afterFrames(integerOf(c, 0), [](const Command&) {})(c); };
   handlers["reloaded"] = [this](const Command& c) {
     if (!wait_since_s_) wait_since_s_ = clockSeconds();
-    if (clockSeconds() - *wait_since_s_ > kReloadLimit_s) throw Error("no edited file was noticed", c.place);
+    if (clockSeconds() - *wait_since_s_ > kReloadLimit_s) throw Error("no edited file was detected", c.place);
     if (parts_.desk.sides().reloads() == reloads_seen_) return false;
     wait_since_s_.reset();
     reloads_seen_ = parts_.desk.sides().reloads();
@@ -114,7 +114,8 @@ void DrivenWindow::addWaitHandlers(Handlers& handlers) {
     if (!wait_since_s_) wait_since_s_ = clockSeconds();
     parts_.desk.wantTruth(integerOf(c, 0));
     if (clockSeconds() - *wait_since_s_ > kTruthLimit_s)
-      throw Error(fmt::format("the truth has {} samples", parts_.desk.truth().samples(parts_.desk.shot())), c.place);
+      throw Error(fmt::format("the truth has only {} samples", parts_.desk.truth().samples(parts_.desk.shot())),
+                  c.place);
     if (parts_.desk.truth().samples(parts_.desk.shot()) < integerOf(c, 0)) return false;
     wait_since_s_.reset();
     parts_.desk.wantTruth(0);
@@ -124,7 +125,7 @@ void DrivenWindow::addWaitHandlers(Handlers& handlers) {
     if (c.arguments[0] != "yes" && c.arguments[0] != "no") throw Error("'problems' takes yes or no", c.place);
     std::vector<std::string> problems = parts_.desk.problems();
     if (problems.empty() != (c.arguments[0] == "no"))
-      throw Error(problems.empty() ? "there are no problems" : problems.front(), c.place);
+      throw Error(problems.empty() ? "expected a problem, but found none" : problems.front(), c.place);
     return true;
   };
   handlers["quit"] = [this](const Command&) { return parts_.quit = true; };
@@ -179,7 +180,7 @@ void DrivenWindow::addSweepHandlers(Handlers& handlers) {
   };
   handlers["swept"] = [this](const Command& c) {
     if (!wait_since_s_) wait_since_s_ = clockSeconds();
-    if (!parts_.sweeper.isOpen()) throw Error("there is no sweep", c.place);
+    if (!parts_.sweeper.isOpen()) throw Error("no sweep is open", c.place);
     if (clockSeconds() - *wait_since_s_ > kTruthLimit_s) throw Error("the sweep is not complete", c.place);
     if (!parts_.sweeper.isComplete()) return false;
     wait_since_s_.reset();

@@ -177,9 +177,9 @@ void Live::watch() {
       Json record;
       record["shot"] = lab::toJson(desk_.shot());
       writeFileAtomically(file, record.dump(2) + "\n");
-      kept = fmt::format("; the shot is kept in {}: open it with --record", file.string());
+      kept = fmt::format("; the shot is saved in {}: open it with --record", file.string());
     } catch (const Error& error) {
-      kept = fmt::format("; the shot could not be kept: {}", error.what());
+      kept = fmt::format("; the shot could not be saved: {}", error.what());
     }
     std::fprintf(stderr, "strobe: %s (--time-limit)%s\n", text.c_str(), kept.c_str());
     std::fflush(stderr);
@@ -211,7 +211,7 @@ void Live::sweepPointed() {
     if (name.empty()) name = next;
   bool again = sweeper_.isOpen() && sweeper_.ofB() == of_b && sweeper_.forms()[0].control.declaration.name == name;
   if (again) return sweep_panel_.focus();
-  if (name.empty()) throw Error("no control to sweep: put the pointer on one, or find one with /");
+  if (name.empty()) throw Error("no control to sweep: point at a control, or find one with /");
   sweeper_.open(desk_, name, of_b);
 }
 
@@ -233,7 +233,7 @@ void Live::beginRecording() {
 }
 
 Path Live::stopRecording(const Path& script) {
-  if (!recording_) throw Error("nothing is recorded");
+  if (!recording_) throw Error("no recording is running");
   recording_->write(script, bench_.limits);
   recording_.reset();
   return script;
@@ -254,7 +254,7 @@ void Live::toggleRecording() {
     return state_.say("recording; F6 writes it as a capture script");
   }
   Path script = stopRecording(desk_.freeName(".recording.lua"));
-  state_.say(fmt::format("saved; take it again: strobe capture {} -o DIR", script.string()));
+  state_.say(fmt::format("saved; repeat it with: strobe capture {} -o DIR", script.string()));
   openInEditor(script);
 }
 
@@ -286,7 +286,8 @@ std::map<Action, std::function<void()>> Live::actions() {
       {Action::Sweep, [this] { sweepPointed(); }},
       {Action::TakePrevious, [this] { sweeper_.takeNext(desk_, -1); }},
       {Action::TakeNext, [this] { sweeper_.takeNext(desk_, 1); }},
-      {Action::SaveExperiment, [this] { state_.say("saved; run it: strobe sweep " + sweeper_.save(desk_).string()); }},
+      {Action::SaveExperiment,
+       [this] { state_.say("saved; run it with: strobe sweep " + sweeper_.save(desk_).string()); }},
       {Action::Record, [this] { toggleRecording(); }},
       {Action::TogglePanels, [this] { state_.panels = !state_.panels; }},
       {Action::ToggleHelp, [this] { state_.help = !state_.help; }},

@@ -98,8 +98,8 @@ void viewPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   row("image");
   if (combo("##port", compares ? "color" : look.port, desk.viewable(), chosen))
     attempt(state, [&] { desk.viewPort(chosen); });
-  tooltip(compares ? modeNames()[size_t(look.mode)] + " is of the colour, whatever image is chosen"
-                   : "any output of any pass; Up and Down go through them");
+  tooltip(compares ? modeNames()[size_t(look.mode)] + " always shows the colour"
+                   : "any output of any pass; Up and Down change it");
   row("as");
   const graph::ReadImage* viewed = desk.a().image();
   std::vector<std::string> kinds = viewed ? lab::viewKinds(*viewed) : std::vector<std::string>{"auto"};
@@ -108,14 +108,14 @@ void viewPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   float stops = float(look.view.exposure_stops);
   row("brightness");
   if (floatSlider("##stops", stops, {-6, 6}, "%+.1f stops")) look.view.exposure_stops = stops;
-  tooltip("of the picture in this window; saved pictures are not touched");
+  tooltip("brightness of the picture in this window; saved pictures do not change");
   float range[2] = {float(look.view.low), float(look.view.high)};
   row("scale");
   if (ImGui::DragFloat2("##range", range, 0.01f, 0, 0, range[0] == range[1] ? "auto" : "%.4g")) {
     look.view.low = range[0];
     look.view.high = range[1];
   }
-  tooltip("ends of the scale of depths, velocities and other numbers; auto (two equal ends): from the image");
+  tooltip("range of the scale for depths, velocities and other numbers; auto (two equal ends): range of the image");
   ImGui::EndDisabled();
 }
 
@@ -163,7 +163,7 @@ void errorTable(const Fonts& fonts, Desk& desk) {
     textIn(fonts.text, colours::kText, of.session->shot().pipeline);
     ImGui::TableNextColumn();
     textIn(fonts.mono, colours::kText, errorText(desk.truth().errorOf(desk.shot(), of.color)));
-    tooltip("root of the mean squared error of the linear colour against the truth so far");
+    tooltip("root mean square error of the linear colour against the truth so far");
   };
   side("A", colours::kAccent, desk.a());
   if (desk.b()) side("B", colours::kOther, *desk.b());
@@ -174,12 +174,12 @@ void errorTable(const Fonts& fonts, Desk& desk) {
            fmt::format("RMSE against {} of {}", desk.truth().pipeline(), samplesText(samples, GatheredTruth::kEnough)));
   else
     textIn(fonts.small, colours::kDim,
-           desk.look().mode == Mode::Error ? "truth begins" : "choose error (5) to gather truth for an RMSE");
+           desk.look().mode == Mode::Error ? "truth starts" : "choose error (5) to gather truth for an RMSE");
 }
 
 // Lists the values that differ between the two sides.
 void differences(const Fonts& fonts, Desk& desk) {
-  if (!desk.b() || !ImGui::TreeNodeEx("what differs", ImGuiTreeNodeFlags_SpanAvailWidth)) return;
+  if (!desk.b() || !ImGui::TreeNodeEx("differences", ImGuiTreeNodeFlags_SpanAvailWidth)) return;
   std::map<std::string, std::string> of_b;
   for (const lab::Control& control : desk.b()->session->controls())
     of_b[control.declaration.name] = lab::plainText(control.value);
@@ -191,7 +191,7 @@ void differences(const Fonts& fonts, Desk& desk) {
     textIn(fonts.small, colours::kText, fmt::format("{}: {} | {}", control.declaration.name, value, found->second));
     ++shown;
   }
-  if (shown == 0) textIn(fonts.small, colours::kDim, "no value that both have");
+  if (shown == 0) textIn(fonts.small, colours::kDim, "no control of both has different values");
   ImGui::TreePop();
 }
 
@@ -208,7 +208,7 @@ void modePart(const Fonts& fonts, Desk& desk) {
     float at = 100 * float(look.wipe);
     row("line at");
     if (floatSlider("##wipe", at, {0, 100}, "%.0f %% of the width")) look.wipe = at / 100;
-    return tooltip("drag the line in the picture as well");
+    return tooltip("or drag the line in the picture");
   }
   if (look.mode == Mode::Single && desk.b()) {
     bool other = look.single_b;
@@ -216,7 +216,7 @@ void modePart(const Fonts& fonts, Desk& desk) {
     return;
   }
   ImGui::AlignTextToFramePadding();
-  textIn(fonts.small, colours::kDim, desk.b() ? "A and B in turns" : "choose a B, or see the error of A alone (5)");
+  textIn(fonts.small, colours::kDim, desk.b() ? "A and B alternately" : "choose a B, or show the error of A (5)");
 }
 
 void comparePart(const Fonts& fonts, Desk& desk, PanelState& state) {
@@ -259,8 +259,7 @@ void timeCell(const Fonts& fonts, const TimeHistory::Row* times, ImU32 color) {
   if (!times) return;
   textIn(fonts.mono, color, fmt::format("{:>7}", msText(times->median())));
   tooltip(fmt::format(
-      "{}\nlast frame {} ms, median of the frames at the right {} ms\na void frame (its pipelines were new) "
-      "is not counted",
+      "{}\nlast frame {} ms, median of the frames at the right {} ms\nframes with a new pipeline are not counted",
       times->name, msText(times->latest()), msText(times->median())));
 }
 
@@ -318,7 +317,7 @@ void budgetPart(const Fonts& fonts, Desk& desk) {
   if (ImGui::DragFloat("##budget", &ms, 0.2f, 0, 10000, ms > 0 ? "%.1f ms" : "none", ImGuiSliderFlags_AlwaysClamp))
     desk.budget().set(double(ms));
   tooltip(fmt::format(
-      "GPU time of a frame of A at most; 0: none\n{} is set by the times of the last frames, until it is set by hand",
+      "maximum GPU time of a frame of A; 0: no limit\n{} follows the times of the last frames, until it is set by hand",
       param->name));
   const lab::Budget* budget = desk.budget().budget();
   if (!budget) return;
@@ -361,7 +360,7 @@ void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
       state.say("copied the trail of the pixel");
     });
   ImGui::SameLine();
-  if (ImGui::Button("let go")) return desk.pixel().unpin();
+  if (ImGui::Button("unpin")) return desk.pixel().unpin();
   // Keep space for the first times below. Longer trails scroll.
   float height = std::max(240.0f, ImGui::GetContentRegionAvail().y - 130);
   ImGui::BeginChild("trail", ImVec2(0, height));
@@ -406,12 +405,12 @@ void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, f
     attempt(state, [&] { desk.goToFrame(frame); });
   slidePlace({Widget::Kind::IntSlider, 0, double(last), false, ""}, frame);
   ImGui::SameLine(0, 14);
-  press("save", "the picture with its run record (F2)", Action::Save);
-  press("copy command", "that makes this picture (F4)", Action::CopyCommand);
-  press("camera back", "to the scene's (C)", Action::CameraBack, desk.shot().view.has_value());
+  press("save", "save the picture with its run record (F2)", Action::Save);
+  press("copy command", "copy the command that makes this picture (F4)", Action::CopyCommand);
+  press("camera back", "reset the camera to the scene (C)", Action::CameraBack, desk.shot().view.has_value());
   press(state.recorded ? fmt::format("\u25a0 stop ({})", *state.recorded).c_str() : "\u25cf record",
-        "what is done, as a capture script (F6)", Action::Record, state.recorded.has_value());
-  press("fit", "the picture into the window (F)", Action::FitPicture);
+        "record a capture script (F6)", Action::Record, state.recorded.has_value());
+  press("fit", "fit the picture into the window (F)", Action::FitPicture);
   ImGui::NewLine();
   wrappedIn(fonts.mono, colours::kDim, lab::commandOf(desk.shot()));
   tooltip(lab::commandOf(desk.shot()));
@@ -472,9 +471,9 @@ void drawProblems(const Fonts& fonts, const std::vector<std::string>& problems, 
   ImGui::Begin("problems", nullptr,
                (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  textIn(fonts.bold, colours::kBad, problems.size() == 1 ? "A problem" : fmt::format("{} problems", problems.size()));
+  textIn(fonts.bold, colours::kBad, problems.size() == 1 ? "1 problem" : fmt::format("{} problems", problems.size()));
   ImGui::SameLine();
-  textIn(fonts.small, colours::kDim, "below is the last good version; the next good save goes on");
+  textIn(fonts.small, colours::kDim, "the picture below is from the last good version; the next good save replaces it");
   ImGui::Dummy(ImVec2(0, 2));
   for (const std::string& problem : problems) wrappedIn(fonts.mono, colours::kText, problem, width - 24);
   ImGui::End();

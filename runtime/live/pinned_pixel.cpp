@@ -5,7 +5,7 @@ namespace strobe::live {
 
 void PinnedPixel::pin(const lab::Shot& shot, int x, int y) {
   if (x < 0 || y < 0 || x >= shot.width || y >= shot.height)
-    throw Error(fmt::format("pixel {} {} lies outside of {}x{}", x, y, shot.width, shot.height));
+    throw Error(fmt::format("pixel {} {} lies outside the picture of {}x{}", x, y, shot.width, shot.height));
   at_ = {x, y};
   follow(shot);
   if (!problem_.empty()) throw Error(problem_);
@@ -57,7 +57,7 @@ std::vector<TrailLine> PinnedPixel::lines() const {
     lines.push_back(
         {true, fmt::format("{}. {}", hit.layer, hit.instance), fmt::format("{:.4g} m", hit.depth),
          fmt::format("geometry {}, triangle {}, {} side", hit.geometry, hit.primitive, hit.front ? "front" : "back"),
-         "a surface that the ray meets, with its linear view depth"});
+         "surface hit by the ray, with its linear view depth"});
     lines.push_back(
         {false, "velocity px", numbersText({hit.velocity.x, hit.velocity.y}), "over the exposure, y down", ""});
     lines.push_back({false, "normal", numbersText({hit.normal.x, hit.normal.y, hit.normal.z}), "world space", ""});

@@ -158,8 +158,8 @@ static lab::Shot suggestedIn(const Home& home, const lab::Shot& shot, const scri
 }
 
 void Recording::write(const Path& script, const script::Limits& limits) const {
-  if (script.extension() != ".lua") throw Error("a capture script's name ends in .lua", {script.string()});
-  if (moments_.all().empty()) throw Error("nothing was drawn while it was recorded");
+  if (script.extension() != ".lua") throw Error("the name of a capture script must end in .lua", {script.string()});
+  if (moments_.all().empty()) throw Error("no picture was drawn during the recording");
   Recorded recorded{moments_.all(), {}, std::vector<std::string>(versions_.size())};
   for (Moment& moment : recorded.moments)
     for (lab::Shot& shot : moment.shots) {

@@ -19,8 +19,7 @@ const std::vector<std::string>& modeNames() {
 
 Mode modeNamed(const std::string& name) {
   auto found = std::find(modeNames().begin(), modeNames().end(), name);
-  if (found == modeNames().end())
-    throw Error(fmt::format("there is no mode '{}'{}", name, didYouMean(name, modeNames())));
+  if (found == modeNames().end()) throw Error(fmt::format("unknown mode '{}'{}", name, didYouMean(name, modeNames())));
   return Mode(found - modeNames().begin());
 }
 

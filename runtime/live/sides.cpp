@@ -46,7 +46,7 @@ Sides::Sides(lab::Workbench& bench, lab::Shot shot, script::Settings versus_sets
 }
 
 lab::Session& Sides::sessionOf(bool of_b) {
-  if (of_b && !b_.session) throw Error("there is no B: choose a pipeline to compare with, or start with --vs");
+  if (of_b && !b_.session) throw Error("no pipeline B: choose a pipeline to compare with, or start with --vs");
   return of_b ? *b_.session : *a_.session;
 }
 

@@ -64,8 +64,9 @@ Sweep::Sweep(lab::Workbench& bench, const lab::Shot& shot, std::vector<SweepAxis
   }
   if (own_keys_.size() == 1 && own_keys_.front() == key) own_keys_.clear();
   if (bytes > kMostBytes)
-    throw Error(fmt::format("{} pictures of {}x{} are more than a sweep keeps ({} MiB): fewer steps, or a smaller size",
-                            points_.size(), shot_.width, shot_.height, kMostBytes >> 20));
+    throw Error(
+        fmt::format("{} pictures of {}x{} exceed the memory of a sweep ({} MiB): use fewer steps or a smaller size",
+                    points_.size(), shot_.width, shot_.height, kMostBytes >> 20));
 }
 
 bool Sweep::isOf(const lab::Shot& shot) const {

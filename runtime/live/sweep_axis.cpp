@@ -71,11 +71,13 @@ SweepRange suggestedRange(const lab::Control& control) {
 static void checkRange(const plan::ParamDesc& declaration, const SweepRange& range, int most) {
   auto refuse = [&](const std::string& what) { throw Error(fmt::format("sweep of {}: {}", declaration.name, what)); };
   bool finite = std::isfinite(range.from) && std::isfinite(range.to);
-  if (!finite || range.from == range.to) refuse("its ends are no two numbers");
+  if (!finite || range.from == range.to) refuse("the ends must be two different numbers");
   for (double end : {range.from, range.to})
     if (limited(declaration, end) != end) refuse(fmt::format("{:g} is out of range", end));
-  if (range.logarithmic && (range.from <= 0 || range.to <= 0)) refuse("values by factors are more than 0");
-  if (range.steps < 2 || range.steps > most) refuse(fmt::format("{} steps are not 2 to {}", range.steps, most));
+  if (range.logarithmic && (range.from <= 0 || range.to <= 0))
+    refuse("the ends of a logarithmic range must be above 0");
+  if (range.steps < 2 || range.steps > most)
+    refuse(fmt::format("the number of steps is {}, not 2 to {}", range.steps, most));
 }
 
 static void add(SweepAxis& axis, const plan::Value& value) {

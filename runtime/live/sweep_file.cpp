@@ -71,7 +71,7 @@ std::string truthText(const SavedSweep& sweep) {
 std::string experimentText(const SavedSweep& sweep) {
   std::string names = namesOf(sweep), axes;
   for (const SweepAxis& axis : sweep.axes) axes += "    " + axisText(axis, sweep.shot) + ",\n";
-  std::string text = "-- A sweep in the window, saved. One of its pictures:\n-- " + lab::commandOf(sweep.shot) +
+  std::string text = "-- Saved from a sweep in the window. Command of one picture:\n-- " + lab::commandOf(sweep.shot) +
                      "\nlocal experiment = require \"strobe.experiment\"\n\nreturn experiment {\n";
   auto line = [&text](const char* name, const std::string& value) {
     text += fmt::format("  {:<8} = {},\n", name, value);

@@ -80,10 +80,10 @@ bool formFields(const Fonts& fonts, SweepForm& form, bool focus) {
   ImGui::SetNextItemWidth(36);
   ImGui::InputInt("##steps", &form.range.steps, 0);
   changed = ImGui::IsItemDeactivatedAfterEdit() || changed;
-  tooltip("how many values, both ends included");
+  tooltip("number of values, including both ends");
   ImGui::SameLine();
   changed = ImGui::Checkbox("log", &form.range.logarithmic) || changed;
-  tooltip("each value by the same factor from the last");
+  tooltip("logarithmic steps: a constant factor between values");
   return changed;
 }
 
@@ -95,7 +95,7 @@ void crossChoice(Desk& desk, Sweeper& sweeper, PanelState& state) {
   ImGui::SetNextItemWidth(112);
   if (!ImGui::BeginCombo("##cross", current.empty() ? "one control" : ("by " + current).c_str(),
                          ImGuiComboFlags_HeightLarge))
-    return tooltip("a second control: a grid");
+    return tooltip("second control of a grid");
   std::optional<std::string> chosen;
   if (ImGui::Selectable("one control", current.empty())) chosen = "";
   for (const lab::Control& control : session.controls()) {
@@ -114,7 +114,7 @@ std::string progressText(const Sweep& sweep, const Desk& desk) {
   size_t count = sweep.points().size();
   std::string done = sweep.stopped()         ? "stopped"
                      : sweep.drawn() < count ? fmt::format("drawing {} of {}", sweep.drawn() + 1, count)
-                     : sweep.samplesOwn()    ? "sampling each value's truth"
+                     : sweep.samplesOwn()    ? "sampling the truth of each value"
                      : sweep.timed() < count ? fmt::format("timing, {} of {} done", sweep.timed(), count)
                                              : fmt::format("{} values", count);
   std::string against =
@@ -261,7 +261,7 @@ void SweepPanel::describe(const Fonts& fonts, const Sweep& sweep, size_t point) 
   if (of.error) textIn(fonts.mono, kErrors, "RMSE " + page::shownError(*of.error), -FLT_MAX);
   if (of.median()) textIn(fonts.mono, kTimes, msText(*of.median()), -FLT_MAX);
   if (!of.problem.empty()) wrappedIn(fonts.small, colours::kBad, of.problem, 360);
-  else textIn(fonts.small, colours::kDim, "a click takes it", -FLT_MAX);
+  else textIn(fonts.small, colours::kDim, "click to take these values", -FLT_MAX);
   ImGui::EndTooltip();
 }
 
@@ -272,14 +272,14 @@ void SweepPanel::drawHead(const Fonts& fonts, Desk& desk, Sweeper& sweeper, Pane
   crossChoice(desk, sweeper, state);
   ImGui::SameLine();
   bool again = ImGui::Button("draw again");
-  tooltip("with the controls and files as they are now");
+  tooltip("draw the sweep again with the current controls and files");
   ImGui::SameLine();
   ImGui::BeginDisabled(!sweeper.busy());
   if (ImGui::Button("cancel")) sweeper.stop();
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (ImGui::Button("save as experiment")) state.requests.push_back(Action::SaveExperiment);
-  tooltip("a file for 'strobe sweep' (F5)");
+  tooltip("save a file for 'strobe sweep' (F5)");
   ImGui::SameLine(ImGui::GetWindowWidth() - 34);
   bool closes = quietButton("\u00d7", "close the sweep (Escape)");
   for (size_t i = 0; i < sweeper.forms().size(); ++i) {
@@ -291,9 +291,8 @@ void SweepPanel::drawHead(const Fonts& fonts, Desk& desk, Sweeper& sweeper, Pane
   std::string progress = progressText(sweeper.sweep(), desk);
   for (const SweepForm& form : sweeper.forms())
     if (!form.control.idle.empty())
-      progress =
-          fmt::format("{} changes nothing: {}  ·  {}", form.control.declaration.name, form.control.idle, progress);
-  if (stale) progress = "stale: the picture has other values or files by now  ·  " + progress;
+      progress = fmt::format("{} has no effect: {}  ·  {}", form.control.declaration.name, form.control.idle, progress);
+  if (stale) progress = "stale: values or files of the picture have changed  ·  " + progress;
   textIn(fonts.small, stale ? colours::kBad : colours::kDim, progress);
   tooltip(progress);
   if (again) attempt(state, [&] { sweeper.begin(desk); });

@@ -15,7 +15,7 @@ static const int64_t kLeastTruthSamples = 64;  // of the ground truth in a saved
 // ---- swept controls
 
 const lab::Session& Sweeper::session(const Desk& desk) const {
-  if (of_b_ && !desk.b()) throw Error("there is no B any more");
+  if (of_b_ && !desk.b()) throw Error("B is closed");
   return of_b_ ? *desk.b()->session : *desk.sides().a().session;
 }
 
@@ -24,12 +24,12 @@ SweepForm Sweeper::formOf(const Desk& desk, const std::string& name, const std::
   for (lab::Control& control : session(desk).controls()) {
     names.push_back(control.declaration.name);
     if (names.back() != name) continue;
-    if (of_b_ && control.group == "shot") throw Error(fmt::format("B has '{}' as A has it: sweep A's", name));
+    if (of_b_ && control.group == "shot") throw Error(fmt::format("B shares '{}' with A: sweep it in A", name));
     if (!canBeSwept(control)) throw Error(fmt::format("'{}' has no values to sweep", name));
     SweepRange range = hasRange(control.declaration) ? suggestedRange(control) : SweepRange();
     return {std::move(control), range, listed};
   }
-  throw Error(fmt::format("there is no control '{}'{}", name, didYouMean(name, names)));
+  throw Error(fmt::format("unknown control '{}'{}", name, didYouMean(name, names)));
 }
 
 void Sweeper::open(Desk& desk, const std::string& control, bool of_b, const std::vector<std::string>& listed) {
@@ -133,7 +133,7 @@ void Sweeper::takeNext(Desk& desk, int by) const {
 // ---- an experiment
 
 std::string Sweeper::experiment(const Desk& desk) const {
-  if (!isOpen()) throw Error("there is no sweep to save");
+  if (!isOpen()) throw Error("no sweep to save");
   SavedSweep saved{sweep_->shot(), {}, sweep_->axes()};
   lab::Workbench& bench = session(desk).bench();
   saved.suggested = suggestedShot(bench.home(), saved.shot, bench.limits);

@@ -94,7 +94,7 @@ std::string tooltipOf(const lab::Control& control) {
   for (const auto& [choice, meaning] : declaration.values) text += fmt::format("\n\n{}: {}", choice, meaning);
   text += fmt::format("\n\n{}: {}", control.origin.empty() ? "default" : control.origin,
                       valueText(declaration, control.value));
-  if (!control.idle.empty()) text += "\nchanges nothing: " + control.idle;
+  if (!control.idle.empty()) text += "\nhas no effect: " + control.idle;
   if (!control.place.empty()) text += "\ndeclared in " + control.place;
   return text;
 }

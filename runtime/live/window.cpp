@@ -19,7 +19,7 @@ Window::Window(int width, int height, const std::string& title) {
   if (!glfwInit())
     throw Error(
         fmt::format("no window can be opened here ({}); 'strobe render' needs none, and 'xvfb-run strobe live' "
-                    "brings a display of its own",
+                    "provides its own display",
                     lastError()));
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
@@ -65,7 +65,7 @@ Window::~Window() {
 gpu::DeviceOptions Window::extensions() const {
   uint32_t count = 0;
   const char** names = glfwGetRequiredInstanceExtensions(&count);
-  if (!names) throw Error(fmt::format("this display cannot show what Vulkan draws: {}", lastError()));
+  if (!names) throw Error(fmt::format("this display cannot show Vulkan images: {}", lastError()));
   gpu::DeviceOptions options;
   options.instance_extensions.assign(names, names + count);
   options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};

@@ -96,7 +96,7 @@ class Writer {
   }
 
   std::string written(const Explorer& explorer) {
-    STROBE_ASSERT(!explorer_ && explorer.library.found(), "an explorer once, with its library");
+    STROBE_ASSERT(!explorer_ && explorer.library.found(), "a page has one explorer, with its library");
     explorer_ = &explorer;
     return std::string(asset("explorer.html"));
   }
@@ -107,7 +107,7 @@ class Writer {
 
   std::string captionOf(const std::string& name) const {
     auto found = captions_.find(name);
-    STROBE_ASSERT(found != captions_.end(), "no picture '{}' before or beside its comparison", name);
+    STROBE_ASSERT(found != captions_.end(), "the picture '{}' of a comparison is neither before nor beside it", name);
     return inlinePlain(found->second);
   }
 

@@ -123,7 +123,7 @@ std::string Curve::replacement(const std::string& inside) const {
   auto require = [&](const std::string& arm) {
     if (std::find(known.begin(), known.end(), arm) == known.end())
       throw Error(
-          fmt::format("the reading of axis '{}' names no arm: '{}'{}", axis_.name, arm, didYouMean(arm, known)));
+          fmt::format("the reading of axis '{}' has an unknown arm '{}'{}", axis_.name, arm, didYouMean(arm, known)));
     return std::find(measured.begin(), measured.end(), arm) != measured.end();
   };
   for (const char* end : {"from ", "to "})
@@ -136,9 +136,8 @@ std::string Curve::replacement(const std::string& inside) const {
     }
   size_t at = inside.rfind(" @ ");
   if (at == std::string::npos)
-    throw Error(
-        fmt::format("the reading of axis '{}' has {{{}}}, which is none of {{ARM @ VALUE}}, {{from ARM}}, {{to ARM}}",
-                    axis_.name, inside));
+    throw Error(fmt::format("the reading of axis '{}' has {{{}}}; expected {{ARM @ VALUE}}, {{from ARM}} or {{to ARM}}",
+                            axis_.name, inside));
   std::string arm = inside.substr(0, at), wanted = inside.substr(at + 3);
   for (size_t i = 0; i < size(); ++i) {
     if (label(i) != wanted) continue;
@@ -148,7 +147,7 @@ std::string Curve::replacement(const std::string& inside) const {
   }
   bool is_value = std::find(axis_.labels.begin(), axis_.labels.end(), wanted) != axis_.labels.end();
   if (is_value) return page::kNotMeasured;  // value of the axis without a point in these results
-  throw Error(fmt::format("the reading of axis '{}' names no value: '{}'", axis_.name, wanted));
+  throw Error(fmt::format("the reading of axis '{}' has an unknown value '{}'", axis_.name, wanted));
 }
 
 std::string Curve::filled(const std::string& text) const {

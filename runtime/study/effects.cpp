@@ -8,10 +8,11 @@
 namespace strobe::study {
 
 const char* const kHowToReadEffects =
-    "An effect is a level's mean difference from the mean of its block: points that are alike in all else. Blocks that "
-    "lack a level are left out. An interaction is what is left of a cell after the effects of its row and its column. "
-    "Intervals are Student's t over the blocks, bold where 0 is not inside; they are not widened for their number. "
-    "Without complete blocks numbers are fitted by a straight line, other levels compared unpaired.";
+    "A block is a set of points that differ in one factor only. The effect of a level is its mean difference from the "
+    "mean of its block. Blocks that lack a level are left out. An interaction is the remainder of a cell after the "
+    "effects of its row and its column. Intervals are Student's t over the blocks, bold if they exclude 0, and are not "
+    "corrected for multiple comparisons. Without complete blocks, numbers are fitted by a straight line and other "
+    "levels are compared unpaired.";
 
 namespace {
 

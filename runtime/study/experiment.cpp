@@ -299,12 +299,12 @@ void check(const Home& home, const Experiment& experiment, const std::string& fi
   auto refuse = [&](const std::string& text) { problems.push_back(Error(text, {file}).what()); };
   bool fits =
       experiment.width >= 1 && experiment.height >= 1 && experiment.width <= 16384 && experiment.height <= 16384;
-  if (!fits) refuse("size is not 1 to 16384 pixels");
+  if (!fits) refuse("size must be 1 to 16384 pixels");
   const lab::Rounds& rounds = experiment.rounds;
   if (rounds.least < 1 || rounds.most > 10000 || rounds.most < rounds.least)
-    refuse("rounds and most_rounds are not 1 to 10000, or the first is more than the second");
+    refuse("rounds and most_rounds must be 1 to 10000, and rounds at most most_rounds");
   for (const StudiedShot& shot : experiment.shots)
-    if (shot.picture_aa < 1 || shot.picture_aa > 256) refuse("picture_aa is not 1 to 256");
+    if (shot.picture_aa < 1 || shot.picture_aa > 256) refuse("picture_aa must be 1 to 256");
   bool has_sequence = std::any_of(experiment.shots.begin(), experiment.shots.end(),
                                   [](const StudiedShot& shot) { return !shot.frames.empty(); });
   for (const std::string& name : experiment.measures)

@@ -213,11 +213,11 @@ Json noticesOf(const Counts& counts, const std::string& reduced) {
   auto say = [&](size_t count, const char* one, const char* more, const char* what) {
     if (count) notices.push_back(fmt::format("{} {}{}", count, count == 1 ? one : more, what));
   };
-  say(counts.undrawn, "point is", "points are", " not drawn yet: the same sweep goes on with them");
+  say(counts.undrawn, "point is", "points are", " not drawn yet; run the same sweep again to draw them");
   say(counts.failed, "point", "points", " failed");
   say(counts.without_picture, "point has", "points have", " no picture beside the results, in points/");
   if (!reduced.empty())
-    notices.push_back("pictures are reduced to keep the page small (" + reduced + "); those in points/ are whole");
+    notices.push_back("pictures are reduced to keep the page small (" + reduced + "); points/ has them in full size");
   return notices;
 }
 

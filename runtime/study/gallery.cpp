@@ -92,7 +92,7 @@ std::string describeShot(const Results& results, const ShotSummary& shot) {
   double displacement = group.truth().value("displacement");
   if (std::isnan(displacement)) return text;
   return text +
-         fmt::format(", median displacement of what moves {} px over the exposure", page::shownPixels(displacement));
+         fmt::format(", median displacement of moving pixels {} px over the exposure", page::shownPixels(displacement));
 }
 
 std::string describeBackground(const PointGroup& group) {
@@ -102,7 +102,7 @@ std::string describeBackground(const PointGroup& group) {
     double deviation = point.value("background_deviation"), difference = point.value("background_difference");
     return fmt::format(
         "Background in the region inner ({:.0f} px): standard deviation {:.4f}, mean difference from the foreground "
-        "{:.4f} (ratio {:.2f}; the higher the ratio, the more a blur that invents the background errs).",
+        "{:.4f} (ratio {:.2f}; the higher the ratio, the larger the error of a blur that invents the background).",
         pixels, deviation, difference, deviation / difference);
   }
   return "";

@@ -114,8 +114,8 @@ std::shared_ptr<const lab::Picture> PointRenderer::drawnTruth(const lab::Shot& f
     double needed = std::ceil(1.1 * double(now) * std::pow(error / required, 2));
     int64_t next = int64_t(std::min(needed, samples->max.value_or(needed)));
     if (next <= now)
-      throw Error(fmt::format("truth has a standard error of {:.3g} with the {} samples it can have, not {:.3g}", error,
-                              now, required));
+      throw Error(fmt::format("truth has a standard error of {:.3g} with its maximum of {} samples; required: {:.3g}",
+                              error, now, required));
     lab::putSetting(shot.sets, samples->name, next);
   }
   return picture;

@@ -23,7 +23,7 @@ std::vector<std::string> namesOf(const std::vector<It>& all) {
 
 void requireOneOf(const std::string& name, const std::vector<std::string>& known, const std::string& what) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  throw Error(fmt::format("--only: there is no {} '{}'{}; there {} {}", what, name, didYouMean(name, known),
+  throw Error(fmt::format("--only: unknown {} '{}'{}; there {} {}", what, name, didYouMean(name, known),
                           known.size() == 1 ? "is" : "are", fmt::join(known, ", ")),
               {}, 2);
 }
@@ -128,7 +128,7 @@ void keepOnly(Experiment& experiment, const std::string& expression) {
     std::erase_if(group.arms, [&](size_t arm) { return !isAsked(group, arm) && arm != base; });
     if (!group.arms.empty()) kept.push_back(group);
   }
-  if (kept.empty()) throw Error(fmt::format("--only '{}': no point is like that", expression), {}, 2);
+  if (kept.empty()) throw Error(fmt::format("--only '{}': no point matches", expression), {}, 2);
   experiment.partial = true;
   experiment.groups = kept;
 }

@@ -74,7 +74,7 @@ bool reapEnded(std::vector<pid_t>& children) {
 bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs,
                        const Started& started, const std::function<Results()>& now) {
   void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw Error("no memory for several processes");
+  if (memory == MAP_FAILED) throw Error("cannot allocate memory for several processes");
   Shared& shared = *new (memory) Shared;
   std::vector<pid_t> children;
   for (int i = 0; i < jobs; ++i) {

@@ -153,11 +153,10 @@ std::vector<page::Block> blocksOf(Parts parts, const std::optional<page::Explore
 }
 
 std::string describeLibrary(const page::Library& library) {
-  if (library.found()) return "Charts to click by " + library.name + "; its licence is in the page's source.";
+  if (library.found()) return "Interactive charts by " + library.name + "; its licence is in the page's source.";
   return fmt::format(
-      "This page has figures and tables. Where Debian's package {} is installed, `strobe report` makes one whose "
-      "points "
-      "can be clicked through.",
+      "This page has static figures and tables. If Debian's package {} is installed, `strobe report` makes a page with "
+      "interactive charts.",
       page::kLibraryPackage);
 }
 
@@ -181,7 +180,8 @@ Parts Report::parts(const std::optional<PictureSize>& size) const {
   Parts parts = summaryOf(results_);
   append(parts, sentencesOf(expectationsBeside(results_, sections)));
   if (std::string missing = results_.missingText(); !missing.empty())
-    parts.push_back(study::text("Not drawn yet: " + missing + ". The same sweep goes on with them.", Tone::failure));
+    parts.push_back(
+        study::text("Not drawn yet: " + missing + ". Run the same sweep again to draw them.", Tone::failure));
   append(parts, std::move(sections));
   std::erase_if(parts, [](const Part& part) {
     const auto* paragraph = std::get_if<page::Paragraph>(&part.block);

@@ -83,10 +83,10 @@ page::Table summaryTable(const Curve& curve, double factor) {
 std::string regionText(const std::string& region) {
   if (region == "whole") return "the whole picture";
   if (region == "inner")
-    return "inner: pixels of the object that show something farther at another time of the exposure";
+    return "inner: pixels of the object that show a farther surface at another time of the exposure";
   if (region == "hidden") return "hidden: pixels that show a surface that was hidden at the raster time";
   if (region == "self") return "self: pixels that show a part of their own object that was hidden at the raster time";
-  return "outer: pixels that something nearer covers at another time of the exposure";
+  return "outer: pixels that a nearer surface covers at another time of the exposure";
 }
 
 page::Scale::Kind scaleOf(const std::string& name) {
@@ -139,7 +139,7 @@ page::Chart chartOf(const Curve& curve, double factor, const std::string& region
   chart.y.decades = 4;
   chart.about = fmt::format("Error of each method against {}, region {}; the numbers are in the table below",
                             chart.x.title, region);
-  chart.guides = {{curve.value(curve.benign()), "what the other axes use"}};
+  chart.guides = {{curve.value(curve.benign()), "value used by the other axes"}};
   page::Series floor, sigma;
   floor.label = "floor", floor.style = page::kReferenceStyle;
   sigma.label = "truth ±", sigma.style = page::kUncertaintyStyle;
@@ -185,8 +185,8 @@ std::string driftText(const Curve& curve) {
     share = std::max(share, curve.group(i).truth().value("changed"));
   }
   return fmt::format(
-      "What is seen does not depend on the value: truth differs from truth at {} by more than 1e-5 in at most {} of "
-      "the pixels, by at most {}.",
+      "The picture does not depend on the value: truth differs from truth at {} by more than 1e-5 in at most {} of the "
+      "pixels, by at most {}.",
       shownNumber(curve.value(curve.benign())), shownShare(share), shownRmse(most));
 }
 
@@ -233,11 +233,11 @@ void addAxis(const Results& results, const Curve& curve, double factor, Parts& p
 }
 
 const char* const kHowToRead =
-    "In the curves, the shaded band is what a method may err by to be as good as its samples allow: up to the factor "
-    "times the floor, the black line. A curve is faint where the method is worse than usual, a mark hollow where a "
-    "limit of it was met, the dotted vertical line is the benign value, at which the other axes stand. The grey dots "
-    "are truth's own standard error. What is below the lower border is drawn on it. Values are shown where the pointer "
-    "rests on a mark.";
+    "In the curves, the black line is the floor, and the shaded band ends at the factor times the floor: a method in "
+    "the band is as good as its samples allow. A curve is faint where the method is worse than usual. A mark is hollow "
+    "if the method met a limit. The dotted vertical line is the benign value, which the other axes use. The grey dots "
+    "are truth's own standard error. Values below the lower border are drawn on the border. The pointer on a mark "
+    "shows its values.";
 
 }  // namespace
 
@@ -252,19 +252,18 @@ Parts curveParts(const Results& results) {
                   "pixels.",
                   results.width, results.height),
       Tone::soft, Part::kRead));
-  parts.push_back(heading("Where each method is as good as its samples allow", 2, "", Part::kRead));
+  parts.push_back(heading("Range with errors near the sampling floor", 2, "", Part::kRead));
   parts.push_back(text(
-      fmt::format("The values about the benign one at which a method's error is at most {:g} times the floor there "
-                  "(truth with as many samples as the method), no limit of it was met and every value is finite.",
+      fmt::format("Values around the benign value. At each value, the method's error is at most {:g} times the floor "
+                  "(truth with as many samples as the method), the method met no limit, and all colours are finite.",
                   factor),
       Tone::soft, Part::kRead));
   parts.push_back({rangeTable(curves, Against::floor), Part::kRead});
-  parts.push_back(heading("Where each method is no worse than usual", 2, "", Part::kRead));
-  parts.push_back(text(
-      fmt::format("The same with {:g} times the method's own error at the benign value allowed as well: where it is no "
-                  "worse than usual, however bad that is.",
-                  factor),
-      Tone::soft, Part::kRead));
+  parts.push_back(heading("Range with errors no worse than usual", 2, "", Part::kRead));
+  parts.push_back(text(fmt::format("The error may also be {:g} times the method's own error at the benign value: the "
+                                   "method is no worse than usual, even if its usual error is large.",
+                                   factor),
+                       Tone::soft, Part::kRead));
   parts.push_back({rangeTable(curves, Against::own), Part::kRead});
   parts.push_back(heading("Errors at the benign values", 3, "", Part::kRead));
   parts.push_back({benignTable(results, curves), Part::kRead});

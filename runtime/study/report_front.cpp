@@ -43,7 +43,7 @@ class Front {
   page::Chart chart() const;
   page::Table table() const;
   std::string text() const {
-    return fmt::format("{} of {} points are on the front: no other point of the shot is as good in both.",
+    return fmt::format("{} of {} points are on the front: no other point of the shot is as good in both measures.",
                        front_.size(), all_.size());
   }
 

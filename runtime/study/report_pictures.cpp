@@ -30,7 +30,7 @@ page::Cell nameCell(const Point& point) {
     return {point.arm + " ±", page::Mark::faint, "truth; its numbers are its own standard error"};
   if (point.role == Role::floor)
     return {point.arm == "floor" ? "floor" : point.arm + " (floor)", page::Mark::faint,
-            "sampling floor: truth at a method's own times"};
+            "sampling floor: truth at the sample times of a method"};
   return {point.arm};
 }
 
@@ -187,7 +187,7 @@ void addShot(const Results& results, const Gallery& gallery, const std::optional
   const ShotSummary& shot = *gallery.shot;
   parts.push_back(heading(shot.title, 2, shot.name));
   if (!gallery.group)
-    return parts.push_back(text("skipped: " + (shot.missing.empty() ? "not asked for" : shot.missing) + "."));
+    return parts.push_back(text("skipped: " + (shot.missing.empty() ? "not selected" : shot.missing) + "."));
   parts.push_back(text(shot.note, Tone::plain, Part::kRead));
   parts.push_back(text(describeShot(results, shot) + ".", Tone::soft));
   bool pictures = size && !gallery.shown.empty();
@@ -210,7 +210,7 @@ void addShot(const Results& results, const Gallery& gallery, const std::optional
 }
 
 std::string describe(const PictureSize& size) {
-  std::string smaller = size.divisor == 1 ? "" : fmt::format(", of 1/{} of their width", size.divisor);
+  std::string smaller = size.divisor == 1 ? "" : fmt::format(", scaled to 1/{} of their width", size.divisor);
   return fmt::format(
       "Pictures here are JPEG of quality {}{}, to keep the page small; crops, differences and the files "
       "beside this page are exact.",

@@ -109,10 +109,9 @@ std::string AxisTable::replacement(const std::string& inside) const {
       if (rest == point.arm + ", " + label + " @ " + group->shot) return shown(measure, *group, point);
     }
   if (results_.partial || results_.missing() > 0) return page::kNotMeasured;
-  throw Error(
-      fmt::format("the reading of axis '{}' has {{{}}}, which is none of {{ARM, VALUE @ SHOT}} and "
-                  "{{MEASURE ARM, VALUE @ SHOT}}",
-                  axis_.name, inside));
+  throw Error(fmt::format(
+      "the reading of axis '{}' has {{{}}}; expected {{ARM, VALUE @ SHOT}} or {{MEASURE ARM, VALUE @ SHOT}}",
+      axis_.name, inside));
 }
 
 // ---- all points

@@ -196,7 +196,7 @@ void requireMeasures(const Results& results) {
   if (std::optional<TableLayout> table = tableOf(results.layout))
     for (const auto* list : {&table->cells, &table->once}) names.insert(names.end(), list->begin(), list->end());
   for (const std::string& name : names)
-    require(std::find(known.begin(), known.end(), name) != known.end(), fmt::format("there is no measure '{}'", name));
+    require(std::find(known.begin(), known.end(), name) != known.end(), fmt::format("unknown measure '{}'", name));
 }
 
 void requireSound(const Results& results, const AxisSummary& axis) {
@@ -205,20 +205,20 @@ void requireSound(const Results& results, const AxisSummary& axis) {
           fmt::format("axis '{}' has {} values and {} labels", axis.name, count, axis.labels.size()));
   bool numbers = std::all_of(axis.values.begin(), axis.values.end(), [](const Json& one) { return one.is_number(); });
   require(numbers || !axis.hasCurves() || !curvesOf(results.layout),
-          fmt::format("axis '{}' has curves and values that are not numbers", axis.name));
+          fmt::format("axis '{}' has curves, but values that are not numbers", axis.name));
 }
 
 void requireSound(const Results& results, const ShotSummary& shot) {
   for (const image::Rectangle& crop : shot.crops)
     require(crop.x >= 0 && crop.y >= 0 && crop.width > 0 && crop.height > 0 &&
                 int64_t(crop.x) + crop.width <= results.width && int64_t(crop.y) + crop.height <= results.height,
-            fmt::format("a crop of shot '{}' lies outside of the picture", shot.name));
+            fmt::format("a crop of shot '{}' lies outside the picture", shot.name));
 }
 
 void requireSound(const Results& results, const PointGroup& group) {
-  require(find(results.shots, group.shot) != results.shots.end(), fmt::format("there is no shot '{}'", group.shot));
+  require(find(results.shots, group.shot) != results.shots.end(), fmt::format("unknown shot '{}'", group.shot));
   for (const Point& point : group.points)
-    require(find(results.arms, point.arm) != results.arms.end(), fmt::format("there is no arm '{}'", point.arm));
+    require(find(results.arms, point.arm) != results.arms.end(), fmt::format("unknown arm '{}'", point.arm));
   for (const auto& [name, value] : group.at) {
     auto axis = find(results.axes, name);
     bool known =
@@ -231,7 +231,7 @@ void requireSound(const Results& results) {
   constexpr int kMost = 16384;
   require(std::min(results.width, results.height) >= 1 && std::max(results.width, results.height) <= kMost,
           fmt::format("the size is {}x{}", results.width, results.height));
-  require(!results.arms.empty(), "there are no arms");
+  require(!results.arms.empty(), "the list of arms is empty");
   requireMeasures(results);
   picturesLayoutOf(results.layout), curvesOf(results.layout);  // throws for fields of another type
   for (const AxisSummary& axis : results.axes) requireSound(results, axis);
@@ -319,7 +319,7 @@ std::vector<std::string> Results::contradicted() const {
   std::vector<std::string> contradictions;
   for (const Expectation& one : expectations) {
     if (!one.contradicts()) continue;
-    std::string what = one.known.empty() ? "" : "; it is said to fail: " + one.known;
+    std::string what = one.known.empty() ? "" : "; known to fail: " + one.known;
     contradictions.push_back(fmt::format("expectation {}{}: {}{}", one.outcome, what, one.text,
                                          one.detail.empty() ? "" : " (" + one.detail + ")"));
   }

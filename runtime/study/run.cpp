@@ -25,8 +25,8 @@ void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& st
   watch.end();
   if (experiment.is_step) return;
   const PointRenderer::Spent& spent = renderer.spent();
-  note(fmt::format("of these seconds: {:.1f} drawing, {:.1f} measuring, {:.1f} keeping", spent.drawing_s,
-                   spent.measuring_s, spent.keeping_s));
+  note(fmt::format("{:.1f} s drawing, {:.1f} s measuring, {:.1f} s writing", spent.drawing_s, spent.measuring_s,
+                   spent.keeping_s));
 }
 
 // ---- times
@@ -202,7 +202,7 @@ void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& g
     } catch (const WriteError&) {
       throw;
     } catch (const Error& error) {
-      warn(fmt::format("{}: its crops are left out: {}", summary.title, error.what()));
+      warn(fmt::format("{}: crops are left out: {}", summary.title, error.what()));
     }
   }
 }

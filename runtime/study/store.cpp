@@ -133,7 +133,7 @@ std::vector<Path> alteredFiles(const Results& results, const Path& folder) {
 }
 
 Store::Store(const Path& folder) : folder_(folder), lock_(locked(folder / ".lock", false)) {
-  if (lock_ < 0) throw Error("another sweep is at work in this folder", {folder_.string()}, 2);
+  if (lock_ < 0) throw Error("another sweep is running in this folder", {folder_.string()}, 2);
   removeLeftovers(folder_);
   removeLocks(folder_ / "truth");
 }
@@ -171,9 +171,10 @@ void Store::belongTo(const std::string& title) const {
     return keep();
   }
   const auto& [other, version] = *known;
-  if (version != kVersion) throw Error("is not of this version of Strobe; take another folder", {file.string()}, 2);
+  if (version != kVersion)
+    throw Error("was written by another version of Strobe; use another folder", {file.string()}, 2);
   if (other != title)
-    throw Error(fmt::format("has points of another experiment, '{}', not of '{}'; take another folder", other, title),
+    throw Error(fmt::format("has points of another experiment, '{}', not of '{}'; use another folder", other, title),
                 {folder_.string()}, 2);
 }
 
@@ -240,7 +241,7 @@ std::shared_ptr<const lab::Picture> Store::truth(
       writeFileAtomically(file, encoded(key, *draw()));
       picture = decoded(key, file);
     }
-    if (!picture) throw Error("does not read back as it was written", {file.string()});
+    if (!picture) throw Error("cannot be read back as it was written", {file.string()});
   } catch (...) {
     ::close(held);
     throw;

@@ -330,7 +330,7 @@ Tuned Tuner::tune() {
   for (const Point& point : groupSeen(start, last).points)
     if (!point.failed.empty()) throw Error(fmt::format("{}: {}", point.arm, point.failed));
   if (!std::isfinite(basePoint(last).value(wish_.measure, wish_.region)))
-    throw Error(fmt::format("the region '{}' has no pixels in this shot: take another --region", wish_.region), {}, 2);
+    throw Error(fmt::format("the region '{}' has no pixels in this shot: use another --region", wish_.region), {}, 2);
 
   Search* running = nullptr;
   auto identity = [&](const Spot& spot) { return identityOf(spot); };
@@ -360,13 +360,13 @@ Tuned Tuner::tune() {
 
 Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& captured, const Wish& wish) {
   if (pipeline.kind == plan::PipelineDesc::Kind::Truth)
-    throw Error(fmt::format("'{}' is truth: there is nothing to measure it against", pipeline.name), {}, 2);
+    throw Error(fmt::format("'{}' is truth and has no reference for its error", pipeline.name), {}, 2);
   std::vector<std::string> names;
   for (const plan::ParamDesc& param : pipeline.params)
     if (!isSet(wish.shot, param.name)) names.push_back(param.name);
   for (const std::string& name : wish.vary) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    if (isSet(wish.shot, name)) throw Error(fmt::format("--vary: '{}' is set besides", name), {}, 2);
+    if (isSet(wish.shot, name)) throw Error(fmt::format("--vary: '{}' is also set", name), {}, 2);
     throw Error(fmt::format("--vary: '{}' has no parameter '{}'{}", pipeline.name, name, didYouMean(name, names)), {},
                 2);
   }
@@ -386,8 +386,8 @@ std::string presetText(const std::vector<std::string>& doc, const script::Settin
   std::vector<std::string> lines;
   for (const std::string& line : doc) lines.push_back(script::quoted(line));
   std::string text =
-      "-- Written by `strobe tune`; taken by `--set preset=` and the name of this file.\n"
-      "local preset = require \"strobe.preset\"\n\nreturn preset {\n";
+      "-- Written by `strobe tune`; use it with `--set preset=` and the name of this file.\nlocal preset = require "
+      "\"strobe.preset\"\n\nreturn preset {\n";
   text += fmt::format("  doc = {},\n  set = {{\n", fmt::join(lines, " ..\n    "));
   for (const auto& [name, value] : values) text += fmt::format("    {},\n", script::field(name, script::luaOf(value)));
   return text + "  },\n}\n";

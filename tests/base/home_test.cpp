@@ -141,7 +141,7 @@ TEST_F(Homes, RefuseToReplaceNothing) {
   write("mine/pipelines/x.lua", "-- A pipeline.\n-- replaces = true\n");
   write("mine/shaders/lib/y.glsl", "// replaces = true\n");
   const std::string pipeline =
-      "pipelines/x.lua:2: 'replaces = true', but there is no shipped file strobe:scripts/pipelines/x.lua";
+      "pipelines/x.lua:2: 'replaces = true', but strobe:scripts/pipelines/x.lua is not a shipped file";
   EXPECT_EQ(refusal(home, "scripts/pipelines/x.lua"), pipeline);
   EXPECT_EQ(home.mistakesOfProject().size(), 2u);
   write("ours/scripts/pipelines/x.lua");

@@ -74,7 +74,7 @@ TEST(Leftovers, AFolderInUseIsRefused) {
       ADD_FAILURE() << "the copy was taken";
     } catch (const Error& error) {
       EXPECT_EQ(error.exitCode(), 2);
-      EXPECT_EQ(error.message(), "another process is at work in this folder");
+      EXPECT_EQ(error.message(), "another process is using this folder");
     }
     EXPECT_TRUE(used.home().find("passes/a.lua"));
   }

@@ -116,7 +116,7 @@ TEST(SlopesReport, ShowsWhatIsExpectedAndWhatIsPublished) {
   slopes.gpu = {500, 10};
   slopes.demands = {{"room", "blurred", 1920, 1080, {{"gather", {}, 1, 0, 1'000'000'000, 0}}, 250, "somebody"}};
   std::string text = textOf(slopes), page = page::htmlOf(pageOf(slopes));
-  for (const char* wanted : {"a ray for each", "holds", "250 µs", "somebody", "no prediction", "1000.0 MB"}) {
+  for (const char* wanted : {"a ray for each", "holds", "250 µs", "somebody", "not a prediction", "1000.0 MB"}) {
     EXPECT_NE(text.find(wanted), std::string::npos) << wanted << "\n" << text;
     EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
   }

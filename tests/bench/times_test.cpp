@@ -90,12 +90,12 @@ TEST(Times, AreReadBackAsTheyWereWritten) {
 
 TEST(Times, OtherFilesAreRefused) {
   EXPECT_EQ(refusal(Json::parse("{", nullptr, false)),
-            "x.json: this is no run of `strobe bench frames` (--save, --json)");
+            "x.json: is not a run of `strobe bench frames` (--save, --json)");
   EXPECT_EQ(refusal(Json::parse("[1]")), refusal(Json::object()));
   Json json = toJson(runOf(2, inOrder));
   json["strobe_bench"] = 2;
-  EXPECT_EQ(refusal(json), "x.json: a run of another format, 2: this program knows 1");
-  const std::string damaged = "x.json: a run of `strobe bench frames` that is damaged";
+  EXPECT_EQ(refusal(json), "x.json: is a run of format 2; this program reads format 1");
+  const std::string damaged = "x.json: is a damaged run of `strobe bench frames`";
   json = toJson(runOf(2, inOrder));
   json["shots"][0].erase("ms");
   EXPECT_EQ(refusal(json), damaged);
@@ -112,14 +112,14 @@ TEST(Times, RunsOfOtherShotsAreRefused) {
   bench::Run other = run;
   other.shots[1].method = "other";
   EXPECT_EQ(refusalOf(run, other),
-            "x.json: a run of other shots cannot be compared: it has no 'blurred, room, 64x36'; it has 'other, room, "
-            "64x36' besides");
+            "x.json: a run of other shots cannot be compared: it has no 'blurred, room, 64x36'; it also has "
+            "'other, room, 64x36'");
   other = run;
   std::swap(other.shots[0], other.shots[1]);
   EXPECT_NE(refusalOf(run, other).find("in another order"), std::string::npos);
   other = run;
   other.shots[1].shot["exposure"] = 0.25;
-  EXPECT_NE(refusalOf(run, other).find("'blurred, room, 64x36' is taken otherwise: exposure 0.25"), std::string::npos);
+  EXPECT_NE(refusalOf(run, other).find("'blurred, room, 64x36' has other options: exposure 0.25"), std::string::npos);
   other = run;
   other.shots[1].shot["aa"] = 1;
   EXPECT_EQ(refusalOf(run, other), "accepted") << "one revision does not know an option: it has its default";

@@ -322,14 +322,14 @@ TEST(Figure, MistakesAreReportedTogetherAtTheirLines) {
   const std::string cell = "name = 'x', shot = 'still', arm = 'plain',\n";
   expectError(cell + "view = 'dept'",
               "the picture of shot 'still' drawn by 'plain' has no 'dept'; did you mean 'depth'?");
-  expectError(cell + "crop = { 60, 0, 8, 8 }", "the crop 8x8 at 60,0 lies outside of the picture of 64x36");
+  expectError(cell + "crop = { 60, 0, 8, 8 }", "the crop 8x8 at 60,0 lies outside the picture of 64x36");
   expectError(cell + "insets = {\n { crop = { 0, 30, 8, 8 } } }", "x.lua:14: the crop 8x8 at 0,30 lies outside");
   expectError(cell + "arrows = {\n { to = { 1, 1 } },\n { on = 'bal' } }",
               "x.lua:15: the scene of shot 'still' has no node 'bal'; did you mean 'ball'?");
   expectError(cell + "crop = { 0, 0, 8, 8 },\narrows = { { to = { 9, 1 } } }",
-              "an arrow is placed outside of what its cell shows");
+              "an arrow is placed outside the visible part of its cell");
   expectError(cell + "ranges = { { at = { 4, 4 }, along = 'depth' } }",
-              "a range follows 'depth', which holds no displacements");
+              "a range follows 'depth', which has no displacements");
   expectError(cell + "caption = '{rmse hidden}'", "has no output 'hidden'");
   expectError(cell + "caption = '{set.sample}'", "the picture of 'plain' has no 'set.sample'");
   try {

@@ -79,8 +79,7 @@ TEST(Film, WithoutFfmpegThePackageIsNamed) {
     text = error.what();
   }
   ::setenv("PATH", path.c_str(), 1);
-  EXPECT_NE(text.find("film 'pair' is written by ffmpeg, which is not installed (Debian package ffmpeg)"),
-            std::string::npos)
+  EXPECT_NE(text.find("film 'pair' needs ffmpeg, which is not installed (Debian package ffmpeg)"), std::string::npos)
       << text;
   EXPECT_NE(text.find("x.lua:"), std::string::npos) << text;
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "pair.mp4"));

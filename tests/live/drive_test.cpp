@@ -36,12 +36,12 @@ TEST(Drive, QuotationMarksHoldWordsTogether) {
 }
 
 TEST(Drive, MistakesAreNamedWithTheirLineAllAtOnce) {
-  EXPECT_EQ(refusalOf("viev color\n"), "a.drive:1: there is no command 'viev'; did you mean 'view'?");
+  EXPECT_EQ(refusalOf("viev color\n"), "a.drive:1: unknown command 'viev'; did you mean 'view'?");
   EXPECT_EQ(refusalOf("set exposure\n"), "a.drive:1: 'set' takes NAME VALUE, got 1 argument");
   EXPECT_EQ(refusalOf("quit now\n"), "a.drive:1: 'quit' takes nothing, got 1 argument");
   EXPECT_EQ(refusalOf("search \"a\n"), "a.drive:1: a quotation mark is not closed");
   EXPECT_EQ(refusalOf("wait 3\nnonsense_word\nzoom 1\n"),
-            "a.drive:2: there is no command 'nonsense_word'\na.drive:3: 'zoom' takes Z X Y, got 1 argument");
+            "a.drive:2: unknown command 'nonsense_word'\na.drive:3: 'zoom' takes Z X Y, got 1 argument");
 }
 
 TEST(Drive, NumbersAreChecked) {

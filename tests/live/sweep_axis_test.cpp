@@ -100,10 +100,10 @@ TEST(SweepAxis, RefusesARangeThatCannotBe) {
   ParamDesc declaration = real(0.5, 0, 1).declaration;
   auto refusal = [&](const SweepRange& range) { return messageOf([&] { axisOf(declaration, range); }); };
   EXPECT_EQ(refusal({0, 2, 3, false}), "sweep of x: 2 is out of range");
-  EXPECT_EQ(refusal({0, 1, 3, true}), "sweep of x: values by factors are more than 0");
-  EXPECT_EQ(refusal({0, 1, 17, false}), "sweep of x: 17 steps are not 2 to 16");
-  EXPECT_EQ(refusal({1, 1, 3, false}), "sweep of x: its ends are no two numbers");
-  EXPECT_EQ(refusal({0, NAN, 3, false}), "sweep of x: its ends are no two numbers");
+  EXPECT_EQ(refusal({0, 1, 3, true}), "sweep of x: the ends of a logarithmic range must be above 0");
+  EXPECT_EQ(refusal({0, 1, 17, false}), "sweep of x: the number of steps is 17, not 2 to 16");
+  EXPECT_EQ(refusal({1, 1, 3, false}), "sweep of x: the ends must be two different numbers");
+  EXPECT_EQ(refusal({0, NAN, 3, false}), "sweep of x: the ends must be two different numbers");
   EXPECT_EQ(textOf(axisOf(declaration, std::vector<std::string>{"0.5", "1", "0.5"})), "0.5 1");
   EXPECT_NE(messageOf([&] { axisOf(declaration, std::vector<std::string>{"3"}); }), "");
 }

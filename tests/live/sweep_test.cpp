@@ -178,13 +178,12 @@ TEST_F(SweepTest, SaysWhatCannotBe) {
     }
     return std::string();
   };
-  EXPECT_EQ(messageOf([&] { sweeper.open(desk, "sampels"); }),
-            "there is no control 'sampels'; did you mean 'samples'?");
+  EXPECT_EQ(messageOf([&] { sweeper.open(desk, "sampels"); }), "unknown control 'sampels'; did you mean 'samples'?");
   EXPECT_NE(messageOf([&] { sweeper.open(desk, "samples", false, {"many"}); }), "");
   EXPECT_NE(messageOf([&] { sweeper.experiment(desk); }), "");
   EXPECT_FALSE(sweeper.isOpen());
   desk.sides().usePipeline("ue4", true);
-  EXPECT_NE(messageOf([&] { sweeper.open(desk, "exposure", true); }).find("sweep A's"), std::string::npos);
+  EXPECT_NE(messageOf([&] { sweeper.open(desk, "exposure", true); }).find("sweep it in A"), std::string::npos);
   sweeper.open(desk, "samples", true, {"4", "8"});
   sweeper.take(desk, 0);
   EXPECT_EQ(valueOf(desk, "samples"), "16") << "A's";
@@ -198,7 +197,7 @@ TEST_F(SweepTest, SaysWhatCannotBe) {
     EXPECT_NE(point.problem.find("sampels"), std::string::npos) << point.problem;
   lab::Shot large = desk.shot();
   large.width = large.height = 16384;
-  EXPECT_NE(messageOf([&] { Sweep(bench(), large, {unknown}, large, ""); }).find("more than a sweep keeps"),
+  EXPECT_NE(messageOf([&] { Sweep(bench(), large, {unknown}, large, ""); }).find("exceed the memory of a sweep"),
             std::string::npos);
 }
 

@@ -121,7 +121,7 @@ TEST(Widgets, NoNumberIsCalledAuto) {
 TEST(Widgets, AnIdleControlSaysWhy) {
   lab::Control control = sample();
   control.idle = "no pass reads it";
-  EXPECT_NE(tooltipOf(control).find("changes nothing: no pass reads it"), std::string::npos);
+  EXPECT_NE(tooltipOf(control).find("has no effect: no pass reads it"), std::string::npos);
 }
 
 TEST(Widgets, ABarShowsThePlaceOfAValue) {

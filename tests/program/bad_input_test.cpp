@@ -38,13 +38,13 @@ TEST(BadInput, NamesAreRefusedWithTheNearest) {
 }
 
 TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
-  expectRefusal("render hybrid --sceen x", 2, "there is no option '--sceen'; did you mean '--scene'?");
-  expectRefusal("render hybrid --sise=64x32", 2, "there is no option '--sise'; did you mean '--size'?");
-  expectRefusal("--hlep", 2, "there is no option '--hlep'; did you mean '--help'?");
-  expectRefusal("bench reload --repeat 3", 2, "there is no option '--repeat'; did you mean '--repeats'?");
-  expectRefusal("render hybrid -q", 2, "there is no option '-q'; strobe render --help lists what it takes");
-  expectRefusal("render hybrid none", 2, "not expected: none; strobe render --help lists what it takes");
-  expectRefusal("sweep", 2, "file is required; strobe sweep --help lists what it takes");
+  expectRefusal("render hybrid --sceen x", 2, "unknown option '--sceen'; did you mean '--scene'?");
+  expectRefusal("render hybrid --sise=64x32", 2, "unknown option '--sise'; did you mean '--size'?");
+  expectRefusal("--hlep", 2, "unknown option '--hlep'; did you mean '--help'?");
+  expectRefusal("bench reload --repeat 3", 2, "unknown option '--repeat'; did you mean '--repeats'?");
+  expectRefusal("render hybrid -q", 2, "unknown option '-q'; see strobe render --help");
+  expectRefusal("render hybrid none", 2, "not expected: none; see strobe render --help");
+  expectRefusal("sweep", 2, "file is required; see strobe sweep --help");
   expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: no such file");
   expectRefusal("sweep experiments/samples", 1, "did you mean '");
   expectRefusal("sweep experiments/samples/", 1, "experiments/samples/samples.lua'?");

@@ -84,7 +84,7 @@ TEST_F(Bench, TimesFramesInFlight) {
   Outcome outcome = frames("mcguire2012 hybrid " + kShot + "--rounds 2 --in-flight 2 -o " + out, "STROBE_VALIDATION=1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("from frame to frame"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("2 under way at once"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("2 in flight at once"), std::string::npos) << outcome.out;
   Json run = fileOf("in_flight/bench.json");
   EXPECT_EQ(run["frames_in_flight"], 2);
   ASSERT_EQ(run["shots"].size(), 2u);
@@ -141,16 +141,16 @@ TEST_F(Bench, RefusesMisuse) {
   expectRefusal("hybrid --size 32x18 --size 32x18", 2, "--size '32x18' is given twice");
   expectRefusal("hybrid --size 32", 2, "--size '32' is not WIDTHxHEIGHT");
   expectRefusal("none hybrid --set samples=4 " + kShot, 2, "method 'none'");
-  expectRefusal("hybrid " + kShot + "--against no.json", 2, "--against 'no.json': there is no such file");
-  expectRefusal("hybrid --within 0.1 --against " + programPath(), 2, "--within goes with no program");
+  expectRefusal("hybrid " + kShot + "--against no.json", 2, "--against 'no.json': file not found");
+  expectRefusal("hybrid --within 0.1 --against " + programPath(), 2, "--within cannot be used with a program");
 }
 
 TEST_F(Bench, RefusesOtherRuns) {
   const std::string page = *folder_ / "out/index.html";
-  expectRefusal("hybrid " + kShot + "--against " + page, 1, page + ": this is no run of `strobe bench frames`");
+  expectRefusal("hybrid " + kShot + "--against " + page, 1, page + ": is not a run of `strobe bench frames`");
   expectRefusal("hybrid " + kShot + "--against " + saved(), 1, "it has 'mcguire2012, oracles/bar, 32x18'");
   expectRefusal(kMethods + kShot + "--exposure 0.25 --against " + saved(), 1, "is taken otherwise: exposure 0.5");
-  expectRefusal("hybrid " + kShot + "--against /bin/false", 1, "/bin/false: it does not run these shots: exit code 1");
+  expectRefusal("hybrid " + kShot + "--against /bin/false", 1, "/bin/false: cannot run these shots: exit code 1");
   expectRefusal("hybrid " + kShot + "--against /bin/true", 1, "/bin/true bench frames: this is no run");
 }
 

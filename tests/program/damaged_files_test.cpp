@@ -110,7 +110,8 @@ TEST_F(DamagedFiles, OfPointsAreDrawnAgain) {
   for (size_t i = 0; i < contents.size(); ++i) writeText(points[i], contents[i]);
   Outcome report = program("report copy");
   EXPECT_EQ(report.exit_code, 1);
-  EXPECT_EQ(count(report.err, ".json: is damaged and left out; the same sweep makes it again\n"), 8u) << report.err;
+  EXPECT_EQ(count(report.err, ".json: is damaged and left out; run the same sweep again to make it\n"), 8u)
+      << report.err;
   EXPECT_EQ(count(report.err, "not drawn yet: "), 1u) << report.err;
   EXPECT_EQ(count(report.err, "\n"), 9u) << report.err;
   EXPECT_EQ(count(contentOf(path("copy/table.csv")), "\n"), count(table_, "\n"));

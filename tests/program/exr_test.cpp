@@ -181,7 +181,7 @@ TEST_F(Exr, OptionsOfExrFilesNeedOne) {
   for (const char* option : {"--half", "--multipart", "--cryptomatte"}) {
     Outcome outcome = run("render none" + kShot + " " + option + " -o " + (folder_ / "picture.png"));
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_NE(outcome.err.find("are of .exr files"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("need an .exr file"), std::string::npos) << outcome.err;
   }
   writeText(folder_ / "bare.lua", R"lua(
 local pipeline = require "strobe.pipeline"

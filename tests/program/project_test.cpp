@@ -157,7 +157,7 @@ TEST_F(Project, AShippedNameIsRefusedUnlessItReplaces) {
   write("passes/unused.lua", "\n-- replaces = true\nreturn {}\n");
   for (const char* command : {"check", "plan none"})
     expectRefused(command,
-                  "passes/unused.lua:2: 'replaces = true', but there is no shipped file strobe:passes/unused.lua");
+                  "passes/unused.lua:2: 'replaces = true', but strobe:passes/unused.lua is not a shipped file");
 }
 
 // Whether what the command does would reach the file or not.
@@ -230,7 +230,7 @@ return capture {
 }
 )lua");
   const std::string shader = contentOf(path("shaders/smear.glsl"));
-  expectRefused("capture captures/look.lua -o out/look", "there is no folder 'before' beside the script");
+  expectRefused("capture captures/look.lua -o out/look", "'before' is not a folder beside the script");
   fs::create_directories(path("captures/before/project/shaders"));
   size_t at = shader.find("imageStore("), end = shader.find(");\n", at);
   ASSERT_NE(end, std::string::npos);

@@ -48,7 +48,7 @@ class BenchSlopes : public ::testing::Test {
 TEST_F(BenchSlopes, WritesLinesAndDemands) {
   Outcome outcome = slopes(fileWith() + " --bandwidth 100 -o " + (folder_ / "out"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("What a frame asks of a GPU at least"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Lower bound of a frame's GPU time"), std::string::npos) << outcome.out;
   Json json = Json::parse(contentOf(folder_ / "out/slopes.json"));
   ASSERT_EQ(json["axes"].size(), 2u);
   const Json &pixels = json["axes"][0], &cover = json["axes"][1];
@@ -83,7 +83,7 @@ TEST_F(BenchSlopes, RefusesMisuse) {
   expectRefusal(fileWith("shot = \"cards\"", "shot = \"card\""), 1, "did you mean 'cards'?");
   expectRefusal(
       fileWith("vary = { experiment.each {", "vary = { experiment.grid { seed = { 1, 2 } }, experiment.each {"), 2,
-      "one thing varied at a time");
+      "one varied axis at a time");
 }
 
 }  // namespace slopes_test

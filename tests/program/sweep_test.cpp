@@ -214,7 +214,7 @@ TEST(Demo, RefusesWhatIsNotMeasured) {
   refused("truth = \"truth\", ", "", "measures compare pictures with truth, but the capture has no 'truth' arm");
   refused("role = \"floor\"", "role = \"flor\"", "demo.lua:9: the role of an arm is 'flor'");
   refused("return capture", "do return require \"strobe.experiment\" { title = \"x\" } end return capture",
-          "is an experiment, no capture { ... }: `strobe sweep` runs it");
+          "is an experiment, not a capture { ... }: run it with `strobe sweep`");
   refused("move =", "vary = { exposure = { 0.1, 0.2 } }, move =", "a shot with vary cannot be measured");
 }
 
@@ -283,9 +283,9 @@ TEST(Sweep, ListsItsPointsAndRefusesWhatIsNone) {
   refused(command + " --only arm=hybird", "did you mean 'hybrid'?");
   refused(command + " --size 3", "WIDTHxHEIGHT");
   refused("sweep " + (folder / "x.lua") + " -o /dev/null/x", "is not a folder");
-  refused("report " + folder.path().string(), "there are no results");
+  refused("report " + folder.path().string(), "no results in");
   refused("bench", "A subcommand is required");
-  refused("bench relod hybrid", "there is no command 'relod' of bench; did you mean 'reload'?");
+  refused("bench relod hybrid", "unknown command 'relod' of bench; did you mean 'reload'?");
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 

@@ -90,7 +90,7 @@ TEST_F(Tune, WritesAPresetAndAllItSaw) {
 TEST_F(Tune, SaysThatNothingMeetsTheLimit) {
   Outcome outcome = tune("--vary samples --max-error 0.01x --cost own --evaluations 10");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("nothing that was tried meets the limit"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("no tried setting meets the limit"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.out.find("nearest"), std::string::npos) << outcome.out;
   EXPECT_FALSE(fs::exists(folder_ / "found.lua"));
   const Json seen = groups();
@@ -105,12 +105,12 @@ TEST_F(Tune, RefusesMisuse) {
   const std::string found = " -o " + (folder_ / "found.lua") + " ", goal = found + "--budget-ratio 1 ";
   expectRefusal(shot_ + found, "none of --budget-ms, --budget-ratio and --max-error is given");
   expectRefusal(shot_ + goal + "--max-error 1", "two of --budget-ms, --budget-ratio and --max-error are given");
-  expectRefusal(shot_ + found + "--max-error little", "no error above 0");
-  expectRefusal(shot_ + goal + "--measure rmes", "there is no 'rmes'; did you mean 'rmse'?");
-  expectRefusal(shot_ + goal + "--measure psnr", "there is no 'psnr'");
+  expectRefusal(shot_ + found + "--max-error little", "neither a number above 0");
+  expectRefusal(shot_ + goal + "--measure rmes", "unknown value 'rmes'; did you mean 'rmse'?");
+  expectRefusal(shot_ + goal + "--measure psnr", "unknown value 'psnr'");
   expectRefusal(shot_ + goal + "--region iner", "did you mean 'inner'?");
   expectRefusal(shot_ + goal + "--vary smaples", "'mcguire2012' has no parameter 'smaples'; did you mean 'samples'?");
-  expectRefusal(shot_ + goal + "--set samples=4 --vary samples", "'samples' is set besides");
+  expectRefusal(shot_ + goal + "--set samples=4 --vary samples", "'samples' is also set");
   expectRefusal(shot_ + goal + "--base mcguire2013", "did you mean 'mcguire2012'?");
   expectRefusal("none" + goal, "'none' has no parameter to vary");
   expectRefusal("ground_truth" + goal, "'ground_truth' is truth");

@@ -262,7 +262,7 @@ TEST(Only, KeepsPointsThatAreAskedFor) {
   for (const auto& [only, wanted] : {std::pair<std::string, std::string>{"arm=hybird", "did you mean 'hybrid'?"},
                                      {"sampels=4", "did you mean 'samples'?"},
                                      {"samples=5", "there are 4, 8, 16"},
-                                     {"arm=mcguire,samples=4", "no point is like that"}}) {
+                                     {"arm=mcguire,samples=4", "no point matches"}}) {
     try {
       keepOnly(experiment, only);
       ADD_FAILURE() << only;

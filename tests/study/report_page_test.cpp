@@ -132,7 +132,7 @@ TEST(ExplorerData, HasPointsByTheNumbersOfTheTable) {
             "strobe sweep made.lua --size 64x36 --only 'arm=it'\\''s,shot=near,samples=4,tile=10' -o out/again");
   EXPECT_TRUE(data["points"][4].value("undrawn", false));
   ASSERT_EQ(data["notices"].size(), 2u);
-  EXPECT_EQ(data["notices"][0], "1 point is not drawn yet: the same sweep goes on with them");
+  EXPECT_EQ(data["notices"][0], "1 point is not drawn yet; run the same sweep again to draw them");
   EXPECT_EQ(data["front"]["shot"], "near");
 }
 
@@ -150,7 +150,7 @@ TEST(ReportPage, CarriesItsLibraryAndData) {
   testing::TemporaryFolder folder;
   std::string page = Report(small(folder.path()), folder.path()).page(library());
   EXPECT_NE(page.find("/*\nits licence * / goes on*/\nwindow.d3 = {};"), std::string::npos);
-  EXPECT_NE(page.find("Charts to click by a library"), std::string::npos);
+  EXPECT_NE(page.find("Interactive charts by a library"), std::string::npos);
   EXPECT_NE(page.find("Made \\u003c/script> up"), std::string::npos) << "a text does not end the script";
   EXPECT_NE(page.find("<div class=\"still\">"), std::string::npos) << "for print without scripts";
 }

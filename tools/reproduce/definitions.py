@@ -57,7 +57,7 @@ FRAGMENTS = [
     ("docs/installing.md", "entries of one kind exceed 256 MiB", "a limit"),
     ("docs/invariants.md", "A tap of weight 0.00001", "a setting of a test"),
     ("docs/live.md", "(default: 10 s)", "a limit"),
-    ("docs/live.md", "are refused, 20 s at most", "a limit"),
+    ("docs/live.md", "or refused, 20 s at most", "a limit"),
     ("docs/live.md", "errors and times, 60 s at most", "a limit"),
     ("docs/live.md", "has N samples, 60 s at most", "a limit"),
     ("docs/methods.md", "below 1.5 times the floor", "what is expected"),
