@@ -174,9 +174,9 @@ def turned_expectations(stated, now):
 
 @dataclass
 class Figure(Claim):
-    """A file that a command makes again. `make(bench)` returns the path of the new file. `compare`: "bytes"; "titles"
-    (of the nodes and edges of an SVG file); "pixels", of which the share `share` may differ by more than `step` levels
-    of 255."""
+    """A file that a command makes again. `make(bench)` returns the path of the new file. `compare`: "bytes"; "titles", the
+    titles of nodes and edges of an SVG file; "pixels", where at most the share `share` of the pixels may differ by more
+    than `step` of 255 levels."""
     file: str = ""
     make: object = None
     compare: str = "bytes"

@@ -282,7 +282,7 @@
         const [low, high] = one.scale.domain(), inside = end => one.scale(Math.min(high, Math.max(low, end)));
         area.call(brush.move, [inside(filter.to ?? high), inside(filter.from ?? low)]);
       }
-      // Only drags have a source event; the calls of `brush.move` above have none. A click, which does not change the
+      // Only drags have a source event; the calls of `brush.move` above do not. A click, which does not change the
       // selection, removes the filter.
       let before = "";
       brush.on("start", function () { before = JSON.stringify((d3.event || arguments[0]).selection); });
