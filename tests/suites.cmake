@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: MIT
-# Read by ctest when it starts. Each suite of a test program becomes one test "ROOM.SUITE", which runs in one process: its
-# tests share a device and what was compiled for them. A suite that takes longer than `share_s` (costs.txt) is divided
-# into shards, "ROOM.SUITE (1 of 3)". The longest start first. On few cores no two shards of a suite run at a time: they
-# would compile the same shaders beside each other, where the later one finds what the earlier one made.
-# What each process ran is written to results/, for `./strobe test` to count (common/report.cpp).
+# ctest reads this file at its start. Each suite of a test program becomes one test "ROOM.SUITE" in one process: the
+# tests of a suite share a device and compiled shaders. A suite that takes longer than `share_s` (costs.txt) is divided
+# into shards, "ROOM.SUITE (1 of 3)". The longest tests start first. On four cores or fewer, the shards of a suite run
+# one after another: in parallel they would compile the same shaders, in sequence the later shard finds compiled
+# shaders. Each process writes its results to results/; `./strobe test` counts them (common/report.cpp).
 cmake_minimum_required(VERSION 3.25)
 
-# A software device compiles what tests draw, which takes most of their time. What it compiled stays in the build folder,
-# where one process finds what another one made. Without optimization passes and with vectors of four it compiles in a
-# third of the time; pictures are the same bit for bit. Other devices ignore these variables.
+# Tests spend most of their time in the shader compiler of a software device. Processes share compiled shaders in the
+# build folder. Without optimization passes and with vectors of four, compilation takes a third of the time; pictures
+# are the same bit for bit. Other devices ignore these variables.
 set(device "GALLIVM_PERF=nopt;LP_NATIVE_VECTOR_WIDTH=128")
 
 set(share_s 60)
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/costs.txt" costs REGEX "^[^#]")
 
-# Processor seconds of a suite, and how many shards it makes.
+# Processor seconds of each shard of a suite, and the number of shards.
 function(cost_of test tests cost shards)
   set(seconds 1)
   foreach(line IN LISTS costs)
@@ -50,7 +50,7 @@ function(add_suite room suite tests program strobe folder)
   endforeach()
 endfunction()
 
-# The suites of a program, in the order in which it lists them.
+# Adds the suites of a program, in the order of its list.
 function(add_suites room program strobe folder)
   execute_process(COMMAND "${program}" --gtest_list_tests OUTPUT_VARIABLE text RESULT_VARIABLE code TIMEOUT 60)
   if(NOT code EQUAL 0)

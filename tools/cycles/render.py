@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Renders a folder that `strobe render --export-mitsuba FOLDER` wrote with Blender's Cycles, to check ground truth with a renderer
-that shares no code with Strobe (docs/external-truth.md):
+"""Renders an exported scene in Blender's Cycles. Cycles shares no code with Strobe, so its picture checks ground truth
+(docs/external-truth.md):
 
+    ./strobe render ... --export-mitsuba FOLDER
     blender -b -P tools/cycles/render.py -- FOLDER OUT.exr [SAMPLES]
 
-The picture is linear, with a box filter of a pixel. Colours of an unlit scene (integrator "aov") are emitted and light nothing.
-If the camera moves, everything else moves in its space instead: Cycles has three poses of a camera alone."""
+The picture is linear, with a box filter of one pixel. Surfaces of an unlit scene (integrator "aov") emit their colours
+and do not light each other. If the camera moves, the script fixes the camera and moves all objects in camera space
+instead: Cycles has only three poses of a moving camera."""
 import math
 import os
 import sys
@@ -15,7 +17,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-FRAMES = 128  # of the exposure: keys are at whole frames
+FRAMES = 128  # length of the exposure in Blender frames; keys are at whole frames
 TURN = Matrix.Diagonal((-1, 1, -1, 1))  # cameras and lights: Mitsuba looks along +z, Blender along -z
 
 
@@ -29,7 +31,7 @@ def color(text):
 
 
 def keys_of(element):
-    """Transforms at even times of the exposure; one for what stands still."""
+    """Transforms at evenly spaced times of the exposure; one transform if static."""
     holder = element.find("animation")
     transforms = [element.find("transform")] if holder is None else list(holder)
     numbers = [[float(n) for n in t.find("matrix").get("value").split()] for t in transforms]
@@ -37,7 +39,7 @@ def keys_of(element):
 
 
 def resampled(keys, count):
-    """The same motion by more keys: translation and scale are mixed, rotations turn along the shorter arc."""
+    """The same motion with `count` keys: linear in translation and scale, rotation along the shorter arc."""
     if len(keys) in (1, count):
         return keys * (count // len(keys))
     step, result = (count - 1) // (len(keys) - 1), []
@@ -78,7 +80,7 @@ def placed(name, data, keys):
 
 
 def mesh_of(path, still):
-    """The mesh of a PLY file; `still`: its only place, which may have shear that an object cannot have."""
+    """Mesh of a PLY file. `still`: transform of a static mesh; may have shear, which an object cannot have."""
     data = open(path, "rb").read()
     end = data.index(b"end_header\n") + len(b"end_header\n")
     counts = {line.split()[1]: int(line.split()[2]) for line in data[:end].decode().split("\n") if line.startswith("element")}
@@ -137,7 +139,7 @@ def add_light(emitter, keys):
     rgb = color(value(emitter, "irradiance" if kind == "SUN" else "intensity"))
     strength = max(rgb) or 1
     light.color = [c / strength for c in rgb]
-    light.energy = strength if kind == "SUN" else strength * 4 * math.pi  # watts per square metre; watts
+    light.energy = strength if kind == "SUN" else strength * 4 * math.pi  # sun: watts per square metre; others: watts
     setattr(light, "angle" if kind == "SUN" else "shadow_soft_size", 0)
     if kind == "SPOT":
         light.spot_size = math.radians(2 * float(value(emitter, "cutoff_angle")))
@@ -180,7 +182,7 @@ def set_background(scene):
     radiance = (0, 0, 0) if constant is None else color(value(constant, "radiance"))
     world.node_tree.nodes["Background"].inputs["Color"].default_value = (*radiance, 1)
     if scene.find("emitter[@type='envmap']") is not None:
-        print("render.py leaves out: the gradient of the background")
+        print("render.py does not render the gradient of the background")
 
 
 def main(folder, out, samples=1024):
@@ -206,7 +208,7 @@ def main(folder, out, samples=1024):
     set_camera(sensor, half_width * int(value(film, "height")) / int(value(film, "width")), [Matrix()] if moves else camera)
     for shape in scene.findall("shape"):
         if shape.get("type") in ("shapegroup", "sphere"):
-            continue  # a sphere is the background of an unlit scene, which the world has
+            continue  # the background of an unlit scene; the world has its colour
         keys, parts = seen(keys_of(shape)), [shape]
         if shape.get("type") == "instance":
             parts = groups[shape.find("ref").get("id")].findall("shape")

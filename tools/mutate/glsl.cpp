@@ -15,7 +15,7 @@ bool isNameStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) ||
 bool isNamePart(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
 
-// The end of what starts at `at` and is no code; `at` itself where code starts.
+// Returns the end of the space, comment or preprocessor line that starts at `at`; returns `at` if code starts there.
 size_t skipped(const std::string& text, size_t at, bool line_start) {
   auto until = [&](const char* end, size_t more) {
     size_t found = text.find(end, at);
@@ -79,7 +79,7 @@ void fix(std::vector<Token>& tokens, size_t first, size_t last) {
   for (size_t i = first; i <= last; ++i) tokens[i].fixed = true;
 }
 
-// layout(...); struct X { ... }; and "float x[5]", where a type stands before the name.
+// Fixes layout(...), struct X { ... }, and the array size of a declaration like "float x[5]".
 void markDeclarations(std::vector<Token>& tokens) {
   for (size_t i = 0; i + 2 < tokens.size(); ++i) {
     auto closing = [&](size_t open) { return size_t(std::max(tokens[open].partner, int(open))); };

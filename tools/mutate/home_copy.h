@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies of the home folder for another program to read, and which files it opened there.
+// Copies of the home folder for test programs, and a watch on the files that the programs open.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace strobe::mutate {
 
-// Passes, shaders and scripts of a home folder in a folder of their own, gone with the object.
+// Temporary copy of the passes, shaders and scripts of a home folder. The destructor removes the copy.
 class HomeCopy {
  public:
   explicit HomeCopy(const Path& home);
@@ -22,19 +22,19 @@ class HomeCopy {
   Path folder_;
 };
 
-// Which files below a folder were opened since the last call.
+// Watch on a folder (inotify): collects the names of opened files.
 class OpenedFiles {
  public:
   explicit OpenedFiles(const Path& folder);
   ~OpenedFiles();
   OpenedFiles(const OpenedFiles&) = delete;
   OpenedFiles& operator=(const OpenedFiles&) = delete;
-  // Adds their names, relative to the folder. False where some were missed.
+  // Adds the files opened since the last call, relative to the folder, sorted. False if events were lost.
   bool collect(std::vector<std::string>& files);
 
  private:
   int descriptor_ = -1;
-  std::vector<std::pair<int, std::string>> folders_;  // by watch descriptor: "lib/"
+  std::vector<std::pair<int, std::string>> folders_;  // watch descriptor, name like "lib/"
 };
 
 }  // namespace strobe::mutate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts small mistakes into copies of the shaders and reports which of them the tests notice.
+// Mutation tool: puts small mistakes into copies of the shaders and reports which mistakes the tests notice.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstring>
@@ -18,7 +18,7 @@ struct Options {
   bool list = false, json = false;
 };
 
-// Where this program, strobe and the folder of the test programs are built.
+// Folder of this program, which also contains strobe and the folder of the test programs.
 Path buildFolder() {
   std::error_code failed;
   Path program = std::filesystem::read_symlink("/proc/self/exe", failed);
@@ -88,7 +88,7 @@ static void declare(CLI::App& program, Options& options) {
 }  // namespace strobe::mutate
 
 int main(int argc, char** argv) {
-  // Scripts are evaluated in a child that is this program again.
+  // Scripts are evaluated in a child process, which runs this program too.
   if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild();
   CLI::App program("Put small mistakes into shaders and report which of them the tests notice", "strobe_mutate");
   strobe::mutate::Options options;

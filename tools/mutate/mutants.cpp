@@ -55,7 +55,8 @@ struct Span {
 const std::set<std::string> kStatements = {"return", "else", "case", "if",    "for",  "while",
                                            "do",     "in",   "out",  "inout", "const"};
 
-// Calls whose first two arguments mean the same either way round, or are of types that cannot change places.
+// True if the first two arguments of a call can be swapped without an effect, or cannot be swapped because of their
+// types.
 bool isSymmetricCall(const std::string& name) {
   static const std::set<std::string> symmetric = {"min", "max", "dot", "distance", "equal", "notEqual"};
   return symmetric.count(name) || name.starts_with("texture") || name.starts_with("texel") || name.starts_with("image");
@@ -112,7 +113,7 @@ class Finder {
     if (!known && mutant.before != after) found_.push_back(mutant);
   }
 
-  // Does a value end here, so that a sign behind it has two operands?
+  // True if a value ends at token i, so that a sign after the token has two operands.
   bool endsValue(size_t i) const {
     const Token& token = tokens_[i];
     if (token.kind == Token::Kind::Number || token.is(")") || token.is("]")) return true;
@@ -126,7 +127,7 @@ class Finder {
     auto found = other.find(tokens_[i].text);
     if (found == other.end()) return;
     bool step = tokens_[i].text.size() == 2;
-    if (step && tokens_[i].for_part == 2) return;  // a loop without end proves nothing
+    if (step && tokens_[i].for_part == 2) return;  // an endless loop proves nothing
     if (step || isBinary(i)) add(MutationOperator::Sign, {i, i}, found->second);
     else if (is(i, "-")) add(MutationOperator::Sign, {i, i}, "");
   }
@@ -172,7 +173,7 @@ class Finder {
     if (one) add(MutationOperator::OffByOne, {i, i + 1}, "");
   }
 
-  // A name, number, call, index or bracket with its members, that ends or starts at a token.
+  // Primary expression (name, number, call, index or parentheses, with members) that ends or starts at a token.
   Span primaryBefore(size_t last) const {
     size_t first = last;
     for (;;) {
@@ -196,7 +197,7 @@ class Finder {
     return {first, last};
   }
 
-  // With the factors around it.
+  // Term (factors joined by *, / and %) that ends or starts at a token.
   Span termBefore(size_t last) const {
     Span span = primaryBefore(last);
     while (span.first > 1 && isAny(span.first - 1, {"*", "/", "%"})) span.first = primaryBefore(span.first - 2).first;
@@ -214,7 +215,7 @@ class Finder {
     bool minus = is(i, "-");
     Span left = minus ? termBefore(i - 1) : primaryBefore(i - 1);
     Span right = minus ? termAfter(i + 1) : primaryAfter(i + 1);
-    // In a - b - c and a / b / c swapping what stands in the middle is another thing, or none.
+    // Skip the second sign of a - b - c and a / b / c: its left operand is a - b or a / b, not b.
     bool alone =
         left.first == 0 || !(minus ? isAny(left.first - 1, {"+", "-"}) : isAny(left.first - 1, {"*", "/", "%"}));
     if (alone) swap(left, right);
@@ -246,7 +247,7 @@ class Finder {
     return true;
   }
 
-  // A literal and a name are seldom of one type, but to what takes numbers and vectors alike.
+  // True if two arguments may be swapped. A literal and a name seldom have one type, except in generic functions.
   bool mayTurn(const std::string& name, const std::vector<Span>& arguments) const {
     static const std::set<std::string> generic = {"mix", "pow", "step", "smoothstep", "atan", "mod", "clamp"};
     if (isSymmetricCall(name) || words_.unlike.count(name)) return false;
@@ -280,7 +281,7 @@ class Finder {
   std::vector<Mutant> found_;
 };
 
-// The same on every machine, which the distributions of <random> are not.
+// Random number below `bound`, equal on every machine. The distributions of <random> differ between machines.
 size_t below(std::mt19937_64& random, size_t bound) { return size_t(random() % bound); }
 
 template <class T>
@@ -288,7 +289,7 @@ void shuffle(std::vector<T>& values, std::mt19937_64& random) {
   for (size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(random, i)]);
 }
 
-// In proportion to the sizes, at least one of each that is not empty; largest remainders first.
+// Shares in proportion to the sizes, at least one per file with mutants; the largest remainders are rounded up first.
 std::vector<size_t> sharesOf(const std::vector<std::vector<Mutant>>& by_file, size_t count) {
   size_t total = 0;
   for (const auto& mutants : by_file) total += mutants.size();
@@ -302,7 +303,7 @@ std::vector<size_t> sharesOf(const std::vector<std::vector<Mutant>>& by_file, si
     remainders.push_back({exact - double(shares[i]), i});
   }
   std::stable_sort(remainders.begin(), remainders.end(), [](auto& a, auto& b) { return a.first > b.first; });
-  // Those of the smallest files make the sum too large; those of the largest pay for it.
+  // The least share of one can make the sum too large; then the largest shares are reduced.
   while (given > count) {
     auto largest = std::max_element(shares.begin(), shares.end());
     --*largest, --given;
@@ -382,7 +383,7 @@ std::vector<Mutant> drawMutants(const std::vector<std::vector<Mutant>>& by_file,
   std::vector<Mutant> drawn;
   for (size_t i = 0; i < by_file.size(); ++i) {
     if (by_file[i].empty()) continue;
-    // Of the file's own: a change in one does not draw others elsewhere.
+    // One generator per file: a change in one file does not change the draws of other files.
     std::mt19937_64 random(seed * 0x9e3779b97f4a7c15u +
                            std::stoull(hashText(by_file[i].front().file).substr(0, 16), nullptr, 16));
     for (Mutant& mutant : drawFrom(by_file[i], shares[i], random)) drawn.push_back(std::move(mutant));

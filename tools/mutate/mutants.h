@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small mistakes made on purpose: from the text of a shader to every variant of it that differs by one of a fixed list
-// of operators, and a draw of some of them by a seed.
+// Mutants: variants of a shader with one deliberate small mistake each, made by a fixed list of operators, and a random
+// draw of mutants by a seed.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ enum class MutationOperator {
   Extremum,          // min and max
   Connective,        // && and ||
   DroppedClamp,      // clamp(x, a, b), min(x, a) and max(x, a) to x
-  DroppedSanitiser,  // a call that replaces what is not finite
+  DroppedSanitiser,  // a call that replaces values that are not finite
 };
 const char* nameOf(MutationOperator op);
 const std::vector<MutationOperator>& mutationOperators();
@@ -28,29 +28,30 @@ const std::vector<MutationOperator>& mutationOperators();
 struct Mutant {
   std::string file;  // below shaders/
   MutationOperator op = MutationOperator::Sign;
-  size_t offset = 0;  // in the text
+  size_t offset = 0;  // in the file
   int line = 1, column = 1;
   std::string before, after;
 };
 
-// What operators must know of names that are declared elsewhere.
+// Properties of names that other files declare, as input of the operators.
 struct Vocabulary {
-  std::map<std::string, std::string> sanitisers;  // functions of one argument, and the type each returns
+  std::map<std::string, std::string> sanitisers;  // functions of one argument, with their return type
   std::set<std::string> unlike;  // functions and structures whose first two arguments are of different types
 };
 
 // Functions and structures declared in a text whose first two arguments are of different types.
 std::set<std::string> unlikeArgumentsIn(const std::string& text);
 
-// Every mutant of a text, in the order of their places. Comments, preprocessor lines, layouts, structures and sizes of
+// All mutants of a text, sorted by place. Comments, preprocessor lines, layouts, structures and sizes of
 // arrays stay as they are.
 std::vector<Mutant> mutantsOf(const std::string& file, const std::string& text, const Vocabulary& words = {});
 
-// The text with the one change.
+// The text with the change of the mutant.
 std::string mutated(const std::string& text, const Mutant& mutant);
 
-// `count` of them (or all there are) by a seed: files get shares in proportion to what they offer, at least one each
-// where `count` allows; within a file the operators take turns, and no two change the same place. By file and place.
+// Draws `count` mutants (all if there are fewer) by a seed, sorted by file and place. The share of a file is
+// proportional to its number of mutants, at least one if `count` allows. Within a file the operators alternate, and a
+// second mutant at the same place is drawn only if no other place is left.
 std::vector<Mutant> drawMutants(const std::vector<std::vector<Mutant>>& by_file, uint64_t seed, size_t count);
 
 }  // namespace strobe::mutate

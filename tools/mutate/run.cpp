@@ -42,7 +42,7 @@ Fate fateNamed(const std::string& name) {
   return Fate::Untried;
 }
 
-// What a result is kept under: the change and the text it was made in.
+// Key of a result: hash of the change and of the text of the shader.
 std::string keyOf(const Path& home, const Mutant& mutant) {
   return hashText(fmt::format("{}|{}|{}|{}|{}", mutant.file, hashText(readText(shaderPath(home, mutant.file))),
                               mutant.offset, mutant.before, mutant.after))
@@ -52,11 +52,11 @@ std::string keyOf(const Path& home, const Mutant& mutant) {
 MutationResult resultFor(const Path& home, const Mutant& mutant) {
   std::string text = readText(shaderPath(home, mutant.file));
   std::string line = lineAt(text, mutant.offset), changed = mutated(text, mutant);
-  // Of a change over several lines the first.
+  // The first line of a change over several lines.
   return {.mutant = mutant, .line = line, .mutated_line = lineAt(changed, mutant.offset)};
 }
 
-// The results file: what was found out so far.
+// The results file: known results of mutants and known data of tests.
 class Kept {
  public:
   Kept(const Path& home, const Path& file) : home_(home), file_(file) {
@@ -86,7 +86,7 @@ class Kept {
     save();
   }
 
-  // What was found out about tests, by name, as far as it still holds.
+  // Known data of tests by name, without tests with changed includes.
   std::map<std::string, TestCase> survey() const {
     std::map<std::string, TestCase> tests;
     if (!json_.contains("survey")) return tests;
@@ -109,7 +109,7 @@ class Kept {
   Json json_;
 };
 
-// A test is looked at once, as long as the shaders that it reads include what they did.
+// Tests that take part. New tests, and tests with changed includes, run alone on the unchanged shaders first.
 std::vector<TestCase> testsFor(const Path& home, const MutationOptions& options, const MutationPlan& plan, Kept& kept) {
   std::map<std::string, TestCase> known = kept.survey();
   std::vector<TestCase> tests, fresh;
@@ -128,7 +128,7 @@ std::vector<TestCase> testsFor(const Path& home, const MutationOptions& options,
   return tests;
 }
 
-// Tries the tests until one fails, or the time for one mutant is over.
+// Runs tests until one fails or the time for one mutant is over.
 void tryTests(MutationResult& result, const MutationOptions& options, const Path& home, TestOrder& order) {
   const Path file = home / "shaders" / result.mutant.file;
   const std::string text = readText(file);
@@ -153,7 +153,7 @@ void tryTests(MutationResult& result, const MutationOptions& options, const Path
   writeFileAtomically(file, text);
 }
 
-// Which mutants change what is compiled; the others need no tests.
+// Finds the mutants that compile to other code than the original; the other mutants need no tests.
 void compileAll(const Home& home, std::vector<MutationResult>& results, Kept& kept) {
   auto unknown = [](const MutationResult& result) { return result.fate == Fate::Untried && !result.compiles; };
   if (std::none_of(results.begin(), results.end(), unknown)) return;
@@ -201,7 +201,7 @@ void testAll(const Path& original, std::vector<MutationResult>& results, const s
   if (!failure.empty()) throw Error(failure);
 }
 
-// A test that fails without any mutant as well has caught nothing.
+// Throws if a test that caught mutants also fails on the unchanged shaders. Resets the results of such tests.
 void checkCatchers(const Path& home, std::vector<MutationResult>& results, const std::vector<size_t>& wanted,
                    const MutationOptions& options, const std::vector<TestCase>& tests, Kept& kept) {
   note("running what caught mutants on the unchanged shaders");
@@ -243,7 +243,7 @@ std::vector<Mutant> listMutants(const Home& home, const MutationOptions& options
 
 std::vector<MutationResult> runMutants(const Home& original, const std::vector<Mutant>& mutants,
                                        const MutationOptions& options, const MutationPlan& plan) {
-  // What is edited meanwhile must not count as a mistake that was caught.
+  // A snapshot, so that edits during the run do not make tests fail.
   HomeCopy snapshot(original.shipped());
   const Path& home = snapshot.folder();
   Kept kept(home, options.results);

@@ -39,7 +39,7 @@ std::vector<std::string> ShaderCode::files() const {
   return {all.begin(), all.end()};
 }
 
-// "" where it does not compile.
+// Hash of the compiled code; "" if the pass does not compile.
 static std::string hashIn(const Home& home, const shader::Interface& interface, const plan::PassDesc& pass) {
   try {
     return graph::compileAlone(home, interface, pass).hash;

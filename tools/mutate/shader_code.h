@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all passes compile to, to find the mutants that change nothing.
+// Compiled code of all passes, for finding the mutants that do not change the code.
 #pragma once
 
 #include <optional>
@@ -20,17 +20,17 @@ class ShaderCode {
   // Evaluates every pass of the home; throws `Error`.
   explicit ShaderCode(const Home& home);
 
-  // Files below shaders/ that some pass reaches, sorted.
+  // Files below shaders/ that passes use, sorted.
   std::vector<std::string> files() const;
 
-  // Refused: the compiler does not take it. Same: every pass that includes the file compiles to what it was.
+  // Refused: the mutant does not compile. Same: every pass that includes the file compiles to equal code.
   CodeChange changeBy(const Mutant& mutant);
 
  private:
   struct Unit {
     const plan::PassDesc* pass = nullptr;
     shader::Interface interface;
-    std::optional<std::string> hash;  // of the original, once it was needed; "" where that does not compile
+    std::optional<std::string> hash;  // of the original, computed at first use; "" if it does not compile
   };
   std::string original(Unit& unit) const;
 

@@ -52,10 +52,10 @@ std::vector<std::string> TestFolder::environment(const Path& home) const {
 
 namespace {
 
-// Of a test on the unchanged shaders, which a software device may have to compile first.
+// Time limit of a test on the unchanged shaders. A software device may have to compile the shaders first.
 constexpr double kLongestTest_s = 600;
 
-// "[       OK ] Suite.Name (12 ms)" and its likes: the word, the test, the seconds.
+// Line like "[       OK ] Suite.Name (12 ms)": word, test, seconds.
 struct Said {
   std::string word, test;
   double seconds = 0;
@@ -125,7 +125,7 @@ std::vector<std::string> namesOf(const TestFolder& tests, const Path& home, cons
   return names;
 }
 
-// What one test reads and takes; why it takes no part, or "".
+// Measures the time of a test and the shaders that it reads. Returns the reason to leave the test out, or "".
 std::string survey(const TestFolder& tests, const HomeCopy& home, TestCase& test) {
   OpenedFiles opened(home.folder() / "shaders");
   bool complete = true;
@@ -220,7 +220,7 @@ double TestOrder::cost(const TestCase& test) const {
   return 0.2 + std::max(test.seconds, found == took_.end() ? 0.0 : found->second);
 }
 
-// What was never tried counts for little, and for more the fewer shaders it is about.
+// Expected catches per second. Without catches the value is small, and larger if the test reads fewer shaders.
 double TestOrder::worth(const TestCase& test, const std::string& shader) const {
   auto here = caught_in_.find({shader, test.name});
   auto anywhere = caught_.find(test.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tests that mutants are tried on: how long each takes, which shaders it reads, and which are likely to notice.
+// Tests for mutants: the time of each test, the shaders that it reads, and an order by the expected number of catches.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@
 
 namespace strobe::mutate {
 
-// plan.json: which tests of which programs take part, and what the operators must know.
+// plan.json: the test programs and tests that take part, and the sanitisers for the operators.
 struct MutationPlan {
   struct Program {
-    std::string name, filter;  // as googletest reads it
+    std::string name, filter;  // in the syntax of --gtest_filter
   };
   std::vector<Program> programs;
   double longest_s = 10;  // tests that take longer on the unchanged shaders are left out
@@ -28,14 +28,14 @@ MutationPlan readMutationPlan(const Path& file);
 
 struct TestCase {
   std::string program, name;
-  double seconds = 0;                // alone, on the unchanged shaders
+  double seconds = 0;                // of a run alone, on the unchanged shaders
   std::vector<std::string> shaders;  // files it reads, below shaders/
-  std::string includes;              // what these include: it reads the same ones as long as this is the same
+  std::string includes;              // hash of their includes (includesOf); `shaders` is valid until the hash changes
 };
 Json toJson(const TestCase& test);
 TestCase testFromJson(const Json& json);
 
-// Where the test programs are, and what they are started with.
+// Folder of the test programs, and their environment.
 struct TestFolder {
   Path folder;
   Path strobe;  // the program itself, which tests start for scripts
@@ -43,35 +43,36 @@ struct TestFolder {
   std::vector<std::string> environment(const Path& home) const;
 };
 
-// What a program said of its tests.
+// Result of a run of tests of one program.
 struct TestOutcome {
   bool caught = false;
-  std::string by;                         // the test, and how it ended where it did not just fail
+  std::string by;                         // the failed test; " (crash)" or " (no end)" follows if it did not finish
   std::map<std::string, double> seconds;  // of tests that passed
 };
 TestOutcome runTests(const TestFolder& tests, const Path& home, const std::string& program,
                      const std::vector<std::string>& names, double limit_s);
 
-// The tests of the plan. Programs that are missing or list none are an `Error`.
+// Tests of the plan. Throws `Error` if a program is missing or fails to list its tests.
 std::vector<TestCase> listTests(const TestFolder& tests, const Path& home, const MutationPlan& plan);
 
-// Runs each alone, `jobs` at a time, on an unchanged copy of the home folder, and reports each that passes there.
+// Runs each test alone on an unchanged copy of the home folder, `jobs` tests in parallel. Calls `passed` for each test
+// that passes.
 void surveyTests(const TestFolder& tests, const Path& home, const std::vector<TestCase>& all, int jobs,
                  const std::function<void(const TestCase&)>& passed);
 
-// Those of the tests that fail on the unchanged shaders now.
+// Names of the tests that fail on the unchanged shaders.
 std::vector<std::string> failingTests(const TestFolder& tests, const Path& home, const std::vector<TestCase>& cases);
 
-// A hash of what each of the shaders includes; one that is gone includes nothing.
+// Hash of the includes of the shaders; missing files are skipped.
 std::string includesOf(const Path& home, const std::vector<std::string>& shaders);
 
-// Puts those first that caught most per second, on the same shader above all.
+// Order of tests by catches per second; catches on the same shader count most.
 class TestOrder {
  public:
-  // `first`: how the names of those begin that come before all others.
+  // `first`: beginnings of the names of tests that come before all other tests.
   TestOrder(std::vector<TestCase> tests, std::vector<std::string> first)
       : tests_(std::move(tests)), first_(std::move(first)) {}
-  // Of those that read the shader, in batches: each for one program, the first ones short.
+  // Batch of tests that read a shader, for one program. The first batches are short.
   struct Batch {
     std::string program;
     std::vector<std::string> names;

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Makes the figures and the measured numbers of the pages again and compares.
+"""Makes the figures and the measured numbers of the pages again and compares them with the pages. A claim is a figure,
+a result or a group of numbers, together with the command that makes it (claims.py).
 
-    ./strobe reproduce --quick           those that take under a minute each
-    ./strobe reproduce                   all of them (hours on a software device)
-    ./strobe reproduce --only ID         one claim, or those whose id begins with ID; may be given again
-    ./strobe reproduce --list            claims, commands, seconds; runs nothing
-    ./strobe reproduce --marks           only whether every measured number of the pages has a mark
-    ./strobe reproduce --stale           results and pictures whose scripts, shaders or scenes changed since they were made
+    ./strobe reproduce --quick           claims that take under a minute each
+    ./strobe reproduce                   all claims (hours on a software device)
+    ./strobe reproduce --only ID         claims whose id begins with ID; may be repeated
+    ./strobe reproduce --list            claims, commands, seconds; runs no claim
+    ./strobe reproduce --marks           checks that every measured number of the pages has a mark; runs no claim
+    ./strobe reproduce --stale           results and pictures with inputs (scripts, shaders, scenes) that changed later
 
-Exit code 0: every verdict holds, nothing is stale; 1: one misses or is stale, each is named; 2: the command line is wrong.
+Exit code 0: every verdict holds, nothing is stale; 1: a claim misses or a file is stale, each is named; 2: wrong
+command line.
 """
 import argparse
 import difflib
@@ -29,14 +31,14 @@ HOME = Path(__file__).resolve().parent.parent.parent
 
 
 def pages_of(root):
-    """The pages whose numbers are marked, relative to `root`."""
+    """Pages with marked numbers, relative to `root`."""
     found = [root / "README.md", root / "ARTIFACT.md"] + sorted(root.glob("docs/*.md")) + [root / "experiments/README.md"]
     names = [str(path.relative_to(root)) for path in found if path.exists()]
     return [name for name in names if name not in GENERATED and name not in PAGES_OF_DEFINITIONS]
 
 
 def read_pages(root):
-    """Marks by id, and every breach of the rules as a line of text."""
+    """Marks by id, and one line of text per breach of the rules."""
     by_id, wrong = {}, []
     for page in pages_of(root):
         text = (root / page).read_text()
@@ -51,14 +53,14 @@ def read_pages(root):
 
 
 def figures_of(root):
-    """Pictures that pages show and that lie beside experiments, relative to `root`; those of `report` are in Experiment."""
+    """Pictures of the pages and picture sheets of the experiments, relative to `root`; no figures of reports."""
     found = list(root.glob("docs/pictures/**/*.png")) + list(root.glob("docs/pictures/**/*.svg"))
     found += list(root.glob("docs/pictures/**/*.pdf")) + list(root.glob("experiments/*/*.png"))
     return {str(path.relative_to(root)) for path in found}
 
 
 def breaches(root):
-    """What the rules forbid: numbers without marks, marks without claims, claims without marks, figures without claims."""
+    """Breaches of the rules: numbers without marks, marks without claims, claims without marks or files."""
     by_id, wrong = read_pages(root)
     claims = {claim.id: claim for claim in CLAIMS}
     for mark in by_id.values():
@@ -114,14 +116,14 @@ def rows_of(results):
 
 
 def report(results, left_out, bench):
-    """The table of what has a verdict, then what has none, then what misses and the counts."""
+    """Prints the claims with a verdict, the claims without one, the reasons of misses, and the counts."""
     by = {verdict: [one for one in results if one[1].verdict == verdict]
           for verdict in (HOLDS, MISSES, REPORTED, NOT_REPEATED, NOT_RUN)}
     judged = [one for one in results if one[1].verdict in (HOLDS, MISSES)]
     if judged:
         print_table(rows_of(judged), ["claim", "command", "stated", "now", "tolerance", "verdict"])
-    for verdict, text in ((REPORTED, "Times of a machine, without a verdict"), (NOT_REPEATED, "Not made again"),
-                          (NOT_RUN, "Not run, for want of something")):
+    for verdict, text in ((REPORTED, "Times of a machine: no verdict"), (NOT_REPEATED, "Not made again"),
+                          (NOT_RUN, "Not run, because something is missing")):
         if by[verdict]:
             print(f"\n{text}:")
             print_table([[c.id, short(o.stated, 60), short(o.now, 60), o.why] for c, o in by[verdict]],
@@ -132,23 +134,23 @@ def report(results, left_out, bench):
             print(f"{claim.id} {outcome.verdict}: {outcome.why}")
     print(f"{len(results)} claims in {bench.spent_s:.0f} s: " + ", ".join(f"{len(by[v])} {v}" for v in by if by[v]))
     if left_out:
-        print(f"{len(left_out)} claims take longer than a minute; without --quick they are made too")
+        print(f"{len(left_out)} claims take longer than a minute; without --quick they run too")
     print("not every verdict holds" if by[MISSES] else f'every verdict "{HOLDS}"')
 
 
 def parsed(arguments):
     parser = argparse.ArgumentParser(prog="strobe reproduce", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--quick", action="store_true", help="claims that take under a minute; of experiments some points")
-    parser.add_argument("--only", metavar="ID", action="append", default=[], help="this claim, or those it begins")
+    parser.add_argument("--quick", action="store_true", help="claims under a minute; some points of experiments")
+    parser.add_argument("--only", metavar="ID", action="append", default=[], help="claims whose id begins with ID")
     parser.add_argument("--list", action="store_true", help="print the claims and run nothing")
     parser.add_argument("--marks", action="store_true", help="check the marks of the pages and run nothing")
-    parser.add_argument("--stale", action="store_true", help="print results and pictures whose inputs changed, run nothing")
-    parser.add_argument("--replace", action="store_true", help="put pictures and numbers in place of the committed ones")
+    parser.add_argument("--stale", action="store_true", help="print results and pictures with changed inputs")
+    parser.add_argument("--replace", action="store_true", help="replace committed pictures and numbers by the new ones")
     parser.add_argument("--json", action="store_true", help="print the table as JSON")
-    parser.add_argument("--root", type=Path, default=HOME, help="the folder whose pages are read (default: this one)")
-    parser.add_argument("--program", type=Path, default=HOME / "build" / "strobe", help="the program (build/strobe)")
-    parser.add_argument("-o", "--out", type=Path, default=HOME / "out" / "reproduce", help="folder for what is made")
+    parser.add_argument("--root", type=Path, default=HOME, help="folder with the pages (default: this repository)")
+    parser.add_argument("--program", type=Path, default=HOME / "build" / "strobe", help="default: build/strobe")
+    parser.add_argument("-o", "--out", type=Path, default=HOME / "out" / "reproduce", help="default: out/reproduce")
     return parser.parse_args(arguments)
 
 
@@ -178,7 +180,7 @@ def main(arguments):
                     ["claim", "command", "seconds", "because"])
         return 0
     if not claims:
-        refuse(f"{picked[0].id} takes longer than a minute: give it without --quick")
+        refuse(f"{picked[0].id} takes longer than a minute: run it without --quick")
     by_id, wrong = breaches(options.root)
     lost = [line for line in wrong if "no page marks" in line]
     say = lambda line: print(f"strobe reproduce: {line}", file=sys.stderr, flush=True)  # noqa: E731

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where claims get their data: commands that run once, and results of experiments."""
+"""Data of claims: the output of commands, which run once, and results of experiments."""
 import json
 import os
 import shlex
@@ -11,11 +11,11 @@ TIMES = {"ms", "ms_least", "ms_low", "ms_high", "ms_ratio", "ms_own", "own_ratio
 
 
 class Missing(Exception):
-    """What a claim needs is not here; the text says what."""
+    """A claim needs something that is missing here. The text names it."""
 
 
 class Failed(Exception):
-    """A command ended as it should not; the text says which, and what it wrote last."""
+    """A command or a check failed. The text has the reason, for a command its last line of output."""
 
 
 class Results:
@@ -26,7 +26,7 @@ class Results:
         self.data = json.loads(self.file.read_text())
 
     def points(self, **at):
-        """Of every group and arm that match: names are arm, shot, role, or axes."""
+        """Yields (names, data) of each point that matches `at`. The names are arm, shot, anchor, role and the axes."""
         for group in self.data["groups"]:
             for point in group["points"]:
                 known = {"shot": group["shot"], "anchor": group.get("anchor"), **group["at"],
@@ -49,17 +49,17 @@ class Results:
 
 
 class Bench:
-    """`root` has the pages and committed results, `program` runs; files go below `out`."""
+    """Runs commands of `program`. `root` has the pages and committed results; new files are written below `out`."""
 
     def __init__(self, root, program, out, quick, say):
         self.root, self.program, self.out, self.quick, self.say = Path(root), Path(program), Path(out), quick, say
         self.done = {}   # command line: CompletedProcess
         self.fresh = {}  # experiment: folder of a complete run
         self.spent_s = 0.0
-        self.last = None  # what the last command gave
+        self.last = None  # CompletedProcess of the last command
 
     def run(self, *words, cwd=None, codes=(0,), environment=None):
-        """The output of a command, run once however many claims ask for it."""
+        """Output of a command. Equal commands run only once, even for several claims."""
         words = [str(self.program) if word == "strobe" else str(word) for word in words]
         line = shlex.join(words)
         if line not in self.done:
@@ -70,12 +70,12 @@ class Bench:
                 end = subprocess.run(words, cwd=cwd or self.root, capture_output=True, text=True,
                                      env={**os.environ, **(environment or {}), "STROBE_PROGRAM": str(self.program)})
             except FileNotFoundError as error:
-                raise Missing(f"{words[0]} is not here") from error
+                raise Missing(f"{words[0]} is missing") from error
             self.spent_s += time.monotonic() - begin
             self.done[line] = end
         end = self.last = self.done[line]
         if end.returncode not in codes:
-            if end.returncode == 127:  # of a shell: a program that is not there
+            if end.returncode == 127:  # exit code of a shell if a program is missing
                 raise Missing((end.stderr.strip() or line).splitlines()[-1])
             last = (end.stderr.strip() or end.stdout.strip() or "no output").splitlines()[-1]
             raise Failed(f"exit code {end.returncode}: {last}")
@@ -90,20 +90,20 @@ class Bench:
         return Results(self.root / "experiments" / experiment / "result.json", fresh=False)
 
     def results(self, experiment):
-        """Of the complete run in this invocation, else the committed ones."""
+        """Results of a complete run in this invocation, otherwise the committed results."""
         if experiment in self.fresh:
             return Results(self.fresh[experiment] / "result.json", fresh=True)
         return self.committed(experiment)
 
     def swept(self, file, name, only=""):
-        """Runs an experiment, or some points of it; continues what an earlier run left in the folder."""
+        """Runs an experiment, or the points that `only` selects. Continues an earlier run in the same folder."""
         folder = self.out / (name + ("_quick" if only else ""))
         home = (self.root / file).parent
-        cwd = home if (home / "strobe.project.lua").exists() else None  # of a project
+        cwd = home if (home / "strobe.project.lua").exists() else None  # run in the project
         words = ["strobe", "sweep", Path(file).name if cwd else file, "-o", folder] + (["--only", only] if only else [])
-        self.run(*words, cwd=cwd, codes=(0, 1))  # 1: an expectation that does not hold, known ones too
+        self.run(*words, cwd=cwd, codes=(0, 1))  # 1: an expectation does not hold, perhaps a known failure
         if not (folder / "result.json").exists():
-            self.run(*words, cwd=cwd)  # says why
+            self.run(*words, cwd=cwd)  # raises Failed with the reason
         if not only:
             self.fresh[name] = folder
         return Results(folder / "result.json", fresh=True)
@@ -114,7 +114,7 @@ class Bench:
                 raise Missing(why)
 
     def shared_scenes(self):
-        """Their folder, which has to be here."""
+        """Folder of the shared scenes; raises Missing without it."""
         folder = Path(os.environ.get("STROBE_DATA", self.root.parent / "shared")) / "scenes"
-        self.need(folder, why="the shared scenes (STROBE_DATA) are not here")
+        self.need(folder, why="the shared scenes (STROBE_DATA) are missing")
         return folder

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Every figure and measured number of the pages: its id, the command that makes it again, how the number is read out of
-what the command gives, the tolerance with its reason, and about how many seconds it takes on two cores without a card.
+"""Claims: every figure and measured number of the pages, with an id, the command that makes it again, a reader for the
+output of the command, the tolerance with its reason, and the approximate seconds on two cores without a graphics card.
 
-Numbers that a page takes from an experiment are compared with its results, those that lie beside it or, without --quick,
-those of the run just made; the claims `experiment_...` make the results again.
+Numbers that a page takes from an experiment are compared with the results of the experiment: the committed results or,
+without --quick, the results of this run. The claims `experiment_...` make the results again.
 """
 from pathlib import Path
 
@@ -12,8 +12,8 @@ from derived import DERIVED
 from figures import FIGURES
 from kinds import Experiment, History, Numbers
 
-OTHER_DEVICE = "another device rounds otherwise: at silhouettes single pixels fall to the other side"
-TIMES = "times of one machine: reported beside those of this one"
+OTHER_DEVICE = "rounding differs between devices: single pixels at silhouettes show the other surface"
+TIMES = "times depend on the machine: reported, not judged"
 
 
 def sweep(name):
@@ -71,7 +71,7 @@ EXPERIMENTS = [
 TUNE = ["adaptive", "--scene", "living_room", "--size", "320x180", "--anchor", "end", "--budget-ratio", "0.5", "--cost", "own"]
 EXPERIMENTS.append(Experiment(
     "experiment_tune_living_room", "./strobe tune " + " ".join(TUNE) + " -o FILE", 900,
-    OTHER_DEVICE + "; points are chosen by their times: those of both runs are compared", name="tune/living_room",
+    OTHER_DEVICE + "; times decide which points are tried: points of both runs are compared", name="tune/living_room",
     make=read.tuning(TUNE), tolerance=0.02))
 
 MEASURED = [
@@ -90,16 +90,16 @@ MEASURED = [
     of_results("precision_velocity_largest", "precision", read.precision_velocity_largest),
     of_results("everything_front", "everything", read.everything_front),
     Numbers("shadow_rays_left", "./strobe render none --size 960x540, with tile_light_visibility.per_tile and without", 3,
-            "another tracing backend asks no tiles", read=read.shadow_rays_left, tolerance=0.02),
+            "other tracing backends do not test whole tiles", read=read.shadow_rays_left, tolerance=0.02),
     Numbers("tutorial_detectors", "./strobe sweep experiments/detectors.lua -o FOLDER", 45, OTHER_DEVICE,
             read=read.tutorial_row, tolerance=0.02),
     *[Numbers(id, "committed: docs/gpu/h200", 1, "made on another machine", read=reader)
       for id, reader in (("gpu_frames", read.gpu_frames), ("gpu_published", read.gpu_published),
                          ("gpu_kitchen", read.gpu_kitchen), ("gpu_passes", read.gpu_passes),
                          ("gpu_by_rays", read.gpu_by_rays), ("gpu_pairs", read.gpu_pairs), ("gpu_reload", read.gpu_reload))],
-    History("gpu_rounding", because="no such GPU is at hand", date="2026-11-26", device="NVIDIA H200", revision="8f25415"),
-    History("gpu_verify", because="no such GPU is at hand", date="2026-11-26", device="NVIDIA H200", revision="b89ed81"),
-    Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "the page that the tool wrote",
+    History("gpu_rounding", because="needs such a GPU", date="2026-11-26", device="NVIDIA H200", revision="8f25415"),
+    History("gpu_verify", because="needs such a GPU", date="2026-11-26", device="NVIDIA H200", revision="b89ed81"),
+    Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "read from the page that the tool wrote",
             read=read.caught_mutants),
 ]
 
@@ -134,22 +134,22 @@ OF_A_MACHINE = [
     *[Numbers(id, "git clone; cmake; ninja; ctest; ./strobe demo", 1200, TIMES, read=read.build_minutes, asserted=False)
       for id in ("build_minutes", "artifact_minutes")],
     Numbers("reload_edits", "STROBE_EDITS=1000 build/tests/test_session --gtest_filter='Edits*'", 300,
-            "edits are drawn by a seed", read=read.random_edits),
+            "random edits with a fixed seed", read=read.random_edits),
     Numbers("rays_held", "STROBE_RAYS=2500000 build/tests/test_oracle --gtest_filter='RenderRays*'", 150,
-            "another device rounds otherwise", read=read.rays_held, tolerance=0.02),
+            "rounding differs between devices", read=read.rays_held, tolerance=0.02),
     Numbers("reload_edits_time", "STROBE_EDITS=1000 build/tests/test_session --gtest_filter='Edits*'", 300, TIMES,
             read=read.random_edits_time, asserted=False),
 ]
 
 PAST = [
-    history("mended_truth", "a mistake that is mended", "2026-11-21", "5d06a84"),
-    history("mended_sky", "a mistake that is mended", "2026-11-21", "5d06a84"),
-    history("mended_mesh", "a mistake that is mended", "2026-11-21", "5d06a84"),
-    history("precision_times", "times of frames drawn in turns", "2026-11-21", "79be7cf"),
-    history("read_by_address", "times in turns of a program that was not kept", "2026-11-27", "ea973e8"),
-    history("cycles_against_truth", "Blender is needed", "2026-11-28", "7572498"),
-    history("cycles_noise", "Blender is needed", "2026-11-28", "7572498"),
-    history("wide_vectors", "times on one processor, in turns", "2026-11-27", "ac214d2"),
+    history("mended_truth", "a mistake that has been fixed", "2026-11-21", "5d06a84"),
+    history("mended_sky", "a mistake that has been fixed", "2026-11-21", "5d06a84"),
+    history("mended_mesh", "a mistake that has been fixed", "2026-11-21", "5d06a84"),
+    history("precision_times", "times of frames drawn alternately", "2026-11-21", "79be7cf"),
+    history("read_by_address", "times, drawn alternately, of a program that was not kept", "2026-11-27", "ea973e8"),
+    history("cycles_against_truth", "needs Blender", "2026-11-28", "7572498"),
+    history("cycles_noise", "needs Blender", "2026-11-28", "7572498"),
+    history("wide_vectors", "times on one processor, drawn alternately", "2026-11-27", "ac214d2"),
 ]
 
 CLAIMS = MEASURED + TUNED + DERIVED + EXPERIMENTS + FIGURES + OF_A_MACHINE + PAST

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Numbers of the pages that look measured and are not: limits, defaults, settings, units, closed forms. Each text is in
-its page word for word; a text that is gone is reported, so that this list stays as short as it can be."""
+"""Numbers of the pages that look measured but are not: limits, defaults, settings, units, closed forms. Each text is
+in its page word for word. --marks reports a listed text that is not in its page, so this list stays short."""
 
-# Pages without marks of their own.
+# Generated pages; their numbers have no marks.
 GENERATED = {
-    "docs/stability.md": "written by `strobe stability --write`; the claim `stability_page` makes all of it again",
-    "docs/extreme-cases.md": "written by `strobe stability --extremes --write`; the claim `extreme_cases_page` does",
+    "docs/stability.md": "written by `strobe stability --write`; see claim `stability_page`",
+    "docs/extreme-cases.md": "written by `strobe stability --extremes --write`; see claim `extreme_cases_page`",
 }
 PAGES_OF_DEFINITIONS = {
     "docs/describing-a-scene.md": "fields with their defaults and ranges: tests/program/pages_test.cpp compares them",
 }
 
-# Page, text, why it is no measurement.
+# Page, text, reason why the number is not a measurement.
 FRAGMENTS = [
-    ("ARTIFACT.md", "two cores, 4 GB of memory, 5 GB of disk", "what is asked of a machine"),
+    ("ARTIFACT.md", "two cores, 4 GB of memory, 5 GB of disk", "a requirement"),
     ("ARTIFACT.md", "| `./strobe demo` | 0 |", "an exit code"),
     ("ARTIFACT.md", "| `./strobe reproduce --quick` | 0 |", "an exit code"),
     ("ARTIFACT.md", "-o out.exr` | 0 |", "an exit code"),
@@ -38,7 +38,7 @@ FRAGMENTS = [
     ("docs/derivations.md", "(.8/.2, the first at 100)", "a setting"),
     ("docs/derivations.md", "(.9/.1, the first at 0)", "a setting"),
     ("docs/derivations.md", ".9/.6 and .4/.1, the first ones at 128", "a setting"),
-    ("docs/derivations.md", "to within .0015 rms", "a bound: the tests RenderLayers.* assert .015 for all of it"),
+    ("docs/derivations.md", "to within .0015 rms", "a bound: the tests RenderLayers.* assert .015 for the whole error"),
     ("docs/derivations.md", "below .0065 rms and .03", "a bound that LayeredGather.RelativeBand... asserts"),
     ("docs/derivations.md", "2.4e-7 to 4.8e-7 of `t`", "four units in the last place of single precision"),
     ("docs/derivations.md", "a new ray, 1e-5 `t` beyond the hit | 1e-5 of `t`", "a setting"),
@@ -60,15 +60,15 @@ FRAGMENTS = [
     ("docs/live.md", "or refused, 20 s at most", "a limit"),
     ("docs/live.md", "errors and times, 60 s at most", "a limit"),
     ("docs/live.md", "has N samples, 60 s at most", "a limit"),
-    ("docs/methods.md", "below 1.5 times the floor", "what is expected"),
+    ("docs/methods.md", "below 1.5 times the floor", "an expectation"),
     ("docs/methods.md", "`--set limit=0.1`: a tenth", "an example"),
     ("docs/precision.md", "at 20 pixels a tile they are", "a default"),
     ("docs/precision.md", "darkens pictures by 0.03 %", "half a spacing of half floats: 2^-12 to 2^-11"),
     ("docs/precision.md", "2^-11 = 0.05 %", "arithmetic"),
     ("docs/precision.md", "therefore cost 4 bytes per pixel", "a format"),
-    ("docs/precision.md", "n/z in fp32 | 0 |", "what the sky is stored as"),
-    ("docs/precision.md", "1/z in fp32 | 0 |", "what the sky is stored as"),
-    ("docs/precision.md", "1 - n/z in 24 bits | 1 |", "what the sky is stored as"),
+    ("docs/precision.md", "n/z in fp32 | 0 |", "the stored value of the sky"),
+    ("docs/precision.md", "1/z in fp32 | 0 |", "the stored value of the sky"),
+    ("docs/precision.md", "1 - n/z in 24 bits | 1 |", "the stored value of the sky"),
     ("docs/precision.md", "less than 1 % (`depth_extent`)", "a default"),
     ("docs/precision.md", "3.4 km for the default of 1 cm", "arithmetic: 335,000 times 1 cm"),
     ("docs/precision.md", "exposure 0.5, anchor", "a setting"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Claims of docs/derivations.md: what the oracles' tests print, and pictures of the living room."""
+"""Claims of docs/derivations.md: numbers that the oracle tests print, and pictures of the living room."""
 import json
 
 from bench import Failed
@@ -17,7 +17,7 @@ def lines(test, name, pick=None):
 
 
 def columns(bench, test, *names):
-    """Values of several names, row by row."""
+    """Values of several names, interleaved row by row."""
     parts = [printed(bench, ORACLE, test, name) for name in names]
     return [value for row in zip(*parts) for value in row]
 
@@ -29,7 +29,7 @@ def guertin(bench):
 
 
 def one_sided(bench):
-    """Rows: truth and filter at the leading edge, truth and filter at the trailing one."""
+    """Rows: truth and filter at the leading edge, truth and filter at the trailing edge."""
     values = printed(bench, ORACLE, GATHER, "one_sided")
     truth, filtered = values[::2], values[1::2]
     return truth[:4] + filtered[:4] + truth[4:] + filtered[4:]
@@ -41,7 +41,8 @@ def invented(bench):
 
 
 def striped(bench):
-    """Per row: the background's displacement, own and relative, harsh and gentle, rms and largest."""
+    """Per row: displacement of the background; then for harsh and gentle stripes, rms and largest error of the mask
+    `own`, and of the mask `relative`."""
     harsh, gentle = (printed(bench, ORACLE, LAYERED, name) for name in ("harsh", "gentle"))
     backs = [0, 6, 12, 20, -12, -12, 20, 20, -12, -20]
     rows = []
@@ -51,7 +52,7 @@ def striped(bench):
 
 
 def rendered(bench, stripes, case, column):
-    """rms and largest error of a cell of the tables that RenderLayers prints."""
+    """rms and largest error in one cell of the tables that the tests RenderLayers print."""
     bench.need(bench.program.parent / "tests" / ORACLE, why="the tests are not built: ./strobe test -N builds them")
     text = bench.run(bench.program.parent / "tests" / ORACLE, "--gtest_filter=RenderLayers.*Table")
     head = next((line for line in text.splitlines() if line.startswith(f"| {stripes}:")), "")
@@ -77,7 +78,7 @@ def seed_linear(bench):
 
 
 def correlated(bench):
-    """`layered` and `in_gather` print the same to four digits: the first stands for both."""
+    """`layered` and `in_gather` print equal values, within 1e-3; the values of `layered` are returned for both."""
     values = printed(bench, ORACLE, "RenderReveal.CompositesOnCorrelatedStripes", "correlated")
     layered, in_gather, over = values[:2], values[2:4], values[4:]
     if max(abs(a - b) for a, b in zip(layered, in_gather)) > 1e-3:
@@ -91,7 +92,7 @@ LAYERS = "tools/reproduce/layers.lua"
 
 
 def layer_errors(*wanted):
-    """RMSE of arms by region."""
+    """RMSE of each pair of `wanted`: arm, region."""
     def read(bench):
         results = bench.swept(LAYERS, "layers")
         return [results.value("rmse", region, arm=arm) for arm, region in wanted]
@@ -140,7 +141,7 @@ DERIVED = [
     Numbers("correlated", PROGRAM + "RenderReveal.CompositesOnCorrelatedStripes", 10, "one time sample in one pixel",
             read=correlated, places=1),
     *[Numbers(id, "./strobe sweep tools/reproduce/layers.lua -o FOLDER", 30,
-              "another device rounds otherwise: at silhouettes single pixels fall to the other side", read=reader,
+              "rounding differs between devices: single pixels at silhouettes show the other surface", read=reader,
               tolerance=0.02) for id, reader in (
         ("rendered_own_edge", layer_errors(("seed_linear, own edge", "whole"), ("seed_linear", "whole"))),
         ("room_composites", layer_errors(*[(arm, region) for arm in ("layered", "in_gather", "alpha_over")

@@ -9,11 +9,11 @@ from pixels import sheet
 from readers import front_of, pictures_of_passes
 
 MAKE = "docs/pictures/make "
-OTHER_DEVICE = "another device rounds otherwise: at silhouettes single pixels fall to the other side"
+OTHER_DEVICE = "rounding differs between devices: single pixels at silhouettes show the other surface"
 
 
 def made(what, file):
-    """A picture of docs/pictures/make, which writes beside the others of this run."""
+    """Maker of a picture by docs/pictures/make, in the folder `pictures` of this run."""
     def make(bench):
         folder = bench.folder("pictures")
         if what == "passes":
@@ -32,7 +32,7 @@ def picture(id, what, file, seconds, **more):
 
 
 def captured(name):
-    """A figure of a shipped capture."""
+    """Claim of the figure that a shipped capture makes."""
     def make(bench):
         folder = bench.folder(name)
         bench.run("strobe", "capture", f"scripts/captures/{name}.lua", "-o", folder)
@@ -45,12 +45,12 @@ def captured(name):
 PASSES = ("visibility.hit", "depth", "normal", "velocity", "tile_light_visibility.light_visibility", "shade.color",
           "tile_velocities.velocities", "mask", "revealed", "revealed_depth", "tile_max.longest", "neighbour_max.dominant",
           "classify_cells.moved", "color")
-# Of the window: the picture between the panels, which show times.
+# Parts of screenshots of the window without panels, which show times: x, y, width, height.
 MIDDLE, ABOVE = (380, 254, 640, 358), (380, 88, 640, 358)
 
 
 def written(words):
-    """A page that a command writes to the file it is given last."""
+    """Maker of a page by a command with the output file as its last argument."""
     def make(bench):
         file = bench.out / (re.sub(r"\W+", "_", " ".join(words)) + ".md")
         bench.run("strobe", *words, file)
@@ -59,7 +59,7 @@ def written(words):
 
 
 def picture_of(bench, experiment, point):
-    """A point's picture: of the sweep made in this run, else rendered by the command that its results name."""
+    """Picture of a point: from the sweep of this run, otherwise rendered by the command in the results."""
     if experiment in bench.fresh:
         return bench.fresh[experiment] / "points" / (point["key"] + ".png")
     file = bench.folder("points") / (point["key"] + ".png")
@@ -69,33 +69,33 @@ def picture_of(bench, experiment, point):
 
 
 def crops(experiment, rows, regions, border=2):
-    """Crops of pictures of points, each pixel four: a list of points (as Results.point takes them) per row, a region (x, y,
-    width, height) per row."""
+    """Claim of a sheet of crops of points' pictures, magnified two times. `rows`: a list of points per row, as
+    arguments of Results.point. `regions`: a region (x, y, width, height) per row."""
     def make(bench):
         results = bench.results(experiment)
         points = rows(bench) if callable(rows) else [[results.point(**at) for at in row] for row in rows]
         pictures = [[picture_of(bench, experiment, point) for point in row] for row in points]
         return sheet(pictures, regions, 2, border, bench.folder("sheets") / f"{experiment}.png")
-    return Figure("figure_" + experiment, "./strobe render ... of the points it shows, by the commands in result.json", 120,
+    return Figure("figure_" + experiment, "./strobe render ... for each point, by the commands in result.json", 120,
                   "256 colours, dithered: means over 8x8 pixels are compared", file=f"experiments/{experiment}/{experiment}.png",
                   make=make, compare="pixels", share=0.01, step=12, block=8,
                   inputs=lambda bench: inputs.of_source(bench.root, bench.results(experiment).file))
 
 
 def columns(shot, arms, **more):
-    """A row: the points of a shot, arm by arm, at the same values."""
+    """One row: points of a shot at the same values, one point per arm."""
     return [{"shot": shot, "arm": arm, **more} for arm in arms]
 
 
 def front(bench):
-    """The front of `everything`, as committed, in the order of time, and truth."""
+    """One row: the committed front of `everything` in the order of time, then truth."""
     results = bench.committed("everything")
     points = [point for _, _, point in front_of(results, "ms_ratio", "rmse", "inner")]
     return [points + [next(results.points(role="truth"))[1]]]
 
 
 def exhibits():
-    """Of each complaint what goes wrong, what mends it, and truth."""
+    """One row per complaint: an arm with the artefact, an arm without it, and truth."""
     plain = [("wheel", "layers, straight paths", BEST), ("silhouette", "Bevy", BEST),
              ("halo", "McGuire 2012", BEST), ("glass", "McGuire 2012", BEST), ("sky", "no vectors", BEST),
              ("short", "UE4-style, limit 0.05", BEST), ("shadow", "McGuire 2012", BEST), ("chase", "McGuire 2012", BEST),
@@ -152,19 +152,19 @@ SHEETS = [
 FIGURES = [
     captured("figure1"),
     captured("figure2"),
-    picture("figure_rooms", "rooms", "rooms.svg", 2, compare="titles", because="another Graphviz places otherwise"),
-    picture("figure_frame", "frame", "frame.svg", 2, compare="titles", because="another Graphviz places otherwise"),
+    picture("figure_rooms", "rooms", "rooms.svg", 2, compare="titles", because="Graphviz versions differ in layout"),
+    picture("figure_frame", "frame", "frame.svg", 2, compare="titles", because="Graphviz versions differ in layout"),
     *[picture("figure_pass_" + name.replace(".", "_"), "passes", f"passes/{name}.png", 40, compare="pixels", share=0.002,
               step=2) for name in PASSES],
     *[picture("figure_window_" + name, "window", f"live-{name}.png", 70, compare="pixels", share=0.01, step=8,
-              region=region, because="the picture alone: panels show times")
+              region=region, because="without the panels, which show times")
       for name, region in (("compare", MIDDLE), ("inspect", MIDDLE), ("problem", MIDDLE), ("sweep", ABOVE))],
     picture("figure_demo", "demo", "demo.png", 200, compare="pixels", share=0.002, step=2),
     Figure("stability_page", "./strobe stability --write FILE", 1500, "counts of cases", file="docs/stability.md",
            make=written(("stability", "--write"))),
     Figure("extreme_cases_page", "./strobe stability --extremes --write FILE", 600, "counts of cases",
            file="docs/extreme-cases.md", make=written(("stability", "--extremes", "--write"))),
-    Unrepeated("figure_report", because="a photograph of a page in a browser, whose front is one of times; 6a5eb16, "
+    Unrepeated("figure_report", because="a screenshot of a page in a browser, with a chart of times; 6a5eb16, "
                "2026-11-22, llvmpipe on two cores", file="docs/pictures/report.png"),
     Unrepeated("mutations_page", because="build/strobe_mutate --seed 1 --count 120 --write FILE takes hours; made at "
                "5d06a84, 2026-11-21, llvmpipe on two cores", file="tools/mutate/mutations.md"),

@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Inputs of results and pictures: the scripts, shaders and scenes that they depend on, each with a hash of its content.
+"""Inputs of results and pictures: scripts, shaders and scenes, each with a hash of its content.
 
-Results of experiments have them in their field `inputs`, which the program writes. Committed pictures have them in
-docs/pictures/inputs.json, by picture. Names of inputs begin with "strobe:" (this repository), "shared:" (the shared data)
-or "project:" (the folder of the result, if that is a project).
+The program writes the inputs of an experiment to the field `inputs` of its results. The inputs of committed pictures
+are in docs/pictures/inputs.json, by picture. Names of inputs begin with "strobe:" (this repository), "shared:" (the
+shared data) or "project:" (the folder of the result, if the folder is a project).
 
     tools/reproduce/inputs.py FILE PICTURE SOURCE...
 
-writes the inputs of a picture into FILE. A source is a run record, the manifest of a capture, the result of an experiment,
-any other file, or a folder of files.
+writes the inputs of a picture into FILE. A source is a run record, the manifest of a capture, the result of an
+experiment, any other file, or a folder of files.
 """
 import hashlib
 import json
@@ -30,8 +30,8 @@ COMMENTS = {".glsl": GLSL, ".h": GLSL, ".lua": LUA}
 
 
 def hash_of(file):
-    """SHA-256 of a file. Of Lua and GLSL comments, help texts (fields `doc` and `fails`), blank lines and blanks at the
-    ends of lines do not count: inputHash of runtime/base/inputs.h gives the same."""
+    """SHA-256 of a file. In Lua and GLSL, comments, help texts (fields `doc` and `fails`), blank lines and trailing
+    blanks do not count. inputHash of runtime/base/inputs.h returns the same hash."""
     data = Path(file).read_bytes()
     comments = COMMENTS.get(Path(file).suffix)
     if comments:
@@ -46,7 +46,7 @@ def shared_folder(root):
 
 
 def path_of(root, name, project=None):
-    """Where an input lies. `project`: the folder of the result or the picture."""
+    """Path of an input. `project`: the folder of the result or the picture."""
     if name.startswith(SHARED):
         return shared_folder(root) / name[len(SHARED):]
     if name.startswith(PROJECT):
@@ -69,7 +69,7 @@ def of_source(root, source):
         names = [str(source)]
     else:
         data = json.loads(source.read_text())
-        if "groups" in data:  # a result: hashes of the files that it was measured with
+        if "groups" in data:  # a result has the hashes of its inputs
             return data.get("inputs")
         names = names_in(data)
     named = {name if ":" in name else SHIPPED + os.path.relpath(name, root): path_of(root, name) for name in names}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The kinds of claims. Each is checked against a bench and gives an Outcome."""
+"""Kinds of claims. Each kind checks a claim with the data of a Bench and returns an Outcome."""
 import json
 import re
 from dataclasses import dataclass
@@ -19,8 +19,8 @@ class Outcome:
     now: str
     tolerance: str
     verdict: str
-    why: str = ""  # of a miss, or of no verdict
-    command: str = ""  # where it is not that of the claim
+    why: str = ""  # reason of a miss or of a missing verdict
+    command: str = ""  # if it differs from the command of the claim
 
 
 def shown(value):
@@ -30,15 +30,15 @@ def shown(value):
 @dataclass
 class Claim:
     id: str
-    command: str      # as a reader gives it
-    seconds: float    # about, on two cores of the software device; of the quick form where there is one
-    because: str = ""  # of the tolerance, or why there is no verdict
+    command: str      # as a reader types it
+    seconds: float    # approximate, of the quick form if the claim has one; two cores, software device
+    because: str = ""  # reason of the tolerance or of the missing verdict
 
     @property
     def is_quick(self):
         return self.seconds < 60
 
-    marked = False  # whether pages have marks with this id
+    marked = False  # True if pages have marks with this id
 
     def check(self, bench, numbers):
         raise NotImplementedError
@@ -46,18 +46,18 @@ class Claim:
 
 @dataclass
 class Numbers(Claim):
-    """Numbers in a page. `read(bench)` gives them anew, in reading order. A number holds if it differs from the stated
-    one by at most half of the stated last place, and `tolerance` of it where the data were made anew."""
+    """Numbers of a page. `read(bench)` returns the new values, in reading order. A value holds if it differs from the
+    stated number by at most `places` units of the last stated place, plus the share `tolerance` if the data are new."""
     read: object = None
     tolerance: float = 0.0
-    places: float = 0.5        # of the stated last place
-    asserted: bool = True      # times are not, since they are those of a machine
-    sources: tuple = ()        # experiments whose results it reads
-    made: list = None          # the values made anew
+    places: float = 0.5        # allowed difference, units of the last stated place
+    asserted: bool = True      # False for times, because they depend on the machine
+    sources: tuple = ()        # names of the experiments that `read` uses
+    made: list = None          # the new values
     marked = True
 
     def replace(self, bench, mark):
-        """Puts the new values in place of the stated ones, if there are as many."""
+        """Replaces the stated numbers by the new values, if the counts are equal."""
         if len(self.made) == len(mark.numbers):
             page = bench.root / mark.page
             page.write_text(marks.replaced(mark.page, page.read_text(), self.id, self.made))
@@ -66,7 +66,7 @@ class Numbers(Claim):
         now = self.made = list(self.read(bench))
         if len(now) != len(numbers):
             return Outcome(f"{len(numbers)} numbers", f"{len(now)} numbers", "", MISSES,
-                           "the page states another number of values than the claim reads")
+                           "the page and the claim have different counts of numbers")
         anew = not self.sources or any(name in bench.fresh for name in self.sources)
         share = self.tolerance if anew else 0.0
         worst, excess = 0, -1.0
@@ -91,7 +91,7 @@ class Numbers(Claim):
 
 @dataclass
 class History(Claim):
-    """Numbers of an earlier time that no command makes again: `date`, `device`, `revision` say of which."""
+    """Numbers that no command makes again, measured at `date` on `device` with `revision`."""
     command: str = "none"
     seconds: float = 0
     date: str = ""
@@ -106,16 +106,16 @@ class History(Claim):
 
 @dataclass
 class Experiment(Claim):
-    """The committed results of an experiment: every value of every point but times, and every expectation. `quick`
-    chooses points as --only does, for a run under a minute."""
+    """Committed results of an experiment. Compares all values of all points except times, and all expectations. `quick`
+    selects points like --only of a sweep, for a run under a minute."""
     name: str = ""
     file: str = ""
     quick: str = ""
-    full_seconds: float = 0  # of all points
+    full_seconds: float = 0  # for all points
     tolerance: float = 0.0
-    least: float = 1e-5  # values below it are rounding: of no weight
+    least: float = 1e-5  # lower limit of the divisor of relative differences
     shared: bool = False
-    make: object = None  # bench: Results, where it is no sweep; then points may be others, and those of both are compared
+    make: object = None  # returns Results instead of a sweep; only points of both results are compared
 
     def check(self, bench, numbers):
         if self.shared:
@@ -148,13 +148,13 @@ class Experiment(Claim):
 
 
 def key(at):
-    """Of a point; 1 and 1.0 are one value."""
+    """Text that identifies a point by its names; 1 and 1.0 give equal texts."""
     plain = lambda value: float(value) if type(value) is int else value  # noqa: E731
     return json.dumps({name: plain(value) for name, value in at.items() if name != "role"}, sort_keys=True)
 
 
 def both(before, point):
-    """Values of two points but times, by measure and region."""
+    """Yields measure, region and the values of both points, for all measures except times."""
     for measure, regions in before["values"].items():
         if measure in TIMES:
             continue
@@ -165,7 +165,8 @@ def both(before, point):
 
 
 def turned_expectations(stated, now):
-    """Those with another outcome. Where every other value is as stated these are about times: reported, no miss."""
+    """Texts of expectations with a changed outcome. If all values hold, only times can have changed an outcome, so the
+    claim holds and reports the change."""
     outcomes = {one["text"]: one["outcome"] for one in now.data["expectations"]}
     return [f"'{one['text']}' {one['outcome']}, now {outcomes.get(one['text'], 'missing')}"
             for one in stated.data["expectations"] if outcomes.get(one["text"]) != one["outcome"]]
@@ -173,23 +174,24 @@ def turned_expectations(stated, now):
 
 @dataclass
 class Figure(Claim):
-    """A file that a command makes again: `make(bench)` gives the path of the new one. Compared are its bytes, the titles
-    of the nodes and edges of an SVG file, or pixels: at most `share` of them differ by more than `step` of 255 levels."""
+    """A file that a command makes again. `make(bench)` returns the path of the new file. `compare`: "bytes"; "titles", the
+    titles of nodes and edges of an SVG file; "pixels", where at most the share `share` of the pixels may differ by more
+    than `step` of 255 levels."""
     file: str = ""
     make: object = None
     compare: str = "bytes"
     share: float = 0.0
     step: int = 0
-    region: tuple = None  # x, y, width, height: compared alone
+    region: tuple = None  # compared part: x, y, width, height; None: all
     block: int = 1        # side of the squares of pixels whose means are compared
-    inputs: object = None  # of a committed picture: inputs(bench) gives the inputs of the new one
+    inputs: object = None  # for a committed picture: inputs(bench) returns the inputs of the new picture
     made: Path = None      # the new file
 
     def replace(self, bench, _):
-        """Puts the new picture, and its inputs, in place of the committed ones."""
+        """Replaces the committed picture and its inputs by the new picture and its inputs."""
         found = self.inputs(bench) if self.inputs else None
         if found is None:
-            bench.say(f"{self.file} stays as it is: {inputs.NOT_RECORDED}")
+            bench.say(f"{self.file} is not replaced: {inputs.NOT_RECORDED}")
             return
         (bench.root / self.file).write_bytes(self.made.read_bytes())
         inputs.note(bench.root / inputs.PICTURES, self.file, found)
@@ -216,7 +218,7 @@ class Figure(Claim):
 
 @dataclass
 class Unrepeated(Claim):
-    """A file that is not made again, with the reason."""
+    """A file that is not made again; `because` has the reason."""
     file: str = ""
     seconds: float = 0
     command: str = "none"
@@ -233,4 +235,4 @@ def checked(claim, bench, numbers):
     except Failed as failed:
         return Outcome("-", "-", "-", MISSES, str(failed))
     except (KeyError, IndexError, ValueError) as error:
-        return Outcome("-", "-", "-", MISSES, f"what the command wrote cannot be read: {error!r}")
+        return Outcome("-", "-", "-", MISSES, f"the output of the command cannot be read: {error!r}")

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Measures errors and masked pixels for docs/derivations.md. The living room compares composites, and a limit on the hits of a
--- ray. The stripes of high contrast, which move against each other, have the published composite.
+-- Measures errors and masked pixels for docs/derivations.md. The shot of the living room compares composites, and a
+-- limit on the hits of a ray. The shot of high-contrast stripes, which move against each other, measures the published
+-- composite.
 local experiment = require "strobe.experiment"
 
 local in_stripes = { ["seed_linear"] = true, ["seed_linear, own edge"] = true }

@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""Marks of measured numbers in the pages, and the rule that every such number has one.
+"""Marks of measured numbers in the pages, and the rule that every measured number has a mark.
 
-A mark is a pair of comments, which readers of the page do not see:
+A mark is a pair of comments, which the rendered page does not show:
 
     A frame takes <!--= frame_ratio -->1.4 to 1.8<!--/--> times as long.
 
-What stands between them are the numbers of the claim `frame_ratio` (claims.py), in reading order. Around a table the two
-stand on lines of their own; its header, and the first cell of each row, name what is measured and are no numbers of it.
-Numbers in code (between backticks, fenced, indented) are never numbers of a claim.
+The numbers between the two comments are the numbers of the claim `frame_ratio` (claims.py), in reading order. Around a
+table, each comment has a line of its own; numbers in the header and in the first cell of each row do not count. Numbers
+in code (between backticks, fenced, indented) never count.
 
-A number counts as measured when it is written as one: a decimal fraction or a power of ten, a number with a unit of
-UNITS, "N of M", or a cell of a table that holds nothing else. Each one lies in a mark, or in a text that definitions.py
-lists with the reason why nothing was measured there. Whole numbers in sentences ("16 samples") are not looked at.
+A number is measured if it is written in one of these forms: a decimal fraction, a power of ten, a number with a unit of
+UNITS, "N of M", or the whole cell of a table. Each measured number must be in a mark, or in a text that definitions.py
+lists with the reason why nothing was measured there. Whole numbers in sentences ("16 samples") are not checked.
 """
 import re
 from dataclasses import dataclass
 
 UNITS = ("%", "s", "ms", "dB", "times", "seconds?", "minutes?", "hours?", "MiB", "MB", "GB", "rays", "bytes", "pixels",
          "frames per second")
-# Versions and other names that have a number in them.
+# Versions and other names that contain a number.
 NAMES = re.compile(r"\b(?:Vulkan|Ubuntu|Debian|glTF|RO-Crate|CC BY|Lua|Mesa|LLVM|McGuire|Guertin|Jimenez|OpenEXR|Python|"
                    r"SIGGRAPH) \d+(?:\.\d+)*(?: and \d+)?")
 NUMBER = re.compile(r"(?<![\w.^])(?:(?<=[\s|(])[-−])?(?:\d[\d,]*\d|\d)?(?:(?<=\d)\.\d+|\.\d+)?(?:(?<=\d)e[-+]?\d+)?"
@@ -31,7 +31,7 @@ OPEN, CLOSE = re.compile(r"<!--= ([a-z0-9_]+) -->"), re.compile(r"<!--/-->")
 class Number:
     text: str
     at: int        # offset in the page
-    measured: bool  # is written like a measured one
+    measured: bool  # True if written like a measured number
     line: int = 0
 
     @property
@@ -40,7 +40,7 @@ class Number:
 
     @property
     def half_a_unit(self):
-        """Half of the last place that is written; a 0 alone is exact."""
+        """Half a unit of the last written place; 0 for the text "0", which is exact."""
         if self.text == "0":
             return 0.0
         mantissa, _, power = self.text.partition("e")
@@ -49,7 +49,7 @@ class Number:
 
 
     def rewritten(self, value):
-        """The text of another value, with the same places and style."""
+        """Text of another value, with the same number of places and the same style."""
         mantissa, exponent, _ = self.text.partition("e")
         places = len(mantissa.partition(".")[2])
         if exponent:
@@ -78,7 +78,7 @@ def spaces(match):
 
 
 def without_code(text):
-    """The same text with spaces in place of code, targets of links and names; lines and offsets stay."""
+    """The text with code, link targets and names overwritten; lines and offsets stay the same."""
     lines, fenced = [], False
     for line in text.split("\n"):
         fence = line.startswith("```")
@@ -92,7 +92,7 @@ def without_code(text):
 
 
 def without_headers(text):
-    """Without the first row of each table and the line below it."""
+    """The text with the header row of each table, and the line below it, overwritten by spaces."""
     lines = text.split("\n")
     for i in range(1, len(lines)):
         if re.match(r"\|[-| :]+\|?$", lines[i]) and lines[i - 1].startswith("|"):
@@ -125,7 +125,7 @@ def line_of(text, at):
 
 
 def marks_of(page, text):
-    """The marks of a page, and what is wrong with them as "page:line: what"."""
+    """Marks of a page, and findings about wrong marks as "PAGE:LINE: FINDING"."""
     prose = without_headers(without_code(text))
     found, wrong, at = [], [], 0
     while opening := OPEN.search(prose, at):
@@ -137,7 +137,7 @@ def marks_of(page, text):
             break
         starts_line = text[:opening.start()].endswith("\n") or opening.start() == 0
         if starts_line and text[opening.end():opening.end() + 1] != "\n":
-            wrong.append(f"{page}:{line}: a line that begins with a mark is no paragraph any more: move it")
+            wrong.append(f"{page}:{line}: a line that begins with a mark does not start a paragraph: move the mark")
         span = " " * opening.end() + without_first_cells(prose)[opening.end():closing.start()]
         numbers = numbers_in(span, opening.end())
         for number in numbers:
@@ -157,7 +157,7 @@ def fragment_pattern(text):
 
 
 def unmarked(page, text, marks, fragments):
-    """Measured numbers of a page that lie in no mark and in none of `fragments`; then the fragments that it lacks."""
+    """Findings: measured numbers outside of marks and of `fragments`; then fragments that are not in the page."""
     plain = re.sub(r"<!--.*?-->", spaces, without_headers(without_code(text)), flags=re.DOTALL)
     free = [(mark.begin, mark.end) for mark in marks]
     lacking = []
@@ -176,7 +176,7 @@ def unmarked(page, text, marks, fragments):
 
 
 def replaced(page, text, id, values):
-    """The text of the page with other values between the marks of `id`, in reading order."""
+    """Text of the page with the numbers of the mark `id` replaced by `values`, in reading order."""
     mark = next(mark for mark in marks_of(page, text)[0] if mark.id == id)
     for number, value in reversed(list(zip(mark.numbers, values))):
         text = text[:number.at] + number.rewritten(value) + text[number.at + len(number.text):]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pixels of PNG files, by ImageMagick, which also lays crops side by side."""
+"""Pixels of PNG files, and sheets of crops, by ImageMagick."""
 import subprocess
 
 from bench import Failed, Missing
@@ -9,15 +9,15 @@ def magick(*words):
     try:
         end = subprocess.run([str(word) for word in words], capture_output=True)
     except FileNotFoundError as error:
-        raise Missing("ImageMagick (the package imagemagick) is not here") from error
+        raise Missing("ImageMagick (the package imagemagick) is missing") from error
     if end.returncode:
         raise Failed(end.stderr.decode(errors="replace").strip().splitlines()[-1])
     return end.stdout
 
 
 def pixels_of(file, region=None, block=1):
-    """Width, height, and three bytes per pixel; of `region` (x, y, width, height) alone if given; means over squares of
-    `block` pixels a side."""
+    """Width, height, and three bytes per pixel. `region` (x, y, width, height) selects a part of the picture. Pixels
+    are means over squares with a side of `block` pixels."""
     crop = ["-crop", "{2}x{3}+{0}+{1}".format(*region), "+repage"] if region else []
     mean = ["-scale", f"{100 / block}%"] if block > 1 else []
     data = magick("convert", file, *crop, *mean, "-depth", "8", "ppm:-")
@@ -27,7 +27,7 @@ def pixels_of(file, region=None, block=1):
 
 
 def differing_share(a, b, step):
-    """The share of pixels with a channel that differs by more than `step`, and the size as text."""
+    """Share of the pixels with a channel that differs by more than `step`, and the size as text."""
     if a[:2] != b[:2]:
         return 1.0, f"{a[0]}x{a[1]} and {b[0]}x{b[1]}"
     count = sum(1 for i in range(0, len(a[2]), 3)
@@ -36,8 +36,8 @@ def differing_share(a, b, step):
 
 
 def sheet(rows, crops, scale, border, file):
-    """Crops of pictures, a list of files per row, each pixel `scale` times as large, side by side on white. `crops` has
-    one (x, y, width, height) per row."""
+    """Writes a sheet of crops on white. `rows`: a list of picture files per row. `crops`: one (x, y, width, height) per
+    row. `scale`: magnification. `border`: space around each crop, px."""
     cells = []
     for row, (x, y, width, height) in zip(rows, crops):
         for picture in row:

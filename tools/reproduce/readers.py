@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How claims read their numbers out of results and out of what commands print."""
+"""Readers of claims: functions that read numbers from results and from the output of commands."""
 import json
 import re
 import statistics
@@ -11,7 +11,7 @@ HOME_TOOLS = "tools/reproduce/"
 
 
 def values_of(experiment, wanted):
-    """Reads `wanted`: tuples of shot, arm, measure, region, and more axes as a table."""
+    """Reader of the values at `wanted`: tuples of shot, arm, measure, region and, optionally, a dict of axes."""
     def read(bench):
         results = bench.results(experiment)
         return [results.value(measure, region, shot=shot, arm=arm, **(more[0] if more else {}))
@@ -43,7 +43,7 @@ def real_rows(with_ratios):
 
 
 def frame_ratios(bench):
-    """The least and the largest time of a frame of adaptive as a multiple of one of McGuire 2012, over the scenes."""
+    """Smallest and largest ratio over the scenes: frame time of adaptive / frame time of McGuire 2012."""
     results = bench.results("real_scenes")
     ratios = [results.value("ms", shot=shot, arm="adaptive", anchor="end") /
               results.value("ms", shot=shot, arm="McGuire 2012", anchor="end") for shot in REAL_SHOTS]
@@ -57,7 +57,8 @@ KINDS_OF_MOTION = ("mover", "turning", "entering", "camera")
 
 
 def methods_table(bench):
-    """Rows of the table of all methods: milliseconds at both sizes (means over the shots), then PSNR, SSIM, FLIP of each shot."""
+    """Rows of the table of all methods: milliseconds at both sizes (means over the shots), then PSNR, SSIM, FLIP of
+    each shot."""
     results, rows = bench.results("methods"), []
     for arm in METHODS:
         for size in ("1280x720", "1920x1080"):
@@ -68,7 +69,7 @@ def methods_table(bench):
 
 
 def moving_camera_ratios(bench):
-    """The least and the largest time of a frame of adaptive as a multiple of one of McGuire 2012, before moving cameras."""
+    """Smallest and largest ratio with moving cameras: frame time of adaptive / frame time of McGuire 2012."""
     results = bench.results("all_moves")
     ratios = [results.value("ms_ratio", shot=shot, arm="adaptive, quality 0.4") for shot in ("tracking", "parallax", "chase")]
     return [min(ratios), max(ratios)]
@@ -85,7 +86,7 @@ def rays_held(bench):
 # --- runs on a GPU
 
 def gpu_times(bench, file="bench"):
-    """Of a saved run, by method and width, the medians of the frame ("") and of each pass."""
+    """Median times of a saved run, ms: {(method, width): {pass: time}}; the key "" has the frame."""
     shots = json.loads((bench.root / f"docs/gpu/h200/{file}.json").read_text())["shots"]
     return {(shot["method"], shot["width"]): {"": statistics.median(shot["ms"])} |
             {one["name"]: statistics.median(one["ms"]) for one in shot["passes"]} for shot in shots}
@@ -118,7 +119,7 @@ def gpu_by_rays(bench):
 
 
 def gpu_pairs(bench):
-    """Of frames ("") and passes, with another choice and as they are."""
+    """Pairs of times of frames ("") or passes: with another choice, and as shipped."""
     now = gpu_times(bench)
     pairs = [("clears_by_driver", "hybrid:preset=seed", ""), ("one_invocation_per_tile", "hybrid", "tile_velocities"),
              ("one_invocation_per_tile", "hybrid", "tile_max"), ("pipeline", "none", "")]
@@ -126,13 +127,13 @@ def gpu_pairs(bench):
 
 
 def gpu_reload(bench):
-    """Seconds to compile after edits of two shaders, and to make the graph anew."""
+    """Seconds to compile after the edit of one pass and of a library, and to build the graph."""
     edits = {edit["edited"]: edit for edit in json.loads((bench.root / "docs/gpu/h200/reload.json").read_text())["reload"]}
     one, many = edits["shader of one pass"], edits["shader library of 23 passes"]
     return [one["compile_ms"] / 1000, many["compile_ms"] / 1000, one["build_ms"] / 1000]
 
 
-# --- what tests and commands print
+# --- output of tests and commands
 
 def printed(bench, program, test, name):
     """Numbers of the lines "NAME: a b c" that a test prints."""
@@ -149,14 +150,14 @@ def lines_of(program, test, name):
 
 
 def table_rows(text):
-    """Cells of the rows of a Markdown table, header and line below it left out."""
+    """Cells of the rows of a Markdown table, without the header and the line below it."""
     rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in text.splitlines()
             if line.startswith("|")]
     return [row for row in rows[1:] if not re.fullmatch(r"[-: ]+", row[0] or "-")]
 
 
 def block_files(text):
-    """Files that a page has as "```lua passes/edge/x.lua" blocks."""
+    """Files that a page contains as blocks "```lua passes/edge/x.lua": {path: text}."""
     return dict(re.findall(r"^```\w+ ([^\s:]+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL))
 
 
@@ -230,7 +231,7 @@ def precision_color(bench):
 
 
 def precision_color_error(bench):
-    """The largest change of an error by half colours, in per cent of it."""
+    """Largest change of an error by half-precision colours, per cent of the error."""
     results = bench.results("precision")
     return [max(100 * abs(precise(results, shot, arm, {"color_format": "fp16"})["rmse"] /
                           precise(results, shot, arm, {})["rmse"] - 1)
@@ -250,7 +251,7 @@ def precision_velocity_largest(bench):
 # --- everything, tuning
 
 def front_of(results, x, y, region):
-    """Points than which no other is as good in both, by x: tuples of x, y, point."""
+    """Pareto front of two costs, sorted by x: tuples of x, y, point."""
     found, best = [], float("inf")
     points = [(point["values"][x]["all"], point["values"][y][region], point) for _, point in results.points()
               if x in point["values"]]
@@ -262,7 +263,7 @@ def front_of(results, x, y, region):
 
 
 def everything_front(bench):
-    """Error and time of the front, as committed: times of another run choose other points."""
+    """Error and time of each point of the committed front. The times of a new run would select other points."""
     return [value for x, y, _ in front_of(bench.committed("everything"), "ms_ratio", "rmse", "inner") for value in (y, x)]
 
 
@@ -281,7 +282,7 @@ def tuned(what):
 
 
 def tuning(words):
-    """Runs `strobe tune` and reads what it saw."""
+    """Maker of results by `strobe tune`."""
     def make(bench):
         preset = bench.folder("tune") / "living_room.lua"
         bench.run("strobe", "tune", *words, "-o", preset, codes=(0, 1))
@@ -289,7 +290,7 @@ def tuning(words):
     return make
 
 
-# --- what belongs to a machine
+# --- values that depend on the machine
 
 RELOAD_COLUMNS = ("watch_ms", "evaluate_ms", "compile_ms", "build_ms", "first_frame_ms", "later_frame_ms", "added_ms")
 
@@ -303,7 +304,7 @@ def reload_rows(bench):
 
 
 def reload_added(bench):
-    """Least and largest of what edits of scripts add, then of shaders."""
+    """Smallest and largest added time, ms: for edits of scripts, then for edits of shaders."""
     shaders, scripts = [], []
     for edit in reload_data(bench):
         (shaders if edit["edited"].startswith("shader") else scripts).append(edit["added_ms"])
@@ -311,7 +312,7 @@ def reload_added(bench):
 
 
 def pictures_of_passes(bench):
-    """What `docs/pictures/make passes` prints; the pictures are in the folder `passes`."""
+    """Output of `docs/pictures/make passes`. The pictures are in the folder `passes`."""
     return bench.run(bench.root / "docs/pictures/make", "-o", bench.folder("pictures"), "passes")
 
 
@@ -334,8 +335,8 @@ def tile_pass_share(bench):
 
 
 def frames_at_rest(bench):
-    """A frame's time as a multiple of one of McGuire 2012, the median over rounds: of adaptive and of the accumulation
-    buffer where a pot moves in the country kitchen, then where the vase does in the living room."""
+    """Frame times of adaptive and of the accumulation buffer / frame time of McGuire 2012, medians over the rounds:
+    with a moving pot in the country kitchen, then with the moving vase in the living room."""
     pot = ["--scene", bench.shared_scenes() / "country_kitchen/country_kitchen.glb", "--move", "Mesh080_SteelPot=0.4,0,-0.195"]
     ratios = []
     for shot in pot, ["--scene", "living_room"]:
@@ -348,7 +349,7 @@ def frames_at_rest(bench):
 
 
 def shadow_rays_left(bench):
-    """Of a hundred shadow rays of the living room those that are traced where whole tiles are asked first."""
+    """Per cent of the shadow rays of the living room that are traced if whole tiles are tested first."""
     rays = []
     for shafts in ("true", "false"):
         record = json.loads(bench.run(bench.program, "render", "none", "--size", "960x540", "--set",
@@ -359,7 +360,7 @@ def shadow_rays_left(bench):
 
 
 def live_rate(bench):
-    """Frames of the window per second while it plays: of the time that 40 more frames take."""
+    """Frames per second of the playing window, from the added time of 40 more frames."""
     rates = []
     for size in ("160x90", "320x180", "480x270"):
         spent = []
@@ -373,20 +374,20 @@ def live_rate(bench):
 
 
 def thousand_points(bench):
-    """Seconds of drawing, measuring, keeping, and all of them, as a sweep of 1,000 points reports them."""
+    """Seconds of drawing, measuring and keeping, and their sum, as reported by a sweep of 1,000 points."""
     folder = bench.out / "thousand"
     words = ["strobe", "sweep", HOME_TOOLS + "thousand.lua", "-o", folder]
     bench.run(*words)
     errors = bench.last.stderr
     found = re.search(r"([\d.]+) drawing, ([\d.]+) measuring, ([\d.]+) keeping", errors)
     if not found:
-        raise Failed("the sweep does not say where its seconds went: remove " + str(folder))
+        raise Failed("the sweep reports no times, so run it again: remove " + str(folder))
     parts = [float(part) for part in found.groups()]
     return parts + [sum(parts)]
 
 
 def build_minutes(bench):
-    """A clean clone built without tests, the tests, the demo."""
+    """Minutes of the build of a clean clone without tests, of the tests, and of the demo."""
     clone, environment = bench.out / "clone", {"CCACHE_DISABLE": "1"}
     bench.run("git", "clone", "-q", bench.root, clone)
     build = timed(bench, "cmake", "-S", clone, "-B", clone / "build", "-G", "Ninja", environment=environment)

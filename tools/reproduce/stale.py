@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Committed results and pictures with inputs that changed since they were made, and the pages that publish them."""
+"""Committed results and pictures with inputs that changed later, and the pages that publish the results and
+pictures."""
 import json
 import os
 import re
@@ -13,10 +14,10 @@ LINK = re.compile(r"\]\(([^)#\s]+)|\bsrc=\"([^\"]+)\"")
 
 @dataclass
 class Stale:
-    name: str      # of the file: a result.json, or a picture
+    name: str      # path of a result.json or a picture
     changed: list  # names of the inputs that changed
     pages: list    # pages that state numbers of the result or show the picture
-    reason: str = ""  # of a file without recorded inputs
+    reason: str = ""  # only for a file without recorded inputs
 
     def text(self):
         pages = f" [{', '.join(self.pages)}]" if self.pages else ""
@@ -32,7 +33,7 @@ def folder_of(name):
 
 
 def shown_files(root):
-    """Pages by the files that they link or show, both relative to `root`."""
+    """Pages by linked or shown file; all paths relative to `root`."""
     pages = [root / "README.md", root / "ARTIFACT.md", root / "experiments/README.md", *sorted(root.glob("docs/**/*.md"))]
     shown = {}
     for page in filter(lambda page: page.exists(), pages):
@@ -43,7 +44,7 @@ def shown_files(root):
 
 
 def pages_by_file(root, marks):
-    """Pages by file: by the result if the page states its numbers or shows a figure beside it, and by the picture."""
+    """Pages by file. File: a picture that the page shows, or a result with numbers or figures in the page."""
     pages = shown_files(root)
     for file, by in list(pages.items()):
         if file.endswith((".png", ".svg")):

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Draws a thousand small points. They show how much time a sweep takes in addition to drawing (docs/writing-experiments.md).
+-- Draws a thousand small points, to measure the time of a sweep in addition to drawing (docs/writing-experiments.md).
 local experiment = require "strobe.experiment"
 
 return experiment {

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Compares the preset of experiments/tune, and the preset few_rays, with the pipeline adaptive.
+-- Compares the preset of experiments/tune and the preset few_rays with the defaults of the pipeline adaptive.
 local experiment = require "strobe.experiment"
 
 return experiment {

@@ -1,4 +1,4 @@
-// Puts the parts together: controls, tabs, keys, the address, print.
+// Connects the parts of the page: controls, tabs, keys, address, print.
 (function () {
   "use strict";
   const { data, state } = explorer;
@@ -50,9 +50,9 @@
 
   // ---- drawing
 
-  // Where the focus is, in words that hold when all is drawn again: the mark or line of the chosen point (where the chart
-  // has none, the one at which Tab stops), or the place among what can have the focus inside the nearest element with a
-  // name.
+  // `placeOf` returns a function that finds the focused element again after redrawing. For a mark or line: the mark or
+  // line of the chosen point, otherwise the Tab stop of the chart. For other elements: the element with the same id, or
+  // with the same index among the focusable elements of the nearest ancestor with an id.
   const reachable = host => [...host.querySelectorAll("a, button, input, select, textarea, summary, [tabindex]")];
   function placeOf(element) {
     if (!element || !element.closest(".explorer")) return () => null;
@@ -106,7 +106,7 @@
     explorer.changed();
   };
 
-  // Through the pinned points, or all that are shown; from the last on to the first.
+  // Steps through the pinned points (through all shown points if fewer than two are pinned), cyclically.
   explorer.step = by => {
     const list = state.pins.length > 1 ? state.pins : explorer.sorted(explorer.visible()).map(point => point.n);
     if (!list.length) return;
@@ -118,7 +118,7 @@
 
   document.addEventListener("keydown", event => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    const own = "input:not([type=checkbox]), select, textarea, .comparison";  // what has a use of its own for them
+    const own = "input:not([type=checkbox]), select, textarea, .comparison";  // elements with their own use of keys
     if (event.target.closest(own) || event.target.matches("pre, .scroll")) return;
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     const inside = event.target.closest(".explorer") || event.target === document.body;
@@ -133,6 +133,6 @@
   fill();
   explorer.takeFragment(location.hash) || explorer.takeFragment("");
   explorer.changed();
-  explorer.prepareWorst();  // now, so that `load` waits for what is printed then
+  explorer.prepareWorst();  // now, so that the event `load` waits for the pictures to print
   document.documentElement.classList.add("explores");
 })();

@@ -1,5 +1,5 @@
-// Charts of measures: one against another with its front, and parallel coordinates. Marks and dashes are those of the
-// page's other charts (chart.css), by arm.
+// Charts of measures: one measure against another with the front, and parallel coordinates. Each arm has the same marks
+// and dashes as in the other charts of the page (chart.css).
 (function () {
   "use strict";
   const { data, measures, state, value } = explorer;
@@ -23,7 +23,7 @@
   const plot = (svg, left, right, top, bottom) => svg.append("rect").attr("class", "plot").attr("x", left).attr("y", top)
     .attr("width", right - left).attr("height", bottom - top);
 
-  // Logarithmic where asked for, or where values of a cost span more than a factor of five.
+  // True if the scale is logarithmic: by choice, or because values of a cost or axis span more than a factor of five.
   function isLog(name, how, extent) {
     if (how !== "auto") return how === "log" && extent[0] > 0;
     const { better, is_axis } = measures.get(name);
@@ -65,8 +65,8 @@
     }
   }
 
-  // Marks and lines are buttons: the pointer, Tab and the keys reach them. Tab stops at the chosen one of a chart, else at
-  // the first. `enter`: what that key does.
+  // Marks and lines are buttons: the pointer, Tab and the keys reach them. Tab stops at the chosen point of a chart,
+  // otherwise at the first. `enter`: action of the key Enter.
   function asButton(group, point, said, enter = explorer.select) {
     group.attr("role", "button").attr("data-point", point.n).attr("aria-label", said)
       .attr("tabindex", point.n === state.selected ? 0 : -1).attr("aria-pressed", point.n === state.selected);
@@ -92,11 +92,11 @@
     return asButton(group, point, said);
   }
 
-  // A digit or letter is at most 8 wide.
+  // Width of the longest word; a digit or letter is at most 8 px wide.
   const widthOf = words => 8 * Math.max(0, ...words.map(word => String(word).length));
   const legendWidth = 40 + widthOf(methods.map(arm => data.arms[arm].name));
 
-  // `asLines`: of lines instead of marks.
+  // `asLines`: show lines instead of marks.
   function legend(svg, list, left, top, withFront, asLines) {
     const arms = methods.filter(arm => list.some(point => point.a === arm));
     let y = top + 8;
@@ -159,7 +159,7 @@
     if (has_front) frontTable(host, front);
   }
 
-  // Where both quartiles of the times were measured, a line between them.
+  // Draws a line between the quartiles of the times of a point, if both were measured.
   function quartiles(svg, list, place, axes) {
     if (!measures.has("ms_low") || !measures.has("ms_high")) return;
     for (const [name, scale, across] of axes) {
@@ -190,7 +190,7 @@
 
   // ---- parallel coordinates
 
-  // Arm, axes, measures: a scale each, with `at(point)`; what a point does not have is below the lower end.
+  // Arm, axes and measures, each with a scale and a place `at(point)`; missing values are below the lower end.
   function dimensions(list, top, bottom) {
     const all = [], range = [bottom, top], below = bottom + 14;
     const discrete = (name, title, levels, of) => {
@@ -222,7 +222,7 @@
     return all;
   }
 
-  // Drawn along an axis: a filter of the levels or the range inside.
+  // Filters a dimension by the levels or the range inside `span`; null removes the filter.
   function brushed(one, span) {
     const inside = level => span[0] <= one.scale(level) && one.scale(level) <= span[1];
     if (!span) delete state.filters[one.name];
@@ -234,7 +234,7 @@
     explorer.changed();
   }
 
-  // A line that has the focus without being chosen is chosen as well.
+  // Chooses a point and pins it; the focused line may be another line than the chosen one.
   function pin(n) {
     if (n !== state.selected) explorer.select(n);
     explorer.pin(n);
@@ -282,7 +282,8 @@
         const [low, high] = one.scale.domain(), inside = end => one.scale(Math.min(high, Math.max(low, end)));
         area.call(brush.move, [inside(filter.to ?? high), inside(filter.from ?? low)]);
       }
-      // What a person drags, not what was placed above; a click, which changes nothing, takes the filter away.
+      // Only drags have a source event; the calls of `brush.move` above do not. A click, which does not change the
+      // selection, removes the filter.
       let before = "";
       brush.on("start", function () { before = JSON.stringify((d3.event || arguments[0]).selection); });
       brush.on("end", function () {

@@ -1,4 +1,4 @@
-// Main effects and pairwise interactions of the measure that is y, as the program computed them.
+// Main effects and pairwise interactions for the measure y, computed by the program.
 (function () {
   "use strict";
   const { data, state } = explorer, { canvas, text, path, plot, written } = explorer.chart;
@@ -15,14 +15,14 @@
     return data.effects.find(one => one.shot === state.shot && one.measure === state.y && one.region === region);
   }
 
-  // What the numbers of a factor rest on.
+  // Text about the points behind the effects of a factor.
   function basis(one) {
     if (one.comparison === "unpaired") return "unpaired: its levels never stand under the same conditions";
     if (one.comparison === "slope") return "a straight line through all points";
     return plural(one.blocks, "block") + leftOut(one.incomplete);
   }
 
-  // One row per level: a dot with its interval about 0, and the numbers.
+  // Data of the table rows: one row per level, or one row for a slope.
   function rowsOf(effects) {
     const rows = [];
     for (const one of effects.main) {
@@ -117,7 +117,7 @@
       (pair.blocks === 1 ? ": one block has no interval" : "") + ". Bold: 0 is outside of the interval.", { class: "soft" });
   }
 
-  // Means of the points by both factors: a list for each level of the first.
+  // Means of the points by two factors: one list per level of the first factor.
   function meansBy(first, second) {
     const level = (point, factor) => factor.name === "shot" ? point.shot : explorer.levelOf(point, factor.name);
     const number = point => explorer.value(point, state.y, state.region);
@@ -127,7 +127,7 @@
     return first.labels.map(a => second.labels.map(b => d3.mean(at(a, b), number)));
   }
 
-  // Lines that are not parallel are an interaction.
+  // Chart of the means; lines that are not parallel show an interaction.
   function means(host, effects, pair) {
     const [first, second] = [effects.factors[pair.first], effects.factors[pair.second]], lines = meansBy(first, second);
     const left = 70, right = 520, top = 12, bottom = 240;

@@ -1,4 +1,4 @@
-// What the page knows of the points, what of it is chosen, and what follows from both. Nothing here draws.
+// Model of the page: the points, the current choices, and values derived from both. No drawing.
 const explorer = { data: JSON.parse(document.getElementById("explorer-data").textContent) };
 
 (function () {
@@ -13,7 +13,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     point.shot = point.group.shot;
     point.at = point.group.at;
   }
-  // Axes of numbers are drawn like measures: "axis.samples".
+  // Numeric axes are drawn like measures, with names like "axis.samples".
   const numeric = data.axes.filter(axis => axis.values.length > 1 && axis.values.every(one => typeof one === "number"));
   for (const { name, title } of numeric) {
     const about = { title, unit: "", better: "neither", is_axis: true, doc: "what varies" };
@@ -25,7 +25,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
 
   // ---- values
 
-  // NaN where it was not measured.
+  // Value of a measure at a point; NaN if not measured.
   function value(point, name, region) {
     const measured = point.v[name];
     if (measured === undefined || measured === null) return NaN;
@@ -33,7 +33,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     return one === null || one === undefined ? NaN : one;
   }
 
-  // As the tables of the page write them.
+  // Text of a value, in the format of the tables of the page.
   function shown(name, number) {
     if (Number.isNaN(number)) return "–";
     const { unit, is_axis } = measures.get(name);
@@ -46,7 +46,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     return size < 1e-6 ? number.toExponential(1) : number.toFixed(Math.max(5, 1 - Math.floor(Math.log10(size))));
   }
 
-  // "RMSE, inner"; without the region where none is given.
+  // Title like "RMSE, inner"; without a region if none is given.
   function measureTitle(name, region) {
     const one = measures.get(name);
     return one.title + (one.unit ? ", " + one.unit : "") + (one.per_region && region ? ", " + region : "");
@@ -61,7 +61,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     data.shots.length > 1 ? [shotTitle(point.shot)] : [],
     Object.entries(point.at).map(([axis, given]) => axis + " " + label(axis, given))).join(", ");
 
-  // Everything that sets a point apart, by name.
+  // Arm, shot and axis values of a point, by name.
   function parameters(point) {
     const all = { arm: point.arm };
     if (data.shots.length > 1) all.shot = shotTitle(point.shot);
@@ -69,17 +69,17 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     return all;
   }
 
-  // Parameters of `point` that are others at `last`: [name, now, before]; "" where there is none.
+  // Parameters with different values at `point` and `last`: [name, now, before]; "" for a missing value.
   function differences(point, last) {
     const now = parameters(point), before = last ? parameters(last) : {};
     const names = Object.keys(now).concat(Object.keys(before).filter(name => !(name in now)));
     return names.filter(name => now[name] !== before[name]).map(name => [name, now[name] || "", before[name] || ""]);
   }
 
-  // ---- what truth cannot tell apart
+  // ---- ties within the error of truth
 
-  // Numbers of the points whose error is less than two standard errors of truth above the smallest of their group:
-  // their order may be truth's noise (triangle inequality).
+  // Numbers of the points of a group with an error less than two standard errors of truth above the smallest error.
+  // The noise of truth may decide the order of these points (triangle inequality).
   const ties = new Map();
   function tiedIn(g, region) {
     const key = g + " " + region;
@@ -97,8 +97,8 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
 
   // ---- the front
 
-  // Points than which no other is as good in both and better in one, by growing cost in x; of equal points the first.
-  // None where a value is neither better nor worse than another.
+  // Pareto front of the costs x and y, sorted by x; the first of equal points. Empty if a measure has no better
+  // direction.
   const hasFront = (x, y) => [x, y].every(name => measures.get(name).better !== "neither");
   function front(list, x, y, region) {
     if (!hasFront(x, y)) return [];
@@ -113,7 +113,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     return kept;
   }
 
-  // ---- what is chosen, and its form in the address
+  // ---- choices, and their form in the address
 
   const regional = data.measures.filter(one => one.per_region && one.better !== "neither");
   const first = (wanted, otherwise) => measures.has(wanted) ? wanted : otherwise;
@@ -132,7 +132,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
   const ofShot = () => state.shot ? "; " + shotTitle(state.shot) : "; all shots";
   const texts = ["tab", "shot", "region", "x", "y", "logx", "logy", "sort", "find", "view", "pair", "worst"];
 
-  // A filter is a list of levels, "4|8", or a range, "0.1..2" with ends that may be missing.
+  // A filter is a list of levels ("4|8"), or a range ("0.1..2"; each end may be missing).
   const filterText = one => one.levels ? one.levels.map(encodeURIComponent).join("|") : `${one.from ?? ""}..${one.to ?? ""}`;
   function filterOf(text) {
     const range = /^(-?[\d.e+-]*?)\.\.(-?[\d.e+-]*)$/.exec(text);
@@ -155,7 +155,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     return parts.join("&");
   }
 
-  // Text of an address; as it stands where it is none.
+  // Decoded text of an address; unchanged if it is not valid.
   function decoded(text) {
     try { return decodeURIComponent(text); } catch { return text; }
   }
@@ -172,7 +172,8 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     else if (canFilter(filtered)) state.filters[filtered] = filterOf(given);
   }
 
-  // Takes what the address says and what there is, and defaults for the rest. False: it says nothing of the points.
+  // Sets the state from an address; missing and unknown values get defaults. False if the address has no values, for
+  // example a link to a section.
   function takeFragment(text) {
     const said = text.replace(/^#/, "");
     if (said && !said.includes("=")) return false;
@@ -188,7 +189,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     return true;
   }
 
-  // ---- which points are shown
+  // ---- filtered and sorted points
 
   const levelOf = (point, name) => name === "arm" ? point.arm : name in point.at ? label(name, point.at[name]) : undefined;
   function passes(point, name, filter) {
@@ -203,7 +204,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
       words.every(word => (point.n + " " + describe(point)).toLowerCase().includes(word)));
   }
 
-  // By `state.sort`: "n", "arm", an axis or a measure, with "-" the largest first; what has no value comes last.
+  // Sorts by `state.sort`: "n", "arm", "shot", an axis or a measure; "-": largest first. Missing values come last.
   function sorted(list) {
     const down = state.sort.startsWith("-"), name = down ? state.sort.slice(1) : state.sort;
     const key = point => {

@@ -1,4 +1,4 @@
-// The chosen point: picture, wipe against truth, FLIP map, crops, what it differs in, numbers, commands, notes.
+// The chosen point: picture, wipe against truth, FLIP map, crops, changed parameters, numbers, commands, notes.
 (function () {
   "use strict";
   const { data, state, value } = explorer;
@@ -6,7 +6,7 @@
 
   // ---- pictures
 
-  // Pictures by number, from when they are first asked for.
+  // Pictures by number, loaded at the first use.
   const images = new Map();
   function picture(index) {
     if (!images.has(index)) {
@@ -20,7 +20,8 @@
 
   const heat = d3.range(256).map(i => d3.rgb(d3.interpolateMagma(i / 255))).map(({ r, g, b }) => [r, g, b]);
 
-  // A part of a picture, [x, y, width, height] in pixels of the experiment; a FLIP map in the colours of magma.
+  // Draws `area` of a picture: [x, y, width, height] in pixels of the experiment, null for all. A FLIP map gets the
+  // colours of magma.
   function draw(canvas, image, area, isFlip) {
     const scaleX = image.naturalWidth / data.size[0], scaleY = image.naturalHeight / data.size[1];
     const [x, y, width, height] = area || [0, 0, data.size[0], data.size[1]];
@@ -41,7 +42,7 @@
     return canvas;
   }
 
-  // The point, truth and FLIP in the same part of the picture.
+  // Draws the same crop of the point, of truth and of the FLIP map.
   function crops(host, point, area) {
     const [x, y, width, height] = area, where = `${width}x${height} at ${x},${y}`;
     drawn(host, point.picture, area, `${explorer.describe(point)}, crop ${where}`, false);
@@ -78,11 +79,11 @@
     if (view === "wipe") wipe(host, box, point, image, said);
   }
 
-  // Pinned points whose pictures `point` can be wiped against.
+  // Other pinned points with pictures, for a wipe with `point`.
   const wipeable = point => state.pins.map(n => explorer.byNumber.get(n))
     .filter(one => one !== point && one.picture !== undefined);
 
-  // The pinned point that is chosen for that; undefined: truth.
+  // The pinned point on the other side of the wipe; undefined: truth.
   const against = point => wipeable(point).find(one => one.n === state.against) ||
     (point.group.picture === undefined ? wipeable(point)[0] : undefined);
 
@@ -138,7 +139,7 @@
 
   // ---- words and numbers
 
-  // What changed since the point that was shown before.
+  // Parameters of the point, and their changes since the point chosen before.
   function parameters(host, point) {
     const last = explorer.byNumber.get(state.last), differences = last ? explorer.differences(point, last) : [];
     const changed = new Map(differences.map(([name, now, before]) => [name, before]));
@@ -188,7 +189,7 @@
     for (const one of rest) explorer.numberCell(row, point, one.name);
   }
 
-  // Milliseconds of each pass, as bars of the longest.
+  // Times of the passes, ms, with bars relative to the longest pass.
   function passes(host, point) {
     if (!point.passes) return;
     const box = append(host, "details");
@@ -277,7 +278,7 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
-  // The part of the picture in which the first pinned point of the shot has its largest error, so that differences show.
+  // The crop with the largest FLIP of the first pinned point of the shot, so that thumbnails show differences.
   function thumbnail(host, point) {
     if (point.picture === undefined) return;
     const first = state.pins.map(n => explorer.byNumber.get(n)).find(one => one.shot === point.shot && one.worst);

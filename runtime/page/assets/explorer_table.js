@@ -1,4 +1,4 @@
-// Small parts that views share, filters, the table of points, and the worst crops.
+// Common elements of the views, filters, the table of points, and the worst crops.
 (function () {
   "use strict";
   const { data, state, measures, value } = explorer;
@@ -15,7 +15,7 @@
     return made;
   }
 
-  // An empty table with its heads, in a box that scrolls.
+  // An empty table with a header row, in a scrolling box.
   function table(host, columns, numeric) {
     const box = append(host, "div", undefined, { class: "scroll", tabindex: "0", role: "region", "aria-label": "table" });
     const made = append(box, "table");
@@ -33,7 +33,7 @@
     return button;
   }
 
-  // A row of a point: a click in it chooses the point. Buttons and boxes in it keep their own use, and so does marked text.
+  // Row of a point. A click in the row chooses the point, except on buttons and inputs, or while text is selected.
   function pointRow(made, point) {
     const row = made.tBodies[0].insertRow();
     row.dataset.point = point.n;
@@ -44,7 +44,7 @@
     return row;
   }
 
-  // A number of a point: a button that shows the commands which make it again.
+  // Cell with a number of a point: a button that shows the commands which make the number again.
   function numberCell(row, point, name, region = state.region) {
     const cell = row.insertCell(), number = value(point, name, region);
     cell.className = "number";
@@ -182,7 +182,7 @@
       .slice(0, Number(state.worst));
   }
 
-  // So that they are there at once where they are printed.
+  // Loads the pictures of the worst crops, so that a printed page has them.
   const prepareWorst = () => worstPoints().forEach(explorer.prepare);
 
   function drawWorst(host) {
