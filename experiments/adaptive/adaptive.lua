@@ -82,15 +82,17 @@ local function on_curve(curve, cost)
   return least
 end
 
--- Returns the names of the points of `list` with an error below the curve, by more than a fiftieth of the error on the curve.
-local function below(curve, list)
+-- Returns the names of the points of `list` with an error below the curve. `share`: a point is below the curve if its error is
+-- less than this share of the error on the curve.
+local function below(curve, list, share)
   local found = {}
   for _, one in ipairs(list) do
     local least = on_curve(curve, one.cost)
-    if least and one.error < 0.98 * least then found[#found + 1] = one.name end
+    if least and one.error < share * least then found[#found + 1] = one.name end
   end
   return found
 end
+local slack = 0.98  -- share for a point that is clearly below the curve
 
 -- Returns the points of `curve` on the Pareto front: no point of `list` is at least as good in both cost and error.
 local function on_front(curve, list)
@@ -112,7 +114,7 @@ local function of_curve(cost, words, known)
   return {
     { ("over all scenes, no point of another pipeline lies below the curve of adaptive (%s)"):format(words), function(r)
       local curve, list = fronts(r, cost)
-      local found = below(curve, list)
+      local found = below(curve, list, slack)
       return #found == 0, #found == 0 and "none of " .. #list or table.concat(found, ", ")
     end, known = known },
     { ("over all scenes, at least five settings of adaptive are on the front (%s)"):format(words), function(r)
@@ -123,12 +125,12 @@ local function of_curve(cost, words, known)
 end
 
 -- Returns the number of scenes where no point of another pipeline lies below the curve of adaptive. Also returns a text for
--- each of the other scenes, with the points below the curve.
-local function scene_by_scene(r, cost)
+-- each of the other scenes, with the points below the curve. `share`: as for `below`.
+local function scene_by_scene(r, cost, share)
   local good, texts = 0, {}
   for _, one in ipairs(shots) do
     local function at(name) return in_shot(r, one, name, cost) end
-    local found = below(points(own, at), points(others, at))
+    local found = below(points(own, at), points(others, at), share)
     if #found == 0 then good = good + 1 else texts[#texts + 1] = one.title .. ": " .. table.concat(found, ", ") end
   end
   return good, texts
@@ -153,10 +155,14 @@ end
 local function also(text, holds, known) expect[#expect + 1] = { text, holds, known = known } end
 
 also("in no single scene does a point of another pipeline lie below the curve of adaptive (error against time)", function(r)
-  local good, texts = scene_by_scene(r, "ms")
+  local good, texts = scene_by_scene(r, "ms", slack)
   return good == #shots, ("in %d of %d; %s"):format(good, #shots, table.concat(texts, "; "))
 end, "in some scenes, layers at the raster time contain all surfaces that are visible at any time. There, methods " ..
   "with layers have a smaller error for the same time")
+also("in every scene, adaptive has at most 1.5 times the error of each point of another pipeline, in the same time", function(r)
+  local good, texts = scene_by_scene(r, "ms", 1 / 1.5)
+  return good == #shots, ("in %d of %d; %s"):format(good, #shots, table.concat(texts, "; "))
+end)
 also("the first setting, a quality of 0, is on the front if the post-process that it equals is not counted", function(r)
   local curve, list = fronts(r, "ms")
   local names = {}
@@ -189,6 +195,21 @@ also("over all scenes, each increase of quality takes more time and has a smalle
     texts[#texts + 1] = ("%.2f, %.3f"):format(curve[i].cost, curve[i].error)
   end
   return good, table.concat(texts, "; ")
+end)
+
+also("in every scene, each increase of quality takes at least 0.95 times the time, and has at most 1.05 times the error, of " ..
+  "the setting before", function(r)
+  local texts = {}
+  for _, one in ipairs(shots) do
+    local curve = points(own, function(name) return in_shot(r, one, name, "ms") end)
+    for i = 2, #curve do
+      local a, b = curve[i - 1], curve[i]
+      if b.cost < 0.95 * a.cost or b.error > 1.05 * a.error + 1e-6 then
+        texts[#texts + 1] = ("%s, %s (time %.2f, error %.2f times)"):format(one.title, b.name, b.cost / a.cost, b.error / a.error)
+      end
+    end
+  end
+  return #texts == 0, table.concat(texts, "; ")
 end)
 
 return experiment {
