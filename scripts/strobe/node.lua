@@ -114,18 +114,18 @@ local function cannot_follow(wanted, source)
   local same = wanted.type == source.type or (wanted.type == "float" and source.type == "int")
   if not same then return ("is %s, but '%s' of the pipeline is %s"):format(wanted.type, source.name, source.type) end
   if wanted.unit ~= "" and source.unit ~= "" and wanted.unit ~= source.unit then
-    return ("is in %s, but '%s' of the pipeline in %s"):format(wanted.unit, source.name, source.unit)
+    return ("is in %s, but '%s' of the pipeline is in %s"):format(wanted.unit, source.name, source.unit)
   end
   for _, choice in ipairs(source.choices or {}) do
     if not check.contains(wanted.choices, choice) then
       local near = native.nearest(choice, wanted.choices)
-      return ("has no choice '%s', unlike '%s' of the pipeline%s"):format(choice, source.name, near)
+      return ("has no choice '%s', but '%s' of the pipeline has it%s"):format(choice, source.name, near)
     end
   end
   local outside = wanted.min and (source.min < wanted.min or source.max > wanted.max)
   if not outside then return nil end
-  return ("is from %s to %s, but '%s' of the pipeline from %s to %s"):format(wanted.min, wanted.max, source.name,
-                                                                              source.min, source.max)
+  return ("has the range %s to %s, but '%s' of the pipeline has the range %s to %s"):format(
+    wanted.min, wanted.max, source.name, source.min, source.max)
 end
 
 -- Returns the reference `p.NAME` to the parameter of the pipeline that sets `wanted`, a parameter of a pass, if the call of the
