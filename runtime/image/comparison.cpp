@@ -123,14 +123,14 @@ static void placeIn(const Window& area, Picture& picture) {
         fmt::format("{} pixels outside of the display window are not compared: {}", hidden, windowsOf(picture)));
   if (size_t lacking = areaOf(area) - shown; lacking > 0)
     picture.notes.push_back(
-        fmt::format("{} of the pixels compared are black, since they are outside of its data window: {}", lacking,
+        fmt::format("{} of the compared pixels are outside of its data window and count as black: {}", lacking,
                     windowsOf(picture)));
   picture.linear = cutTo(picture.linear, picture.data, area);
 }
 
 void alignPictures(Picture& test, Picture& reference, Picture& mask) {
   auto refuse = [&](const char* what, const Picture& other) {
-    throw Error(fmt::format("the {} has {}, the test image {}", what, sizeOf(other), sizeOf(test)));
+    throw Error(fmt::format("the {} has {}, but the test image has {}", what, sizeOf(other), sizeOf(test)));
   };
   auto sameSize = [](const Window& a, const Window& b) { return a.width == b.width && a.height == b.height; };
   auto same = [&](const Window& a, const Window& b) { return sameSize(a, b) && a.x == b.x && a.y == b.y; };
@@ -150,13 +150,13 @@ void alignPictures(Picture& test, Picture& reference, Picture& mask) {
 
 static void requireComparable(const Image& test, const Image& reference, const Image& mask) {
   auto refuse = [&](const char* what, const Image& other) {
-    throw Error(fmt::format("the {} has {}x{} pixels, the test image {}x{}", what, other.width, other.height,
+    throw Error(fmt::format("the {} has {}x{} pixels, but the test image has {}x{}", what, other.width, other.height,
                             test.width, test.height));
   };
   if (!sameSize(reference, test)) refuse("reference", reference);
   if (mask.empty()) return;
   if (!sameSize(mask, test)) refuse("mask", mask);
-  if (countedPixels(test, mask) == 0) throw Error("the mask is empty: no pixel of it is 0.5 or more");
+  if (countedPixels(test, mask) == 0) throw Error("the mask is empty: all its pixels are below 0.5");
 }
 
 Comparison compareImages(const Image& test, const Image& reference, const Image& mask, const CompareOptions& options) {

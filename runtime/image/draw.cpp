@@ -22,7 +22,7 @@ Image filled(int width, int height, const Colour& colour) {
 Image crop(const Image& image, Rectangle area) {
   Rectangle inside = cutTo(image, area);
   if (inside.width == 0 || inside.height == 0)
-    throw Error(fmt::format("the crop {}x{} at {},{} lies outside the image of {}x{}", area.width, area.height, area.x,
+    throw Error(fmt::format("the crop {}x{} at {},{} is outside of the image of {}x{}", area.width, area.height, area.x,
                             area.y, image.width, image.height));
   Image result(inside.width, inside.height, image.channels);
   for (int y = 0; y < inside.height; ++y)

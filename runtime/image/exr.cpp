@@ -165,16 +165,17 @@ void checkSize(const Imath::Box2i& window, size_t channel_count, size_t file_byt
   int64_t height = int64_t(window.max.y) - window.min.y + 1;
   constexpr int64_t kMaxSide = 65536, kMaxBytes = int64_t(16) << 30, kMaxFactor = 65536;
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
-    throw std::runtime_error(fmt::format("its size is {}x{}", width, height));
+    throw std::runtime_error(fmt::format("its size of {}x{} is not in the range from 1 to 65536", width, height));
   int64_t bytes = width * height * 4 * int64_t(channel_count);
-  if (bytes > kMaxBytes) throw std::runtime_error("it holds more than 16 GiB of pixels");
+  if (bytes > kMaxBytes) throw std::runtime_error("it has more than 16 GiB of pixels");
   if (bytes / kMaxFactor > int64_t(file_bytes))
-    throw std::runtime_error(fmt::format("its size of {}x{} does not fit in {} bytes", width, height, file_bytes));
+    throw std::runtime_error(
+        fmt::format("its size of {}x{} is too large for a file of {} bytes", width, height, file_bytes));
 }
 
 ExrChannel emptyChannel(const std::string& name, const Imf::Channel& described, size_t pixels) {
   if (described.xSampling != 1 || described.ySampling != 1)
-    throw std::runtime_error(fmt::format("channel '{}' is subsampled", name));
+    throw std::runtime_error(fmt::format("channel '{}' is subsampled, which is not supported", name));
   ExrChannel channel{name, ExrKind::real, {}, {}};
   if (described.type == Imf::UINT) channel.kind = ExrKind::uint;
   if (described.type == Imf::HALF) channel.kind = ExrKind::half;
@@ -194,7 +195,8 @@ void insertSlice(Imf::FrameBuffer& frame, ExrChannel& channel, const Imath::Box2
 
 ExrPart decodedPart(Imf::MultiPartInputFile& input, int index, size_t file_bytes) {
   const Imf::Header& header = input.header(index);
-  if (header.hasType() && Imf::isDeepData(header.type())) throw std::runtime_error("it holds deep pixels");
+  if (header.hasType() && Imf::isDeepData(header.type()))
+    throw std::runtime_error("it has deep pixels, which are not supported");
   Imath::Box2i window = header.dataWindow();
   size_t channel_count = 0;
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it) ++channel_count;
@@ -379,7 +381,8 @@ UintImage idsOf(const ExrPart& content, const std::vector<std::string>& names, c
   image.values.resize(size_t(image.width) * image.height * names.size());
   for (size_t c = 0; c < names.size(); ++c) {
     const ExrChannel& channel = require(content, names[c], file);
-    if (channel.kind != ExrKind::uint) throw Error(fmt::format("channel '{}' holds no ids", names[c]), {file.string()});
+    if (channel.kind != ExrKind::uint)
+      throw Error(fmt::format("channel '{}' does not have ids (unsigned integers)", names[c]), {file.string()});
     for (size_t i = 0; i < channel.ids.size(); ++i) image.values[i * names.size() + c] = channel.ids[i];
   }
   return image;

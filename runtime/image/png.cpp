@@ -85,9 +85,9 @@ void takeBytes(png_structp png, png_bytep into, size_t count) {
 // at most.
 void takeSize(png_structp png, png_infop info, size_t file_bytes, Decoded& into) {
   into.width = png_get_image_width(png, info), into.height = png_get_image_height(png, info);
-  if (into.width > 65536 || into.height > 65536) png_error(png, "larger than 65536 pixels");
+  if (into.width > 65536 || into.height > 65536) png_error(png, "its width or height is above 65536 pixels");
   uint64_t packed = uint64_t(into.width) * into.height * png_get_bit_depth(png, info) * png_get_channels(png, info) / 8;
-  if (packed / 1032 > file_bytes) png_error(png, "its size does not fit in its bytes");
+  if (packed / 1032 > file_bytes) png_error(png, "its size is too large for the bytes of the file");
 }
 
 void takeColour(png_structp png, png_infop info, Decoded& into) {
@@ -160,8 +160,8 @@ std::vector<std::string> unusedColour(const Decoded& decoded) {
   std::vector<std::string> notes = decoded.warnings;
   const std::vector<int> kSrgbCodePoints = {1, 13, 0, 1};
   if (!decoded.code_points.empty() && decoded.code_points != kSrgbCodePoints)
-    notes.push_back(
-        fmt::format("its cICP chunk ({}) is not used: only sRGB (1 13 0 1) is", fmt::join(decoded.code_points, " ")));
+    notes.push_back(fmt::format("its cICP chunk ({}) is not used: only sRGB (1 13 0 1) is supported",
+                                fmt::join(decoded.code_points, " ")));
   if (!decoded.icc_profile.empty() && !decoded.says_srgb)
     notes.push_back(fmt::format("its ICC profile '{}' is not used", decoded.icc_profile));
   return notes;
@@ -180,7 +180,7 @@ LinearPng readLinearPng(const Path& file) {
     read.linear = decodeSrgb(read.linear);
   } else {
     for (float& value : read.linear.values) value = float(std::pow(value, 1 / decoded.gamma));
-    read.notes.push_back(fmt::format("its values are decoded by its gamma of {:.5g}, not as sRGB", decoded.gamma));
+    read.notes.push_back(fmt::format("its values are decoded with its gamma of {:.5g}, not as sRGB", decoded.gamma));
   }
   bool converts = decoded.has_primaries && !decoded.says_srgb && !decoded.primaries.areRec709();
   if (converts) read.notes.push_back(convertStated(read.linear, decoded.primaries));

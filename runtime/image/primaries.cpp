@@ -62,7 +62,8 @@ dmat3 rec709From(const Primaries& primaries) {
 
 std::string convertStated(Image& linear, const Primaries& primaries) {
   if (!primaries.areValid())
-    return fmt::format("its primaries are not used, they span no triangle around white: {}", primaries.text());
+    return fmt::format("its primaries are not used, because their triangle does not contain white: {}",
+                       primaries.text());
   const dmat3 conversion = rec709From(primaries);
   for (size_t i = 0; i + 2 < linear.values.size(); i += 3) {
     dvec3 rgb = conversion * dvec3(linear.values[i], linear.values[i + 1], linear.values[i + 2]);

@@ -46,14 +46,15 @@ static std::vector<double> argumentsOf(const std::string& text, std::vector<doub
   if (colon == std::string::npos) return otherwise;
   std::vector<double> numbers;
   for (const std::string& part : split(text.substr(colon + 1), ',')) numbers.push_back(numberIn(text, part));
-  if (numbers.size() != otherwise.size()) refuse(text, fmt::format("it takes {} numbers", otherwise.size()));
+  if (numbers.size() != otherwise.size())
+    refuse(text, fmt::format("the number of values after ':' must be {}", otherwise.size()));
   return numbers;
 }
 
 static Points trapezoid(const std::string& text) {
   std::vector<double> shares = argumentsOf(text, {0.25, 0.25});
   if (shares[0] < 0 || shares[1] < 0 || shares[0] + shares[1] > 1)
-    refuse(text, "the shutter opens and closes for shares of the exposure, 0 to 1 together");
+    refuse(text, "OPENING and CLOSING must be at least 0, and their sum at most 1 (shares of the exposure)");
   double opened = rounded(shares[0]), closes = std::max(1 - rounded(shares[1]), opened);
   return {{0, 0}, {opened, 1}, {closes, 1}, {1, 0}};
 }
@@ -61,7 +62,7 @@ static Points trapezoid(const std::string& text) {
 static Points gaussian(const std::string& text) {
   constexpr int kSteps = 30;  // on each side
   const double sigma = argumentsOf(text, {1.0 / 6})[0];
-  if (!(sigma >= 0.01 && sigma <= 10)) refuse(text, "the standard deviation is 0.01 to 10 of the exposure");
+  if (!(sigma >= 0.01 && sigma <= 10)) refuse(text, "SIGMA, a share of the exposure, must be from 0.01 to 10");
   const double step = std::floor(std::ldexp(std::min(0.5, 4 * sigma) / kSteps, 40)) / std::ldexp(1, 40);
   Points points = {{0, 0}, {0.5 - kSteps * step, 0}};
   for (int i = -kSteps; i <= kSteps; ++i)
@@ -74,7 +75,7 @@ static Points gaussian(const std::string& text) {
 static Points table(const std::string& text) {
   constexpr size_t kMost = ShutterCurve::kMostKnots - 2;
   const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() < 2 || parts.size() > kMost) refuse(text, fmt::format("a table has 2 to {} weights", kMost));
+  if (parts.size() < 2 || parts.size() > kMost) refuse(text, fmt::format("a table must have 2 to {} weights", kMost));
   const bool has_times = text.find('=') != std::string::npos;
   Points points;
   for (size_t i = 0; i < parts.size(); ++i) {
@@ -94,21 +95,22 @@ static Points pointsOf(const std::string& text) {
   if (name == "gaussian") return gaussian(text);
   if (!text.empty() && text.find_first_not_of("0123456789.,=-+eE") == std::string::npos) return table(text);
   refuse(text,
-         "is none of box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA, weights 0,1,1,0 or TIME=WEIGHT,..." +
+         "is not one of box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA, weights 0,1,1,0 or TIME=WEIGHT,..." +
              didYouMean(name, {"box", "triangle", "trapezoid", "gaussian"}));
 }
 
 ShutterCurve ShutterCurve::from(const std::string& text) {
   const Points points = pointsOf(text);
-  if (points.front().time != 0 || points.back().time != 1) refuse(text, "times go from 0 to 1");
+  if (points.front().time != 0 || points.back().time != 1) refuse(text, "the times must start at 0 and end at 1");
   double most = 0, weight = 0;
   for (size_t i = 0; i < points.size(); ++i) {
     if (points[i].weight < 0) refuse(text, "a weight is below 0");
-    if (i > 0 && points[i].time < points[i - 1].time) refuse(text, "times do not rise");
+    if (i > 0 && points[i].time < points[i - 1].time) refuse(text, "the times must not decrease");
     if (i > 0) weight += between(points[i - 1], points[i]);
     most = std::max(most, points[i].weight);
   }
-  if (!(weight > 1e-9 * most) || most > 1e30) refuse(text, "no time counts");
+  if (!(weight > 1e-9 * most) || most > 1e30)
+    refuse(text, "the area under the curve is close to 0, or a weight is above 1e30");
   return ShutterCurve(points);
 }
 

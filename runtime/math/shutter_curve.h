@@ -29,8 +29,8 @@ class ShutterCurve {
 
   // Reads a curve. Shares are relative to the exposure.
   // - "box", "triangle"
-  // - "trapezoid" or "trapezoid:OPENING,CLOSING": shares during which the shutter opens and closes, 0 to 1 together;
-  //   default 0.25 each
+  // - "trapezoid" or "trapezoid:OPENING,CLOSING": shares during which the shutter opens and closes, each at least 0,
+  //   with a sum of at most 1; default 0.25 each
   // - "gaussian" or "gaussian:SIGMA": standard deviation as a share, 0.01 to 10; default 1/6. The curve is centred and
   //   cut off at four standard deviations.
   // - "0,1,1,0.5": weights at even distances from shutter open to shutter close

@@ -90,7 +90,8 @@ static void addCamera(Scene& scene) {
   camera.near = distance * 1e-3;
   scene.cameras.push_back(camera);
   scene.nodes.push_back(node);
-  scene.assumptions.push_back("no camera in the scene: one that frames its bounds, vertical angle 40 degrees");
+  scene.assumptions.push_back(
+      "no camera in the scene: added a camera that frames the scene, vertical angle 40 degrees");
 }
 
 static bool needsLight(const Scene& scene) {
@@ -117,7 +118,7 @@ static void addLight(Scene& scene, int camera) {
   scene.lights.push_back(light);
   scene.nodes.push_back(node);
   scene.assumptions.push_back(
-      "no light in the scene: a directional light of 1.6 1.52 1.4 lux at the camera, no shadow");
+      "no light in the scene: added a directional light of 1.6 1.52 1.4 lux at the camera, without shadows");
 }
 
 void supplyDefaults(Scene& scene, const std::string& camera) {
@@ -128,7 +129,7 @@ void supplyDefaults(Scene& scene, const std::string& camera) {
   if (environment.sky != vec3(0) || environment.ground != vec3(0)) return;
   environment.sky = vec3(0.42f, 0.45f, 0.50f);
   environment.ground = vec3(0.22f, 0.20f, 0.18f);
-  scene.assumptions.push_back("no environment in the scene: a sky of .42 .45 .50 over a ground of .22 .20 .18");
+  scene.assumptions.push_back("no environment in the scene: added a sky of .42 .45 .50 over a ground of .22 .20 .18");
 }
 
 void moderateLights(Scene& scene) {
@@ -147,7 +148,8 @@ void moderateLights(Scene& scene) {
   if (!(lux > 0) || !std::isfinite(lux) || (lux >= 0.3 && lux <= 10)) return;
   double factor = kPi / lux;
   for (Light& light : scene.lights) light.moderation *= float(factor);
-  scene.assumptions.push_back(fmt::format("its lights give about {:.4g} lux: all multiplied by {:.4g}", lux, factor));
+  scene.assumptions.push_back(
+      fmt::format("the lights give about {:.4g} lux: all intensities are multiplied by {:.4g}", lux, factor));
 }
 
 }  // namespace strobe::scene

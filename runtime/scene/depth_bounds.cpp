@@ -20,9 +20,9 @@ DepthBounds DepthBounds::from(const std::string& text) {
   else throw Error(fmt::format("--motion-depths '{}': expected NEAR,FAR or NEAR,FAR,SOFT, in metres", text), {}, 2);
   const bool rising = bounds.near_m >= 0 && bounds.far_m >= bounds.near_m;  // false for NaN
   if (!rising || !std::isfinite(bounds.near_m))
-    throw Error(fmt::format("--motion-depths '{}': depths rise from 0 or more", text), {}, 2);
+    throw Error(fmt::format("--motion-depths '{}': NEAR must be at least 0, and FAR at least NEAR", text), {}, 2);
   if (!(bounds.soft_m >= 0) || !std::isfinite(bounds.soft_m))
-    throw Error(fmt::format("--motion-depths '{}': the soft ends are 0 or more metres", text), {}, 2);
+    throw Error(fmt::format("--motion-depths '{}': SOFT must be at least 0", text), {}, 2);
   return bounds;
 }
 

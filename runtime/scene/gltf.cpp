@@ -64,7 +64,7 @@ class Loader {
     if (variant_.empty()) return -1;
     auto found = std::find(scene_.variants.begin(), scene_.variants.end(), variant_);
     if (found != scene_.variants.end()) return int(found - scene_.variants.begin());
-    if (scene_.variants.empty()) throw Error(fmt::format("{} has no variants of its materials", scene_.name), {}, 2);
+    if (scene_.variants.empty()) throw Error(fmt::format("{} has no material variants", scene_.name), {}, 2);
     throw Error(fmt::format("{} has no variant '{}'{}; it has {}", scene_.name, variant_,
                             didYouMean(variant_, scene_.variants), fmt::join(scene_.variants, ", ")),
                 {}, 2);
@@ -153,7 +153,7 @@ class Loader {
     dquat rotation(r[3], r[0], r[1], r[2]);
     double length = glm::length(rotation);
     if (std::abs(length - 1) > 0.01)
-      file_.refuse(where, fmt::format("its rotation is a quaternion of length {}", length));
+      file_.refuse(where, fmt::format("its rotation is a quaternion of length {}, not 1", length));
     node.rotation = rotation / length;
     if (!json.contains("matrix")) return;
     for (const char* part : {"translation", "rotation", "scale"})
@@ -184,7 +184,7 @@ class Loader {
       int index = file_.index(attributes, names[k], "accessors", where);
       if (index < 0) continue;
       values[k] = file_.accessor(index, where, {k == 1 ? "VEC4" : "VEC3"});
-      if (count != 0 && values[k]->count != count) file_.refuse(where, "its instance attributes differ in number");
+      if (count != 0 && values[k]->count != count) file_.refuse(where, "its instance attributes have different counts");
       count = values[k]->count;
     }
     for (size_t i = 0; i < count; ++i) {

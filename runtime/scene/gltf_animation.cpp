@@ -41,8 +41,9 @@ class AnimationReader {
     std::vector<double> cuts = cutsOf(file_, json, where);
     for (double cut : cuts)
       if (cut < 0 || cut > duration_s)
-        file_.refuse(where + ".extras",
-                     fmt::format("'cuts' has {}, not from 0 to the clip's end at {} s", cut, duration_s));
+        file_.refuse(
+            where + ".extras",
+            fmt::format("'cuts' has {}, which is not in the range from 0 to the clip's end at {} s", cut, duration_s));
     return cuts;
   }
 
@@ -51,7 +52,8 @@ class AnimationReader {
     if (!target) return;
     const Json& samplers = file_.list(json, "samplers", where);
     size_t sampler = file_.size(channel, "sampler", std::nullopt, where);
-    if (sampler >= samplers.size()) file_.refuse(where, fmt::format("'sampler' is {} of {}", sampler, samplers.size()));
+    if (sampler >= samplers.size())
+      file_.refuse(where, fmt::format("'sampler' is {}, but the animation has {} samplers", sampler, samplers.size()));
     if (!target->morphed.empty()) return readWeights(samplers[sampler], where, *target, animation);
     Track track;
     track.node = target->node;
@@ -72,20 +74,22 @@ class AnimationReader {
     if (path == "pointer") return pointed(target, where);
     PointerTarget result;
     result.node = file_.index(target, "node", "nodes", where);
-    if (result.node < 0) return warn(where + ": names no node and is left out"), std::nullopt;
+    if (result.node < 0) return warn(where + ": has no target node and is left out"), std::nullopt;
     if (path == "weights") return once(weightsOf(file_, {result.node}, where), pointerTo(result.node, path), where);
     if (path == "rotation") result.target = Track::Target::Rotation, result.components = 4;
     else if (path == "scale") result.target = Track::Target::Scale;
-    else if (path != "translation") return warn(fmt::format("{}: path '{}' is left out", where, path)), std::nullopt;
+    else if (path != "translation")
+      return warn(fmt::format("{}: path '{}' is not supported; the channel is left out", where, path)), std::nullopt;
     return once(result, pointerTo(result.node, path), where);
   }
 
   std::optional<PointerTarget> pointed(const Json& target, const std::string& where) {
     std::string pointer = file_.text(file_.extension(target, "KHR_animation_pointer"), "pointer");
-    if (pointer.empty()) file_.refuse(where, "its path is 'pointer', but KHR_animation_pointer names none");
+    if (pointer.empty()) file_.refuse(where, "its path is 'pointer', but KHR_animation_pointer has no pointer");
     if (target.contains("node")) file_.refuse(where, "has both a pointer and a node");
     std::optional<PointerTarget> result = pointerTarget(file_, pointer, where);
-    if (!result) return warn(fmt::format("{}: '{}' cannot be moved; it is left out", where, pointer)), std::nullopt;
+    if (!result)
+      return warn(fmt::format("{}: '{}' cannot be animated; the channel is left out", where, pointer)), std::nullopt;
     return once(*result, pointer, where);
   }
 
@@ -94,7 +98,7 @@ class AnimationReader {
   // Returns the target. Refuses a target that another channel of the animation drives.
   std::optional<PointerTarget> once(const PointerTarget& target, const std::string& pointer, const std::string& where) {
     if (!driven_.insert(pointer).second)
-      file_.refuse(where, fmt::format("drives {}, as another channel does", pointer));
+      file_.refuse(where, fmt::format("drives {}, which another channel drives too", pointer));
     return target;
   }
 

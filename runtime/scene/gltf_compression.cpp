@@ -26,10 +26,11 @@ namespace {
 void applyFilter(const MeshoptStream& stream, uint8_t* to) {
   const size_t stride = stream.stride;
   auto require = [&](bool fits) {
-    if (!fits) fail(fmt::format("filter {} does not go with elements of {} bytes", stream.filter, stride));
+    if (!fits) fail(fmt::format("filter {} is not allowed with elements of {} bytes", stream.filter, stride));
   };
   if (stream.filter.empty() || stream.filter == "NONE") return;
-  if (stream.mode != "ATTRIBUTES") fail(fmt::format("filter {} does not go with mode {}", stream.filter, stream.mode));
+  if (stream.mode != "ATTRIBUTES")
+    fail(fmt::format("filter {} is not allowed with mode {}", stream.filter, stream.mode));
   if (stream.filter == "OCTAHEDRAL") {
     require(stride == 4 || stride == 8);
     meshopt_decodeFilterOct(to, stream.count, stride);
@@ -58,9 +59,9 @@ class CheckedDecoder : public Decoder {
     constexpr bool kFacesFirst = std::is_same_v<Decoder, draco::MeshSequentialDecoder>;
     const size_t faces = kFacesFirst ? first : second, vertices = kFacesFirst ? second : first;
     if (faces * 3 != stream_.indices)
-      fail(fmt::format("it has {} triangles, its accessor {} indices", faces, stream_.indices));
+      fail(fmt::format("it has {} triangles, but its accessor has {} indices", faces, stream_.indices));
     if (vertices > stream_.vertices)
-      fail(fmt::format("it has {} vertices, its accessors {}", vertices, stream_.vertices));
+      fail(fmt::format("it has {} vertices, but its accessors have {}", vertices, stream_.vertices));
     return Decoder::DecodeConnectivity();
   }
 
@@ -68,13 +69,13 @@ class CheckedDecoder : public Decoder {
   bool DecodeAllAttributes() override {
     const draco::PointCloud& points = *this->point_cloud();
     if (points.num_points() != stream_.vertices)
-      fail(fmt::format("it has {} vertices, its accessors {}", points.num_points(), stream_.vertices));
+      fail(fmt::format("it has {} vertices, but its accessors have {}", points.num_points(), stream_.vertices));
     // Attributes without an accessor are decoded too.
     constexpr size_t kMostComponents = 256;
     size_t components = 0;
     for (int i = 0; i < points.num_attributes(); ++i) components += points.attribute(i)->num_components();
     if (components > kMostComponents)
-      fail(fmt::format("it has {} numbers for each vertex, above {}", components, kMostComponents));
+      fail(fmt::format("it has {} numbers per vertex, above the limit of {}", components, kMostComponents));
     return Decoder::DecodeAllAttributes();
   }
 
@@ -105,7 +106,7 @@ std::vector<uint8_t> numbersOf(const draco::PointAttribute& attribute, const std
   for (uint32_t p = 0; p < points; ++p) {
     const draco::AttributeValueIndex index = attribute.mapped_index(draco::PointIndex(p));
     if (index.value() >= attribute.size() || !attribute.ConvertValue(index, int8_t(width), values))
-      fail(fmt::format("{} of vertex {} is not a number of its accessor's type", name, p));
+      fail(fmt::format("{} of vertex {} cannot be converted to the type of its accessor", name, p));
     for (int c = 0; c < width; ++c) append(bytes, values[c]);
   }
   return bytes;
@@ -115,9 +116,9 @@ std::vector<uint8_t> attributeOf(const draco::Mesh& mesh, const std::string& nam
   const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(asked.id);
   if (!attribute) fail(fmt::format("it has no attribute {} for {}", asked.id, name));
   if (attribute->num_components() != asked.width)
-    fail(fmt::format("{} has {} components, its accessor {}", name, attribute->num_components(), asked.width));
+    fail(fmt::format("{} has {} components, but its accessor has {}", name, attribute->num_components(), asked.width));
   if (draco::IsDataTypeIntegral(attribute->data_type()) == (asked.component_type == 5126))
-    fail(fmt::format("{} is not of its accessor's type", name));
+    fail(fmt::format("the type of {} differs from the type of its accessor", name));
   const size_t points = mesh.num_points();
   switch (asked.component_type) {
     case 5120:
@@ -138,7 +139,7 @@ std::vector<uint8_t> attributeOf(const draco::Mesh& mesh, const std::string& nam
 template <class T>
 std::vector<uint8_t> indicesOf(const draco::Mesh& mesh) {
   if (mesh.num_points() > size_t(std::numeric_limits<T>::max()))
-    fail(fmt::format("its {} vertices are beyond the type of its indices", mesh.num_points()));
+    fail(fmt::format("its {} vertices are above the range of the type of its indices", mesh.num_points()));
   std::vector<uint8_t> bytes;
   bytes.reserve(size_t(mesh.num_faces()) * 3 * sizeof(T));
   for (uint32_t f = 0; f < mesh.num_faces(); ++f)
@@ -155,13 +156,13 @@ std::vector<uint8_t> decodeMeshopt(const MeshoptStream& stream) {
   int failed = 0;
   if (stream.mode == "ATTRIBUTES") {
     if (stream.stride % 4 != 0 || stream.stride > 256)
-      fail(fmt::format("byteStride {} does not go with mode ATTRIBUTES", stream.stride));
+      fail(fmt::format("byteStride {} is not allowed with mode ATTRIBUTES", stream.stride));
     failed = meshopt_decodeVertexBuffer(bytes.data(), stream.count, stream.stride, from, size);
   } else {
     if (stream.stride != 2 && stream.stride != 4)
-      fail(fmt::format("byteStride {} does not go with mode {}", stream.stride, stream.mode));
+      fail(fmt::format("byteStride {} is not allowed with mode {}", stream.stride, stream.mode));
     if (stream.mode == "TRIANGLES" && stream.count % 3 != 0)
-      fail(fmt::format("{} indices are not whole triangles", stream.count));
+      fail(fmt::format("the number of indices is {}, not a multiple of 3", stream.count));
     failed = stream.mode == "TRIANGLES"
                  ? meshopt_decodeIndexBuffer(bytes.data(), stream.count, stream.stride, from, size)
                  : meshopt_decodeIndexSequence(bytes.data(), stream.count, stream.stride, from, size);
@@ -178,7 +179,7 @@ DracoMesh decodeDraco(const DracoStream& stream) {
   draco::DracoHeader header;
   if (!draco::PointCloudDecoder::DecodeHeader(&ahead, &header).ok()) fail("it has no Draco header");
   if (header.version_major != 2 || header.version_minor != 2)
-    fail(fmt::format("it is of version {}.{}, not 2.2", header.version_major, header.version_minor));
+    fail(fmt::format("its version is {}.{}, not 2.2", header.version_major, header.version_minor));
   if (header.encoder_type != draco::TRIANGULAR_MESH) fail("it is not a mesh");
   draco::Mesh mesh;
   if (header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING)
@@ -187,7 +188,7 @@ DracoMesh decodeDraco(const DracoStream& stream) {
     decodeMesh<draco::MeshEdgebreakerDecoder>(stream, buffer, mesh);
   else fail(fmt::format("its encoding {} is unknown", header.encoder_method));
   if (size_t(mesh.num_faces()) * 3 != stream.indices)
-    fail(fmt::format("it has {} triangles, its accessor {} indices", mesh.num_faces(), stream.indices));
+    fail(fmt::format("it has {} triangles, but its accessor has {} indices", mesh.num_faces(), stream.indices));
   DracoMesh result;
   switch (stream.index_type) {
     case 5121:

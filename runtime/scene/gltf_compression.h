@@ -19,7 +19,7 @@ struct MeshoptStream {
 };
 
 // Returns `count` elements of `stride` bytes. Throws `std::runtime_error` with the reason for a damaged stream, or if
-// the mode or the filter does not go with the stride.
+// the mode or the filter does not allow the stride.
 std::vector<uint8_t> decodeMeshopt(const MeshoptStream& stream);
 
 // Attribute of a Draco stream that an accessor refers to.

@@ -18,8 +18,8 @@ void GltfFile::decodeViews() {
     stream.filter = text(json, "filter", where);
     const size_t length = size(views[i], "byteLength", std::nullopt, where);
     if (length != stream.count * stream.stride)
-      refuse(where, fmt::format("{} elements of {} bytes are not the {} bytes of the view", stream.count, stream.stride,
-                                length));
+      refuse(where, fmt::format("{} elements of {} bytes do not match the {} bytes of the view", stream.count,
+                                stream.stride, length));
     try {
       decoded_views_[int(i)] = decodeMeshopt(stream);
     } catch (const std::exception& error) {
@@ -76,7 +76,7 @@ void GltfFile::decodePrimitive(const Json& primitive, const Json& json, const st
 void GltfFile::keepDecoded(int accessor, std::vector<uint8_t> bytes, const std::string& where) {
   auto [known, is_new] = decoded_accessors_.try_emplace(accessor, bytes);
   if (!is_new && known->second != bytes)
-    refuse(where, fmt::format("accessors[{}] has another stream already", accessor));
+    refuse(where, fmt::format("accessors[{}] already has the contents of another stream", accessor));
 }
 
 }  // namespace strobe::scene

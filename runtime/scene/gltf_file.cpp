@@ -90,37 +90,38 @@ void GltfFile::readContainer() {
   if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) readChunks(bytes, json_at, json_size);
   // The depth is limited, because copying and printing such values recurse.
   auto shallow = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > 200) refuse("", "its JSON is nested deeper than 200");
+    if (depth > 200) refuse("", "its JSON is nested deeper than 200 levels");
     return true;
   };
   try {
     json_ = Json::parse(bytes.begin() + json_at, bytes.begin() + json_at + json_size, shallow);
   } catch (const Json::parse_error& error) {
-    refuse("", fmt::format("is not valid JSON at byte {} of it", error.byte));
+    refuse("", fmt::format("is not valid JSON: error at byte {}", error.byte));
   } catch (const Json::out_of_range&) {
-    refuse("", "has a number in its JSON that is beyond the range of double precision");
+    refuse("", "has a JSON number outside of the range of double precision");
   }
-  if (!json_.is_object()) refuse("", "is not a glTF asset: its JSON is no object");
+  if (!json_.is_object()) refuse("", "is not a glTF asset: its JSON is not an object");
 }
 
 // Reads the JSON chunk, then the binary chunk. Chunks of other kinds are skipped.
 void GltfFile::readChunks(const std::vector<uint8_t>& bytes, size_t& json_at, size_t& json_size) {
   constexpr uint32_t kJson = 0x4E4F534A, kBinary = 0x004E4942;
-  if (bytes.size() < 20) refuse("", fmt::format("is cut short: {} bytes are less than a GLB header", bytes.size()));
+  if (bytes.size() < 20)
+    refuse("", fmt::format("is cut short: {} bytes are fewer than a GLB header needs", bytes.size()));
   if (word(bytes, 4) != 2) refuse("", fmt::format("is GLB version {}, not 2", word(bytes, 4)));
   const size_t length = word(bytes, 8);
   if (length > bytes.size()) refuse("", fmt::format("is cut short: {} of {} bytes", bytes.size(), length));
   size_t at = 12;
   for (size_t i = 0; at < length; ++i) {
     if (length - at < 8)
-      refuse("", fmt::format("chunk {} is cut short: {} bytes are less than a header", i, length - at));
+      refuse("", fmt::format("chunk {} is cut short: {} bytes are fewer than a header needs", i, length - at));
     const size_t size = word(bytes, at);
     const uint32_t kind = word(bytes, at + 4);
     if (size > length - at - 8)
-      refuse("", fmt::format("chunk {} has {} bytes, but {} are left of the file", i, size, length - at - 8));
+      refuse("", fmt::format("chunk {} has {} bytes, but the file has only {} more", i, size, length - at - 8));
     if (size % 4 != 0) refuse("", fmt::format("chunk {} has {} bytes, not a multiple of 4", i, size));
     at += 8;
-    if ((i == 0) != (kind == kJson)) refuse("", i == 0 ? "its first chunk is not JSON" : "has two chunks of JSON");
+    if ((i == 0) != (kind == kJson)) refuse("", i == 0 ? "its first chunk is not JSON" : "has two JSON chunks");
     if (kind == kBinary && i != 1) refuse("", fmt::format("its binary chunk is chunk {}, not 1", i));
     if (kind == kJson) json_at = at, json_size = size;
     if (kind == kBinary) {
@@ -129,13 +130,13 @@ void GltfFile::readChunks(const std::vector<uint8_t>& bytes, size_t& json_at, si
     }
     at += size;
   }
-  if (json_at == 0) refuse("", "has no chunk of JSON");
+  if (json_at == 0) refuse("", "has no JSON chunk");
 }
 
 void GltfFile::checkVersion() const {
   std::string version = text(object(json_, "asset", ""), "version", "asset");
   if (version.empty()) refuse("", "is not a glTF asset: asset.version is missing");
-  if (!isVersion(version)) refuse("asset", fmt::format("version '{}' is not one", version));
+  if (!isVersion(version)) refuse("asset", fmt::format("'{}' is not a version number", version));
   if (!version.starts_with("2.")) refuse("", fmt::format("is glTF {}, not 2.0", version));
   std::string least = text(object(json_, "asset", ""), "minVersion", "asset");
   if (!least.empty() && least != "2.0") refuse("asset", fmt::format("minVersion is {}, above 2.0", least));
@@ -157,7 +158,7 @@ void GltfFile::readBuffers() {
       buffers_.emplace_back();
       continue;
     }
-    if (uri.empty() && !(i == 0 && has_binary_chunk_)) refuse(where, "has no uri and there is no binary chunk");
+    if (uri.empty() && !(i == 0 && has_binary_chunk_)) refuse(where, "has neither a uri nor a binary chunk");
     buffers_.push_back(uri.empty() ? std::move(binary_chunk_) : uriBytes(uri, where));
     if (buffers_.back().size() < length)
       refuse(where, fmt::format("is cut short: {} of {} bytes", buffers_.back().size(), length));
@@ -192,7 +193,7 @@ std::vector<uint8_t> GltfFile::uriBytes(const std::string& uri, const std::strin
   if (hasScheme(uri) || relative.is_absolute()) refuse(where, fmt::format("'{}' is not a relative path", uri));
   Path file = (path_.parent_path() / relative).lexically_normal();
   if (!mayRead(file))
-    refuse(where, fmt::format("'{}' lies outside of the scene's folder; --allow-outside lets it be read", uri));
+    refuse(where, fmt::format("'{}' is outside of the scene's folder; use --allow-outside to read it", uri));
   try {
     std::string text = readFile(file);
     return {text.begin(), text.end()};
@@ -213,12 +214,12 @@ GltfFile::View GltfFile::view(int view_index, const std::string& where) const {
 // Part of a buffer, as stated by a buffer view or by its compression extension.
 GltfFile::View GltfFile::stored(const Json& json, const std::string& name) const {
   int buffer = index(json, "buffer", "buffers", name);
-  if (buffer < 0) refuse(name, "names no buffer");
+  if (buffer < 0) refuse(name, "has no buffer");
   if (isFallback(all("buffers")[size_t(buffer)])) refuse(name, "is not compressed, but its buffer is a fallback");
   size_t offset = size(json, "byteOffset", 0, name), length = size(json, "byteLength", std::nullopt, name);
   size_t available = buffers_[buffer].size();
   if (offset > available || length > available - offset)
-    refuse(name, fmt::format("{} bytes at {} do not lie in a buffer of {}", length, offset, available));
+    refuse(name, fmt::format("{} bytes at byte {} do not fit in a buffer of {} bytes", length, offset, available));
   size_t stride = size(json, "byteStride", 0, name);
   if (stride % 4 != 0 && !json.contains("mode"))
     refuse(name, fmt::format("byteStride {} is not a multiple of 4", stride));
@@ -232,10 +233,10 @@ const uint8_t* GltfFile::elements(const Json& json, size_t count, size_t element
   stride = source.stride ? source.stride : element_size;
   size_t offset = size(json, "byteOffset", 0, where);
   if (stride < element_size)
-    refuse(where, fmt::format("byteStride {} is below its element's {}", stride, element_size));
+    refuse(where, fmt::format("byteStride {} is below the size of an element, {}", stride, element_size));
   size_t needed = stride * (count - 1) + element_size;
   if (offset > source.size || needed > source.size - offset)
-    refuse(where, fmt::format("{} elements do not lie in its buffer view of {} bytes", count, source.size));
+    refuse(where, fmt::format("{} elements do not fit in its buffer view of {} bytes", count, source.size));
   return source.data + offset;
 }
 
@@ -252,7 +253,7 @@ Values GltfFile::accessor(int accessor_index, const std::string& asked, const st
   const AccessorFormat stored = format(accessor_index);
   if (std::find(types.begin(), types.end(), stored.type) == types.end())
     refuse(where, fmt::format("type is '{}', not {}", stored.type, fmt::join(types, " or ")));
-  if (stored.type == "MAT4" && stored.component_type != 5126) refuse(where, "is a matrix of integers");
+  if (stored.type == "MAT4" && stored.component_type != 5126) refuse(where, "is a matrix of integers, not of floats");
   Values values;
   values.width = stored.width();
   values.count = stored.count;
@@ -285,15 +286,16 @@ void GltfFile::requireElements() const {
     const size_t width = size_t(stored.width());
     for (const char* bound : {"min", "max"})
       if (accessors[i].contains(bound) && accessors[i][bound].size() != width)
-        refuse(where, fmt::format("'{}' has not {} numbers", bound, width));
+        refuse(where, fmt::format("'{}' does not have {} numbers", bound, width));
     const bool has_view = accessors[i].contains("bufferView");
-    if (accessors[i].contains("byteOffset") && !has_view) refuse(where, "has a byteOffset and no bufferView");
+    if (accessors[i].contains("byteOffset") && !has_view) refuse(where, "has a byteOffset but no bufferView");
     if (has_view && !decoded_accessors_.count(int(i)))
       elements(accessors[i], stored.count, stored.elementSize(), stride, where);
     if (!accessors[i].contains("sparse")) continue;
     const Json& sparse = accessors[i]["sparse"];
     const size_t count = size(sparse, "count", std::nullopt, place);
-    if (count > stored.count) refuse(place, fmt::format("count is {} of {}", count, stored.count));
+    if (count > stored.count)
+      refuse(place, fmt::format("count is {}, but the accessor has {} elements", count, stored.count));
     const int index_type = int(size(sparse["indices"], "componentType", std::nullopt, place + ".indices"));
     elements(sparse["indices"], count, componentSize(index_type), stride, place + ".indices");
     elements(sparse["values"], count, stored.elementSize(), stride, place + ".values");
@@ -304,7 +306,8 @@ void GltfFile::applySparse(const Json& accessor, Values& values, int component_t
                            const std::string& where) const {
   const Json& sparse = object(accessor, "sparse", where);
   size_t count = size(sparse, "count", std::nullopt, where);
-  if (count == 0 || count > values.count) refuse(where, fmt::format("count is {} of {}", count, values.count));
+  if (count == 0 || count > values.count)
+    refuse(where, fmt::format("count is {}, but the accessor has {} elements", count, values.count));
   const Json &indices = object(sparse, "indices", where), &replacing = object(sparse, "values", where);
   int index_type = int(size(indices, "componentType", std::nullopt, where));
   size_t index_stride = 0, stride = 0, width = componentSize(component_type);
@@ -314,7 +317,7 @@ void GltfFile::applySparse(const Json& accessor, Values& values, int component_t
   for (size_t i = 0; i < count; ++i) {
     double element = component(index_at + i * index_stride, index_type, false);
     if (element <= before || element >= double(values.count))
-      refuse(where, fmt::format("index {} is out of order or beyond {}", element, values.count));
+      refuse(where, fmt::format("index {} is out of order or not below {}", element, values.count));
     before = element;
     for (int c = 0; c < values.width; ++c) {
       double number = component(at + i * stride + c * width, component_type, normalized);
@@ -327,7 +330,8 @@ std::vector<uint32_t> GltfFile::indices(int accessor_index, const std::string& w
   const Values values = accessor(accessor_index, where, {"SCALAR"});
   const double restart = std::pow(256.0, double(componentSize(format(accessor_index).component_type))) - 1;
   for (size_t i = 0; i < values.count; ++i)
-    if (values.numbers[i] == restart) refuse(where, fmt::format("index {} is {}, which restarts", i, restart));
+    if (values.numbers[i] == restart)
+      refuse(where, fmt::format("index {} is {}, the value for primitive restart", i, restart));
   return {values.numbers.begin(), values.numbers.end()};
 }
 

@@ -76,10 +76,11 @@ std::vector<double> GltfJson::numbers(const Json& object, const std::string& key
                                       const std::string& where) const {
   const Json& values = list(object, key, where);
   if (values.empty()) return fallback;
-  if (values.size() != fallback.size()) refuse(where, fmt::format("'{}' has not {} numbers", key, fallback.size()));
+  if (values.size() != fallback.size())
+    refuse(where, fmt::format("'{}' does not have {} numbers", key, fallback.size()));
   for (size_t i = 0; i < values.size(); ++i) {
     bool finite = values[i].is_number() && std::isfinite(values[i].get<double>());
-    if (!finite) refuse(where, fmt::format("'{}' holds what is not a finite number", key));
+    if (!finite) refuse(where, fmt::format("'{}' has an element that is not a finite number", key));
     fallback[i] = values[i].get<double>();
   }
   return fallback;
@@ -139,7 +140,7 @@ size_t GltfJson::size(const Json& object, const std::string& key, std::optional<
   if (!present) refuse(where, fmt::format("'{}' is missing", key));
   const std::optional<uint64_t> value = wholeNumber(object[key]);
   if (!value) refuse(where, fmt::format("'{}' is not a whole number", key));
-  if (*value > uint64_t(1) << 40) refuse(where, fmt::format("'{}' is {}", key, *value));
+  if (*value > uint64_t(1) << 40) refuse(where, fmt::format("'{}' is {}, above the limit of 2^40", key, *value));
   return size_t(*value);
 }
 
@@ -147,7 +148,8 @@ std::vector<double> sharesOf(const GltfJson& file, const Json& object, const std
                              std::vector<double> fallback, const std::string& where) {
   std::vector<double> values = file.numbers(object, key, std::move(fallback), where);
   for (double value : values)
-    if (value < 0 || value > 1) file.refuse(where, fmt::format("'{}' has {}, not from 0 to 1", key, value));
+    if (value < 0 || value > 1)
+      file.refuse(where, fmt::format("'{}' has {}, which is not in the range from 0 to 1", key, value));
   return values;
 }
 

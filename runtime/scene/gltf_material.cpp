@@ -79,7 +79,9 @@ class MaterialReader {
     set = file_.size(transform, "texCoord", set, where);
     use.uv_transform =
         uvTransform({offset[0], offset[1]}, file_.number(transform, "rotation", 0, where), {scale[0], scale[1]});
-    if (set > 1) warn(fmt::format("{}: {} uses texture coordinates {}; 0 serve instead", where, key, set));
+    if (set > 1)
+      warn(fmt::format("{}: {} uses texture coordinate set {}, which is not supported; set 0 is used instead", where,
+                       key, set));
     use.uv_set = set == 1 ? 1 : 0;
     use.texture = textureIndex(texture, is_color);
     return use;
@@ -97,7 +99,7 @@ class MaterialReader {
     std::string where = fmt::format("textures[{}]", texture);
     int image = file_.index(json, "source", "images", where);
     if (image < 0) {
-      warn(where + ": its image is of a kind that is not supported; it is left out");
+      warn(where + ": the format of its image is not supported; the texture is left out");
       return -1;
     }
     int sampler_index = file_.index(json, "sampler", "samplers", where);
@@ -160,7 +162,7 @@ class MaterialReader {
     }
     bytes += most_texels * 5 / 4 * sizeof(vec4);
     if (bytes <= most_bytes_) return;
-    file_.refuse("", fmt::format("its images need {} when they are decoded, of {} available; the largest is {}",
+    file_.refuse("", fmt::format("its decoded images need {} of memory, but only {} are available; the largest is {}",
                                  bytesText(bytes), bytesText(most_bytes_), largest));
   }
 

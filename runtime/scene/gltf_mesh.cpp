@@ -137,7 +137,7 @@ class MeshReader {
         unsound += !std::isfinite(length);
         vertices[i].normal = length > 1e-12 && std::isfinite(length) ? vec3(normal / length) : vec3(0);
       }
-      warnOfUnsound(unsound, "normals that are not finite; those of their facets serve instead");
+      warnOfUnsound(unsound, "normals that are not finite; facet normals are used instead");
     }
     for (int set = 0; set < 2; ++set) {
       auto uvs = attribute(attributes, fmt::format("TEXCOORD_{}", set), count, {"VEC2"});
@@ -147,7 +147,7 @@ class MeshReader {
         unsound += !finite(uv);
         (set == 0 ? vertices[i].uv0 : vertices[i].uv1) = finite(uv) ? uv : vec2(0);
       }
-      warnOfUnsound(unsound, "texture coordinates that are not finite; 0, 0 serve instead");
+      warnOfUnsound(unsound, "texture coordinates that are not finite; 0, 0 is used instead");
     }
     auto colors = attribute(attributes, "COLOR_0", count, {"VEC3", "VEC4"});
     size_t unsound = 0;
@@ -157,7 +157,7 @@ class MeshReader {
       unsound += !sound;
       vertices[i].color = sound ? color : vec4(1);
     }
-    warnOfUnsound(unsound, "colours that are negative or not finite; white serves instead");
+    warnOfUnsound(unsound, "colours that are negative or not finite; white is used instead");
   }
 
   // Tangents without normals are ignored, as the standard requires.
@@ -171,7 +171,8 @@ class MeshReader {
       unsound += !sound;
       primitive.tangents.push_back(sound ? vec4(direction / length, sign) : vec4(0));
     }
-    warnOfUnsound(unsound, "tangents of no length or that are not finite; their texture coordinates serve instead");
+    warnOfUnsound(unsound,
+                  "tangents that are 0 or not finite; tangents are derived from the texture coordinates instead");
     if (!primitive.has_normals) primitive.tangents.clear();
   }
 
@@ -193,10 +194,12 @@ class MeshReader {
     for (const Values& set : shares)
       for (int c = 0; c < 4; ++c) {
         const double share = set.at(vertex, c);
-        if (!(share >= 0 && share < 1e9)) file_.refuse(where_, fmt::format("vertex {} has a weight {}", vertex, share));
+        if (!(share >= 0 && share < 1e9))
+          file_.refuse(where_, fmt::format("vertex {} has a weight of {}, which is not in the range from 0 to 1e9",
+                                           vertex, share));
         sum += share;
       }
-    if (sum == 0) file_.refuse(where_, fmt::format("vertex {} has weights of 0 alone", vertex));
+    if (sum == 0) file_.refuse(where_, fmt::format("all weights of vertex {} are 0", vertex));
     for (size_t s = 0; s < joints.size(); ++s)
       for (int c = 0; c < 4; ++c) {
         primitive.influences.joints.push_back(uint32_t(joints[s].at(vertex, c)));
@@ -235,8 +238,9 @@ class MeshReader {
     for (size_t i = 0; index < 0 && i < primitive.positions.size(); ++i) listed.push_back(uint32_t(i));
     for (uint32_t i : listed)
       if (i >= primitive.positions.size())
-        file_.refuse(where_, fmt::format("index {} of {} vertices", i, primitive.positions.size()));
-    if (mode == 4 && listed.size() % 3 != 0) warn(fmt::format("{} indices are not whole triangles", listed.size()));
+        file_.refuse(where_, fmt::format("has index {}, but only {} vertices", i, primitive.positions.size()));
+    if (mode == 4 && listed.size() % 3 != 0)
+      warn(fmt::format("the number of indices is {}, not a multiple of 3", listed.size()));
     std::vector<uint32_t>& indices = primitive.indices;
     for (size_t i = 0; i + 2 < listed.size(); i += mode == 4 ? 3 : 1) {
       uint32_t a = listed[i], b = listed[i + 1], c = listed[i + 2];

@@ -32,14 +32,14 @@ class Needs {
     addSkins();
     addAnimations();
     addViews();
-    refuseAbove(kGibibyte + kMostPerByte * double(file_.bytesRead()), "that its size allows");
-    refuseAbove(double(availableMemory()), "that is available");
+    refuseAbove(kGibibyte + kMostPerByte * double(file_.bytesRead()), "allowed for a file of its size");
+    refuseAbove(double(availableMemory()), "of available memory");
   }
 
  private:
   void refuseAbove(double limit, const char* what) const {
     if (sum_ <= limit) return;
-    file_.refuse(largest_where_, fmt::format("needs {} of memory; with it the file needs {}, above the {} {}",
+    file_.refuse(largest_where_, fmt::format("needs {} of memory; the whole file needs {}, more than the {} {}",
                                              gibibytes(largest_), gibibytes(sum_), gibibytes(limit), what));
   }
 

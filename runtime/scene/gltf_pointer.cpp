@@ -69,7 +69,7 @@ std::optional<PointerTarget> weightsTarget(const GltfFile& file, const std::stri
   const std::optional<size_t> number = numberIn(pointer, "/" + list + "/", rest);
   const std::optional<size_t> one = numberIn(rest, "/weights/", "");
   if (!number || (rest != "/weights" && !one)) return std::nullopt;
-  auto refuse = [&] { file.refuse(where, fmt::format("its pointer '{}' leads to nothing", pointer)); };
+  auto refuse = [&] { file.refuse(where, fmt::format("the target of its pointer '{}' does not exist", pointer)); };
   if (*number >= file.all(list).size()) refuse();
   const bool of_mesh = list == "meshes";
   const int mesh = of_mesh ? int(*number) : file.index(file.all("nodes")[*number], "mesh", "meshes", where);
@@ -90,7 +90,8 @@ PointerTarget weightsOf(const GltfFile& file, const std::vector<int>& nodes, con
   for (int node : nodes) {
     const int mesh = file.index(file.all("nodes").at(node), "mesh", "meshes", where);
     result.components = mesh < 0 ? 0 : int(targetsOf(file, mesh));
-    if (result.components == 0) file.refuse(where, fmt::format("drives weights of node {}, which has none", node));
+    if (result.components == 0)
+      file.refuse(where, fmt::format("drives weights of node {}, which has no weights", node));
   }
   return result;
 }
@@ -101,7 +102,7 @@ std::optional<PointerTarget> pointerTarget(const GltfFile& file, const std::stri
     if (!number) continue;
     const Json& list = listAt(file, row.list);
     bool is_there = *number < list.size() && (!*row.needs || list[*number].contains(row.needs));
-    if (!is_there) file.refuse(where, fmt::format("its pointer '{}' leads to nothing", pointer));
+    if (!is_there) file.refuse(where, fmt::format("the target of its pointer '{}' does not exist", pointer));
     PointerTarget result;
     (row.property ? result.index : result.node) = int(*number);
     result.target = row.target;

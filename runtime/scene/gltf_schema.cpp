@@ -265,7 +265,7 @@ class FormChecker {
   void checkList(const Json& list, const Member& member, const std::string& where, const std::string& place) {
     if (double(list.size()) < member.least) file_.refuse(where, fmt::format("has no {}", member.name));
     if (member.count > 0 && list.size() != member.count)
-      file_.refuse(where, fmt::format("'{}' has not {} numbers", member.name, member.count));
+      file_.refuse(where, fmt::format("'{}' does not have {} numbers", member.name, member.count));
     for (size_t i = 0; i < list.size(); ++i) {
       const std::string element = fmt::format("{}[{}]", place, i);
       const Json holder = {{member.name, list[i]}};
@@ -322,7 +322,7 @@ class FormChecker {
       if (!declares(file_, name)) file_.refuse(place, fmt::format("{} is not in extensionsUsed", name));
       auto found = kind.extensions.find(name);
       if (found != kind.extensions.end()) check(value, found->second, place + "." + name);
-      else if (isSupported(name)) file_.refuse(place, fmt::format("{} has no meaning here", name));
+      else if (isSupported(name)) file_.refuse(place, fmt::format("{} is not allowed here", name));
     }
   }
 

@@ -47,7 +47,8 @@ class SkinReader {
   void readInverseBinds(int index, const std::string& where, Skin& skin) {
     const Values values = file_.accessor(index, where, {"MAT4"});
     const size_t joints = skin.joints.size();
-    if (values.count < joints) file_.refuse(where, fmt::format("{} joints have {} matrices", joints, values.count));
+    if (values.count < joints)
+      file_.refuse(where, fmt::format("has {} joints, but only {} inverse bind matrices", joints, values.count));
     for (size_t j = 0; j < joints; ++j) {
       dmat4& matrix = skin.inverse_binds[j];
       for (int k = 0; k < 16; ++k) matrix[k / 4][k % 4] = values.at(j, k);
@@ -62,7 +63,7 @@ class SkinReader {
   void readNode(const Json& json, const std::string& where, Node& node) {
     node.skin = file_.index(json, "skin", "skins", where);
     for (const char* key : {"skin", "weights"})
-      if (json.contains(key) && node.mesh < 0) file_.refuse(where, fmt::format("has {} and no mesh", key));
+      if (json.contains(key) && node.mesh < 0) file_.refuse(where, fmt::format("has {} but no mesh", key));
     if (node.mesh < 0) return;
     const std::string mesh_name = fmt::format("meshes[{}]", node.mesh);
     node.weights = file_.numbers(json, "weights", weights_[size_t(node.mesh)], where);
@@ -72,7 +73,7 @@ class SkinReader {
     for (const Geometry& geometry : scene_.meshes[size_t(node.mesh)].geometries) {
       for (uint32_t joint : geometry.influences.joints)
         if (joint >= joints)
-          file_.refuse(where, fmt::format("{} follows joint {}, but its skin has {}", mesh_name, joint, joints));
+          file_.refuse(where, fmt::format("{} uses joint {}, but its skin has {} joints", mesh_name, joint, joints));
     }
   }
 

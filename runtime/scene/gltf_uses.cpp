@@ -124,7 +124,8 @@ class UseChecker {
       if (targets[t].empty()) file_.refuse(place, "changes nothing");
       for (const auto& [name, value] : targets[t].items()) {
         checkAttribute(targets[t], name, count, kChangeFormats, place);
-        if (!attributes.contains(name)) file_.refuse(place, fmt::format("changes {}, which is not there", name));
+        if (!attributes.contains(name))
+          file_.refuse(place, fmt::format("changes {}, which is not an attribute of the primitive", name));
       }
     }
     const int indices = file_.index(json, "indices", "accessors", where);
@@ -140,7 +141,8 @@ class UseChecker {
     for (const Json& mapping : file_.list(file_.extension(json, "KHR_materials_variants"), "mappings", where))
       for (const Json& value : mapping["variants"]) {
         const size_t variant = file_.size({{"variant", value}}, "variant", std::nullopt, where);
-        if (variant >= count) file_.refuse(where, fmt::format("'variant' is {}, but the file has {}", variant, count));
+        if (variant >= count)
+          file_.refuse(where, fmt::format("'variant' is {}, but the file has {} variants", variant, count));
         if (!chosen.insert(variant).second)
           file_.refuse(where, fmt::format("chooses two materials for variant {}", variant));
       }
@@ -153,7 +155,8 @@ class UseChecker {
     if (format.count != count)
       file_.refuse(where, fmt::format("{} has {} elements, not {}", name, format.count, count));
     if (name.starts_with('_')) {
-      if (format.component_type == 5125) file_.refuse(where, name + " is of unsigned integers");
+      if (format.component_type == 5125)
+        file_.refuse(where, name + " has components of type unsigned integer, which is not allowed");
       return;
     }
     auto kind = kinds.find(semanticOf(name));
@@ -208,7 +211,7 @@ class UseChecker {
       set = file_.size(file_.extension(use, "KHR_texture_transform"), "texCoord", set, where);
       if (primitive["attributes"].contains(fmt::format("TEXCOORD_{}", set))) continue;
       warnings_.push_back(fmt::format(
-          "{}: {} of materials[{}] reads TEXCOORD_{}, which is not there; 0, 0 serve instead", where, key, index, set));
+          "{}: {} of materials[{}] reads TEXCOORD_{}, which is missing; 0, 0 is used instead", where, key, index, set));
     }
   }
 
@@ -223,7 +226,7 @@ class UseChecker {
       requireFormat(input, kTimeFormat, "input", place);
       const size_t least = file_.text(samplers[s], "interpolation", place) == "CUBICSPLINE" ? 2 : 1;
       if (file_.format(input).count < least)
-        file_.refuse(place, fmt::format("CUBICSPLINE needs {} keys, not 1", least));
+        file_.refuse(place, fmt::format("CUBICSPLINE needs at least {} keys, not 1", least));
       const double first = file_.accessor(input, place, {"SCALAR"}).at(0, 0);
       if (first < 0) file_.refuse(place, fmt::format("its first key is at {} s, below 0", first));
     }
@@ -231,7 +234,8 @@ class UseChecker {
       const std::string place = fmt::format("{}.channels[{}]", where, k);
       const size_t sampler = file_.size(channels[k], "sampler", std::nullopt, place);
       if (sampler >= samplers.size())
-        file_.refuse(place, fmt::format("'sampler' is {} of {}", sampler, samplers.size()));
+        file_.refuse(place,
+                     fmt::format("'sampler' is {}, but the animation has {} samplers", sampler, samplers.size()));
       const Json& target = channels[k]["target"];
       const std::string path = file_.text(target, "path", place);
       if (path != "pointer" && !file_.extension(target, "KHR_animation_pointer").empty())
@@ -251,7 +255,7 @@ class UseChecker {
       std::set<int> roots;
       for (int node : file_.indexList(json, "nodes", "nodes", where)) {
         if (!roots.insert(node).second) file_.refuse(where, fmt::format("lists node {} twice", node));
-        if (children.count(node)) file_.refuse(where, fmt::format("its node {} is a child of another", node));
+        if (children.count(node)) file_.refuse(where, fmt::format("its node {} is a child of another node", node));
       }
     });
   }

@@ -48,7 +48,7 @@ static dquat lookingAt(Fields& fields, const dvec3& from, const dvec3& at) {
   dvec3 back = from - at;
   double length = glm::length(back);
   if (length == 0) {
-    fields.problem("'look_at' is where it stands");
+    fields.problem("'look_at' equals 'position'");
     return dquat(1, 0, 0, 0);
   }
   back /= length;
@@ -104,7 +104,7 @@ static Shape readSuperellipsoid(Fields& f) {
 static Shape readLathe(Fields& f) {
   std::vector<dvec2> profile;
   for (const auto& row : f.rows("profile", 2, 2, 4096)) {
-    if (row[0] < 0) f.problem(fmt::format("'profile' has radius {}; radii are not negative", row[0]));
+    if (row[0] < 0) f.problem(fmt::format("'profile' has radius {}; a radius must not be negative", row[0]));
     profile.push_back({row[0], row[1]});
   }
   int segments = segmentsOf(f, 48), smooth = f.integer("smooth", 1, 1, 64);
@@ -130,7 +130,7 @@ static Shape readTube(Fields& f) {
   dvec3 up = f.vector3("up", dvec3(0, 1, 0));
   if (glm::length(up) == 0) f.problem("'up' is 0, 0, 0");
   for (size_t i = 1; i < path.size(); ++i)
-    if (path[i] == path[i - 1]) f.problem(fmt::format("'path' repeats its point {}", i + 1));
+    if (path[i] == path[i - 1]) f.problem(fmt::format("point {} of 'path' equals the point before it", i + 1));
   return path.empty() || radii.empty() || glm::length(up) == 0 ? Shape()
                                                                : tube(path, radii, segments, smooth, flatten, up);
 }
@@ -158,8 +158,9 @@ static Shape readTriangles(Fields& f) {
   for (const auto& row : f.rows("positions", 3, 3, kMost)) positions.push_back({row[0], row[1], row[2]});
   for (const auto& row : f.rows("normals", 3, 0, kMost)) normals.push_back({row[0], row[1], row[2]});
   for (const auto& row : f.rows("uvs", 2, 0, kMost)) uvs.push_back({row[0], row[1]});
-  if (!normals.empty() && normals.size() != positions.size()) f.problem("'normals' and 'positions' differ in number");
-  if (!uvs.empty() && uvs.size() != positions.size()) f.problem("'uvs' and 'positions' differ in number");
+  if (!normals.empty() && normals.size() != positions.size())
+    f.problem("'normals' and 'positions' have different lengths");
+  if (!uvs.empty() && uvs.size() != positions.size()) f.problem("'uvs' and 'positions' have different lengths");
   bool listed = f.has("indices");
   for (double index : f.numbers("indices", listed ? 3 : 0, 3 * kMost)) {
     bool valid = index >= 1 && index <= double(positions.size()) && index == std::floor(index);
@@ -168,7 +169,8 @@ static Shape readTriangles(Fields& f) {
     indices.push_back(uint32_t(index) - 1);
   }
   for (size_t i = 0; !listed && i < positions.size(); ++i) indices.push_back(uint32_t(i));
-  if (indices.size() % 3 != 0) f.problem(fmt::format("{} corners are not whole triangles", indices.size()));
+  if (indices.size() % 3 != 0)
+    f.problem(fmt::format("the number of corners is {}, not a multiple of 3", indices.size()));
   bool fits =
       (normals.empty() || normals.size() == positions.size()) && (uvs.empty() || uvs.size() == positions.size());
   return fits ? triangles(positions, normals, uvs, indices) : Shape();
@@ -221,7 +223,7 @@ static Texture readPattern(Fields& f, const std::string& type, const Painter& pa
   pattern.height = int(size.y);
   for (const auto& row : f.rows("colors", 3, 1, 64, 4)) pattern.colors.push_back(vec3(row[0], row[1], row[2]));
   if (pattern.colors.size() < patternColors(type)) {
-    f.problem(fmt::format("'colors' needs at least {}", patternColors(type)));
+    f.problem(fmt::format("'colors' needs at least {} colours", patternColors(type)));
     pattern.colors.resize(patternColors(type), vec3(0.5));
   }
   const Json* count = f.find("count");
@@ -229,7 +231,7 @@ static Texture readPattern(Fields& f, const std::string& type, const Painter& pa
   else pattern.count = f.vector2("count", dvec2(8), 0, 4096);
   pattern.widths = f.numbers("widths", 0, 64);
   for (double width : pattern.widths)
-    if (width <= 0) f.problem(fmt::format("'widths' has {}; widths are positive", width));
+    if (width <= 0) f.problem(fmt::format("'widths' has {}; a width must be above 0", width));
   pattern.amount = f.number("amount", 0.5, 0, 1);
   pattern.line = f.number("line", 0.06, 0, 1);
   pattern.seed = f.integer("seed", 1, 0, 1000000);

@@ -31,7 +31,7 @@ class Builder {
 
   Scene build(const Json& json) {
     Fields fields(json, "scene", file_, problems_);
-    if (!isKind(json, "scene")) fields.problem("a scene file returns scene { ... } of strobe.scene");
+    if (!isKind(json, "scene")) fields.problem("a scene file must return scene { ... } of strobe.scene");
     scene_.materials.push_back(plain());
     scene_.name = fields.text("name", file_.file);
     if (const Json* shot = fields.find("shot")) checkShot(*shot, fields.place());
@@ -95,9 +95,10 @@ class Builder {
 
   void readNodes(const Json& json, int parent, Fields& outer, int depth) {
     std::string key = parent < 0 ? "nodes" : "children";
-    if (depth > kDeepest) return outer.problem(fmt::format("'{}' are nested deeper than {}", key, kDeepest));
+    if (depth > kDeepest) return outer.problem(fmt::format("'{}' are nested deeper than {} levels", key, kDeepest));
     for (const Json& node : listIn(json, key, outer)) {
-      if (scene_.nodes.size() >= kMostNodes) return outer.problem(fmt::format("more than {} nodes", kMostNodes));
+      if (scene_.nodes.size() >= kMostNodes)
+        return outer.problem(fmt::format("the scene has more than {} nodes", kMostNodes));
       readNode(node, parent, outer.place(), depth);
     }
   }
@@ -306,7 +307,7 @@ class Builder {
     std::string name = fields.text("node", std::nullopt);
     auto node = names_.find(name);
     if (node != names_.end()) track.node = node->second;
-    else fields.problem(fmt::format("no node is called '{}'{}", name, didYouMean(name, nodeNames())));
+    else fields.problem(fmt::format("unknown node '{}'{}", name, didYouMean(name, nodeNames())));
     std::string target = fields.choice("target", "translation", {"translation", "rotation", "scale"});
     track.target = target == "translation" ? Track::Target::Translation
                    : target == "rotation"  ? Track::Target::Rotation

@@ -268,7 +268,7 @@ class Exporter {
     else xml_.value("string", "filename", keepImage("background.exr", gradientOf(environment)));
     xml_.close();
     if (is_unlit_ && even) writeSurroundings(radiance);
-    if (is_unlit_ && !even) leaveOut("the gradient of the background (black in an image of colours)");
+    if (is_unlit_ && !even) leaveOut("the gradient of the background (black in the file, because the scene is unlit)");
   }
 
   // An image of colours shows only surfaces, so a sphere around the scene stands in for the background.
@@ -357,16 +357,16 @@ class Exporter {
 
   void checkMaterial(const Material& material) {
     if (material.alpha != Material::Alpha::Opaque) leaveOut("alpha of materials (opaque in the file)", material.name);
-    if (!material.double_sided) leaveOut("culling of back faces", material.name);
+    if (!material.double_sided) leaveOut("back-face culling", material.name);
     if (material.unlit) return;
     leaveOut("specular reflection", material.name);
     if (material.normal_texture.texture >= 0) leaveOut("normal maps", material.name);
-    if (material.metallic_roughness_texture.texture >= 0) leaveOut("textures of metallic and roughness", material.name);
+    if (material.metallic_roughness_texture.texture >= 0) leaveOut("metallic-roughness textures", material.name);
   }
 
   void checkShading() {
     if (is_unlit_) return;
-    leaveOut("shading at the raster time (the file has light at each time, as with --shading full)");
+    leaveOut("shading at the raster time (the file is shaded at each time, as with --shading full)");
     const Environment& environment = scene_.environment;
     if (!isBlack(environment.sky) || !isBlack(environment.ground))
       leaveOut("ambient light (in the file, the background lights surfaces)");
@@ -406,8 +406,10 @@ class Exporter {
                unlit ? material.base_color_texture : material.emissive_texture,
                fmt::format("{}_{}", unlit ? "material" : "emission", index));
     xml_.close();
-    leaveOut("emission of both sides, without light on other surfaces (in the file, front faces emit and light others)",
-             material.name);
+    leaveOut(
+        "emission of both sides, without light on other surfaces (in the file, front faces emit and light other "
+        "surfaces)",
+        material.name);
     const bool both = material.base_color_texture.texture >= 0 && material.emissive_texture.texture >= 0;
     if (both && !unlit) leaveOut("different texture coordinates of emission and base colour", material.name);
   }
@@ -429,7 +431,7 @@ class Exporter {
     if (!still && emits) leaveOut("emission of moving objects (unlit materials are lit in the file)", material.name);
     auto colored = [](const Vertex& vertex) { return vertex.color != vec4(1); };
     if (std::any_of(geometry.vertices.begin(), geometry.vertices.end(), colored))
-      leaveOut("colours of vertices", material.name);
+      leaveOut("vertex colours", material.name);
   }
 
   void writeBlack() {
@@ -441,7 +443,7 @@ class Exporter {
   // Keys of an instance. A sheared object that moves is static in the file, as at the raster time.
   std::vector<dmat4> keysOf(size_t index, const std::string& name) {
     const std::optional<Keys> keys = paths_.keysOfInstance(index);
-    if (!keys) leaveOut("motion of sheared objects (the file has their places at the raster time)", name);
+    if (!keys) leaveOut("motion of sheared objects (the file has their poses at the raster time)", name);
     if (!keys) return {raster_.world_from_instance[index]};
     if (keys->deviation > 0.05)
       leaveOut(fmt::format("motion between {} keys", kMostKeys),

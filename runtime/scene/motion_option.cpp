@@ -73,8 +73,8 @@ ConstantMotion spinFromOption(const Scene& scene, const std::string& text, doubl
 std::vector<double> cutsFromOption(const std::string& text) {
   if (text.empty()) return {};
   std::optional<std::vector<double>> cuts = numbersOf(text);
-  if (!cuts) throw Error(fmt::format("--cuts '{}' is not T,T,...: seconds", text), {}, 2);
-  if (!increase(*cuts)) throw Error(fmt::format("--cuts '{}': its seconds do not increase", text), {}, 2);
+  if (!cuts) throw Error(fmt::format("--cuts '{}' is not T,T,..., a list of times in seconds", text), {}, 2);
+  if (!increase(*cuts)) throw Error(fmt::format("--cuts '{}': the times do not increase", text), {}, 2);
   return *cuts;
 }
 

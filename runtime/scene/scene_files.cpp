@@ -18,7 +18,7 @@ std::optional<Path> SceneFiles::find(const std::string& name, Fields& fields) co
   if (name.empty() || Path(name).is_absolute()) mistake = "is not a relative path";
   else if (!std::filesystem::is_regular_file(file, missing)) mistake = "is not a file in the scene's folder";
   else if (!places_.allow_outside && !liesIn(file, places_.root.empty() ? folder : places_.root))
-    mistake = fmt::format("lies outside of the scene's {}; --allow-outside lets it be read",
+    mistake = fmt::format("is outside of the scene's {}; use --allow-outside to read it",
                           places_.root.empty() ? "folder" : "project");
   if (mistake.empty()) return file;
   fields.problem(fmt::format("'{}' {}", name, mistake));

@@ -74,7 +74,7 @@ local kMostSteps = 1000
 
 local function three(value, default)
   value = value or default
-  assert(type(value) == "table" and #value == 3, "a point is { x, y, z }")
+  assert(type(value) == "table" and #value == 3, "a point must be { x, y, z }")
   return value
 end
 
@@ -115,7 +115,7 @@ shots.extend(Checker, capture.fields.shot)
 function Checker:layers(value, path, what)
   if value == nil or value == "all" then return value end
   if type(value) ~= "table" then
-    self:add(path, "the layers of %s are \"all\" or a list of names", what)
+    self:add(path, "the layers of %s must be \"all\" or a list of names", what)
     return {}
   end
   for i, name in ipairs(value) do
@@ -131,7 +131,7 @@ function Checker:steps(t, path)
   if t == nil then return nil end
   local name = names[1]
   if #names ~= 1 or type(t[name]) ~= "table" or #t[name] == 0 or #t[name] > kMostSteps then
-    self:add(path, "vary is { NAME = { values } } with one name and 1 to %d values", kMostSteps)
+    self:add(path, "vary must be { NAME = { values } } with one name and 1 to %d values", kMostSteps)
     return nil
   end
   local steps = {}
@@ -147,7 +147,7 @@ function Checker:captured_shot(entry, path)
   local result = self:shot(entry, path)
   result.steps = self:steps(result.vary, check.joined(path, "vary"))
   if result.vary ~= nil and result.frames ~= nil then
-    self:add(check.joined(path, "vary"), "a shot has frames or vary, not both")
+    self:add(check.joined(path, "vary"), "a shot cannot have both frames and vary")
   end
   result.vary = nil
   return result
@@ -186,7 +186,7 @@ function Checker:measured(t, shot_names)
     self:add({ "measures" }, "measures compare pictures with truth, but the capture has no 'truth' arm")
   end
   for i, arm in ipairs(t.arms) do
-    if arm.files ~= nil then self:add({ "arms", i, "files" }, "an arm with files of its own cannot be measured") end
+    if arm.files ~= nil then self:add({ "arms", i, "files" }, "an arm with `files` cannot be measured") end
   end
 end
 

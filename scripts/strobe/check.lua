@@ -205,7 +205,7 @@ function check.is_plain(value)
   return type(value) == "table" and (meta == nil or meta.is_record == true)
 end
 
--- Returns a function that turns a table into a record: a table in which reading an unknown field is an error. `what` names the
+-- Returns a function that turns a table into a record: reading an unknown field of a record is an error. `what` names the
 -- record in messages, and `optional` lists the fields that may be absent. Example: `local layer = check.record("a layer",
 -- { "curve" })`, then `layer { depth = ... }`.
 function check.record(what, optional)

@@ -189,7 +189,7 @@ local function value_of(axis, t, value, at)
     local kind = type(entry.value)
     if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
       axis:add({ t.at and "at" or "values", at },
-               "'%s' is a %s, but the value of a parameter is a number, a text or a boolean", entry.name, kind)
+               "'%s' is a %s, but the value of a parameter must be a number, a text or a boolean", entry.name, kind)
     end
   end
   return result
@@ -236,13 +236,13 @@ function Checker:axis(made)
     if type(value) == "number" and not is_finite(value) then
       axis:add({ "values", i }, "value %d is not a finite number", i)
     elseif t.scale and t.scale ~= "even" and not is_finite(value) then
-      axis:add({ "values", i }, "%s has no place on a %s scale", check.quoted(value), t.scale)
+      axis:add({ "values", i }, "%s cannot be placed on a %s scale", check.quoted(value), t.scale)
     elseif t.scale and is_finite(value) then
       if before and value <= before then
         axis:add({ "values", i }, "the values must increase, but %s follows %s", shown(value), shown(before))
       end
       if t.scale == "log" and value < 0 then
-        axis:add({ "values", i }, "%s is negative and has no place on a logarithmic scale", shown(value))
+        axis:add({ "values", i }, "%s is negative and cannot be placed on a logarithmic scale", shown(value))
       end
       before = value
     end

@@ -99,7 +99,7 @@ function Checker:color(value, path)
   if not r then
     local names = check.names(figure.colors)
     table.sort(names)
-    self:add(path, "'%s' is not a colour: \"#rrggbb\" or one of %s%s", value, table.concat(names, ", "),
+    self:add(path, "'%s' is not a colour; use \"#rrggbb\" or one of %s%s", value, table.concat(names, ", "),
              native.nearest(value, names))
     return nil
   end
@@ -112,7 +112,7 @@ function Checker:area(value, path, what)
   local before = #self.problems.list
   if type(value) == "table" and type(value[1]) == "string" then
     if #value ~= 3 or not math.tointeger(value[2]) or not math.tointeger(value[3]) or value[2] < 1 or value[3] < 1 then
-      self:add(path, "%s is { x, y, width, height } or { REGION, width, height } in whole pixels of the capture", what)
+      self:add(path, "%s must be { x, y, width, height } or { REGION, width, height } in whole pixels of the capture", what)
     elseif self.truth == false then
       self:add(path, "%s is placed by the region '%s' of truth, but the capture has no 'truth' arm", what, value[1])
     end
@@ -122,7 +122,7 @@ function Checker:area(value, path, what)
   if type(value) ~= "table" or #self.problems.list > before then return end
   for i, least in ipairs { 0, 0, 1, 1 } do
     if not math.tointeger(value[i]) or value[i] < least then
-      self:add(path, "%s is { x, y, width, height } in whole pixels of the capture", what)
+      self:add(path, "%s must be { x, y, width, height } in whole pixels of the capture", what)
       return
     end
   end
@@ -134,7 +134,7 @@ function Checker:entries(t, name, path, one)
   local result, given = {}, t[name]
   if type(given) ~= "table" then return result end
   local at = joined(path, name)
-  if #given == 0 and next(given) ~= nil then self:add(at, "%s is a list: { { ... }, ... }", name) end
+  if #given == 0 and next(given) ~= nil then self:add(at, "%s must be a list: { { ... }, ... }", name) end
   for i, entry in ipairs(given) do
     local here = joined(at, i)
     result[i] = one(entry, here)
@@ -148,7 +148,7 @@ end
 function Checker:spot(t, key, path, what)
   self:numbers(t[key], 2, joined(path, key), ("'%s' of %s"):format(key, what))
   if (t[key] == nil) == (t.on == nil) then
-    self:add(path, "%s is placed by either '%s' = { x, y } or 'on' = \"NODE\"", what, key)
+    self:add(path, "%s must have either '%s' = { x, y } or 'on' = \"NODE\"", what, key)
   end
 end
 
@@ -158,7 +158,7 @@ function marked.arrow(self, t, path)
   self:spot(t, "to", path, "an arrow")
   self:numbers(t.from, 2, joined(path, "from"), "'from' of an arrow")
   self:numbers(t.by, 2, joined(path, "by"), "'by' of an arrow")
-  if t.from ~= nil and t.by ~= nil then self:add(path, "an arrow has 'from' or 'by', not both") end
+  if t.from ~= nil and t.by ~= nil then self:add(path, "an arrow cannot have both 'from' and 'by'") end
 end
 
 function marked.circle(self, t, path)
@@ -230,8 +230,7 @@ function Checker:inserted(inside, path)
   else
     local near = copied(figure.measures)
     for option in pairs(self.options or {}) do near[#near + 1] = option end
-    self:add(path, "'{%s}' of a caption is none of these: a measure (%s), an option of a shot, set.PARAM, " ..
-                   "scene.PARAM%s",
+    self:add(path, "unknown '{%s}' in a caption: use one of the measures %s, an option of a shot, set.PARAM or scene.PARAM%s",
              name, table.concat(figure.measures, ", "), native.nearest(name, near))
   end
   return part
@@ -244,7 +243,7 @@ function Checker:caption(value, path)
   while at <= #value do
     local from, to = value:find("{[^{}]*}", at)
     local before = value:sub(at, (from or #value + 1) - 1)
-    if before:find("[{}]") then self:add(path, "braces of a caption come in pairs: '%s'", value) end
+    if before:find("[{}]") then self:add(path, "a caption has an unpaired brace: '%s'", value) end
     if before ~= "" then parts[#parts + 1] = { text = before } end
     if not from then break end
     parts[#parts + 1] = self:inserted(value:sub(from + 1, to - 1), path)
@@ -300,8 +299,7 @@ function Checker:line_number(value, labels, path, what)
   end
   if value == nil and #labels == 1 then return 1 end
   local near = type(value) == "string" and native.nearest(value, names) or ""
-  self:add(path, "%s of a cell is %s; it must be a number from 1 to %d or a label%s", what, check.quoted(value),
-           #labels, near)
+  self:add(path, "%s of a cell is %s; it must be a number from 1 to %d or a label%s", what, check.quoted(value), #labels, near)
 end
 
 -- Merges the fields of one cell. `parts`: the fields set in the figure, the row, the column and the cell, in this order. A
@@ -385,7 +383,7 @@ end
 function Checker:whole(t, kind, path)
   t = self:fields(t, kind, path, kind .. " " .. tostring(path[#path]))
   if type(t.name) == "string" and not t.name:find("^[%w_][%w_.-]*$") then
-    self:add(joined(path, "name"), "'%s' is not a file name: letters, digits, _, - and .", t.name)
+    self:add(joined(path, "name"), "'%s' is not a file name; use letters, digits, _, - and .", t.name)
   end
   local result = { place = self:place_of(path) }
   for name in pairs(self.kept) do result[name] = t[name] end

@@ -19,7 +19,7 @@ local function mistaken(place, text, ...) error({ mistake = text:format(...), pl
 
 local function require_known(place, name, allowed_names, what)
   if not check.contains(allowed_names, name) then
-    mistaken(place, "there is no %s '%s'%s", what, tostring(name), native.nearest(tostring(name), allowed_names))
+    mistaken(place, "unknown %s '%s'%s", what, tostring(name), native.nearest(tostring(name), allowed_names))
   end
 end
 
@@ -84,7 +84,7 @@ function Results:at(place, wanted)
   for _, count in pairs(counts) do means.count = math.max(means.count, count) end
   return setmetatable(means, { __index = native.at_caller(function(line, _, name)
     require_known(line, name, known, "measure")
-    error({ unmeasured = ("no value of '%s' was measured where %s"):format(name, self.shown(wanted)), place = line }, 0)
+    error({ unmeasured = ("no value of '%s' was measured for %s"):format(name, self.shown(wanted)), place = line }, 0)
   end) })
 end
 
@@ -92,7 +92,7 @@ function Results.shown(wanted)
   local parts, names = {}, check.names(wanted)
   table.sort(names)
   for i, name in ipairs(names) do parts[i] = ("%s = %s"):format(name, shown(wanted[name])) end
-  return #parts > 0 and table.concat(parts, ", ") or "anything"
+  return #parts > 0 and table.concat(parts, ", ") or "any point"
 end
 
 local function is_missing(data, name)

@@ -120,13 +120,13 @@ local function cannot_follow(wanted, source)
   for _, choice in ipairs(source.choices or {}) do
     if not check.contains(wanted.choices, choice) then
       local near = native.nearest(choice, wanted.choices)
-      return ("has no choice '%s', unlike '%s' of the pipeline%s"):format(choice, source.name, near)
+      return ("has no choice '%s', but '%s' of the pipeline has it%s"):format(choice, source.name, near)
     end
   end
   local outside = wanted.min and (source.min < wanted.min or source.max > wanted.max)
   if not outside then return nil end
-  return ("is from %s to %s, but '%s' of the pipeline is from %s to %s"):format(wanted.min, wanted.max, source.name,
-                                                                                source.min, source.max)
+  return ("has the range %s to %s, but '%s' of the pipeline has the range %s to %s"):format(
+    wanted.min, wanted.max, source.name, source.min, source.max)
 end
 
 -- Returns the value of `wanted`, a parameter of a pass, for a call that does not set this parameter. If the pipeline

@@ -37,7 +37,7 @@ local function is_port_table(problems, name, port, place, what)
     return false
   end
   if check.contains(pass.call_keys, name) or name == "get" then
-    problems:add(place, "%s cannot be called '%s', which has a meaning in every call", what, name)
+    problems:add(place, "%s cannot be called '%s', which is a reserved name", what, name)
   end
   if type(port) ~= "table" then
     problems:add(place, "%s '%s' is a %s instead of a table like { doc = \"...\" }", what, name, type(port))
@@ -109,7 +109,7 @@ local function check_absent(problems, reads, name, at, what)
   elseif other.buffer or (other.uint or false) ~= (port.uint or false) then
     problems:add(at, "'absent' of %s is '%s', which has texels of another kind", what, given)
   elseif leads_back(reads, name) then
-    problems:add(at, "'absent' of %s is '%s', which this read replaces in turn", what, given)
+    problems:add(at, "'absent' of %s is '%s', which leads back to this read", what, given)
   elseif other.optional and other.absent == nil then
     problems:add(at, "'absent' of %s is '%s', which may be unwired too", what, given)
   else
@@ -376,7 +376,7 @@ local function declare_size(problems, t, place, result, owner)
   local at = native.key_place(place, "size")
   if size == nil or size == "frame" then return { kind = "frame" } end
   if type(size) ~= "table" then
-    problems:add(at, "size of %s is %s; it is \"frame\", { of = \"<read>\" } or { width, height }", owner,
+    problems:add(at, "size of %s is %s; it must be \"frame\", { of = \"<read>\" } or { width, height }", owner,
                  check.quoted(size))
     return { kind = "frame" }
   end
@@ -444,7 +444,9 @@ local function check_shader(problems, shader, place, owner)
   end
   local plain = shader:find("^[%w_][%w_%-./]*$") and not shader:find("..", 1, true)
   if not plain then problems:add(at, "shader '%s' of %s is not a path below shaders/", shader, owner) end
-  if shader:find("%.glsl$") then problems:add(at, "shader '%s' of %s is written without its ending .glsl", shader, owner) end
+  if shader:find("%.glsl$") then
+    problems:add(at, "shader '%s' of %s must be written without the ending .glsl", shader, owner)
+  end
 end
 
 -- List of the descriptions of all passes that files declare when they are loaded. A pass that is declared inside a `build` is

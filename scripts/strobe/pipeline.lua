@@ -30,7 +30,7 @@ local function check_kind(problems, t, place)
   if not check.contains(kinds, t.kind) then
     local near = type(t.kind) == "string" and native.nearest(t.kind, kinds) or ""
     if near == "" then near = "; kinds are " .. table.concat(kinds, ", ") end
-    problems:add(native.key_place(place, "kind"), "there is no kind of pipeline %s%s", check.quoted(t.kind), near)
+    problems:add(native.key_place(place, "kind"), "unknown kind of pipeline %s%s", check.quoted(t.kind), near)
   end
   return t.kind
 end
@@ -144,7 +144,7 @@ local times_parameter = { name = "times", type = "choice", choices = { "midpoint
 
 local function check_results(problems, results, place)
   if not check.is_plain(results) then
-    problems:add(place, "the body of a loop returns a table of images: return { sum = s.sum }")
+    problems:add(place, "the body of a loop must return a table of images: return { sum = s.sum }")
     return
   end
   for name, value in pairs(results) do
@@ -182,7 +182,7 @@ local function check_parts(problems, t, place)
       problems:add(native.key_place(place, key), "'%s' of the loop is not an integer from %d to %d", key, at_least, 1 << 20)
     end
   end
-  if (t.first == nil) ~= (t.parts == nil) then problems:add(place, "a loop has both 'first' and 'parts', or neither") end
+  if (t.first == nil) ~= (t.parts == nil) then problems:add(place, "a loop must have both 'first' and 'parts', or neither") end
 end
 
 local function check_loop(problems, t, place)
@@ -306,7 +306,7 @@ end
 local function check_outputs(problems, outputs, build)
   local place = native.return_place(build)
   if not check.is_plain(outputs) then
-    problems:add(place, "build returns a table of images: return { color = x.color }")
+    problems:add(place, "build must return a table of images: return { color = x.color }")
     return {}
   end
   local sources = {}
@@ -328,7 +328,7 @@ local function check_outputs(problems, outputs, build)
   end
   if rawget(outputs, "color") == nil then
     local near = native.nearest("color", check.names(outputs))
-    problems:add(place, "build returns no output 'color', which every pipeline has%s", near)
+    problems:add(place, "build returns no output 'color', which every pipeline must have%s", near)
   end
   return sources
 end
@@ -379,7 +379,7 @@ local function nodes_with(graph, name)
     local own = param.find(graph.passes[made.pass].params, name)
     if own and not own.wired then found[#found + 1] = ("'%s.%s'"):format(made.name, name) end
   end
-  return #found > 0 and "; nodes have it: " .. table.concat(found, ", ") or nil
+  return #found > 0 and "; these nodes have it: " .. table.concat(found, ", ") or nil
 end
 
 -- Applies the settings of parameters of nodes, `--set NODE.PARAM=VALUE`. They replace the values that the calls in `build`

@@ -79,7 +79,7 @@ function preset.declare_all(problems, t, params, place)
   end
   if t.default_preset ~= nil and not check.contains(names, t.default_preset) then
     local near = native.nearest(t.default_preset, names)
-    problems:add(native.key_place(place, "default_preset"), "there is no preset %s%s", check.quoted(t.default_preset),
+    problems:add(native.key_place(place, "default_preset"), "unknown preset %s%s", check.quoted(t.default_preset),
                  near)
   end
   return list
@@ -103,7 +103,7 @@ end
 -- the name of the added preset. If the file does not exist, returns nil, nil and a message.
 local function with_file(problems, presets, params, name)
   local there, given, shown = native.preset()
-  if not there then return nil, nil, ("there is no preset file '%s'"):format(name) end
+  if not there then return nil, nil, ("preset file '%s' does not exist"):format(name) end
   if getmetatable(given) ~= Preset then
     problems:add({ file = shown, line = 0 }, "returns %s instead of preset { ... } of strobe.preset",
                  given == nil and "nothing" or "a " .. type(given))

@@ -22,7 +22,7 @@ function Methods:settings(t, path)
   for i, name in ipairs(names) do
     local kind = type(t[name])
     if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
-      self:add(check.joined(path, name), "'%s' is a %s, but the value of a parameter is a number, a text or a boolean",
+      self:add(check.joined(path, name), "'%s' is a %s, but the value of a parameter must be a number, a text or a boolean",
                name, kind)
     end
     result[i] = { name = name, value = t[name], place = self:place_of(check.joined(path, name)) }
@@ -76,7 +76,7 @@ function Methods:camera_path(keys, path)
       result[i] = ("%s=%s"):format(digits(key[1]), table.concat(parts, ","))
     end
   end
-  if #result == 0 then self:add(path, "a camera path has no key { frame, eye x, y, z, target x, y, z }") end
+  if #result == 0 then self:add(path, "a camera path needs at least one key { frame, eye x, y, z, target x, y, z }") end
   return result
 end
 
@@ -121,7 +121,7 @@ function Methods:distinct(entries, key, group)
   local seen = {}
   for i, entry in ipairs(entries) do
     if entry[key] ~= nil and check.contains(seen, entry[key]) then
-      self:add({ group, i, key }, "another of the %s is called '%s'", group, tostring(entry[key]))
+      self:add({ group, i, key }, "two of the %s are called '%s'", group, tostring(entry[key]))
     end
     seen[#seen + 1] = entry[key]
   end
@@ -135,8 +135,8 @@ function Methods:sequence(frames, shot, path)
   for i = 1, good and 3 or 0 do good = good and math.tointeger(frames[i]) ~= nil end
   good = good and frames[1] >= 0 and frames[3] >= 1 and frames[2] >= frames[1] + frames[3]
   good = good and frames[2] < frames[1] + 1000 * frames[3]
-  if not good then self:add(path, "frames are not { from, to, step } of 2 to 1000 frames, as whole numbers") end
-  if shot.frame ~= nil then self:add(path, "a shot has 'frames' or 'frame', not both") end
+  if not good then self:add(path, "frames must be { from, to, step }, three whole numbers for 2 to 1000 frames") end
+  if shot.frame ~= nil then self:add(path, "a shot cannot have both frames and frame") end
 end
 
 function Methods:shot(t, path)
@@ -159,7 +159,7 @@ function Methods:shot(t, path)
   self:sequence(result.frames, options, check.joined(path, "frames"))
   for i, crop in ipairs(type(result.crops) == "table" and result.crops or {}) do
     local at = check.joined(check.joined(path, "crops"), i)
-    if crop ~= "inner" then self:numbers(crop, 4, at, "a crop that is not \"inner\"") end
+    if crop ~= "inner" then self:numbers(crop, 4, at, "a crop other than \"inner\"") end
   end
   result.truth = self:settings(result.truth, check.joined(path, "truth"))
   local sorted = self:sorted(options, path, what)

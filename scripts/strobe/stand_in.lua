@@ -34,7 +34,8 @@ local function check_name(problems, name, reads, at, owner)
     problems:add(at, "if_no '%s' of %s names both a fact and a read; rename the read", name, owner)
   elseif not is_fact and not is_read then
     local names = names_of(reads, facts)
-    problems:add(at, "%s has no read %s, and there is no such fact%s", owner, check.quoted(name), near(name, names))
+    problems:add(at, "if_no of %s names %s, which is neither a fact nor a read of the pass%s", owner, check.quoted(name),
+                 near(name, names))
   end
 end
 
@@ -45,7 +46,7 @@ local function check_stand_in(problems, write, given, reads, at, what)
   if given == nil then
     problems:add(at, "%s has no stand-in for '%s'; a stand-in is 0 or the name of a read", what, write.name)
   elseif not read then
-    problems:add(at, "%s: '%s' is neither 0 nor a read of the pass, but %s%s", what, write.name, check.quoted(given),
+    problems:add(at, "%s: '%s' is %s, which is neither 0 nor a read of the pass%s", what, write.name, check.quoted(given),
                  near(given, names_of(reads, {})))
   elseif read.optional then
     problems:add(at, "%s: '%s' is '%s', which is optional and may be absent", what, write.name, given)
@@ -77,7 +78,7 @@ end
 function stand_in.declare(problems, given, result, place, owner)
   if given == nil then return nil end
   if next(result.updates) ~= nil then
-    problems:add(native.key_place(place, "if_no"), "%s has updates, so it cannot have if_no: an update has no stand-in", owner)
+    problems:add(native.key_place(place, "if_no"), "%s has updates, so it cannot have if_no", owner)
   end
   local list = {}
   for name, writes in pairs(given) do list[#list + 1] = declare_one(problems, name, writes, result, place, owner) end

@@ -46,7 +46,7 @@ local function axes_of(t, place, usage, values_of)
     end
     axes[i] = { fields = { name = name, values = values_of(t[name], at, name) }, place = at }
   end
-  if #axes == 0 then check.fail(place, "nothing varies: %s", usage) end
+  if #axes == 0 then check.fail(place, "no axis is given: %s", usage) end
   return axes
 end
 
@@ -80,7 +80,8 @@ end
 
 local function check_count(place, what, count, least)
   if math.type(count) ~= "integer" or count < least then
-    check.fail(place, "%s is called with the count %s; the count is a whole number from %d", what, tostring(count), least)
+    check.fail(place, "%s is called with the count %s; the count must be a whole number, at least %d", what,
+               tostring(count), least)
   end
 end
 
@@ -129,8 +130,8 @@ vary.zip = native.at_caller(function(place, t)
   local count = #axes[1].fields.values
   for _, axis in ipairs(axes) do
     if #axis.fields.values ~= count then
-      check.fail(axis.place, "zip pairs %d values of '%s' with %d of '%s'", #axis.fields.values, axis.fields.name, count,
-                 axes[1].fields.name)
+      check.fail(axis.place, "zip needs lists of equal length, but got %d values of '%s' and %d of '%s'",
+                 #axis.fields.values, axis.fields.name, count, axes[1].fields.name)
     end
   end
   for i = 1, count do
@@ -231,7 +232,7 @@ end
 -- distributed in the ranges.
 vary.random = native.at_caller(function(place, count, seed, ranges)
   check_count(place, "random", count, 1)
-  if math.type(seed) ~= "integer" then check.fail(place, "the seed of random is a whole number") end
+  if math.type(seed) ~= "integer" then check.fail(place, "the seed of random must be a whole number") end
   return spread(place, ranges, "random(COUNT, SEED, { NAME = { from, to }, ... })", function(width)
     local next_number, points = sequences.random(seed), {}
     for i = 1, count do

@@ -114,7 +114,7 @@ TEST(PngColour, FollowsAGamma) {
     int half = bits == 8 ? 128 : 128 * 257;
     Picture linear = read(png(bits, grey({half}), gamma(100000)));
     EXPECT_NEAR(linear.linear.at(0, 0, 0), 128 / 255.0, 1e-6);
-    EXPECT_EQ(notesOf(linear), "its values are decoded by its gamma of 1, not as sRGB");
+    EXPECT_EQ(notesOf(linear), "its values are decoded with its gamma of 1, not as sRGB");
     EXPECT_NEAR(read(png(bits, grey({half}), gamma(55556))).linear.at(0, 0, 0), std::pow(128 / 255.0, 1.8), 1e-5);
   }
 }

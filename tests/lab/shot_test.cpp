@@ -219,12 +219,12 @@ TEST(ShotOptions, AnExposureInSecondsIsTheLaterOfTheTwo) {
             "2 --exposure-time 2 is 2000 frame intervals at 1000 frames per second, above max 1000");
   EXPECT_EQ(
       refusal({"hybrid", "--shutter-curve", "trapezod"}),
-      "2 --shutter-curve 'trapezod': is none of box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA, weights "
+      "2 --shutter-curve 'trapezod': is not one of box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA, weights "
       "0,1,1,0 or TIME=WEIGHT,...; did you mean 'trapezoid'?");
   EXPECT_EQ(refusal({"hybrid", "--cuts", "0.5,1.5"}), "accepted");
-  EXPECT_EQ(refusal({"hybrid", "--cuts", "soon"}), "2 --cuts 'soon' is not T,T,...: seconds");
-  EXPECT_EQ(refusal({"hybrid", "--cuts", "1,"}), "2 --cuts '1,' is not T,T,...: seconds");
-  EXPECT_EQ(refusal({"hybrid", "--cuts", "1,1"}), "2 --cuts '1,1': its seconds do not increase");
+  EXPECT_EQ(refusal({"hybrid", "--cuts", "soon"}), "2 --cuts 'soon' is not T,T,..., a list of times in seconds");
+  EXPECT_EQ(refusal({"hybrid", "--cuts", "1,"}), "2 --cuts '1,' is not T,T,..., a list of times in seconds");
+  EXPECT_EQ(refusal({"hybrid", "--cuts", "1,1"}), "2 --cuts '1,1': the times do not increase");
 }
 
 TEST(Settings, AreTypedInRecords) {

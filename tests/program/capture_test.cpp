@@ -356,7 +356,7 @@ TEST_F(Capture, RefusesWhatIsWrong) {
   refused("\"hybrid_layered\", shots", "\"hybird\", shots", "unknown pipeline 'hybird'");
   refused("shots = { \"card\" }", "shots = { \"crad\" }", "did you mean 'card'?");
   refused("pipeline = \"none\"", "pipeline = \"none\", layers = { \"dephth\" }", "no layer 'dephth'");
-  refused("frames = { 0, 2, 1 }", "frames = { 2, 0, 1 }", "frames are not");
+  refused("frames = { 0, 2, 1 }", "frames = { 2, 0, 1 }", "frames must be");
   refused("name = \"past\"", "name = \"CARD\"", "shots 'card' and 'CARD' would write the same files, 'card'");
   refused("shot = \"card\", columns", "shot = \"crad\", columns", "did you mean 'card'?");
   EXPECT_EQ(capture("refused", "--only nothing").exit_code, 2);

@@ -123,7 +123,7 @@ TEST_F(Attached, MistakesNameThePlaceAndTheFile) {
   expect(mistake(at("fan", "", "no.glb")), "gltf: 'no.glb' is not a file in the scene's folder");
   expect(mistake(at("fan", "", "textures/two.png")), "two.png");
   expect(mistake(at("fan", R"(,"animation":"spn")")), "did you mean 'spin'?");
-  expect(mistake(at("fan", R"(,"variant":"red")")), "has no variants");
+  expect(mistake(at("fan", R"(,"variant":"red")")), "has no material variants");
   expect(mistake(at("fan", R"(,"colour":1)")), "gltf: unknown key 'colour'");
   expect(mistake(at("fan") + R"(,{"kind":"node","name":"fan/hub"})"), "another node is called 'fan/hub'");
   expect(mistake(R"({"kind":"node","name":"a","gltf":"textures/fan.gltf"})"), "write scene.gltf { ... }");
@@ -141,7 +141,7 @@ TEST_F(Attached, FilesLieInTheFolderUnlessAllowed) {
     }
     return "";
   };
-  EXPECT_NE(failureIn({folder_ / "scenes"}).find("lies outside of the scene's folder; --allow-outside"),
+  EXPECT_NE(failureIn({folder_ / "scenes"}).find("is outside of the scene's folder; use --allow-outside"),
             std::string::npos);
   EXPECT_EQ(failureIn({folder_ / "scenes", folder_}), "");
   EXPECT_EQ(failureIn({folder_ / "scenes", {}, true}), "");

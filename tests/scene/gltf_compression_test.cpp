@@ -212,15 +212,15 @@ TEST_F(Gltf, MeshoptHeadersThatDisagreeAreRefused) {
     const char* member;
     Json value;
     const char* said;
-  } changes[] = {{"count", 82, "82 elements of 12 bytes are not the 972 bytes of the view"},
+  } changes[] = {{"count", 82, "82 elements of 12 bytes do not match the 972 bytes of the view"},
                  {"count", 1u << 30, "needs 12.0 GiB of memory"},
-                 {"byteStride", 16, "81 elements of 16 bytes are not the 972 bytes of the view"},
+                 {"byteStride", 16, "81 elements of 16 bytes do not match the 972 bytes of the view"},
                  {"byteStride", 400, "'byteStride' is 400, not from 1 to 256"},
                  {"byteLength", 20, "its 20 bytes are damaged"},
-                 {"byteLength", 1000000, "1000000 bytes at 0 do not lie in a buffer of"},
-                 {"mode", "TRIANGLES", "byteStride 12 does not go with mode TRIANGLES"},
+                 {"byteLength", 1000000, "1000000 bytes at byte 0 do not fit in a buffer of"},
+                 {"mode", "TRIANGLES", "byteStride 12 is not allowed with mode TRIANGLES"},
                  {"mode", "STRIPS", "mode 'STRIPS' is unknown"},
-                 {"filter", "QUATERNION", "filter QUATERNION does not go with elements of 12 bytes"},
+                 {"filter", "QUATERNION", "filter QUATERNION is not allowed with elements of 12 bytes"},
                  {"buffer", 1, "its buffer is a fallback"},
                  {"buffer", 2, "'buffer' is 2, but the file has 2 buffers"}};
   for (const auto& [member, value, said] : changes) {
@@ -338,10 +338,10 @@ TEST_F(Gltf, DracoHeadersThatDisagreeAreRefused) {
     std::string pointer;
     Json value;
     const char* said;
-  } changes[] = {{"/accessors/2/count", 30, "it has 128 triangles, its accessor 30 indices"},
+  } changes[] = {{"/accessors/2/count", 30, "it has 128 triangles, but its accessor has 30 indices"},
                  {"/accessors/0/count", 82, "NORMAL has 81 elements, not 82"},
-                 {"/accessors/0/type", "VEC2", "POSITION has 3 components, its accessor 2"},
-                 {"/accessors/1/componentType", 5123, "NORMAL is not of its accessor's type"},
+                 {"/accessors/0/type", "VEC2", "POSITION has 3 components, but its accessor has 2"},
+                 {"/accessors/1/componentType", 5123, "the type of NORMAL differs from the type of its accessor"},
                  {"/accessors/2/componentType", 5121, ""},
                  {"/meshes/0/primitives/0/mode", 5, "its primitive is not a list of triangles"},
                  {extension + "/attributes/NORMAL", 7, "it has no attribute 7 for NORMAL"},

@@ -145,7 +145,7 @@ TEST_F(Gltf, VariantsChooseMaterials) {
   }
   std::string text = failure(withVariants(), {.variant = "sumer"});
   EXPECT_NE(text.find("did you mean 'summer'?; it has summer, winter, night"), std::string::npos) << text;
-  EXPECT_NE(failure(triangle().whole(), {.variant = "summer"}).find("has no variants"), std::string::npos);
+  EXPECT_NE(failure(triangle().whole(), {.variant = "summer"}).find("has no material variants"), std::string::npos);
 }
 
 // ---- instances
@@ -166,7 +166,7 @@ TEST_F(Gltf, InstancesMayBeTurnedByIntegers) {
   EXPECT_NEAR(corner.y, 4, 1e-6);
   EXPECT_NEAR(corner.z, 7, 1e-6);
   asset.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] = 0;
-  EXPECT_NE(failure(asset.whole()).find("differ in number"), std::string::npos);
+  EXPECT_NE(failure(asset.whole()).find("have different counts"), std::string::npos);
 }
 
 // ---- lenses and lights in motion
@@ -234,18 +234,18 @@ TEST_F(Gltf, OtherPointersAreNamed) {
   Json json = Pointed().moving("/materials/0/pbrMetallicRoughness/roughnessFactor", {0, 1});
   Scene scene = load(json);
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_NE(scene.warnings[0].find("'/materials/0/pbrMetallicRoughness/roughnessFactor' cannot be moved"),
+  EXPECT_NE(scene.warnings[0].find("'/materials/0/pbrMetallicRoughness/roughnessFactor' cannot be animated"),
             std::string::npos);
   for (const char* nothing : {"/nodes/9/scale", "/cameras/0/orthographic/ymag", "/cameras/5/perspective/yfov"}) {
     std::vector<float> values(std::string(nothing).ends_with("scale") ? 6 : 2, 1.0f);
-    EXPECT_NE(failure(Pointed().moving(nothing, values)).find("leads to nothing"), std::string::npos) << nothing;
+    EXPECT_NE(failure(Pointed().moving(nothing, values)).find("does not exist"), std::string::npos) << nothing;
   }
 }
 
 TEST_F(Gltf, ChannelsOfOneAnimationDriveDifferentThings) {
   Json json = Pointed().moving("/nodes/0/translation", {0, 0, 0, 4, 0, 0});
   json["animations"][0]["channels"].push_back({{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}});
-  EXPECT_NE(failure(json).find("drives /nodes/0/translation, as another channel does"), std::string::npos);
+  EXPECT_NE(failure(json).find("drives /nodes/0/translation, which another channel drives too"), std::string::npos);
 }
 
 // ---- cuts
@@ -280,10 +280,11 @@ TEST_F(Gltf, MalformedCutsAreRefusedWithTheirPlace) {
       {"/scenes/0/extras/cuts", "a.gltf: scenes[0].extras: "},
       {"/nodes/1/extras/cuts", "a.gltf: nodes[1].extras: "},
       {"/animations/0/extras/cuts", "a.gltf: animations[0].extras: "}};
-  const std::pair<const char*, const char*> mistakes[] = {{"0.5", "'cuts' is not a list"},
-                                                          {"[\"half\"]", "'cuts' holds what is not a finite number"},
-                                                          {"[1, 0.5]", "'cuts' do not increase"},
-                                                          {"[1, 1]", "'cuts' do not increase"}};
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"0.5", "'cuts' is not a list"},
+      {"[\"half\"]", "'cuts' has an element that is not a finite number"},
+      {"[1, 0.5]", "'cuts' do not increase"},
+      {"[1, 1]", "'cuts' do not increase"}};
   for (const auto& [pointer, place] : places)
     for (const auto& [cuts, what] : mistakes) {
       Json json = sliding();

@@ -40,7 +40,7 @@ TEST_F(Gltf, ExtensionsInAnotherPlaceAreRefused) {
   Json json = triangle().whole();
   json["nodes"][0]["extensions"]["KHR_materials_unlit"] = Json::object();
   json["extensionsUsed"] = {"KHR_materials_unlit"};
-  expectContains(failure(json), "nodes[0].extensions: KHR_materials_unlit has no meaning here");
+  expectContains(failure(json), "nodes[0].extensions: KHR_materials_unlit is not allowed here");
 }
 
 // Objects that no part of the shown scene uses have a form too.
@@ -57,13 +57,14 @@ TEST_F(Gltf, UnusedObjectsAreCheckedWithTheirPlace) {
       {"/cameras", Json::parse(R"([{"type":"orthographic","orthographic":{"xmag":0,"ymag":1,"znear":0,"zfar":1}}])"),
        "cameras[0]: 'xmag' is 0"},
       {"/accessors/1", Json::parse(R"({"bufferView":0,"componentType":5126,"count":9,"type":"VEC3"})"),
-       "accessors[1]: 9 elements do not lie in its buffer view of 36 bytes"},
+       "accessors[1]: 9 elements do not fit in its buffer view of 36 bytes"},
       {"/accessors/1", Json::parse(R"({"bufferView":0,"componentType":5126,"count":1,"type":"VEC3","max":[1]})"),
-       "accessors[1]: 'max' has not 3 numbers"},
+       "accessors[1]: 'max' does not have 3 numbers"},
       {"/accessors/1",
        Json::parse(R"({"bufferView":0,"componentType":5126,"count":1,"type":"VEC3","normalized":true})"),
        "accessors[1]: componentType 5126 cannot be normalized"},
-      {"/bufferViews/1", Json::parse(R"({"buffer":0,"byteLength":37})"), "bufferViews[1]: 37 bytes at 0 do not lie"},
+      {"/bufferViews/1", Json::parse(R"({"buffer":0,"byteLength":37})"),
+       "bufferViews[1]: 37 bytes at byte 0 do not fit"},
       {"/nodes/0/name", 5, "nodes[0]: 'name' is not a text"},
       {"/meshes/0/primitives/0/attributes/FOO", 0, "meshes[0].primitives[0]: attribute 'FOO' is unknown"},
       {"/meshes/0/primitives/0/attributes/TEXCOORD_1", 0, "meshes[0].primitives[0]: TEXCOORD_1: accessors[0] is VEC3"}};
@@ -115,13 +116,13 @@ TEST_F(Gltf, TexturesWithoutCoordinatesAreWarnedOf) {
   json["meshes"][0]["primitives"][0]["material"] = 0;
   const Scene scene = load(json);
   ASSERT_FALSE(scene.warnings.empty());
-  expectContains(scene.warnings[0], "emissiveTexture of materials[0] reads TEXCOORD_0, which is not there");
+  expectContains(scene.warnings[0], "emissiveTexture of materials[0] reads TEXCOORD_0, which is missing");
 }
 
 TEST_F(Gltf, IndicesThatRestartAreRefused) {
   Asset asset = triangle();
   asset.primitive()["indices"] = asset.add<uint8_t>({0, 1, 255}, "SCALAR", 1, 5121);
-  expectContains(failure(asset.whole()), "index 2 is 255, which restarts");
+  expectContains(failure(asset.whole()), "index 2 is 255, the value for primitive restart");
 }
 
 // RFC 3986: a scheme ends at a colon before the first slash.
@@ -171,7 +172,7 @@ TEST_F(Gltf, ChunksOfGlbFilesAreChecked) {
   expectContains(loaded(glb({{kBinary, binary}, {kJson, text}})), "its first chunk is not JSON");
   expectContains(loaded(glb({{kJson, text}, {kBinary, binary}, {kBinary, binary}})),
                  "its binary chunk is chunk 2, not 1");
-  expectContains(loaded(glb({{kJson, text}, {kJson, text}})), "has two chunks of JSON");
+  expectContains(loaded(glb({{kJson, text}, {kJson, text}})), "has two JSON chunks");
   expectContains(loaded(glb({{kJson, text}, {kBinary, binary + "x"}})), "chunk 1 has 37 bytes, not a multiple of 4");
 }
 
@@ -234,8 +235,8 @@ TEST_F(Gltf, CountsBeyondMemoryAreRefusedByTheirSum) {
     change(asset);
     const std::string text = failure(asset.whole());
     expectContains(text, place);
-    expectContains(text, "GiB of memory; with it the file needs ");
-    expectContains(text, "above the 1.0 GiB that its size allows");
+    expectContains(text, "GiB of memory; the whole file needs ");
+    expectContains(text, "more than the 1.0 GiB allowed for a file of its size");
   }
   Asset asset = triangle();  // zero-filled, of a size that is no matter
   asset.primitive()["attributes"]["NORMAL"] = zeros(asset, "VEC3", 5126, 3);

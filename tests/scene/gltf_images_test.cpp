@@ -40,8 +40,8 @@ TEST_F(GltfImages, AreSummedBeforeAnyIsDecoded) {
   const uint64_t needed = 4 * (png + jpeg) + png * 16 / 3 + jpeg * 16 / 3 + png * 16 / 3 + png * 5 / 4 * 16;
   EXPECT_EQ(load(json, {.most_bytes = needed}).textures.size(), 3u);
   EXPECT_TRUE(failure(json, {.most_bytes = needed - 1})
-                  .ends_with("a.gltf: its images need 160 KiB when they are decoded, of 160 KiB available; the largest "
-                             "is images[0] of 96x48 texels"))
+                  .ends_with("a.gltf: its decoded images need 160 KiB of memory, but only 160 KiB are available; the "
+                             "largest is images[0] of 96x48 texels"))
       << failure(json, {.most_bytes = needed - 1});
 }
 
@@ -50,7 +50,7 @@ TEST_F(GltfImages, OfKilobytesThatDecodeToGibibytesAreRefused) {
   std::vector<std::string> uris(64, uriOf(hugeHeader()));
   uris[3] = uriOf(image::encodePng(image::Image(8, 8, 3)));
   const std::string refusal = failure(textured(uris), {.most_bytes = uint64_t{64} << 30});
-  EXPECT_NE(refusal.find("its images need 153.3 GiB when they are decoded, of "), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("its decoded images need 153.3 GiB of memory, but only "), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("the largest is images[0] of 16384x16384 texels"), std::string::npos) << refusal;
 }
 

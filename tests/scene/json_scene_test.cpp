@@ -89,7 +89,7 @@ TEST(JsonScene, AllMistakesAtOnceWithTheirPlaces) {
        {"a.lua:3: node 'vase': unknown key 'postion'; did you mean 'position'?",
         "a.lua:4: sphere: 'radius' = -1 is below min 1e-09", "a.lua:6: node 'vase': another node has this name",
         "a.lua:6: shape: is not a shape", "a.lua:8: node 'eye': 'position' has string where a number is expected",
-        "a.lua:9: track: no node is called 'vace'; did you mean 'vase'?"}) {
+        "a.lua:9: track: unknown node 'vace'; did you mean 'vase'?"}) {
     EXPECT_NE(text.find(expected), std::string::npos) << expected << "\nin\n" << text;
   }
 }

@@ -238,12 +238,12 @@ TEST_F(Mitsuba, NamesWhatItLeavesOut) {
   scene.meshes[0].geometries[0].vertices[0].color = vec4(0.5f);
   const Json read = written(scene);
   EXPECT_TRUE(leavesOut("alpha of materials", "paint"));
-  EXPECT_TRUE(leavesOut("culling of back faces", "paint"));
+  EXPECT_TRUE(leavesOut("back-face culling", "paint"));
   EXPECT_TRUE(leavesOut("specular reflection", "paint"));
   EXPECT_FALSE(leavesOut("specular reflection", "neon"));
   EXPECT_TRUE(leavesOut("emission of moving objects", "paint"));
   EXPECT_TRUE(leavesOut("emission of both sides", "neon"));
-  EXPECT_TRUE(leavesOut("colours of vertices", "paint"));
+  EXPECT_TRUE(leavesOut("vertex colours", "paint"));
   EXPECT_TRUE(leavesOut("ranges of lights", "lamp"));
   EXPECT_TRUE(leavesOut("lights without shadows", "lamp"));
   EXPECT_TRUE(leavesOut("shading at the raster time", ""));

@@ -182,10 +182,10 @@ TEST_F(Evaluate, ASharedParameterChangesOnlyWhatItMay) {
   EXPECT_EQ(error("blur.tile { 300 }"),
             "scripts/pipelines/shared.lua:7: default of parameter 'tile' of the pipeline: 'tile' = 300 is above max 99 "
             "(range 1 to 99 px)");
-  EXPECT_EQ(
-      error("blur.tile { max = 200 }"),
-      "scripts/pipelines/shared.lua:12: parameter 'tile' of pass 'one' is from 1 to 99, but 'tile' of the pipeline "
-      "from 1 to 200");
+  EXPECT_EQ(error("blur.tile { max = 200 }"),
+            "scripts/pipelines/shared.lua:12: parameter 'tile' of pass 'one' has the range 1 to 99, but 'tile' of the "
+            "pipeline "
+            "has the range 1 to 200");
 }
 
 TEST_F(Evaluate, PipelinesSayWhatTheyAre) {
@@ -385,7 +385,7 @@ TEST_F(Evaluate, WrongSettingsAreRefusedWithTheNearestName) {
   EXPECT_EQ(failure({{"preset", "corse"}}),
             "--set preset=corse: 'preset' = 'corse' is not one of coarse, fine; did you mean 'coarse'?");
   EXPECT_EQ(failure({{"bias", "1"}}),
-            "--set bias=1: the pipeline has no parameter 'bias'; nodes have it: 'far.bias', 'near.bias'");
+            "--set bias=1: the pipeline has no parameter 'bias'; these nodes have it: 'far.bias', 'near.bias'");
   EXPECT_EQ(failure({{"far.tiel", "1"}}),
             "--set far.tiel=1: node 'far' has no parameter 'tiel'; did you mean 'far.tile'?");
   EXPECT_EQ(failure({{"fra.tile", "1"}}), "--set fra.tile=1: unknown node 'fra'; did you mean 'far.tile'?");
@@ -588,7 +588,7 @@ TEST_F(PresetFile, IsRefusedAtTheLineOfTheMistake) {
   home_.write("tried/found.lua", "return 1 +\n");
   EXPECT_EQ(failure({{"preset", "tried/found.lua"}}).substr(0, 18), "tried/found.lua:2:");
   EXPECT_EQ(failure({{"preset", "tried/gone.lua"}}),
-            "--set preset=tried/gone.lua: there is no preset file 'tried/gone.lua'");
+            "--set preset=tried/gone.lua: preset file 'tried/gone.lua' does not exist");
 }
 
 TEST_F(PresetFile, ThatIsGoneIsDroppedWhereSettingsMayBe) {
@@ -596,7 +596,7 @@ TEST_F(PresetFile, ThatIsGoneIsDroppedWhereSettingsMayBe) {
   plan::PipelineDesc p =
       evaluatePipeline(home_.home(), {"sample", {{"preset", "tried/gone.lua"}}}, nullptr, {}, &dropped);
   ASSERT_EQ(dropped.size(), 1u);
-  EXPECT_EQ(dropped[0].reason, "there is no preset file 'tried/gone.lua'");
+  EXPECT_EQ(dropped[0].reason, "preset file 'tried/gone.lua' does not exist");
   EXPECT_EQ(p.preset, "fine");
 }
 

@@ -118,7 +118,7 @@ TEST_F(Damage, NormalsTextureCoordinatesAndColoursAreReplaced) {
   std::string warnings = fmt::format("{}", fmt::join(render(shot).warnings, "\n"));
   EXPECT_NE(warnings.find("1 vertices have normals that are not finite"), std::string::npos) << warnings;
   EXPECT_NE(warnings.find("1 vertices have colours that are negative or not finite"), std::string::npos) << warnings;
-  expectDrawn(file, "1 vertices have texture coordinates that are not finite; 0, 0 serve instead");
+  expectDrawn(file, "1 vertices have texture coordinates that are not finite; 0, 0 is used instead");
 }
 
 TEST_F(Damage, RadiancesBeyondNumbersBecomeNumbers) {

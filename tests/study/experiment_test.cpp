@@ -140,7 +140,7 @@ TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
   expectRefusal(with("", "", "benign = 5"), "benign is 5, which is not one of the values");
   expectRefusal(with("", "", "scale = \"log\", values = { 4.7, 2 }"), "the values must increase, but 2 follows 4.7");
   expectRefusal(with("", "", "scale = \"log\", values = { -1, 4.7 }"),
-                "-1 is negative and has no place on a logarithmic scale");
+                "-1 is negative and cannot be placed on a logarithmic scale");
   expectRefusal(with("", "", "shots = { \"bra\" }"), "did you mean 'bar'?");
   expectRefusal(with("", "", "at = function(v) return v.at_all end"), "at(4.7) of axis 'speed' fails");
   expectRefusal(with("", "", "", "measures = { \"rsme\" }"), "did you mean 'rmse'?");
@@ -207,13 +207,13 @@ TEST(Mistakes, OfExpectationsAreFoundBeforeAnythingIsDrawn) {
   };
   for (const auto& [body, wanted] : {
            std::pair<std::string, std::string>{"return r.at { arm = 'hybird' }.rmse < 1",
-                                               "there is no arm 'hybird'; did you mean 'hybrid'?"},
-           {"return r.at { shot = 'bra' }.rmse < 1", "there is no shot 'bra'; did you mean 'bar'?"},
-           {"return r.at { region = 'iner' }.rmse < 1", "there is no region 'iner'; did you mean 'inner'?"},
-           {"return r.at { sped = 30 }.rmse < 1", "there is no axis 'sped'; did you mean 'speed'?"},
+                                               "unknown arm 'hybird'; did you mean 'hybrid'?"},
+           {"return r.at { shot = 'bra' }.rmse < 1", "unknown shot 'bra'; did you mean 'bar'?"},
+           {"return r.at { region = 'iner' }.rmse < 1", "unknown region 'iner'; did you mean 'inner'?"},
+           {"return r.at { sped = 30 }.rmse < 1", "unknown axis 'sped'; did you mean 'speed'?"},
            {"return r.at { speed = 3 }.rmse < 1", "axis 'speed' has no value 3"},
-           {"return r.at { speed = 30 }.rsme < 1", "there is no measure 'rsme'; did you mean 'rmse'?"},
-           {"return r.at { arm = 'floor', shot = 'bar' }.rsme < 1", "there is no measure 'rsme'"},
+           {"return r.at { speed = 30 }.rsme < 1", "unknown measure 'rsme'; did you mean 'rmse'?"},
+           {"return r.at { arm = 'floor', shot = 'bar' }.rsme < 1", "unknown measure 'rsme'"},
            {"return r.att { speed = 30 }.rmse < 1", "r has no 'att'; did you mean 'at'?"},
        })
     expectRefusal(expecting(body), "x.lua:14: expectation 'it is': " + wanted);
@@ -343,12 +343,12 @@ TEST(Vary, RandomPointsFollowFromTheSeed) {
 TEST(Vary, MistakesAreSaidAtTheirLine) {
   for (const auto& [vary, wanted] :
        {std::pair<std::string, std::string>{"experiment.zip { samples = { 8, 16 }, exposure = { 0.5 } }",
-                                            "zip pairs 2 values of 'samples' with 1 of 'exposure'"},
+                                            "got 2 values of 'samples' and 1 of 'exposure'"},
         {"experiment.grid { samples = {} }", "'samples' is empty instead of a list"},
         {"experiment.ablation({ samples = 8 }, { sample = { 4 } })",
          "not in the base of the ablation; did you mean 'samples'?"},
-        {"experiment.sobol(0, { samples = { 1, 2 } })", "the count is a whole number from 1"},
-        {"experiment.random(3, 1.5, { samples = { 1, 2 } })", "the seed of random is a whole number"},
+        {"experiment.sobol(0, { samples = { 1, 2 } })", "the count must be a whole number, at least 1"},
+        {"experiment.random(3, 1.5, { samples = { 1, 2 } })", "the seed of random must be a whole number"},
         {"experiment.sobol(3, { samples = { 4, 2 } })", "the range of 'samples' is empty: 4 to 2"},
         {"experiment.sobol(3, { exposure = { 0.0, 2.0, log = true } })", "must be two numbers above 0"}}) {
     try {

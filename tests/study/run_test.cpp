@@ -263,9 +263,9 @@ TEST_F(Measuring, BytesDifferencesAndLimits) {
 
 TEST_F(Measuring, NamesThatAnExpectationDoesNotHaveAreRefusedBefore) {
   const std::vector<std::pair<std::string, std::string>> mistakes = {
-      {R"(r.at { arm = "blurr" }.rmse < 1)", "there is no arm 'blurr'; did you mean 'blur'?"},
+      {R"(r.at { arm = "blurr" }.rmse < 1)", "unknown arm 'blurr'; did you mean 'blur'?"},
       {R"(r.at { color_format = "fp8" }.rmse < 1)", "axis 'color_format' has no value fp8"},
-      {"r.at {}.rsme < 1", "there is no measure 'rsme'; did you mean 'rmse'?"}};
+      {"r.at {}.rsme < 1", "unknown measure 'rsme'; did you mean 'rmse'?"}};
   for (const auto& [code, message] : mistakes) {
     std::string text = kFormats, from = "r.at {}.flip < 1";
     text.replace(text.find(from), from.size(), code);
