@@ -205,7 +205,8 @@ also("in every scene, each increase of quality takes at least 0.95 times the tim
     for i = 2, #curve do
       local a, b = curve[i - 1], curve[i]
       if b.cost < 0.95 * a.cost or b.error > 1.05 * a.error + 1e-6 then
-        texts[#texts + 1] = ("%s, %s (time %.2f, error %.2f times)"):format(one.title, b.name, b.cost / a.cost, b.error / a.error)
+        texts[#texts + 1] = ("%s, %s (time %.2f, error %.2f times)"):format(one.title, b.name, b.cost / a.cost,
+          b.error / a.error)
       end
     end
   end

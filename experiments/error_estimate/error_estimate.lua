@@ -21,11 +21,11 @@ end
 
 return experiment {
   title    = "Estimated error of adaptive",
-  question = "The pipeline adaptive estimates the error of each pixel. Does the estimate rank the pixels of a picture by their " ..
-             "error, and does its mean agree with the mean error?",
+  question = "The pipeline adaptive estimates the error of each pixel. Does the estimate rank the pixels of a picture by " ..
+             "their error, and does its mean agree with the mean error?",
   note     = "The shots are all scenes of the repository except the exhibits. All numbers are for the pixels with moving " ..
-             "surfaces at the raster time. The chart is a reliability plot: each mark is a picture, and the estimate is right on " ..
-             "the line y = x.",
+             "surfaces at the raster time. The chart is a reliability plot: each mark is a picture, and the estimate is " ..
+             "right on the line y = x.",
   size     = { 160, 90 },
   shots    = shots,
   arms     = arms,

@@ -45,6 +45,6 @@ return pass.compute {
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },
-  counters = { fallback = "time samples without a surface at the pixel in any layer; their colour is the colour of the pixel " ..
-                          "at the raster time" },
+  counters = { fallback = "time samples without a surface at the pixel in any layer; their colour is the colour of the " ..
+                          "pixel at the raster time" },
 }

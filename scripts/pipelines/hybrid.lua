@@ -67,7 +67,7 @@ return pipeline {
     directions   = mcguire2012.params.directions,
   },
   presets = {
-    paper = { doc = "settings that make the claims of the paper hold: rays ignore the foreground object, and taps have equal weights",
+    paper = { doc = "settings that make the paper's claims hold: rays ignore the foreground object, taps have equal weights",
               set = paper },
     text = { doc = "settings that follow the text of the paper to the letter", set = text },
     geometry_index = { doc = "settings of `paper`, but a ray ends at another geometry instead of another luminance, as the " ..
