@@ -183,8 +183,8 @@ return experiment {
              "tenths of the time of one sample of `all times`, so four times per traversal save at most about half of the " ..
              "time. The expectations have a wider bound. Adaptive can share traversals as well, because the times of its " ..
              "first rays are known in advance, so shared traversal does not decide between the designs. A variant of " ..
-             "adaptive was tried and dropped: an error tolerance relative to the colours of the rays instead of an absolute one. It took " ..
-             "more rays and had a larger error over all shots (by up to a tenth), because dark regions got more rays than " ..
+             "adaptive was tried and dropped: an error tolerance relative to the colours of the rays instead of an " ..
+             "absolute one. It took more rays and had a larger error over all shots (by up to a tenth), because dark regions got more rays than " ..
              "their errors are worth.",
   size     = { 160, 90 },
   shots    = shots,

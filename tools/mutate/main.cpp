@@ -72,7 +72,7 @@ static void declare(CLI::App& program, Options& options) {
       ->type_name("DIR");
   program
       .add_option("--results", options.results,
-                  "what is known so far; continued from (default: mutations.json, beside the program)")
+                  "results file, which a later run continues (default: mutations.json, beside the program)")
       ->type_name("FILE");
   program.add_flag("--again", options.run.again, "try those that survived without a reason once more");
   program.add_option("--jobs", options.run.jobs, "mutants at a time")->check(CLI::Range(1, 64))->capture_default_str();
@@ -90,7 +90,7 @@ static void declare(CLI::App& program, Options& options) {
 int main(int argc, char** argv) {
   // Scripts are evaluated in a child process, which runs this program too.
   if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild();
-  CLI::App program("Put small mistakes into shaders and report which of them the tests notice", "strobe_mutate");
+  CLI::App program("Put small mistakes into shaders and report the mistakes that the tests notice", "strobe_mutate");
   strobe::mutate::Options options;
   strobe::mutate::declare(program, options);
   try {

@@ -56,16 +56,14 @@ page::Table everything(const std::vector<MutationResult>& results) {
 
 std::string pageOf(const std::vector<MutationResult>& results, const MutationOptions& options) {
   return fmt::format(
-      "# What the tests notice\n\n"
+      "# Mistakes that the tests notice\n\n"
       "One small mistake at a time is put into a copy of the shaders, and tests that read the shader are run until one "
-      "fails. Each compiles the changed shader anew, so that a mistake in what many shaders include has time for some "
-      "of "
-      "them alone (`--budget`): those that `--first` names, then those that caught most. Made by `strobe_mutate --seed "
-      "{} --count {} --write tools/mutate/mutations.md`; the tests that take part are named in `plan.json`, the "
-      "reasons "
-      "are kept in `survivors.json`.\n\n"
+      "fails. Each test compiles the changed shader again. For a mistake in a file that many shaders include, the time "
+      "(`--budget`) suffices only for some tests: first the tests named by `--first`, then the tests with the most "
+      "catches. Made by `strobe_mutate --seed {} --count {} --write tools/mutate/mutations.md`. `plan.json` names the "
+      "tests that take part, `survivors.json` has the reasons.\n\n"
       "**{}.**\n\n"
-      "Mutants that compile to the same code under every choice of every pass, or do not compile, count for nothing. "
+      "Mutants that compile to the same code under every choice of every pass, or do not compile, are not counted. "
       "The window's own two shaders (`live/`) are reached by no pass and are left out.\n\n"
       "{}\n## Survivors\n\n{}\n## All mutants\n\n{}",
       options.seed, options.count, summaryOf(results), markdownOf(countsByOperator(results)),

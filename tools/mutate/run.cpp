@@ -65,7 +65,7 @@ class Kept {
     try {
       json_ = Json::parse(readText(file));
     } catch (const Json::exception& error) {
-      throw Error(fmt::format("is no results file: {}", error.what()), {file.string()});
+      throw Error(fmt::format("is not a results file: {}", error.what()), {file.string()});
     }
   }
 
@@ -299,8 +299,8 @@ std::string summaryOf(const std::vector<MutationResult>& results) {
   int caught = countOf(results, Fate::Caught), survived = countOf(results, Fate::Survived);
   double share = caught + survived > 0 ? 100.0 * caught / (caught + survived) : 0;
   return fmt::format(
-      "{} of {} caught ({:.0f} %), {} survived, {} of them without a reason; besides these {} compile to "
-      "what was there and {} do not compile",
+      "{} of {} caught ({:.0f} %), {} survived ({} without a reason); not counted: {} compile to the same code, {} do "
+      "not compile",
       caught, caught + survived, share, survived, unexplained(results), countOf(results, Fate::Equivalent),
       countOf(results, Fate::Refused));
 }

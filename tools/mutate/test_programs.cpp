@@ -86,7 +86,7 @@ Path programPath(const TestFolder& tests, const std::string& program) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored))
     throw Error(
-        fmt::format("there is no test program {}: build the tests, or name their folder with --tests", path.string()));
+        fmt::format("the test program {} does not exist: build the tests, or name their folder with --tests", path.string()));
   return fs::absolute(path);
 }
 
