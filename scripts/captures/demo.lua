@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Figure 1 of Tan, Cui and Bhojan 2020, with errors against ground truth. In the first shot, a vase slides past a cushion. In
--- the second shot, a camera follows the vase. The capture checks one expectation, in the region inner (pixels of a moving
--- object that show its background at another time): the error of adaptive is smaller than the errors of both baselines, by
--- more than two standard errors of truth. The noise of truth shifts each of the two compared errors by at most one standard
--- error (triangle inequality).
+-- Figure 1 of Tan, Cui and Bhojan 2020, with errors against ground truth. In the first shot, a vase slides past a cushion.
+-- In the second shot, a camera follows the vase.
+-- For each shot, the capture checks one expectation in the region inner, the pixels of a moving object that show its
+-- background at another time: the error of `adaptive` is smaller than the errors of the two baselines, McGuire 2012 and
+-- UE4-style. The difference must exceed two standard errors of truth, because the noise of truth shifts each of the two
+-- compared errors by at most one standard error (triangle inequality).
 --   strobe demo
 local capture = require "strobe.capture"
 
