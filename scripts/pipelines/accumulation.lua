@@ -27,9 +27,9 @@ return pipeline {
                    "surface moves by at most `detail_below` from sample to sample.",
       } },
     contrast = raster_color.contrast {
-      doc = "bound of the relative difference between the colours of the four raster texels around a surface point. " ..
-            "Up to this difference, the texels are blended; above it, samples of slow surfaces are shaded. Used " ..
-            "with reuse = detailed" },
+      doc = "largest relative difference between the colours of raster texels that a time sample may blend. If the four " ..
+            "texels around the sample's surface point differ by more, the sample is shaded anew, unless the surface " ..
+            "moves by more than `detail_below` from sample to sample. Used with reuse = detailed" },
     detail_below = raster_color.detail_below {
       doc = "displacement of a surface from one time sample to the next. Above it, the four raster texels around a " ..
             "point of the surface are blended even if their colours differ. Used with reuse = detailed" },

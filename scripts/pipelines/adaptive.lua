@@ -58,10 +58,10 @@ return pipeline {
   params = {
     options.blur(16),
     quality = pipeline.float { 0.4, min = 0, max = 1, role = "quality",
-      doc = "work per picture. 0: the gather of the pipeline ue4, as for any value with limit = 0. Above 0 and " ..
-            "below 0.75: rays at several times where the gather is not reliable. From 0.75 on: ground truth; at 1, " ..
-            "it has 16 times `samples` time samples. The option --budget-ms of `strobe render` and `strobe live` " ..
-            "chooses the value from measured frame times" },
+      doc = "work per picture. 0: the gather of the pipeline ue4. Above 0 and below 0.75: rays at several times where " ..
+            "the gather is not reliable. From 0.75 on: ground truth; at 1, its number of time samples is 16 times the " ..
+            "parameter `samples`. With limit = 0, every value gives the gather of ue4. The option --budget-ms of " ..
+            "`strobe render` and `strobe live` chooses the value from measured frame times" },
   },
   presets = {
     post_process = { doc = "a post-process blur without rays", set = { quality = 0 } },

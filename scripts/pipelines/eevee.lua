@@ -18,7 +18,8 @@ local tiles      = require "scripts.pipelines.lib.tiles"
 
 local snapped = "the rasteriser snaps vertices to 1/256 px, so that a silhouette may cross the centre of a pixel"
 
--- Picture of one step: `raster`, the scene in the middle of the step, blurred over the step's part of the exposure.
+-- Returns the picture of one step. `raster`: the raster layer in the middle of the step; its colours are blurred over the
+-- step's part of the exposure.
 local function blurred(p, raster)
   local weights = pass.member("gather", p.weights())
   local around = tiles.dominant(p, raster, { second = p.directions() == "two" and pass.reads(weights, "second") })
@@ -46,7 +47,7 @@ return pipeline {
     directions = gather.params.directions,
   },
   build = function(p)
-    if p.limit() == 0 then  -- nothing blurs: one step, at the raster time
+    if p.limit() == 0 then  -- limit = 0 turns the blur off, so one step, at the raster time, is enough
       local sharp = scene.raster()
       return scene.outputs(sharp, { color = blurred(p, sharp) })
     end

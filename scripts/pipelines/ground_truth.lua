@@ -93,8 +93,9 @@ return pipeline {
         still = smooth, brief = smooth, uniform = smooth, mirrored = drawn, shifted = drawn, reversed = drawn,
       } } },
     first_samples = int { 0, min = 0, max = 4096,
-      doc = "number of samples that every pixel traces in full before rays are skipped; 0: an eighth of `samples`, at " ..
-            "least 8, and at most 64 if `tolerance` is above 0" },
+      doc = "number of samples that are taken first. A later sample skips a ray if all these samples, at the pixel and " ..
+            "its neighbours, agree on the result of that ray. 0: an eighth of `samples`, but at least 8, and at most 64 " ..
+            "if `tolerance` is above 0" },
     even_within  = agreement.params.even_within,
     mark_regions = bool { true, role = "regions",
       doc = "find the regions of the error report (inner, hidden, outer, self); costs one more ray per sample" },

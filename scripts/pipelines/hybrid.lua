@@ -13,7 +13,7 @@ local scene       = require "scripts.pipelines.lib.scene"
 local tiles       = require "scripts.pipelines.lib.tiles"
 
 -- Ray Mask: the pixels that trace a ray. A pixel is masked if it moves and an edge lies along its displacement. The edge
--- detector runs only at candidates: pixels with a displacement to a position that shows another, farther object.
+-- detector tests only candidates: a candidate moves, and a step along its displacement leads to another, farther object.
 local function ray_mask(p, raster)
   local where = candidate { depth = raster.depth, id = raster.id, velocity = raster.velocity, taps = p.mask_taps }.candidate
   local edge = edges.detected(p.edge(), raster, where)

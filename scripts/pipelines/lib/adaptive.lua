@@ -11,7 +11,7 @@ local adaptive = {}
 local settings = pipeline.record "settings of the quality"
 
 local truth_from = 0.75  -- lowest quality that selects ground truth
-local most_parts = 256   -- largest number of intervals between the times of rays
+local most_parts = 256   -- largest value of the setting `parts` (adaptive.settings)
 
 -- is_gather: true if the quality selects the post-process blur only. is_truth: true if the quality selects ground truth.
 function adaptive.is_gather(quality) return quality == 0 end
@@ -22,14 +22,15 @@ function adaptive.truth_samples(quality, samples)
   return math.max(1, math.floor(16 * samples * 2 ^ (10 * (quality - 1)) + 0.5))
 end
 
--- Settings for a quality above 0 and below `truth_from`:
---   pace       largest displacement of a surface between two successive first rays of a pixel, image widths; halves if
---              quality rises by 0.2. The first rays are traced before any interval between two rays is subdivided
---   allowance  error up to which no ray is traced between two rays, linear radiance times fraction of the exposure;
---              halves if quality rises by 0.1
+-- Settings for a quality above 0 and below `truth_from`. First, a pixel traces rays at evenly spaced times. Then a further
+-- ray subdivides an interval between two rays if the possible error of the interval is too large. Fields:
+--   pace       spacing of the first rays: largest displacement of a surface from one ray to the next, image widths; halves
+--              if quality rises by 0.2
+--   allowance  largest error of an interval that is not subdivided: linear radiance, times the interval's fraction of the
+--              exposure; halves if quality rises by 0.1
 --   apart_px   largest difference of displacements that count as uniform motion, px; halves if quality rises by 0.2
 --   hit_color  source of the colour of a hit: the raster texels that show the surface ("blended"), or new shading ("shaded")
---   parts      number of intervals between the times of rays
+--   parts      number of intervals between the possible times of rays. These `parts` + 1 times are evenly spaced
 function adaptive.settings(quality, samples)
   local tenths = 10 * quality - 1
   local finer = math.floor(math.max(0, math.min(2, tenths / 2)))

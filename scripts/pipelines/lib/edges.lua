@@ -8,7 +8,8 @@ local thin     = require "passes.edge.canny.thin"
 
 local edges = { names = pass.family "edge" }
 
--- Functions by the name of a detector. A function makes further images, which the detector reads, from the raster layer.
+-- Table with the name of a detector as key and a function as value. The function computes, from the raster layer, the
+-- further images that this detector reads.
 local prepared = {}
 
 -- Canny detector: the node edge_gradient has the thresholds of strong edges as parameters, and the node edge_thin has the ratio

@@ -35,11 +35,11 @@ local function copy_of(layer)
   return copy
 end
 
--- If the motion is split at the raster time (range = split), returns a copy of `layer` with these fields:
---   velocity        velocity of the segment before the raster time: displacement at this velocity over the whole
---                   exposure, px
---   velocity_post   velocity of the segment after the raster time: displacement at this velocity over the whole
---                   exposure, px
+-- If the motion is split at the raster time (range = split), returns a copy of `layer` with two fields for the two
+-- segments. Each field is the displacement, px, of a point that keeps the velocity of one segment from shutter open to
+-- shutter close:
+--   velocity        at the velocity before the raster time
+--   velocity_post   at the velocity after the raster time
 -- Otherwise returns `layer`. `name`: name of the node.
 function paths.split(p, layer, name)
   if not paths.are_split(p) then return layer end
@@ -59,8 +59,8 @@ function paths.post(layer)
   return post
 end
 
--- Returns the mask of a layer, mask(p, layer). If the layer is split, returns the union of two masks: one for the motion before
--- the raster time, one for the motion after the raster time.
+-- Returns the mask that the function `mask`, called as mask(p, layer), makes for a layer. If the layer is split, calls the
+-- function twice, for the motion before and for the motion after the raster time, and returns the union of the two masks.
 function paths.mask(p, layer, mask)
   if not layer.velocity_post then return mask(p, layer) end
   return union {

@@ -25,8 +25,9 @@ function scene.shaded(hit, prefix)
 end
 
 -- Returns the raster layer: hit, depth, normal, id, velocity, color and light_visibility of the visible surfaces. `visible`: a
--- pass that finds the visible surfaces; nil: the raster pass. In a pipeline without the parameters options.picture, velocities
--- are computed from the poses at shutter open and shutter close (displacement = window), and images are not quantised.
+-- pass that finds the visible surfaces; nil: the raster pass. A pipeline may lack the parameters in the table `options.picture`
+-- of lib/options. It then has their defaults: velocities are computed from the poses at shutter open and shutter close, and
+-- images are not quantised.
 function scene.raster(visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }

@@ -12,21 +12,23 @@ local compact             = require "scripts.pipelines.lib.compact"
 
 local truth = {}
 
--- Returns the value of a setting, for a parameter of the pipeline and for a plain value.
+-- Returns the value of `setting`, which is either a parameter of the pipeline or a plain value.
 local function valued(setting)
   local kind = type(setting)
   if kind == "number" or kind == "string" or kind == "boolean" then return setting end
   return setting()
 end
 
--- Adds one time sample by rays to the means. Fields of `t`:
---   before      results of the first samples; nil: these samples are the first
---   consensus   results that all first samples agree on; a ray with a known result is skipped
---   every_ray   true: no ray is skipped
---   stats       true: store per-pixel statistics of the samples, to compute the consensus
---   probes      true: also trace a ray at the raster time with its shadow rays, if the camera moves
---   pixel_list  list of the pixels to sample; nil: all pixels
---   as          name of the node
+-- Adds one time sample by rays to the means. Time samples are taken in two loops (see truth.everywhere). The second loop
+-- skips a ray if all samples of the first loop agree on the result of that ray. Fields of `t`:
+--   before       second loop: the results of the first loop; nil: this is the first or the only loop
+--   consensus    second loop: the results that all samples of the first loop agree on; nil: no ray is skipped
+--   every_ray    true: trace every ray of the sample
+--   stats        true (first loop): store per-pixel statistics of the samples, which the consensus is computed from
+--   probes       true (first loop): if the camera moves, also trace a ray at the raster time, with its shadow rays. The
+--                consensus is then computed from these rays, because the rays of the samples move with the camera
+--   pixel_list   list of the pixels to sample; nil: all pixels
+--   as           name of the node
 function truth.traced_sample(p, raster, t)
   local before, consensus = t.before or {}, t.consensus or {}
   local frozen = valued(p.shading) == "frozen"
@@ -102,7 +104,9 @@ function truth.everywhere(p, raster)
     probes = not every_ray and valued(p.shading) == "frozen" and count >= 4 * few, as = "truth_first",
   })
   local consensus = not every_ray and truth.consensus_of(p, before) or nil
-  local has_list = consensus and valued(p.pixel) == "box"  -- with `centre`, the pass skips pixels without motion
+  -- With pixel = box, the second loop runs over a list of the pixels that need further samples. With pixel = centre and
+  -- frozen shading, the pass itself samples a static pixel only once.
+  local has_list = consensus and valued(p.pixel) == "box"
   local more = truth.shutter(p, raster, {
     name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
     consensus = consensus, pixel_list = has_list and compact.pixels(consensus.more, "truth") or nil,
