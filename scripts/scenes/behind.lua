@@ -1,18 +1,20 @@
 -- SPDX-License-Identifier: MIT
 -- Test scene for rays that pass through a moving object to the background behind it. A closed object slides past panels by
--- `speed` px over the exposure. A ray through the object hits its parts and its far side before it hits the background. A rule
--- that ends the ray by luminance, geometry or instance may stop at the wrong hit. All materials are unlit, so the colours
--- determine the luminances. Parameters:
+-- `speed` px over the exposure. A ray through the object hits its parts and its far side before it hits the background. A
+-- rule that ends the ray by luminance, geometry or instance may stop at the wrong hit. All materials are unlit, so the
+-- colours determine the luminances. Parameters:
 -- cell    side of the cells of the background, px
--- front   plain     a box of one colour
+-- behind  the background:
+--         varied    a wall of cells of different luminances
+--         alike     the same wall, with a panel between it and the object. The cells of the panel have other colours than the
+--                   box of `front` = plain, but the same luminance
+-- front   the object:
+--         plain     a box of one colour
 --         textured  the same box, checkered: its far side is as bright as its near side at half of the pixels
---         parts     an object of two parts of different luminance: a box inside a box
---         alike     the object of `parts`, but both parts have equal luminances
---         nodes     the two parts of `parts` as two objects with the same motion
+--         parts     a box inside a box. The two boxes are parts of one object and have different luminances
+--         alike     as `parts`, but the two boxes have the same luminance
+--         nodes     as `parts`, but each box is an object of its own; both objects have the same motion
 --         posts     a rotating ring of posts, one object: far posts move in the opposite direction of near posts
--- behind  varied    a wall of cells of different luminances
---         alike     a panel in front of the wall of `varied`; the cells of the panel have the luminance of the plain box, but
---                   other colours
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 

@@ -20,14 +20,18 @@ local inside = param("inside", -1)             -- smallest distance of cards fro
 local textured, lit, wall = param("textured", 1), param("lit", 1), param("wall", 1)
 local perspective = param("perspective", 1)
 local speed, scale, brightness = param("speed", 1), param("scale", 1), param("brightness", 1)
-local mirror, flip, turn = param("mirror", 1), param("flip", 1), param("turn", 0)  -- -1 mirrors x, y; turn: 1 turns left
+-- mirror = -1 mirrors the picture left to right, flip = -1 top to bottom. turn = 1 then turns it to the left by 90 degrees.
+local mirror, flip, turn = param("mirror", 1), param("flip", 1), param("turn", 0)
 local shift_x, shift_y = param("shift_x", 0), param("shift_y", 0)                  -- shift of all objects, px
 local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                          -- motion of all objects, px/exposure
-local order, peel = param("order", 0), param("peel", 0)  -- order of objects (0: fixed); number of nearest objects left out
+-- order: seed of a permutation of the objects and of the triangles of each rectangle; 0: no permutation. peel: number of
+-- nearest objects that are left out.
+local order, peel = param("order", 0), param("peel", 0)
 local value = param("value", 0)                          -- colour of all objects; 0: random colours
 local first, second = param("first", 1), param("second", 1)  -- weights of the two terms that add up to each colour
--- Radiance of the nearest card (0: as the other cards), and a factor on this radiance. With a negative factor, the card
--- is a lit metal: shading multiplies the colour of the card by 0, and 0 times an infinite colour is not a number.
+-- Radiance of the nearest card: `hot` times the absolute value of `hot_scale`. With hot = 0, the card is like the other cards.
+-- If `hot_scale` is negative, the card is a lit metal; otherwise it is unlit. A metal has no diffuse reflection, so shading
+-- multiplies its colour by 0. If the colour is infinite, this product is not a number.
 local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 
 local exposures_per_second = 24 / 0.5
