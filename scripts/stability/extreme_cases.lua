@@ -3,16 +3,20 @@
 -- correct result follows from a closed form, from truth, or from a picture that must be equal.
 --   strobe stability --extremes --write docs/extreme-cases.md
 --
--- A case has a name, a clause (its category), a text `says` (its requirement in words) and a function that returns its checks.
--- A check has a requirement on the picture of `shot`, and in `by` the pipelines that it applies to. Every picture must be
--- finite. The requirements are:
---   draws         every picture is finite (no further requirement)
---   as_captured   all but `pixels` pixels are equal, bit for bit, to the sharp picture of `shot` or, if given, of the shot `of`
---   within        all colours are in the range `low` to `high`; not required if a warning contains the text `unless`
---   nearer        the picture is nearer to truth than the sharp picture
+-- A case has a name, a clause (its category), a text `says` (its requirement in words) and a function that returns its
+-- checks.
+--
+-- A check names a shot to draw, one requirement on the picture, and, in `by`, the pipelines that it applies to. Every
+-- picture that a check draws must be finite. The sharp picture is the picture without blur, of the pipeline `none`. The
+-- requirements are:
+--   draws         only that the picture is finite
+--   as_captured   all but `pixels` pixels are equal, bit for bit, to the sharp picture of the shot. If the check has a shot
+--                 `of`, the sharp picture is of that shot
+--   within        all colours are in the range `low` to `high`. `unless`: text of a warning that lifts this requirement
+--   nearer        the picture has a smaller error against truth than the sharp picture
 --   same          at most `share` of the pixels differ by more than `tolerance` from the picture of the shot `other`
---   displacement  velocities equal `exact` within `share` of their length plus `tolerance_px`; entries that are false are not
---                 checked
+--   displacement  `exact` has the expected velocity of each pixel. The velocity differs from it by at most `share` of its
+--                 length plus `tolerance_px`. A pixel with the value false in `exact` is not checked
 --   truth         the red channel of truth equals `exact` within `tolerance`
 --   sharp_at      the sharp picture has the red value `value` at a pixel, within `tolerance`
 --   warns         a warning contains `text`
@@ -290,7 +294,7 @@ case("exposure_1", "exposure", "an exposure of a whole frame: every blur is near
 
 case("exposure_3_extrapolated", "exposure", "filters warn that the path of one frame is stretched over three frames", function()
   local long = bar(4, { limit = 10, displacement = "extrapolated" }, { exposure = 3 })
-  local text = "stretched over an exposure of more than one"
+  local text = "stretched over an exposure of more than one"  -- part of the warning (counter `stretched` of the pass gbuffer)
   return { warns(long, text, "filters"), silent(long, text, "others") }
 end)
 
@@ -403,8 +407,9 @@ local function turned_sky(x, y, angle)
   return { dx * math.cos(angle) + math.sin(angle), dy, math.cos(angle) - dx * math.sin(angle) }
 end
 
--- Allowed error of a displacement: the share `path_share` of its length plus `path_px` px. This covers single-precision
--- rounding at the ends of a path: a few units in the last place of depths near the near plane.
+-- Allowed error of a displacement: the share `path_share` of its length plus `path_px` px. The allowance covers
+-- single-precision rounding at the ends of a path, where a depth close to the near plane is wrong by a few units in the last
+-- place.
 local path_share, path_px = 1e-4, 2e-3
 
 local function over_a_floor(name, ahead, anchor)
