@@ -85,6 +85,7 @@
 
 ---@alias strobe.Runs "everywhere" | "moving_rect" | "moving_instances"
 
+---A property that a frame has or lacks; key of `if_no` (docs/omission.md).
 ---@alias strobe.Fact
 ---| "motion" | "curves" | "alpha" | "blend" | "one_sided" | "shadows" | "deforms" | "before"
 ---| "after" | "weighted"

@@ -53,7 +53,7 @@ function check.merged(t)
     if check.is_plain(part) then
       for key, value in pairs(check.merged(part)) do result[key] = value end
     else
-      result[i] = part  -- not a plain table: kept, so that a later check reports the mistake with this key
+      result[i] = part  -- an entry that is not a plain table stays at its index, so that a later check reports it
     end
   end
   for key, value in pairs(t) do

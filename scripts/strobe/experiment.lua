@@ -47,9 +47,10 @@ experiment.fields = {
   },
   -- Fields of an arm, which is a pipeline with settings:
   -- role       "method", or "floor" (truth with as many samples as a method)
-  -- lacks      names of axes, or of single parameters that an axis sets, that do not apply to this arm
-  -- box        further settings of the arm, for displayed pictures in shots with `picture_aa`. With these settings, the
-  --            pipeline itself has several samples per pixel, so the sub-pixel samples of `picture_aa` are not drawn
+  -- lacks      names of axes that do not apply to this arm. If only some parameters of an axis do not apply, the names of
+  --            these parameters. The arm is drawn without these values
+  -- box        settings that make the pipeline itself take several samples per pixel. They are added for the displayed
+  --            pictures of shots with `picture_aa`, and replace the sub-pixel samples of `picture_aa`
   -- shown      false: the arm is in the tables of the report, but its pictures are not shown
   -- timed      true: frame times are measured; default: true for methods, false for truth
   -- published  published frame rate of this arm: fps in the shot `shot`, measured by the authors `by`
@@ -71,15 +72,17 @@ experiment.fields = {
   -- shots         names of the shots that vary along the axis; default: all
   -- title, unit   texts for charts
   -- scale         scale of charts, one of experiment.scales
-  -- benign        the harmless value; pictures of the other values are compared with its picture
+  -- benign        value where the varied quantity causes no error; the pictures at the other values are compared with the
+  --               picture at this value
   -- region        error region of the errors that the charts show
-  -- same_picture  true: the exact picture does not depend on the value. The report then states the change of truth
+  -- same_picture  true: the exact picture is the same for all values. The report then states how much truth changes
+  --               along the axis; such a change is an error of truth
   -- fixed         text for the report: the quantities that do not vary
   -- note          text for the report
   -- reading       text for the report; {ARM @ VALUE} in the text is replaced by the error of the arm ARM at the value VALUE
-  -- against       measure on the x axis of the charts of times (`strobe bench slopes`), in place of the values of the
-  --               axis
-  -- costs         list of expectations of `strobe bench slopes`: how the times of parts of a frame grow along the axis
+  -- against       measure that `strobe bench slopes` plots times against; default: the values of the axis
+  -- costs         list of expectations about the growth of the times of parts of a frame along the axis, which
+  --               `strobe bench slopes` tests
   axis = {
     name = { text }, values = { list }, at = { func, optional = true }, shots = { list, optional = true },
     title = { text, optional = true }, unit = { text, optional = true }, scale = { text, optional = true },
@@ -102,8 +105,9 @@ experiment.fields = {
   -- The pictures of each shot. crop_size: { width, height } of crops without a size of their own, in pixels of the experiment's
   -- size. difference_gain: factor that brightens the pictures of differences from truth.
   pictures = { crop_size = { list, optional = true }, difference_gain = { number, optional = true } },
-  -- The errors along each axis, as curves. The report also states a range of values: there, the error of an arm is at most
-  -- `factor` times the floor, the error of the arm with the role "floor".
+  -- The errors along each axis, as curves. The floor is the error of the arm with the role "floor". For each arm, the
+  -- report also states the range of values around the benign value where the error of the arm is at most `factor` times the
+  -- floor.
   curves = { factor = { number, optional = true } },
   -- The Pareto front of each shot, as a chart. x, y: names of the measures on the axes of the chart. region: error region of
   -- the measure y, and of x if x is measured by region. together: true for one chart with the points of all shots, without the
@@ -305,8 +309,8 @@ local function points_of(axes)
 end
 
 -- Returns the groups of points. The points of a group have one shot and one combination of axis values, and share one picture
--- of truth. A group has the indices of the arms that render it, without the points that the function `skip` leaves out. Groups
--- are sorted by shot, then by combination, and the arms of a group by index.
+-- of truth. A group has the indices of the arms that render it: all arms, unless the function `skip` leaves an arm out of this
+-- group. Groups are sorted by shot, then by combination, and the arms of a group by index.
 function Checker:groups(result, skip, combinations)
   local groups, point_of = {}, points_of(result.axes)
   for s, shot in ipairs(result.shots) do
@@ -366,7 +370,8 @@ end
 -- them to find mistakes before anything is rendered.
 local function placeholders(result, given)
   local values = {}
-  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- all measures, because layouts add some
+  -- All measures that exist: a layout may add measures that the experiment does not name.
+  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end
   local arms = copied(result.arms)
   arms[#arms + 1] = { name = result.truth.name, role = "truth" }
   local groups = {}

@@ -7,10 +7,9 @@ local shown  = require "strobe.fields".shown
 
 local judge = {}
 
--- The results of an experiment. The method `at(place, wanted)` returns the mean of each measure over the points that
--- match `wanted`, a table with any of the fields `arm`, `shot`, `region` and the names of axes. An expectation calls it
--- as `r.at { arm = "hybrid", samples = 16 }`, with `wanted` as the only argument. `place`, the line of this call, is
--- added for error messages.
+-- The results of an experiment. The method `at(place, wanted)` returns the mean of each measure over the points that match
+-- `wanted`, a table with any of the fields `arm`, `shot`, `region` and the names of axes. An expectation passes only this
+-- table: `r.at { arm = "hybrid", samples = 16 }`. The function `r.at` adds `place`, the line of this call, for error messages.
 local Results = {}
 Results.__index = Results
 

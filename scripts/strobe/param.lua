@@ -11,7 +11,7 @@ param.keys = {
   bool   = { 1, "default", "doc", "unit", "role", "wired", "breaks" },
   int    = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "breaks" },
   float  = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "auto", "breaks" },
-  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and the choices, at 1, 2, 3, ...
+  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- the choices have the keys 1, 2, 3, ...
 }
 
 -- Reserved words of GLSL. A parameter with such a name would break the generated declarations of the shader.
@@ -108,8 +108,8 @@ end
 local LARGEST = { int = 2147483647, float = 3.4028234e38 }
 
 -- Checks `breaks = { VALUE = { INVARIANT = "reason" } }`, the invariants (docs/invariants.md) that do not hold for a value of
--- the parameter. `choices`: the keys that are allowed for VALUE. These are the choices of a choice, "true" and "false" for a
--- bool, and "other" for a number: any value except the default.
+-- the parameter. `choices`: the keys that are allowed for VALUE. A choice parameter has its choices as keys, and a bool has
+-- "true" and "false". A number has the key "other", which stands for every value except the default.
 local function check_breaks(problems, given, choices, place, what)
   if given.breaks == nil or not check.field(problems, given, "breaks", "table", place, what) then return nil end
   local breaks = {}

@@ -16,7 +16,7 @@ pass.keys = {
 pass.read_keys  = { "doc", "uint", "optional", "absent", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
 pass.update_keys = { "doc", "format", "history", "each" }
-pass.format_keys = { "by" }  -- and the choices of the parameter that `by` names
+pass.format_keys = { "by" }  -- keys of a table of formats; further keys: the choices of the parameter `by`
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.runs       = { "everywhere", "moving_rect", "moving_instances" }  -- pixels or instances that a pass is restricted to
@@ -417,7 +417,8 @@ end
 -- Returns the path below passes/ of the file at `place`, without .lua. Returns nil for a file outside of passes/ and for a file
 -- of passes/lib: a pass that is declared there must state its name.
 local function path_of(place)
-  local path = ("/" .. place.file):match(".*[/:]passes/(.+)%.lua$")  -- a colon ends the name of a root folder
+  -- The name of a file may begin with "strobe:" or "project:", as in "strobe:passes/tile/tile_max.lua".
+  local path = ("/" .. place.file):match(".*[/:]passes/(.+)%.lua$")
   return path and not path:find("^lib/") and path or nil
 end
 
@@ -530,7 +531,7 @@ end
 
 -- Returns the table of arguments for a call of the pass `called`: the table `arguments`, completed by those images of the table
 -- `images` that have the name of a read. Example: `sobel(pass.wired(sobel, raster, { as = "edge" }))` wires `raster.depth` to
--- the read `depth`.
+-- the read `depth`, and likewise the other reads of `sobel`. It also names the node "edge".
 function pass.wired(called, images, arguments)
   local result = {}
   for key, value in pairs(arguments or {}) do result[key] = value end

@@ -48,7 +48,13 @@ for _, name in ipairs { "quad", "box", "sphere", "torus", "superellipsoid", "cyl
 end
 
 -- Textures. Every texture may have name, wrap = "repeat" | "mirror" | "clamp" and filter = "linear" | "nearest".
--- A pattern (stripes, checker, ...) has size = {w, h}, colors = { ... }, count (or {u, v}), widths, amount, line, seed.
+-- A pattern (stripes, checker, ...) has size = {w, h}, in texels, colors = { ... } and some of these fields (the page
+-- docs/describing-a-scene.md lists the fields of each pattern):
+--   count    number of repeats, one number or {u, v}
+--   widths   relative widths of stripes
+--   amount   strength of grain or noise
+--   line     width of lines as a share of a repeat
+--   seed     seed of the random numbers
 -- texels { width, height, texels = { {r, g, b [, a]}, ... } }   top row first; sampled without a filter
 -- image { file }                                               a PNG or JPEG; path relative to the file of the scene
 scene.texture = {}

@@ -66,7 +66,7 @@ function sequences.sobol(count, width)
     local point = {}
     for d = 1, width do point[d] = state[d] / (1 << bits) end
     points[n] = point
-    local zero, rest = 1, n - 1  -- zero: position of the lowest bit of n - 1 that is 0, from 1
+    local zero, rest = 1, n - 1  -- zero: position of the lowest 0 bit of n - 1; the lowest bit has position 1
     while rest & 1 == 1 do zero, rest = zero + 1, rest >> 1 end
     for d = 1, width do state[d] = state[d] ~ v[d][zero] end
   end

@@ -168,7 +168,8 @@ function Methods:shot(t, path)
 end
 
 -- Adds the methods of this file to `Checker`, a class of checkers made by strobe.fields. `shot_fields`: the declared fields of
--- a shot, besides the options of the command line. The field `options` of a checker must have these options by name.
+-- a shot, besides the options of the command line. A user of these methods must set the field `options` of its checker to a
+-- table of the options of the command line, by name (see `shots.by_name`).
 function shots.extend(Checker, shot_fields)
   for name, method in pairs(Methods) do Checker[name] = method end
   Checker.shot_fields = shot_fields

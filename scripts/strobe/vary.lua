@@ -8,9 +8,10 @@ local sequences = require "strobe.sequences"
 
 local vary = {}
 
--- An entry of the field `vary` of an experiment: some axes, and the way to combine their values. `entries[axis][i]` is the
--- value with the index `i` of an axis, as a list with one entry { axis, value }. The function `combine(entries)` returns the
--- combinations. Each combination is a list with one such entry per axis.
+-- An element of the field `vary` of an experiment: some axes, and the way to combine their values. The function
+-- `combine(entries)` returns the combinations of values. A combination is a list with one pair { axis, value } for each of its
+-- axes: the index of the axis and the index of the value. `entries[axis][i]` is the value with the index `i` of an axis, as a
+-- combination with only this pair.
 local Varied = {}
 local function varied(axes, combine) return setmetatable({ axes = axes, combine = combine }, Varied) end
 
