@@ -19,18 +19,21 @@ for _, quality in ipairs { 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8 } do
   arm(adaptive, ("quality %g"):format(quality), "adaptive", { quality = quality })
 end
 
--- Rival designs. Fields: `title`; `set(i)`, settings of arm i, which has counts[i] samples; `why`, the reason of the expected
--- place of the design; `below`, the curves of adaptive that it is expected to be below; `known`, reasons of failed expectations
--- by curve.
+-- Rival designs. Each is compared with adaptive by time and by rays, in shots with a static and with a moving camera. Fields:
+-- title
+-- set(i)  settings of the rival's arm i, which has counts[i] samples
+-- below   comparisons that the rival is expected to win: at some cost its error is smaller than the error of adaptive
+-- why     reason of the expectations
+-- known   reason of each failed expectation, by comparison
 local counts = { 4, 16, 64 }
 local rivals = {
   { title = "prediction", pipeline = "prediction", set = function(i) return { samples = counts[i] } end, below = {},
-    why = "straight paths of raster surfaces predict few samples at silhouettes and none of a rotation, and other pixels " ..
-          "get a ray for each sample" },
+    why = "the prediction follows raster surfaces along straight paths. It resolves few samples at silhouettes and none on " ..
+          "rotating objects, and each sample that is not resolved gets a ray" },
   { title = "poses", pipeline = "poses", set = function(i) return { poses = counts[i], quality = 0.2 * i } end,
     below = { "moving camera, rays" },
-    why = "a raster pose needs no rays except for shading, but it is drawn for the whole picture, and under a static camera " ..
-          "nearly all cells have a static surface" },
+    why = "a raster pose needs no rays except for shading, but it is drawn for the whole picture. Poses are averaged only " ..
+          "in cells without a static surface, and a static camera has hardly any such cell" },
   { title = "all times", pipeline = "all_times", set = function(i) return { samples = counts[i] } end, below = {},
     why = "a pixel whose colour does not change gets as many rays as a silhouette",
     known = { ["moving camera, time"] = "with 16 samples its error is three per cent smaller: before a moving camera most " ..
@@ -60,8 +63,9 @@ for _, shot in ipairs(shots) do
   class[#class + 1] = shot.name
 end
 
--- Returns the cost and the error of an arm in a class. The error is the geometric mean of the ratios to the arm `base`. `cost`:
--- "time" for the geometric mean of the ratios of frame times to `base`, "rays" for the mean of the rays per pixel.
+-- Returns the cost and the error of an arm, as means over a class of shots (static or moving camera). The error is the
+-- geometric mean of the ratios to the arm `base`. `cost`: "time" for the geometric mean of the ratios of frame times to `base`,
+-- "rays" for the mean of the rays per pixel.
 local function mean_of(r, class, name, cost)
   local errors, times, rays = 0, 0, 0
   for _, shot in ipairs(class) do
@@ -134,7 +138,9 @@ local function of_adaptive(class, kind)
   end)
 end
 
--- Adds an upper bound for one traversal for several times. The time of a sample is the slope between 16 and 64 samples.
+-- Adds an expectation for a design that is not built: `all times` with one traversal of the tree for four times of a pixel.
+-- Four samples are assumed to take the time of one, which is a lower bound. The time of one sample is the slope of the frame
+-- time between 16 and 64 samples.
 local function of_shared_traversal(class)
   local all = rivals[3]
   also(class.title .. ", time: all times has a setting below the curve of adaptive if four samples of a pixel take the time " ..
@@ -168,24 +174,26 @@ return experiment {
   title    = "Designs of adaptive",
   question = "The pipeline adaptive gathers in cells where a gather is certain, and traces rays at adaptively chosen times " ..
              "in all other pixels. Is another design better, in shots with a static or a moving camera?",
-  note     = "`prediction` follows the displacements of raster surfaces to each time sample, validates three samples of a " ..
-             "pixel by rays, and traces the samples that it cannot resolve. `poses` equals adaptive, except that it " ..
-             "averages raster poses in uncertain cells without a static surface if the camera moves; with 4, 16 and 64 " ..
-             "poses its quality is 0.2, 0.4 and 0.6. `all times` traces all samples of all pixels that motion reaches. " ..
-             "`steps` draws and blurs 2, 4 or 8 steps of the exposure. EEVEE does the same, but shades each step anew. All " ..
-             "designs except EEVEE and truth take the colours of hits from the raster image where it shows their surfaces. " ..
-             "Lines of Lua and GLSL of the design's own files, and nodes of a frame: adaptive 585 and 8; prediction 148 and " ..
-             "8; poses 161 and 14, beside the passes of adaptive; all times 32 and 7, beside one pass of adaptive; steps " ..
-             "156 and 16. Means of a class of shots are geometric means of the ratios to McGuire 2012 (error, time) and " ..
-             "arithmetic means of the rays per pixel. The numbers of an expectation are samples: cost, error (error of " ..
-             "adaptive at this cost). The curve of adaptive connects its settings linearly in logarithms. One traversal for " ..
-             "several times of a pixel is not built. Before a moving camera a ray without shading took three to seven " ..
-             "tenths of the time of one sample of `all times`, so four times per traversal save at most about half of the " ..
-             "time. The expectations have a wider bound. Adaptive can share traversals as well, because the times of its " ..
-             "first rays are known in advance, so shared traversal does not decide between the designs. A variant of " ..
-             "adaptive was tried and dropped: an error tolerance relative to the colours of the rays instead of an " ..
-             "absolute one. It took more rays and had a larger error over all shots (by up to a tenth), because dark regions got more rays than " ..
-             "their errors are worth.",
+  note     = "Designs: `prediction` follows the displacements of raster surfaces to each time sample, validates three " ..
+             "samples of a pixel by rays, and traces the samples that it cannot resolve. `poses` equals adaptive with " ..
+             "one exception: if the camera moves, it averages raster poses in uncertain cells without a static surface. " ..
+             "With 4, 16 and 64 poses its quality is 0.2, 0.4 and 0.6. `all times` traces all samples of all pixels that " ..
+             "motion reaches. `steps` draws and blurs 2, 4 or 8 steps of the exposure. EEVEE does the same, but shades " ..
+             "each step anew. All designs except EEVEE and truth take the colours of hits from the raster image where it " ..
+             "shows their surfaces. Size of each design, as lines of Lua and GLSL in its own files, and nodes of a " ..
+             "frame: adaptive has 585 lines and 8 nodes; prediction 148 and 8; poses 161 and 14, in addition to the " ..
+             "passes of adaptive; all times 32 and 7, in addition to one pass of adaptive; steps 156 and 16. Numbers: " ..
+             "errors and times are geometric means, over a class of shots, of the ratios to McGuire 2012. Rays are " ..
+             "arithmetic means per pixel. For each number of samples, an expectation lists the cost and the error of the " ..
+             "rival, and in parentheses the error of adaptive at the same cost. Between two settings of adaptive, this " ..
+             "error is interpolated linearly in the logarithms of cost and error. Not built: a traversal of the tree " ..
+             "that serves several times of a pixel. Under a moving camera, a ray without shading took three to seven " ..
+             "tenths of the time of one sample of `all times`. A traversal for four times therefore saves at most about " ..
+             "half of the time. The expectations assume that it saves three quarters. Adaptive can share traversals too, " ..
+             "because the times of its first rays are known in advance. Shared traversal therefore does not decide " ..
+             "between the designs. Tried and dropped: a variant of adaptive with an error tolerance relative to the " ..
+             "colours of the rays, not absolute. It took more rays, and its error over all shots was larger by up to a " ..
+             "tenth, because dark regions got more rays than their errors are worth.",
   size     = { 160, 90 },
   shots    = shots,
   arms     = arms,

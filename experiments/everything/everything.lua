@@ -27,9 +27,9 @@ local knobs = {
 -- Values of each parameter (knob), one per point: lists of equal length for experiment.zip, which takes their values in step.
 local values, names = {}, {}
 for k, knob in ipairs(knobs) do values[knob[1]], names[k] = {}, knob[1] end
--- The first `count` points of a plain Sobol sequence would never combine tiles of 20 px with `tiles` = separate. So take twice
--- as many points, with one more dimension, keep the half with coordinate 8 below 1/2, and remove this coordinate. Each other
--- coordinate of the kept points is as evenly spread as in the plain sequence.
+-- None of the first `count` points of a plain Sobol sequence has both a tile size of 20 px and `tiles` = separate. So take a
+-- sequence with twice as many points and one more dimension, number 8. Keep the points with coordinate 8 below 1/2, and
+-- remove this coordinate. Each other coordinate of the kept points is as evenly spread as in the plain sequence.
 for _, point in ipairs(sequences.sobol(2 * count, #knobs + 1)) do
   if table.remove(point, 8) < 0.5 then
     for k, knob in ipairs(knobs) do table.insert(values[knob[1]], knob[2][1 + math.floor(point[k] * #knob[2])]) end

@@ -50,7 +50,7 @@ def turned(degrees):
     return [0, 0, math.sin(math.radians(degrees) / 2), math.cos(math.radians(degrees) / 2)]
 
 
-# ---- the arm: segments of boxes, each ring of vertices shared between two joints by its height
+# ---- the skinned arm: boxes, one above the other. The skinning weights of a vertex on two joints depend on its height.
 
 SEGMENTS, JOINTS, LENGTH, THICK = 12, 3, 1.5, 0.2
 
@@ -108,7 +108,7 @@ nodes = [
 ]
 inverse = [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -step * i, 0, 1] for i in range(JOINTS)]
 
-# Each joint by 50 degrees in a second, the ring by 80.
+# In one second, each joint turns by 50 degrees, and the ring of boxes by 80 degrees.
 times = accessor([[0.0], [1.0]], "SCALAR", 5126, True)
 bend, turn = (accessor([turned(-d), turned(d)], "VEC4", 5126) for d in (25, 40))
 targets = [(joint, bend), (joint + 1, bend), (joint + 2, bend), (3, turn)]

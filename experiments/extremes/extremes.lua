@@ -198,17 +198,19 @@ return experiment {
       values = speeds,
       shots = { "passage" },
       fixed = "A panel of 96 x 72 px moves to the right in front of a wall at 1.5 times the panel's depth.",
-      reading = "If the displacement is at most half a pixel, filters copy the rasterised image. At 0.3 px the error of " ..
-                "UE4-style is {UE4-style @ 0.3} of the contrast, the same as without blur. The rasterised image has one " ..
-                "sample per pixel, so a filter cannot locate an edge within its pixel, and edges move in steps of a whole " ..
-                "pixel. At 1 px the error of UE4-style is {UE4-style @ 1}. If displacements differ by at most 0.35 px, " ..
-                "adaptive copies the rasterised image too: at 0.3 px its error is {adaptive @ 0.3}. Otherwise rays locate " ..
-                "the edge: its error is {adaptive @ 1} at 1 px and {adaptive @ 12.8} at 12.8 px. Truth with 16 samples " ..
-                "has errors of {floor @ 0.3}, {floor @ 1} and {floor @ 12.8} there. At 12.8 px the errors of the other " ..
-                "methods are {Jimenez 2014 @ 12.8} to {McGuire 2012 @ 12.8}, nearly all of them inside the leading edge. " ..
-                "There Jimenez 2014 and UE4-style mirror colours from outside the edge, and McGuire 2012, Guertin 2014 " ..
-                "and hybrid (text) leave the panel nearly opaque. No displacement is shortened: the error of adaptive is " ..
-                "{adaptive @ 40} at 40 px and {adaptive @ 128} at 128 px, where the error of no blur is {no blur @ 128}.",
+      reading = "Up to half a pixel, filters copy the rasterised image: at 0.3 px the error of UE4-style is " ..
+                "{UE4-style @ 0.3} of the contrast, the same as without blur. Adaptive copies the rasterised image " ..
+                "if displacements differ by at most 0.35 px: at 0.3 px its error is {adaptive @ 0.3}. The error of " ..
+                "truth with 16 samples is {floor @ 0.3}. At 1 px the error of UE4-style is {UE4-style @ 1}. The " ..
+                "rasterised image has one sample per pixel, so a filter cannot locate an edge within its pixel, and " ..
+                "edges move in steps of a whole pixel. The rays of adaptive locate the edge: the error of adaptive " ..
+                "is {adaptive @ 1}, and the error of truth with 16 samples {floor @ 1}. At 12.8 px the error of " ..
+                "adaptive is {adaptive @ 12.8}, and the error of truth with 16 samples {floor @ 12.8}. The errors of " ..
+                "the other methods are {Jimenez 2014 @ 12.8} to {McGuire 2012 @ 12.8}, nearly all of them inside the " ..
+                "leading edge. Inside this edge, Jimenez 2014 and UE4-style mirror colours from outside, and McGuire " ..
+                "2012, Guertin 2014 and hybrid (text) leave the panel nearly opaque. At 40 px and more, " ..
+                "displacements are not shortened: the error of adaptive is {adaptive @ 40} at 40 px and " ..
+                "{adaptive @ 128} at 128 px, where the error of no blur is {no blur @ 128}.",
       at = function(value) return { ["scene.speed"] = value } end,
     },
     list {

@@ -95,10 +95,10 @@ return experiment {
   title    = "Readings of the paper",
   question = "The paper claims that the hybrid corresponds to ground truth and post-process does not. Which " ..
              "interpretations of the paper make this claim true?",
-  note     = "\"as written\" is the preset text of hybrid. \"+ even weights\" is its preset paper. An arm with + adds one " ..
-             "change to the changes of the arms with + before it. The other arms make one change to \"as written\". In " ..
-             "three shots a vase slides past a striped cushion. The vase is hollow and of one colour, as in the paper, or " ..
-             "hollow and patterned, or solid. The fourth shot is the living room.",
+  note     = "\"as written\" is hybrid with the preset `text`. \"+ even weights\" is hybrid with the preset `paper`. An arm " ..
+             "with + adds one change to the changes of the arms with + before it. The other arms make one change to \"as " ..
+             "written\". In three shots a vase slides past a striped cushion. The vase is hollow and of one colour, as in " ..
+             "the paper, or hollow and patterned, or solid. The fourth shot is the living room.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
@@ -155,7 +155,8 @@ return experiment {
     end },
     { "the most important change is that rays pass over the pixel's own instance: for the plain hollow vase it halves the " ..
       "error of \"as written\", and no other single change does", shot = "plain", known = "with the published weights " ..
-      "slightly more than half of the error remains, and termination by geometry passes over the same walls", function(r)
+      "slightly more than half of the error remains. Rays that end at another geometry have the same error as rays that " ..
+      "pass over the vase's own instance, because both pass over the same walls of the vase", function(r)
         local written = at(r, "plain", "as written", "inner").rmse
         local own = at(r, "plain", "+ passes over its own instance", "inner").rmse
         local least, who = math.huge, ""

@@ -8,8 +8,8 @@ local shots = { "vase", "crossing", "tracking", "pan", "drive" }
 local base, ue4, ue5 = "McGuire 2012", "UE4-style", "UE5-style"
 local half, two, cheap, nearest = "half resolution", "two directions", "cheap taps", "nearest depth"
 local off = { half_resolution = false, directions = "one", cheap = false, nearest_depth = false }
--- Parameters of ue5. `on`: value that differs from ue4. `value`: value in the arm that is ue5 with this parameter
--- changed; `changed`: word for the name of this arm.
+-- Parameters of ue5. Each parameter has two arms. The arm "alone" is ue4 with this parameter turned on (value `on`). The other
+-- arm is ue5 with this parameter changed to `value`; `changed` is "with" or "without", as in the name of this arm.
 local parameters = {
   { name = half, param = "half_resolution", on = true, changed = "without", value = false },
   { name = two, param = "directions", on = "two", changed = "with", value = "two" },

@@ -5,8 +5,9 @@ local shade = require "passes.gbuffer.shade"
 
 return pass.trace {
   doc    = "Static background behind each moving surface of the raster layer, for a static camera",
-  fails  = "The static background is shaded as at the raster time, with the shadows of that time. A static surface is not " ..
-           "found if it coincides with a moving surface that is itself hidden by another moving surface.",
+  fails  = "The static background is shaded as at the raster time, with the shadows of that time. If several " ..
+           "moving surfaces are one behind another, a static surface at the same depth as the second or a later one is not " ..
+           "found.",
   size   = { of = "hit" },
   reads  = {
     hit = { uint = true, doc = "surface of the raster layer, by indices: instance + 1 (0 for the sky), geometry, triangle" },

@@ -11,7 +11,8 @@ return pass.compute {
   reads  = {
     velocity      = { doc = "screen displacement of the surface, px over the exposure" },
     velocity_post = { absent = "velocity",
-      doc = "screen displacement of the surface after the raster time, scaled to the whole exposure, px" },
+      doc = "screen displacement of the surface in the part of the exposure after the raster time, scaled to the length " ..
+            "of the whole exposure, px" },
     curve         = { absent = 0, needs = "curve",
       doc = "curve of the screen path of each surface, as coefficients of a parabola or an arc; 0 for a straight line" },
     valid         = { absent = 1, doc = "mask, above 1/2 at texels that the bounds include" },
@@ -20,7 +21,9 @@ return pass.compute {
     doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; if no texel of a cell is " ..
           "included, least exceeds greatest" } },
   if_no = { moving_rect = { bounds = 0 } },
-  runs   = "everywhere",  -- with `valid`, bounds outside of the moving rectangle may be empty instead of 0
+  -- If the mask `valid` is wired, the stand-in 0 is wrong: outside of the rectangle that contains all moving objects, a cell
+  -- without an included texel has empty bounds (least above greatest).
+  runs   = "everywhere",
   params = {
     cell_side = blur.cell_side,
     limit     = blur.limit,

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The motion blur of the Bevy engine (2024), for any anchor: blur of each pixel along its own displacement.
+-- The motion blur of the Bevy engine (2024): blur of each pixel along its own displacement. The exposure may have any position
+-- relative to the raster time (anchor).
 local pass   = require "strobe.pass"
 local blur   = require "passes.lib.blur"
 local ports  = require "passes.lib.blur_ports"
@@ -20,8 +21,8 @@ return pass.compute {
     samples      = blur.samples { doc = "number of taps along the pixel's own displacement" },
     limit        = blur.limit,
     copy_below   = pass.float { 1, min = 0, max = 16, unit = "px",
-      doc = "smallest displacement over the exposure that is blurred. Surfaces that never move more than half a " ..
-            "pixel away from their raster position are not blurred" },
+      doc = "smallest displacement over the exposure that is blurred. Whatever this value, a surface that stays within " ..
+            "half a pixel of its raster position is not blurred" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },

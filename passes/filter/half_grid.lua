@@ -5,7 +5,8 @@ local blur = require "passes.lib.blur"
 
 return pass.compute {
   doc    = "Mask of the pixels that a filter computes: one of 2x2 pixels in tiles with heavy motion, all pixels elsewhere",
-  fails  = "The grid is fixed to the picture, so it is not mirrored with the scene.",
+  fails  = "The grid of computed pixels is fixed to the picture. If the scene is mirrored, the filtered picture is " ..
+           "therefore not exactly the mirrored picture.",
   reads  = { shortest = { doc = "length of the shortest displacement in each tile, px over the exposure" } },
   writes = { mask = { format = "r8_unorm", doc = "1 at pixels that the filter computes, otherwise 0" } },
   params = {

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter", for any anchor.
+-- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter". The exposure may have any
+-- position relative to the raster time (anchor).
 local pass      = require "strobe.pass"
 local blur      = require "passes.lib.blur"
 local ports     = require "passes.lib.blur_ports"
@@ -42,9 +43,9 @@ return pass.compute {
       doc = "constant in the weight of the centre pixel, samples / (kappa * blur radius); larger values hide static pixels " ..
             "under blur" },
     gamma        = pass.float { 1.5, min = 1e-3, max = 1024, unit = "px",
-      doc = "width of the range of blur radii, from 1/2 px upwards, where the second direction turns. At the lower " ..
-            "end it is perpendicular to the dominant displacement, at the upper end it is along the pixel's own " ..
-            "displacement" },
+      doc = "range of a pixel's blur radius where the second direction turns. Up to a radius of 1/2 px, the second " ..
+            "direction is perpendicular to the dominant displacement. From a radius of 1/2 px plus this value on, the " ..
+            "second direction is along the pixel's own displacement" },
     eta          = pass.float { 0.95, min = 0, max = 1, doc = "factor on the jitter of the sample times" },
     tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "shift of the position that selects the " ..
         "tile of a pixel, and so the dominant displacement; hides the borders of tiles",

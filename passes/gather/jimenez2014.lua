@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any anchor.
+-- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare". The exposure may have any position
+-- relative to the raster time (anchor).
 local pass      = require "strobe.pass"
 local blur      = require "passes.lib.blur"
 local ports     = require "passes.lib.blur_ports"
@@ -30,8 +31,8 @@ return pass.compute {
                                              "count as fully in front of another one; smaller differences count in part" },
     mirror       = pass.bool { true, doc = "give both taps of a pair the weight of the nearer and faster one" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",
-      doc = "factor on the spread of a tap's colour. The factor depends on the angle between the tap's displacement " ..
-            "and the dominant displacement, or on their lengths",
+      doc = "factor on the weight of a surface that spreads over the pixel. Each value is a rule to compute the factor " ..
+            "from the displacement of the surface",
       values = {
         none = "Factor 1. Fails where surfaces move across the dominant displacement: they are blurred along it.",
         projected = "Length of the tap's displacement projected on the dominant one, divided by the length of the dominant "
@@ -43,7 +44,8 @@ return pass.compute {
           .. "displacement.",
       } },
     copy_below   = pass.float { 0.5, min = 0, max = 16, unit = "px",
-      doc = "largest blur radius of the dominant displacement for copying a pixel instead of blurring it" },
+      doc = "largest blur radius of a pixel that is copied and not blurred; the radius is computed from the dominant " ..
+            "displacement" },
     cheap_ratio  = pass.float { 0.9, min = 0, max = 1,
       doc = "bound on the ratio of the shortest displacement around a pixel to the dominant displacement. If the " ..
             "ratio is above the bound, the motion counts as uniform, and the taps are averaged without weights" },

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", for any anchor.
+-- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur". The exposure may have any
+-- position relative to the raster time (anchor).
 local pass      = require "strobe.pass"
 local blur      = require "passes.lib.blur"
 local ports     = require "passes.lib.blur_ports"

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Time-uniform gather with N taps: a tap counts as 1/N of the exposure (more for a slow surface) if its own motion passes over
--- the pixel, otherwise as 0.
+-- Time-uniform gather with N taps. A tap counts if its own motion passes over the pixel. Its weight is then 1/N of the
+-- exposure, or more if its surface is slower than the dominant motion and so covers the pixel for a longer time.
 local pass      = require "strobe.pass"
 local blur      = require "passes.lib.blur"
 local ports     = require "passes.lib.blur_ports"

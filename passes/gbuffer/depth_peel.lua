@@ -9,7 +9,7 @@ return pass.raster {
   writes = { hit = { format = "rgba32ui",
     doc = "surface of the layer behind, by indices: instance + 1 (0 for the sky), geometry, triangle, 0" } },
   params = {
-    sides = pass.choice { "front", "all", default = "front", doc = "sides of triangles that form layers",
+    sides = pass.choice { "front", "all", default = "front", doc = "sides of triangles that are drawn into the layer",
       values = {
         front = "Front faces only, as renderers draw them; a closed object then needs one or two layers fewer than with " ..
                 "`all`. Fails for open surfaces seen from the back.",

@@ -29,7 +29,8 @@ return pass.trace {
     valid    = { cleared = true, format = "r8_unorm", doc = "mask, 1 where a surface or the sky is revealed" },
   },
   if_no = { mask = nothing, moving_rect = nothing },
-  runs   = "everywhere",  -- the mask may contain pixels outside of the moving rectangle
+  -- The mask may contain pixels outside of the moving rectangle (the rectangle that contains all moving objects).
+  runs   = "everywhere",
   fails  = "Finds one surface per pixel; further surfaces behind it stay hidden. Of two surfaces whose depths " ..
            "differ by at most 4 units in the last place of a float (more with advance = restart), the farther one " ..
            "is lost. Glass is revealed as if it were opaque.",

@@ -10,8 +10,8 @@ local function pair(doc) return { format = "rgba32f", doc = doc } end
 local velocities = { doc = "two candidate displacements of hidden background per tile, px over the exposure; 1e9 for none" }
 
 return pass.compute {
-  doc    = "Candidate displacements of hidden background per cell: of the candidates of the tiles that the cell " ..
-           "overlaps, only the displacements of a background that may be disoccluded in the cell",
+  doc    = "Candidate displacements of hidden background per cell. A cell takes the candidates of the tiles that it " ..
+           "overlaps, and drops the candidates with which no background can be disoccluded in the cell",
   fails  = "A cell that overlaps several tiles tests the candidates of all these tiles, up to eight in all. The " ..
            "disocclusion mask may then have extra pixels, and candidates beyond the eighth are lost.",
   size   = { of = "bounds" },

@@ -37,9 +37,9 @@ return pass.compute {
     match     = path.match,
     margin    = path.margin,
     occluder  = pass.float { 0.02, min = 0, max = 1,
-      doc = "smallest depth difference that makes a surface on the searched path count as an occluder in front of " ..
-            "the pixel's own object, as a fraction of that object's depth. A path that ends behind an occluder " ..
-            "continues to the end of the occluder" },
+      doc = "smallest depth difference of an occluder, as a fraction of the depth of the pixel's own object. An occluder " ..
+            "is a surface, on the path that is searched from the pixel, that is nearer than this object by at least that " ..
+            "difference. A path that ends behind an occluder is extended to the far edge of the occluder" },
   },
   counters = { off_screen = "paths that leave the image, counted as disoccluding nothing" },
 }

@@ -15,10 +15,12 @@ local docs = {
     doc = "displacement around each tile that differs most from `dominant`, px over the exposure" },
   slowest  = { absent = 0, doc = "length of the shortest displacement around each tile, px over the exposure" },
 
-  velocity_post = { absent = "velocity", doc = "screen displacement of the surface after the raster time, scaled to the " ..
-      "whole exposure, px" },
+  velocity_post = { absent = "velocity",
+    doc = "screen displacement of the surface in the part of the exposure after the raster time, scaled to the length of " ..
+          "the whole exposure, px" },
   dominant_post = { absent = "dominant",
-    doc = "dominant displacement of each tile after the raster time, scaled to the whole exposure, px" },
+    doc = "dominant displacement of each tile in the part of the exposure after the raster time, scaled to the length of " ..
+          "the whole exposure, px" },
   second_post   = { absent = "dominant_post",
     doc = "displacement around each tile that differs most from `dominant_post`, px over the exposure" },
 
@@ -47,11 +49,11 @@ local docs = {
   revealed_dominant = { absent = "dominant",
     doc = "dominant displacement of the surfaces revealed behind the raster layer in each tile, px over the exposure" },
   revealed_velocity_post = { absent = "revealed_velocity",
-    doc = "screen displacement, after the raster time, of the surface revealed behind the raster layer; scaled to the whole " ..
-          "exposure, px" },
+    doc = "screen displacement of the surface revealed behind the raster layer, in the part of the exposure after the " ..
+          "raster time, scaled to the length of the whole exposure, px" },
   revealed_dominant_post = { absent = "dominant_post",
-    doc = "dominant displacement, after the raster time, of the surfaces revealed behind the raster layer in each tile; " ..
-          "scaled to the whole exposure, px" },
+    doc = "dominant displacement of the surfaces revealed behind the raster layer in each tile, in the part of the " ..
+          "exposure after the raster time, scaled to the length of the whole exposure, px" },
 }
 
 local function reads(names, more)

@@ -29,8 +29,8 @@ function edge_ports.depth_threshold(default, doc)
   return pass.float { default, min = 1e-6, max = 16, doc = doc or "smallest relative depth step of an edge" }
 end
 
--- Returns the parameters of detectors that compare depths and normals: the two thresholds, the combination of both steps, and
--- the parameters in `more`.
+-- Returns the parameters of detectors that compare depths and normals: the two thresholds, the rule that combines the depth
+-- step with the normal step, and the parameters in `more`.
 function edge_ports.steps(more)
   local params = {
     depth_threshold  = edge_ports.depth_threshold(0.05),

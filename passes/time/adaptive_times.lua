@@ -32,8 +32,8 @@ return pass.trace {
       doc = "largest distance that the surfaces at a pixel move between two successive rays of the first, evenly " ..
             "spaced set. Further rays are traced between rays with different results" },
     allowance = pass.float { 0.01, min = 0, max = 1000,
-      doc = "error tolerance: an interval between two rays is subdivided if its estimated error is larger; linear radiance " ..
-            "times the interval's fraction of the exposure" },
+      doc = "error tolerance: an interval between two rays is subdivided if its estimated error exceeds this value. The " ..
+            "error of an interval is the error of its linear radiance times its fraction of the exposure" },
     hit_color = pass.choice { "shaded", "blended", default = "shaded", doc = "source of the colour of a hit",
       values = {
         shaded = "Shading of the hit, as at the raster time. Costs shadow rays.",

@@ -14,8 +14,8 @@ return pass.compute {
   writes = {
     curve = { format = "rgba32f",
       doc = "xy: offset b of the curve, at mid-exposure, from the straight line between its ends, px. At the fraction u of " ..
-            "the exposure, the offset of a parabola is 4 u (1 - u) b. zw, for arcs only: logarithm of the growth factor, " ..
-            "and turn in radians, over the exposure" },
+            "the exposure, the offset of a parabola is 4 u (1 - u) b. zw, for arcs only: over the exposure, the distance " ..
+            "from the centre of the arc grows by the factor exp(z), and the arc turns by w radians about this centre" },
   },
   if_no = { motion = none, curves = none, depth = none },
   params = { trajectory = blur.trajectory },

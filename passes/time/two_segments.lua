@@ -15,11 +15,11 @@ return pass.compute {
   },
   writes = {
     velocity_pre = { format = quantised.velocity,
-      doc = "displacement before the raster time, scaled to the whole exposure, px; equal to `velocity` if the exposure " ..
-            "starts or ends at the raster time, or if the instance deforms" },
+      doc = "displacement in the part of the exposure before the raster time, scaled to the length of the whole exposure, " ..
+            "px; equal to `velocity` if the exposure starts or ends at the raster time, or if the instance deforms" },
     velocity_post = { format = quantised.velocity,
-      doc = "displacement after the raster time, scaled to the whole exposure, px; equal to `velocity` if the exposure " ..
-            "starts or ends at the raster time, or if the instance deforms" },
+      doc = "displacement in the part of the exposure after the raster time, scaled to the length of the whole exposure, " ..
+            "px; equal to `velocity` if the exposure starts or ends at the raster time, or if the instance deforms" },
   },
   params = { velocity_format = quantised.velocity_format },
   counters = { velocity_clamped = quantised.counters.velocity_clamped },

@@ -43,9 +43,10 @@ return pass.trace {
     contrast    = { format = "r32f",
       doc = "largest difference of a sample's colour from the mean of the samples before it, relative to that mean" },
     static_background  = { format = "rgba32ui",
-      doc = "surface that the samples hit. x: 0 for none, 1 for the sky, 2 + instance, or 2^32 - 1 for several surfaces; y: " ..
-            "geometry; z: triangle, or 2^32 - 1 for several triangles; w: distance as the bits of a float. Moving surfaces " ..
-            "are recorded only with pixel = box, where no sample hits a static surface" },
+      doc = "surface that the samples of the pixel hit. A moving surface is recorded only if pixel = box and no sample of " ..
+            "the pixel hits a static surface. x: 0 for none, 1 for the sky, 2 + instance for one surface, 2^32 - 1 for " ..
+            "several surfaces. y: geometry. z: triangle, or 2^32 - 1 for several triangles. w: distance, as the bits of a " ..
+            "float" },
     shadows = { format = "rgba32ui",
       doc = "light visibility on up to two instances. x and z: 2 + instance. y and w, for the first 16 lights: bit i is set " ..
             "if light i is visible in all samples that trace a shadow ray to it, bit 16 + i if it is blocked in all of " ..

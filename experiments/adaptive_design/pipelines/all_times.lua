@@ -7,7 +7,9 @@ local adaptive_times = require "passes.time.adaptive_times"
 local options = require "scripts.pipelines.lib.options"
 local scene   = require "scripts.pipelines.lib.scene"
 
-local pace = 1e-6  -- image widths; a surface that moves by 1 px then gets first rays at all times of the loop
+-- Largest motion between two rays of the first set, image widths. The value is so small that a surface that moves by 1 px
+-- gets a ray at every time sample.
+local pace = 1e-6
 
 -- Error tolerance for one sample, linear radiance. Raster texels are blended if they differ by at most sqrt(12)/4 times this
 -- value. A larger value smooths textures, a smaller value traces more shadow rays (tried: 0.01, 0.04, 0.16, no limit).

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- Rival of the pipeline `adaptive`: the pipeline `eevee` with reused colours. The scene is drawn in the middle of each step of
--- the exposure, and surfaces take the colours of the raster image if the raster image shows them. One loop draws and colours
--- the steps. A second loop, over the parts of the exposure, blurs them; it has no pose of the raster time to find colours by.
+-- the exposure, and surfaces take the colours of the raster image if the raster image shows them. The first loop draws the
+-- steps, colours them and stores them. The second loop blurs the stored steps. It could not colour them: to find a surface in
+-- the raster image, its pose at the raster time of the frame is needed, and a loop over parts of the exposure lacks this pose.
 local parts    = require "strobe.parts"
 local pipeline = require "strobe.pipeline"
 local gbuffer     = require "passes.gbuffer.gbuffer"

@@ -7,7 +7,7 @@
 //      `first_ray`: displacement that the times of the first rays depend on, px over the exposure
 // Method: a gather is not reliable in cells with `certain` < 0.4, and beside cells that a ray refuted (`certain` = 1/4), as in
 //   time/adaptive_times.glsl. Of these cells, poses are averaged where no displacement within `bounds` is static. With a static
-//   camera no cell is drawn: few cells have no static surface, and each pose would be drawn for them.
+//   camera no poses are averaged: nearly all cells have a static surface, and all poses would be drawn for a few cells.
 // Fails: bounds of opposite displacements contain 0, so that the cell is traced although everything moves.
 #include "lib/bounds.glsl"
 

@@ -3,9 +3,10 @@
 // In:  the images of layered/in_gather.glsl
 //      `hit`: raster layer: instance + 1 (0 = sky), geometry, primitive
 // Out: `blurred`: linear radiance, alpha 1
-// Method: predict the surface at each time sample by the functions of layered/in_gather.glsl. A sample is resolved if a
-//   foreground covers the background of the pixel fully, or if the texel that the motion of the background leads to shows the
-//   background and is at the pixel at that time by its own motion. All other samples get a ray at their time.
+// Method: predict the surface at each time sample by the functions of layered/in_gather.glsl. A sample is resolved in two
+//   cases. Either a foreground covers the background of the pixel fully. Or the texel that is found by following the motion of
+//   the background shows the background, and its own motion brings it to the pixel at that time. All other samples get a ray
+//   at their time.
 //   Validation: also trace `validation_rays` of the resolved samples. If one differs by more than `mismatch` from the
 //   prediction, all samples of the pixel get rays. A hit takes the colour of a layer that shows it, otherwise it is shaded.
 // Fails: between the validation rays, a sample is wrong if a third surface is in front or if the path is not a straight line.
