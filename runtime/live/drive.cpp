@@ -40,7 +40,7 @@ const std::vector<CommandForm>& commandForms() {
       {"trail", "FILE.json", "write the trail of the pinned pixel"},
       {"truth", "N", "wait until ground truth in the background has N samples, 60 s at most"},
       {"expect", "NAME VALUE", "fail unless the control has this value"},
-      {"problems", "yes|no", "fail unless there are problems (yes) or no problems (no)"},
+      {"problems", "yes|no", "yes: fail if no problem is shown; no: fail if a problem is shown"},
       {"quit", "", "close the window"},
   };
   return forms;

@@ -475,7 +475,8 @@ case("only_sky_at_rest", "all sky",
 for _, v in ipairs { { "", 0.1, 0.9, 0.9 }, { "_that_the_near_plane_cuts", 3.2, 0.2, 0.9 },
                      { "_all_before_the_near_plane", 5, 0.2, 0.2 } } do
   case("inside_a_ball" .. v[1], "camera inside",
-       "raster and rays agree; one colour stays one colour, or a warning states that other surfaces show through", function()
+       "raster and rays agree; colours stay in the range of the visible surfaces' colours, or a warning states that a " ..
+         "surface behind these shows through", function()
     local inside = within(planes(4, { near = v[2], velocity_x = 1 }), v[3], v[4])
     return { as_captured(planes(4, { near = v[2] })), merged(inside, { unless = "it shows through" }) }
   end)
@@ -515,7 +516,8 @@ end
 
 for _, v in ipairs { { "1_mm", 1e-3 }, { "1_um", 1e-6 }, { "0", 1e-12 } } do
   case(("floor_%s_below"):format(v[1]), "grazing",
-       "raster and rays agree on a static floor; a moving floor stays within the range of the colours",
+       "raster and rays agree under a static camera; under a moving camera, colours stay in the range of the colours of " ..
+         "floor and sky",
        function()
     return { as_captured(planes(1, { depth = v[2] })), within(planes(1, { depth = v[2], camera_x = 0.5 }), 0.25, 1) }
   end)
