@@ -19,7 +19,8 @@
 #include "lib/moving_rect.glsl"
 #include "mixin/raster_color.glsl"
 
-// Colour of the hit: of the raster layer with `reused`, otherwise shaded as at the raster time.
+// Colour of the hit point, as at the raster time. With `reused`, take the colour of the raster layer if that layer
+// shows the point (mixin/raster_color.glsl). Otherwise shade the point.
 vec3 colorOf(Hit hit) {
 #if PARAM_reused
   return rasterColorOf(hit);

@@ -8,7 +8,8 @@
 // Method: the alpha of `moving` is the number of samples, out of `samples`, that show a moving surface; all others show
 //   the static surface. The radiance of the static surface is `static_background` or, where `static_background` has the
 //   alpha 0, `color`. The picture is the mean of the moving and the static radiance, weighted by their numbers of
-//   samples. Outside the moving rectangle the picture is `color`.
+//   samples. Outside the rectangle that moving surfaces can reach within the exposure (`frame.moving_rect`), the
+//   picture is `color`.
 // Fails: static surfaces keep the shadows of the raster time.
 #include "lib/mean.glsl"
 #include "lib/moving_rect.glsl"

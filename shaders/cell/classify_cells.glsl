@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Two conservative flags per cell (a square of `cell_side` px): a moving surface is there at some time of the exposure;
-// a revealed surface is there at some time. The pass `layered_composite` copies the pixels of cells without motion.
+// Two conservative flags per cell (a square of `cell_side` px): `moved`, if a moving surface is in the cell at some
+// time of the exposure; `background`, if a revealed surface is in the cell at some time. A revealed surface is a
+// surface behind the raster layer that a ray has found. The pass `layered_composite` copies the pixels of cells without
+// motion.
 // In:  `bounds`, `background_bounds`: bounds of the displacements in each cell, of the raster layer and of the revealed layer,
 //        px over the exposure (cell/velocity_bounds.glsl).
-// Out: `moved`: 1 if a surface that leaves its pixel is in the cell at some time.
-//      `background`: 1 if a revealed surface is in the cell at some time.
+// Out: `moved`: 1 if the cell contains a moving surface at some time. A surface of either layer is moving if it gets
+//        more than half a pixel away from its position at the raster time.
+//      `background`: 1 if the cell contains a revealed surface at some time.
 // Method: each cell marks all cells that its rectangle overlaps when the rectangle moves by any displacement within the
 //   bounds of the cell. The rectangle is widened by 1 px and by the search radius of the composite,
 //   max(3/4, R / (2 * samples)) px. R is the longest displacement that filters handle, px, and `samples` the number of

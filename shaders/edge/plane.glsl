@@ -9,9 +9,10 @@
 //   normal step, which finds creases, is the largest difference between the normals of the pixel and a neighbour.
 //   Each step is divided by its threshold. The pixel is an edge if both together exceed 1: the larger, the sum or the smaller
 //   of the two, by the parameter `combine`.
-// Fails: misses farther surfaces in the same plane. Quantised depths make false edges. With second differences, misses pixels
-//   with one neighbour as much nearer as the opposite one is farther (in 1/z), and the border of the image. With distances,
-//   misses silhouettes of curved surfaces: there the plane runs along the view ray and meets the background.
+// Fails: misses farther surfaces in the same plane. Quantised depths make false edges. With second differences, misses
+//   a depth step if one neighbour is nearer and the opposite neighbour is farther by the same difference of 1/z. Pixels
+//   at the border of the image have no second difference across the border. With distances, misses silhouettes of
+//   curved surfaces: there the plane runs along the view ray and meets the background.
 #include "mixin/edge.glsl"
 #include "mixin/edge_plane.glsl"
 #include "mixin/edge_steps.glsl"

@@ -7,12 +7,15 @@
 //      `dominant`: longest displacement that reaches each tile, px over the exposure.
 // Out: `blurred`: linear radiance, alpha 1.
 //      `less`: variance of the tone in `blurred`.
-// Method: for k = -2 to 2, C(k) is the colour k * 2^octave px away along the dominant displacement. blurred =
-//   sum h(k) w(k) C(k) / sum h(k) w(k) and less = sum h(k)^2 w(k)^2 V(k) / (sum h(k) w(k))^2. h is the B-spline 1/16, 1/4, 3/8,
-//   1/4, 1/16. w(k) = exp(-|tone(k) - tone(0)| / (deviations * sigma + kSlack)) keeps differences above the noise. sigma is the
-//   standard deviation, from V averaged over 3 pixels along the line, and `deviations` a parameter.
-//   Pixels with the variance 0 are copied. So are pixels where 2^octave px exceed both half of the displacement and 1 px,
-//   because more distant pixels show other surfaces.
+// Method: `octave` is the number of the level, from 0. For k = -2 to 2, C(k) is the colour k * 2^octave px away along
+//   the dominant displacement.
+//     blurred = sum h(k) w(k) C(k) / sum h(k) w(k)
+//     less = sum h(k)^2 w(k)^2 V(k) / (sum h(k) w(k))^2
+//     w(k) = exp(-|tone(k) - tone(0)| / (deviations * sigma + kSlack))
+//   h is the B-spline 1/16, 1/4, 3/8, 1/4, 1/16. w keeps differences above the noise. sigma is the standard deviation,
+//   from V averaged over 3 pixels along the line, and `deviations` a parameter.
+//   Pixels with the variance 0 are copied. Pixels are also copied if the distance 2^octave px is more than half of the
+//   dominant displacement, and more than 1 px, because pixels so far away show other surfaces.
 // Fails: surfaces with different motions are all blurred along the longest displacement. Textures and silhouettes along it are
 //   blurred if their contrast is within the noise. Noise at distances beyond the last level stays.
 #include "mixin/along_motion.glsl"

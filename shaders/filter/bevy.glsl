@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Motion blur of the Bevy engine, for any anchor: each pixel gathers along its own displacement, without tiles
-// (bevy_core_pipeline, motion_blur; since 0.14, 2024). Written after the documentation and source of the engine.
+// Motion blur of the Bevy engine, for any anchor (position of the exposure relative to the raster time: `end`, `centre`
+// or `start`). Each pixel gathers along its own displacement, without tiles (bevy_core_pipeline, motion_blur; since
+// 0.14, 2024). Written after the documentation and source of the engine.
 // In:  `color`: linear radiance.
 //      `depth`: view depth, metres; +inf for the sky.
 //      `velocity`: displacement d(X) of the surface at each pixel X, px over the exposure.

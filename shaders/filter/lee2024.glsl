@@ -19,8 +19,9 @@
 //   The searched displacements are the displacements of X in all layers and the dominant ones of the tile. The text of the
 //   paper does not state how it finds surfaces that pass over a pixel; here the dominant displacements find them, as in other
 //   filters.
-//   The counter `varied` counts samples from a deeper layer, if the path of X's own surface leads to a texel of this
-//   surface. That texel has a different displacement, so that it does not count.
+//   The counter `varied` counts samples that may show a deeper layer by mistake: the path of X's own surface leads to a
+//   texel of the same surface in the first layer, but this texel is rejected, because its displacement differs too
+//   much.
 // Fails: misses surfaces in no layer, and surfaces with other displacements than the pixel's own and the longest of its tile.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"

@@ -10,18 +10,18 @@
 //      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
 //      `background_depth`, `background_valid`: depth and mask (above 1/2) of the surface that a ray revealed (absent: none).
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
-// Method: N taps lie along d, the dominant displacement at pixel X, at t_i = lerp(-1, 1, (i + eta * jitter + 1)/(N + 1)). If
-//   the exposure surrounds the raster time, taps are |d|/2 * t_i from X, without the tap on X itself (odd N);
-//   |d| (1 + t_i)/2 if it ends at the raster time; |d| (1 - t_i)/2 if it starts at the raster time.
-//   round(N/2 * smoothstep(0, 1/2, variance)) of the taps lie along a second direction instead, the unit vector v_c
-//   (mixin/directions.glsl); these taps are skipped if v_c is 0.
-//   A tap at Y, D px from X along the unit direction e, has the weight f * cone(D, rY) * wB + b * cone(D, rX) * wA +
-//   2 * cylinder(D, min(rX, rY)) * max(wA, wB), with wA = |v_c . e| and wB = |unit d(Y) . e|. r is the blur radius, at least
-//   1/2 px. f is 1 if Y is not farther than X, b is 1 if X is not farther than Y. The centre sample X has the weight N/(kappa *
-//   rX). The result is the weighted mean.
-//   X is copied if d is short (kCopiedRadius). If `slowest` is nearly |d|, all taps have d(Y) = d (kUniformShare). Alpha is 1,
-//   or over a revealed surface the foreground's share of all weights: a tap is foreground to the degree that it is in front of
-//   the revealed surface, times cylinder(D, rY) * wB.
+// Method: d is the dominant displacement at pixel X. X is copied if d is short (kCopiedRadius).
+//   1. Places: tap i of N is at X - d * t_i. t_i is the time at the fraction 1 - (i + 1 + eta * jitter)/(N + 1) of the
+//      exposure. In a centred exposure with odd N, the middle tap is skipped, because it is on X itself.
+//   2. Second direction: for round(N/2 * smoothstep(0, 1/2, variance)) of the taps, |d| * v_c replaces d. v_c is a unit
+//      vector (mixin/directions.glsl). These taps are skipped if v_c is 0.
+//   3. Weight of the tap at Y, D px from X along the unit vector e: f * cone(D, rY) * wB + b * cone(D, rX) * wA +
+//      2 * cylinder(D, min(rX, rY)) * max(wA, wB). wA = |v_c . e|, wB = |unit d(Y) . e|. rX, rY: blur radii, at least
+//      1/2 px. f is 1 if Y is not farther than X, b is 1 if X is not farther than Y. X itself has the weight
+//      N/(kappa * rX). If `slowest` is nearly |d| (kUniformShare), d replaces d(Y).
+//   4. Result: weighted mean, alpha 1. Over a revealed surface, only the foreground's part of each weight counts in the
+//      sum, and alpha is its share of all weights. The part is inFrontOf (1 in front of the revealed surface, 0 at its
+//      depth) times the weight; for a tap, also times cylinder(D, rY) * wB.
 // Fails: too opaque inside silhouettes, where the background is copied from outside. Surfaces that move along neither direction
 //   stay sharp. Where many directions meet, there are noise and gaps.
 #include "mixin/directions.glsl"
@@ -43,8 +43,8 @@ const float kUniformRadius = 4.0;
 struct Tap {
   vec3 color;
   float depth;
-  float radius;    // of the blur, px
-  vec2 direction;  // of the motion, unit; 0 for a static surface
+  float radius;    // blur radius, px
+  vec2 direction;  // unit direction of the motion; 0 for a static surface
 };
 
 // Tap from a texel, with the displacement d in place of the texel's own. `spread_factor`: largest distance of a surface from

@@ -9,19 +9,19 @@
 //      `valid`: mask, above 1/2 where the layer has a surface (absent: everywhere).
 //      `background_depth`, `background_valid`: depth and mask (above 1/2) of the surface that a ray revealed (absent: none).
 // Out: `blurred`: rgb: linear radiance times alpha; a: alpha, below 1 only over a revealed surface.
-// Method: d is the dominant displacement. Copy pixel X if the blur radius of d is at most `copy_below`. Take the plain mean of
-//   the taps if `slowest` > `cheap_ratio` * |d| and no surface is revealed at X. Otherwise weight the taps.
-//   There are N = `samples` taps, at s = 1/2 + jitter, 3/2 + jitter, ... steps of |d|/N from X. If the exposure surrounds the
-//   raster time, they are pairs at +s and -s, with N rounded up to an even number. Otherwise they are single taps. With `count`
-//   = adaptive, N is the largest even number up to |d| in px, but at least 2 and at most the number above.
-//   A tap at Y has the weight b * clamp(rX - max(s - 1, 0), 0, 1) + f * clamp(rY - max(s - 1, 0), 0, 1). rX and rY are the blur
-//   radii of the surfaces at X and Y in steps, so each clamp is the share of the step at s that the surface covers. f + b = 1:
-//   f is 1 if Y is nearer than X, b is 1 if Y is farther (by the relative difference `depth_extent`), and both are 1/2 at equal
-//   depths. The parameter `direction` adds a factor to the second term. With `mirror`, if one tap of a pair is nearer and
-//   faster than the other, both get its weight. Otherwise each keeps its own, so that mirrored images have mirrored results.
-//   Result: sum of weight * colour, divided by N, plus the colour of X with the remaining weight, 1 - (sum of
-//   weights)/N; alpha is 1. Over a revealed surface, the result is the foreground alone, and alpha is its weight: taps
-//   that spread over X, and X, are foreground to the degree (0 to 1) that they are in front of the revealed surface.
+// Method: d is the dominant displacement. Copy pixel X if the blur radius of d is at most `copy_below`.
+//   1. Places: N = `samples` taps are s = 1/2 + jitter, 3/2 + jitter, ... steps of |d|/N from X; in a centred exposure,
+//      as pairs at +s and -s, with N rounded up to an even number. `count` = adaptive then lowers N to the largest even
+//      number up to |d| in px, but at least 2.
+//   2. If `slowest` > `cheap_ratio` * |d|, and no surface is revealed at X, the result is the plain mean of the taps.
+//   3. Weight of the tap at Y: b * clamp(rX - max(s - 1, 0), 0, 1) + f * clamp(rY - max(s - 1, 0), 0, 1). rX and rY are
+//      the blur radii at X and Y in steps, so each clamp is the share of the step at s that the surface covers. f is 1
+//      if Y is nearer than X (by the relative difference `depth_extent`), 0 if Y is farther, 1/2 at equal depths. b is
+//      1 - f. The parameter `direction` adds a factor to the second term.
+//   4. With `mirror`, if one tap of a pair is nearer and faster than the other, both get its weight.
+//   5. Result: (sum of weight * colour)/N, plus the colour of X with the weight 1 - (sum of weights)/N; alpha is 1.
+//      Over a revealed surface, the result is the foreground alone, and alpha its weight: each weight is multiplied by
+//      inFrontOf (1 in front of the revealed surface, 0 at its depth), and for a tap also by the clamp of rY.
 // Fails: inside a silhouette the background is copied from outside, so that edges appear twice there. Outside a silhouette, the
 //   background under the blurred object comes from the opposite side. There is one direction per tile.
 #include "mixin/jitter.glsl"
@@ -73,11 +73,12 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 #endif
 }
 
-// Share, 0 to 1, of a step that the motion of a surface covers. `radius`: blur radius of the surface, px. `steps`: distance of
-// the step from the pixel, in steps. `after`: true if the step is on the side of the times after the raster time. With
-// a shutter curve, all steps have equal weight instead of equal length. The radius in steps is then the product of two
-// numbers: the number of steps on this side of the raster time, and the share of this side's weight that has passed
-// when the dominant motion has covered the radius.
+// Share, 0 to 1, of a step that the motion of a surface covers. `radius`: blur radius of the surface, px. `steps`:
+// distance of the step from the pixel, in steps. `after`: true if the step is on the side of the times after the raster
+// time.
+// With a shutter curve, steps have equal weights and unequal lengths. The radius in steps is then n * w. n is the
+// number of steps on this side of the raster time. w is the share of this side's weight in the time that the dominant
+// motion needs to cover the radius.
 float stepCoverage(Gather gather, float radius, float steps, bool after) {
 #if FACT_weighted
   if (isWeighted()) {
@@ -146,8 +147,9 @@ Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, v
   return sums;
 }
 
-// Sums after one more pair of taps. With a shutter curve, the weights of both sides of the exposure are factors. Each branch
-// has its own call, so that the picture with a box shutter is the same, bit for bit, with and without FACT_weighted.
+// Sums after one more pair of taps. With a shutter curve, the weights of the taps are multiplied by the weights of both
+// sides of the exposure. The two cases call withPairOf separately: compiling the code for shutter curves
+// (FACT_weighted) then changes no bit of a picture with a box shutter.
 Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
 #if FACT_weighted
   if (isWeighted()) {

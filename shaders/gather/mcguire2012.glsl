@@ -30,8 +30,9 @@
 #include "mixin/quantised.glsl"
 #include "lib/times.glsl"
 
-// The second direction turns to the pixel's own displacement over a range of blur radii of this length, px. The pass
-// guertin2014 has the same value as the default of its parameter `gamma`.
+// Width, px, of the range of blur radii where the second direction changes from the perpendicular of the dominant
+// displacement to the pixel's own displacement. The parameter `gamma` of the pass guertin2014 has the same value by
+// default.
 const float kGamma = 1.5;
 
 struct Tap {

@@ -15,11 +15,11 @@
 //   the revealed surface or, without one, the surface at X. The weight of a tap is |d| / (N |d(Y)|): the slower its surface,
 //   the longer it stays over X, and the fewer taps meet it. alpha is the sum of the weights, at most 1. A static surface at X
 //   in front of a revealed one adds the rest, 1 - alpha.
-//   Background: not added over a revealed surface. Otherwise add (1 - alpha) times a mean over taps, and set
-//   alpha to 1. The mean includes taps at the depth of X with a surface that passes over X. It also includes taps at
-//   greater depths, if their distance from X is at most the path of the surface at X. These taps replace the background
-//   that the surface at X disoccludes. If the weights of the mean add up to less than one tap, the colour of X
-//   fills the rest, so that a tap of small weight cannot dominate.
+//   Background: over a revealed surface, nothing is added. Otherwise the result gets (1 - alpha) times a mean of two
+//   kinds of taps, and alpha becomes 1. The first kind are taps at the depth of X with a surface that passes over X.
+//   The second kind are taps behind the surface at X, at most as far from X as this surface moves from its position at
+//   the raster time. They stand in for the background that it disoccludes. If the weights of the mean add up to less
+//   than one tap, the colour of X fills the rest, so that a tap of small weight cannot dominate.
 //   If `velocity_post` is present, the two segments of the exposure are tested separately (`passingOf`).
 // Fails: without a revealed layer, the background inside a silhouette is copied from outside. If the background moves, the
 //   product of mean coverage and mean background differs from the mean of their product. There is one direction per tile.
@@ -48,10 +48,10 @@ struct Passing {
 
 // Tests if the surface of a tap passes over the pixel within the exposure. `offset`: position of the tap relative to the pixel,
 // px. `t`: time of the tap. `turns_back`: true if the dominant motion turns back at the raster time.
-// With two segments, before and after the raster time, the surface is tested in the segment that contains t. It also counts if
-// it passes over the pixel in the other segment only, because the taps of that segment lie on the other side of the pixel and
-// miss the surface. If the dominant motion turns back, the taps of both segments lie on one side and find the surface, so that
-// the exception is not needed.
+// With two segments, before and after the raster time, the surface is tested in the segment that contains t. A surface
+// that passes over the pixel only in the other segment counts too: the taps of that segment lie on the other side of
+// the pixel and never meet the surface. If the dominant motion turns back, such a surface does not count, because the
+// taps of both segments then lie on one side of the pixel, and the taps of the other segment meet the surface.
 Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
   bool after = t > 0.0;
 #if HAS_velocity_post
@@ -66,9 +66,9 @@ Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
 }
 
 #if FACT_weighted
-// Weight, by the shutter curve, of the times when a surface with the displacement d passes over part i of the dominant
-// displacement `along`. The exposure is divided into parts of equal weight, one per sample. Part i of `along` is the distance
-// that the dominant motion covers in part i of the exposure.
+// Weight, by the shutter curve, of the time that a surface with the displacement d needs to pass over distance i. The
+// exposure is divided into parts of equal weight, one per sample. Distance i is the distance that the dominant motion
+// (displacement `along`) covers in part i of the exposure.
 float weightOfPart(int i, vec2 d, vec2 along) {
   float dominant_px = max(lengthOf(along), 0.5);
   float longer = dominant_px / clamp(lengthOf(d), 0.5, dominant_px) * (dot(d, along) < 0.0 ? -1.0 : 1.0);

@@ -23,9 +23,10 @@ bool isBeyond(ivec2 pixel, ivec2 displaced) {
   return saneDepth(texelFetch(depth_tex, displaced, 0).x) - depth > params.depth_margin * depth;
 }
 
-// True if a tested position shows another, farther instance or is outside the image. The `taps` tested positions divide the way
-// from the pixel to its displaced position evenly. `d`: displacement of the pixel. t: shutter open or shutter close, which
-// decides the displaced position; t = 0, the raster time, gives false.
+// True if a tested position shows another, farther instance or is outside the image. The `taps` tested positions divide
+// the way from the pixel to its displaced position evenly. `d`: displacement of the pixel. `t`: time of the displaced
+// position, shutter open or shutter close. If `t` is 0 (the raster time), the pixel is not displaced, and the result is
+// false.
 bool isCandidate(ivec2 pixel, vec2 d, float t) {
   if (t == 0.0) return false;
   for (int i = 1; i <= params.taps; ++i) {

@@ -9,17 +9,20 @@
 //      `velocity`: displacement, px over the exposure, quantised.
 //      `valid`: 1 where a surface or the sky is revealed, otherwise 0.
 //      `found`: revealed surface: instance + 1 (0 for the sky), geometry, primitive.
-// Method: the parameter `advance` chooses how the ray goes on from hit to hit, and `termination` which hit belongs to another
-//   object and ends the search. After `max_layers` hits that do not end the search, the search gives up (counter
-//   `capped`; result: `on_cap`).
-//   With `advance` = instance_filter the ray ignores the foreground's instance or, with `termination` = geometry, only
-//   the foreground's geometry. The first hit then ends the search under `termination` = instance and geometry, so that
-//   `max_layers` is never reached. Surfaces within 4 representable depths of the previous hit count as that hit (with
-//   `advance` = restart, within 1e-5 of its depth).
-// Fails: a second surface behind the revealed one stays hidden. `termination` = luminance stops inside an object with a
-//   differently lit back, and passes through a background of equal luminance. Except with base colours, the picture is
-//   then not linear in the light. The values `instance` and `geometry` miss self-occlusion, and stop at other parts of
-//   an object made of several instances; with `motion`, the ray passes these parts.
+// Method: visit the hits along the ray until one is on another object. The parameter `advance` chooses the next hit:
+//   - origin_kept: next hit on the same ray, more than 4 representable depths behind the last hit;
+//   - restart: next hit on a new ray from the last hit, behind this hit by more than 1e-5 of its depth;
+//   - instance_filter: as origin_kept, ignoring the foreground's instance (only its geometry with `termination` =
+//     geometry; nothing with disoccluded).
+//   The parameter `termination` chooses the hit that ends the search:
+//   - instance: first hit on another instance; geometry: first hit on another geometry or instance;
+//   - luminance: first hit with another luminance than the foreground; disoccluded: with another displacement;
+//   - motion: first hit that does not move as if fixed to the foreground's instance.
+//   After `max_layers` hits that do not end the search, the search gives up (counter `capped`; result: `on_cap`).
+// Fails: a second surface behind the revealed one stays hidden. `luminance` stops inside an object with a differently
+//   lit back, and passes through a background of equal luminance. The picture is then not linear in the light, unless
+//   `luminance_of` chooses base colours. `instance` and `geometry` miss self-occlusion, and stop at other parts of an
+//   object made of several instances; with `motion`, the ray passes these parts.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
 #include "mixin/quantised.glsl"
@@ -34,8 +37,9 @@ float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 #define COLOR_IS_FOUND 0
 #endif
 
-// First and last pose for the comparison of a hit's motion with the foreground's motion since the raster time: both ends of the
-// exposure, or the previous frame if displacements are extrapolated.
+// First and last of the poses that `movesWith` uses to compare the motion of a hit with the motion of the foreground,
+// both relative to the raster time. The poses are shutter open and shutter close. If displacements are extrapolated,
+// the only pose is the previous frame.
 #if PARAM_displacement == displacement_extrapolated
 const uint kFirstPose = SLICE_PREVIOUS, kLastPose = SLICE_PREVIOUS;
 #else
@@ -101,7 +105,7 @@ bool isOther(Ray ray, Hit hit, Hit front) {
 // Result of a search.
 struct Found {
   Hit hit;
-  vec3 color;   // colour that the termination rule `luminance` compared
+  vec3 color;   // `comparedColor` of the last hit; computed only with the termination rule `luminance`
   bool capped;  // true if the search gave up
   bool passed;  // true if the search, by the termination rule `luminance`, skipped a hit on another instance of like luminance
 };

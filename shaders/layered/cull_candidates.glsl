@@ -7,14 +7,14 @@
 //        exposure
 //      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
 // Out: `culled_0` to `culled_3`: candidates left in each cell, in the same order, two per image; kNoVelocity after the last
-// Method: for each pixel and candidate b, disocclusion_mask walks from the pixel along the path -t*(d - b). d is the pixel's
-//   displacement, and t the time of shutter open or shutter close, in exposures from the raster time. The pixel is marked if
-//   the walk meets another instance that moves by about b. This pass tests the walks of all pixels of a cell together: d is
-//   then any displacement in the cell's bounds. b is dropped if the walks have no effect in any cell that they may cross. Walks
-//   have no effect in a cell if one of two conditions holds:
-//   - the cell shows only one instance, and the cell where the walks begin shows only this instance too;
-//   - the bounds of the cell contain neither a displacement within max(1 px, match * |d - b|) of b (parameter `match`), nor a
-//     displacement that separates from d by half a pixel or more until t. The latter would start a second walk.
+// Method: for each pixel and candidate b, disocclusion_mask walks from the pixel along the path -t*(d - b). d is the
+//   pixel's displacement, and t the time of shutter open or shutter close, in exposures from the raster time. The pixel
+//   is marked if the walk meets another instance that moves by about b. This pass tests the walks of all pixels of a
+//   cell together: d is then any displacement in the cell's bounds. b is dropped if the walks can have no effect in any
+//   cell that they may cross. Walks can have an effect in a cell only if both of these conditions hold:
+//   - the cell and the cell where the walks begin show more than one instance together;
+//   - the bounds of the cell contain a displacement within max(1 px, match * |d - b|) of b (parameter `match`), or a
+//     displacement that moves half a pixel or more apart from d by the time t. The latter would start a second walk.
 //   The paths are extended by the longest displacement, because a walk continues behind an occluder. Walks end at the border of
 //   the image. The mask is equal, bit for bit, to the mask without culling.
 // Fails: a cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. The disocclusion
@@ -26,9 +26,9 @@
 // Margin of comparisons for rounding errors, px. With the margin, more candidates are kept.
 const float kSlack = 1e-2;
 
-// Two boxes around a set of paths, as pixel offsets from the starts of the paths: least x and y, greatest x and y, inclusive.
-// The box `steps` contains the paths themselves. The box `farthest` also contains the extensions of the paths behind an
-// occluder.
+// Two boxes around a set of paths, as pixel offsets from the starts of the paths: least x and y, greatest x and y,
+// inclusive. The box `steps` contains the paths themselves. The box `farthest` also contains their extensions: a walk
+// that ends on an occluder continues beyond the end of its path, by at most the longest displacement.
 struct Path {
   vec4 steps, farthest;
 };
@@ -38,8 +38,8 @@ struct Path {
 Path pathOf(vec4 from_b, float t) {
   vec2 a = -t * lowOf(from_b), b = -t * highOf(from_b);
   vec2 low = min(a, b), high = max(a, b);
-  // Each extension continues in the direction of its path. `share`: upper bound of |x| and |y| of the unit vectors of these
-  // directions.
+  // Each extension continues in the direction of its path. `share`: upper bounds of |x| and |y| over the unit vectors
+  // of these directions. An extension by L px therefore changes x and y by at most L * share.
   vec2 share = min(max(abs(low), abs(high)) / max(shortestIn(vec4(low, high)), 0.5), 1.0);
   vec2 slack = share * float(params.margin + 2) + 1.0;
   vec2 extension = slack + share * ceil(reachPx());

@@ -10,17 +10,18 @@
 //        depth are skipped
 //      `max_displacement`: longest displacement in the image, px over the exposure; absent: twice the image's diagonal
 // Out: `mask`: 1 where the pass ray_reveal is to trace a ray to the background, otherwise 0
-// Method: let the foreground at pixel y move by d, and a point hidden behind y by the candidate b. At time t, the point is at y
-//   + b*t. The foreground covers this place with its texel y - t*(d - b) of the raster time. The point becomes visible once
-//   this texel is beyond the silhouette of the foreground. Only relative motion counts: in a tracking shot, a foreground that
-//   is static on the screen is marked.
-//   A walk follows the path y - t*(d - b) to shutter open or close in steps of 1 px, and `margin` px farther: an extra pixel
-//   costs a ray, a missing one is an error. y is marked if the walk meets a pixel q of another instance that moves by b, within
-//   max(1 px, match * |d - b|) (parameter `match`). A pixel q that is nearer than the last pixel of y's instance by the
-//   share `occluder` is an occluder and does not count. A path that ends behind an occluder continues to the occluder's
-//   end. Paths end at the image border (counter `off_screen`). If no q moves by b, a second walk takes as b the
-//   displacement of the first q that moves relative to y, because candidates are inexact where the motion of a
-//   background varies.
+// Method: let the foreground at pixel y move by d, and a point hidden behind y by the candidate b. At time t, the point
+//   is at y + b*t. The foreground covers this place with its texel y - t*(d - b) of the raster time. The point becomes
+//   visible once this texel is beyond the silhouette of the foreground. Only the relative motion d - b counts: a
+//   foreground that a tracking shot keeps static on the screen is marked too.
+//   1. Path: y - t*(d - b) from the raster time to shutter open or close, and `margin` px farther: an extra pixel costs
+//      a ray, a missing pixel is an error. Paths end at the image border (counter `off_screen`).
+//   2. Walk: follow the path in steps of 1 px. Mark y if the walk meets a pixel q of another instance that moves by b,
+//      within max(1 px, match * |d - b|) (parameter `match`).
+//   3. Occluders: skip each q that is nearer than the last pixel of y's instance by the share `occluder`. A path that
+//      ends behind an occluder continues to the occluder's end.
+//   4. Second walk: if no q moves by b, walk again, with the displacement of the first q that moves relative to y in
+//      place of b, because candidates are inexact where the motion of a background varies.
 // Fails: misses backgrounds if no pixel around shows their motion, parts of an instance behind other parts of the instance, and
 //   motions beyond the eighth near a tile.
 #include "lib/bounds.glsl"
@@ -77,8 +78,9 @@ float depthAt(ivec2 at) { return saneDepth(texelFetch(depth_tex, at, 0).x); }
 // pixel itself.
 bool occludes(float depth, float own_depth) { return depth < own_depth * (1.0 - params.occluder); }
 
-// True if a walk along the path may end in the cell, or find the displacement of a second walk there. The cell may then show
-// another instance that moves by about b, or that moves relative to the foreground at y.
+// True if a walk along the path may end in the cell, or if the cell may show the displacement that a second walk needs.
+// In the first case, the cell may show another instance that moves by about b. In the second case, it may show another
+// instance that moves relative to the foreground at y.
 bool mayEndIn(Path path, ivec2 cell) {
   uvec2 ids = uvec2(texelFetch(ids_tex, cell, 0));
   vec4 bounds = texelFetch(bounds_tex, cell, 0);
@@ -110,10 +112,10 @@ int firstPossibleEnd(Path path, int from, int to) {
 struct Walk {
   bool crosses;   // the path meets a background that moves by b
   bool meets;     // the path meets a background that moves relative to the foreground at y, but not by b
-  vec2 d_beyond;  // with `meets`: displacement of the first such background
+  vec2 d_beyond;  // displacement of the first such background, px over the exposure; valid only if `meets` is true
 };
 
-// Last step before step i where the path is on the instance of the pixel y.
+// Last step, before step i, where the path is on the instance of the pixel y; step 0 is y itself.
 int lastOwn(Path path, int i) {
   --i;
   while (i > 0 && !isOwn(path, placeOn(path, i))) --i;

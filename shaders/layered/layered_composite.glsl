@@ -7,15 +7,19 @@
 //        a surface
 //      `velocity_post`, `dominant_post`, `second_post`, `revealed_*_post`: for times after the raster time; absent: unchanged
 //      `curve`, `revealed_curve`, `dominant_curve`: curves of paths, px; `dominant_place`: texel with `dominant`; all optional
-//      `moved`, `background`: per cell, > 1/2 if a moving (a revealed) surface is there at some time; absent: everywhere
+//      `moved`: per cell, > 1/2 if a moving surface is there at some time; absent: everywhere. Other cells are copied
+//      `background`: per cell, > 1/2 if a revealed surface is there at some time; absent: everywhere
 // Out: `blurred`: linear radiance, alpha 1
-// Method: at each time t_i = (i + 1/2 + jitter)/N of the exposure, i < N = `samples`, each candidate displacement g leads from
-//   pixel X to texel Y = X - t_i*g of both layers. Y is at X if |Y + t_i*d(Y) - X| <= max(3/4, .99 min(|g|, |d(Y)|)/(2N)) px
-//   (Constants). Otherwise d(Y) leads to one more texel, on curves to three. The nearest texel at X counts.
-//   Candidates: the tile's displacements; d of both layers at X and, with `search_taps`, at X +- t_i*g for the two
-//   displacements g of the tile, nearest taps first. At most 4 are kept, which differ by more than 1/2 px.
-//   A sample without a surface shows the texel at X, from the revealed layer if that layer has a surface there (counter
-//   `fallback`).
+// Method: t_i is the time at the share (i + 1/2 + jitter)/N of the exposure, i < N = `samples`. For each t_i, candidate
+//   displacement g and layer, search for a texel Y whose surface is at pixel X at t_i, by fixed-point iteration. First
+//   test Y = X - t_i*g. Its surface is at X if |Y + t_i*d(Y) - X| <= max(3/4, .99 min(|g|, |d(Y)|)/(2N)) px (see
+//   "Constants" below). Otherwise test one more texel, X - t_i*d(Y); on curved paths up to three more, by Newton's
+//   method (mixin/search.glsl). The nearest surface found is the sample. If none is found, the sample is the texel at
+//   X, from the revealed layer if that layer has a surface there (counter `fallback`).
+//   Candidates g, in this order; at most 4 are kept, which differ by more than 1/2 px:
+//   - the tile's displacements `dominant`, `second` and `revealed_dominant`;
+//   - the displacements of both layers at X;
+//   - with `search_taps`, those at the taps X + t_i*h and X - t_i*h, nearest first, for h = `dominant`, then `second`.
 // Fails: misses surfaces hidden at the raster time and not revealed, and motions beyond 4 at a pixel. Misplaces surfaces if
 //   their paths deviate, or they stretch, by more than the tolerance.
 #include "mixin/limit.glsl"
@@ -29,11 +33,11 @@
 // ----------------------------------------------------------------------------------------------------------------
 // Numbers of the Method, in mixin/candidates.glsl:
 // - 3/4 px: rounding a position to a texel moves it by at most sqrt(1/2) = .71 px.
-// - .99 min(|g|, |d(Y)|)/(2N): two successive time samples are |d|/N px apart. A texel half-way between them must count at
-//   neither sample, so the tolerance is just below half of this distance. With an earlier tolerance of |g|/(2N), the pixel's
-//   own foreground counted at the samples next to the raster time. With up to four samples and motion above 10 px, the error
-//   was then up to twice the error of ground truth with as many samples. Now it is at most 1.05 times that error (237c3545, the
-//   test RenderPassage).
+// - .99 min(|g|, |d(Y)|)/(2N): two successive time samples are |d|/N px apart. A texel half-way between them must count
+//   at neither sample, so the tolerance is just below half of this distance. With the tolerance |g|/(2N), the pixel's
+//   own foreground would also count at the samples next to the raster time: with up to four samples and motion above 10
+//   px, the error would be up to twice the error of ground truth with as many samples. With this tolerance, the error
+//   is at most 1.05 times that error (printed by the test RenderPassage).
 // - 1/4 px^2: two candidates count as one up to this squared difference. Two candidates within 1/2 px of each other lead to
 //   places at most 1/2 px apart, since |t| <= 1.
 

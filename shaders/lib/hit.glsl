@@ -7,7 +7,7 @@
 struct Hit {
   uint instance;      // NO_INSTANCE for a miss
   uint geometry;      // within the instance
-  uint primitive;     // triangle within the geometry, in the order of tracing
+  uint primitive;     // number of the triangle within the geometry
   vec2 barycentrics;  // weights of the second and third corner
   float t;            // distance along the ray that found the hit; for a camera's ray: view depth, metres
   bool front;         // hit on the front, where the corners run counter-clockwise

@@ -40,9 +40,10 @@ vec2 stratified2(uint pixel, uint number) {
   return vec2(x >> 8u, y >> 8u) * (1.0 / 16777216.0);
 }
 
-// Half of the Sobol sequence, 0 or 1, that contains point `number`. Ground truth compares the means of both halves. The half is
-// the parity of two of every three bits of the number. The highest bits of the coordinates are parities of other sets of bits,
-// so that each half is spread nearly as evenly as the whole sequence.
+// Half of the Sobol sequence, 0 or 1, that contains point `number`. Ground truth compares the means of both halves. The
+// half is 1 if an odd number of the bits 0, 1, 3, 4, 6, 7, ... of `number` are set (all bits but 2, 5, 8, ...). The
+// highest bits of the coordinates are parities of other sets of bits, so that each half is spread nearly as evenly as
+// the whole sequence.
 uint stratifiedHalf(uint number) { return uint(bitCount(number & 0xdb6db6dbu)) & 1u; }
 
 #endif

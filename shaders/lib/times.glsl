@@ -91,8 +91,9 @@ float timeAt(float part, int parts) {
 // [-1/2, 1/2] of a part.
 float sampleTime(int i, int n, float jitter) { return timeAt(float(i) + 0.5 + jitter, n); }
 
-// Index of the sample that is exactly at the raster time, for n samples at the fractions 1/(n + 1) to n/(n + 1) of the weight;
-// -1 if no sample is. Only a middle sample can be at the raster time, in an exposure with times on both sides.
+// Index of the sample that is exactly at the raster time, for n samples at the fractions 1/(n + 1) to n/(n + 1) of the
+// weight. The result is -1 if such a sample does not exist. Only the middle sample of an exposure with times on both
+// sides can be at the raster time.
 int sampleAtRasterTime(int n) {
   if (!isCentred(frame.shutter) || n % 2 == 0) return -1;
 #if FACT_weighted
@@ -103,8 +104,8 @@ int sampleAtRasterTime(int n) {
 
 // ---- one side of the exposure: from the raster time to shutter close (`after`) or back to shutter open
 
-// Weight of one side of the exposure, as a multiple of half of the total weight. The factor is 1 with the curve `box`, and if
-// the exposure has only one side.
+// Factor for the weight of one side of a two-sided exposure: the weight of this side, divided by half of the total
+// weight. With the curve `box`, the factor is 1. An exposure with only one side needs no factor; the result is then 1.
 float sideFactor(bool after) {
 #if FACT_weighted
   if (isWeighted() && isCentred(frame.shutter)) return 2.0 * (after ? frame.curve_sides.y : frame.curve_sides.x);

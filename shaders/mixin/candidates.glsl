@@ -43,9 +43,10 @@ const float kUnused = 1e9;
 float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
 
 // True if the surface that `texel` shows at the raster time is at the pixel at time t, within
-// max(kNearest, min(tolerance_px, toleranceOf(path.d))) px. `path`: path of this surface. `tolerance_px`: tolerance of the
-// candidate that led to the texel. Tolerances above kNearest are for surfaces with varying displacements: the nearest match may
-// then be almost half-way to the next sample.
+// max(kNearest, min(tolerance_px, toleranceOf(path.d))) px. `path`: path of this surface. `tolerance_px`: tolerance of
+// the candidate that led to the texel. Tolerances above kNearest serve surfaces whose displacement varies from texel to
+// texel: even the best texel may then miss the pixel by nearly half the distance that the surface moves between two
+// samples.
 bool isThere(ivec2 pixel, ivec2 texel, Path path, float t, float tolerance_px) {
   if (!isAt(pixel, texel, path, t, max(kNearest, tolerance_px))) return false;
   return isAt(pixel, texel, path, t, kNearest) || isAt(pixel, texel, path, t, min(tolerance_px, toleranceOf(path.d)));
@@ -108,8 +109,9 @@ struct Dominant {
   ivec2 place;  // texel that has the longest displacement; kNoTexel: unknown
 };
 
-// Displacements of a tile for the times before the raster time. Unless motion is in two segments, they are valid for all times.
-// Without the image `revealed_dominant`, the displacement of the revealed layer is the longest displacement.
+// Displacements of a tile for the times before the raster time. Unless motion is in two segments, they are valid for
+// all times. Without the image `revealed_dominant`, the longest displacement of the raster layer also stands for the
+// revealed layer.
 Dominant dominantBefore(ivec2 tile) {
   Path longest = onCurve(vec2(dominant_at(tile)), dominant_curve_at(tile)), second = straight(vec2(second_at(tile)));
   Dominant dominant = Dominant(longest, second, longest, ivec2(dominant_place_at(tile)));

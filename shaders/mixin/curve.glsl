@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Needs: nothing; may have: PARAM_trajectory.
-// Curved screen paths of surface points: parabolas or arcs through poses inside the exposure. The vec4 `curve` describes how a
-// path deviates from the straight line between its ends. At the fraction u of the exposure (0 at shutter open, 1 at shutter
-// close), with x = u - 1/2, the deviation in px is
-//   parabola:  4 u (1 - u) b,
-//   arc:       b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)), in complex numbers.
-// b = curve.xy is the deviation in the middle of the exposure, px. w = curve.zw describes an arc: over the exposure, the path
-// scales by exp(w.x) and rotates by w.y radians about a centre that moves along a line, as a point on a rolling wheel does. An
-// arc with w = 0 is a parabola. With curve = 0 the path is the straight line, bit for bit.
+// Curved screen paths of surface points: parabolas or arcs through poses inside the exposure. The vec4 `curve`
+// describes how a path deviates from the straight line between its ends. At the fraction u of the exposure (0 at
+// shutter open, 1 at shutter close), with x = u - 1/2, the deviation in px is one of these formulas:
+//   for a parabola:  4 u (1 - u) b
+//   for an arc:      b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)), in complex numbers
+// b = curve.xy is the deviation in the middle of the exposure, px. w = curve.zw describes an arc: over the exposure,
+// the path scales by exp(w.x) and rotates by w.y radians about a centre. The centre itself may move along a line: a
+// point on a rolling wheel has such a path. An arc with w = 0 is a parabola. With curve = 0 the path is the straight
+// line, bit for bit.
 #ifndef STROBE_CURVE_GLSL
 #define STROBE_CURVE_GLSL
 #include "lib/blur.glsl"
@@ -111,9 +112,10 @@ void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
 }
 #endif
 
-// Four straight displacements `around`, px over the exposure, that bound a curved path, for passes that process straight motion
-// only. At the end of the exposure that is farther from the raster time, points with these displacements are at four positions.
-// The bounding box of the four positions contains the whole path. If the path is straight, all four displacements equal d.
+// Four straight displacements `around`, px over the exposure, that bound a curved path, for passes that process
+// straight motion only. Move a point by each displacement, from the raster time to the end of the exposure that is
+// farther away: the bounding box of the four end positions contains the whole curved path. If the path is straight, all
+// four displacements equal d.
 void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   around = vec2[4](d, d, d, d);
   if (curve == vec4(0)) return;
@@ -136,8 +138,8 @@ float reachOf(vec2 d, vec4 curve, vec2 shutter) {
   return max(max(lengthOf(around[0]), lengthOf(around[1])), max(lengthOf(around[2]), lengthOf(around[3])));
 }
 
-// Number of steps of a walk over tiles along a path: four steps per tile side in `reachOf`, at least 4, at most 64. `tile`:
-// side of a tile, px.
+// Number of steps of a walk over tiles along a path: four steps for each tile side that fits into the reach of the path
+// (`reachOf`), at least 4, at most 64. `tile`: side of a tile, px.
 int stepsAlong(vec2 d, vec4 curve, int tile) { return clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / tile, 4, 64); }
 
 #endif

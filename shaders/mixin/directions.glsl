@@ -10,9 +10,9 @@
 #define STROBE_DIRECTIONS_GLSL
 #include "mixin/layer.glsl"
 
-// Shortest component of a displacement across the dominant displacement, px, that defines a side (left or right of the dominant
-// displacement). Shorter components may be rounding errors. Halving or doubling this bound changes no pixel of six
-// scenes.
+// Least length, px, of a displacement's component perpendicular to the dominant displacement. Only from this length on,
+// the component decides if the displacement points to the left or to the right of the dominant displacement. Shorter
+// components may be rounding errors. Halving or doubling this bound changes no pixel of six scenes.
 const float kNoSide = 1.0 / 64.0;
 
 // Unit vector along d; 0 if d is 0.
@@ -46,10 +46,10 @@ vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gam
 
 // True if sample i is taken along the second direction: `count` of the N = params.samples samples, evenly spread. With
 // count = N/2 these are the second, fourth, ... sample. Always false if the parameter `directions` is not `two`.
-// Sample 0 has the latest time. If the exposure starts at the raster time, all taps lie on one side of the pixel and the last
-// sample is the nearest tap; i is then reversed. So samples are counted from the nearest tap with the anchor `start` as with
-// `end`, and a reversed exposure takes the same taps. A centred exposure has taps on both sides: with odd N and count = N/2
-// (rounded down), counting from either end gives the same samples.
+// Sample 0 has the latest time. It is the nearest tap with the anchor `end`, and the farthest tap with `start`. With
+// `start`, i is therefore reversed: samples are counted from the nearest tap in both cases, so that a reversed exposure
+// takes the same taps. With the anchor `centre`, samples are counted from the latest time. If N is odd and count = N/2
+// (rounded down), counting from the earliest time would give the same samples.
 bool isAlongSecond(int i, int count) {
 #if PARAM_directions == directions_two
   if (frame.shutter.x >= 0.0) i = params.samples - 1 - i;

@@ -48,9 +48,10 @@ struct RayVolume {
 // most `sizes`.
 vec3 ofSizes(mat3 m, vec3 sizes) { return mat3(abs(m[0]), abs(m[1]), abs(m[2])) * sizes; }
 
-// Volume of the rays between the box `centre` +- `extent` (world space) and a light. `light`: position (w = 1) or direction
-// towards the light (w = 0), world space. `space`: transform from world space to the space of the tree. `reach`: upper bound of
-// the coordinates of the tree's planes. `size`: upper bound of the world coordinates that are transformed.
+// Volume of the rays between the box `centre` +- `extent` (world space) and a light. `light`: position (w = 1) or
+// direction towards the light (w = 0), world space. `space`: transform from world space to the space of the tree.
+// `reach`: upper bound of the coordinates of the bounding planes of the tree's nodes, in the space of the tree. `size`:
+// upper bound of the coordinates of the box and the light, in world space.
 RayVolume volumeIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 light, float size) {
   mat3 turned = mat3(space);
   vec3 slack = kRounding * (ofSizes(turned, vec3(size)) + abs(space[3]) + reach);
@@ -176,10 +177,12 @@ mat4x3 columnsOf(vec4 x, vec4 y, vec4 z) { return transpose(mat3x4(x, y, z)); }
 // Visibility of the light from all origins: kVisible, kBlocked or kMixed. `light`: position (w = 1), or direction towards the
 // light with the length `reach` (w = 0); world space. `reach`: upper bound of the coordinates of origins and light, and of the
 // distances between them, metres.
-// Method: the first walk over the tree follows one ray. It searches for a triangle that blocks all rays, or for two triangles
-//   with a common edge that together block all rays; any such triangles are on this ray or beside it. If the first walk finds
-//   none, the second walk follows the whole volume. The result is kMixed if the second walk meets a triangle that may block a
-//   ray, otherwise kVisible. Also kMixed if a walk visits more than kMaxVolumeNodes nodes.
+// Method: the first walk over the tree follows one ray. It searches for a triangle that blocks all rays, or for two
+//   triangles with a common edge that together block all rays. A triangle that blocks all rays blocks this ray too. Of
+//   two triangles that together block all rays, at least one blocks this ray, and the other is beside it. If the first
+//   walk finds no such triangles, the second walk follows the whole volume. The result is kMixed if the second walk
+//   meets a triangle that may block a ray, otherwise kVisible. Also kMixed if a walk visits more than kMaxVolumeNodes
+//   nodes.
 uint visibilityOf(uint slice, RayVolumeStart start, vec4 light, float reach) {
   uint level = levelOf(slice), root = rootOf(level, RAYS_TO_ALL);
   for (uint walk = 0u; walk < 2u; ++walk) {

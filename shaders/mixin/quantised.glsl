@@ -85,8 +85,8 @@ float quantisedDepth(float depth) {
   quantised = min(1.0 / depth, 3.402823466e38);
   decoded = 1.0 / quantised;
 #else
-  // The shader encodes n/z, the distance of the code 1 - n/z from 1, in steps of 1 / (2^24 - 1). Single precision represents
-  // the number of steps exactly.
+  // The shader quantises n/z instead of the code 1 - n/z, in steps of 1 / (2^24 - 1). n/z is the distance of the code
+  // from 1, and single precision represents the number of its steps exactly.
   quantised = round(min(near / depth, 1.0) * 16777215.0);
   decoded = near * 16777215.0 / quantised;
 #endif

@@ -41,15 +41,16 @@ bool hasSurface(int layer, ivec2 texel);
 ivec2 nextTexel(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
 
 #if HAS_curve
-// Change of the tap offset (`tapOffset`) at time t from a texel to the next texel along an axis, px. The change is unknown if
-// both neighbours along the axis belong to another object.
+// Slope: difference of the tap offsets (`tapOffset`, at time t) of two adjacent texels along an axis, px. The slope at
+// a texel is unknown if both of its neighbours along the axis belong to other objects.
 struct Slope {
   vec2 px;
   bool is_known;
 };
 
-// Slope at `texel`, which has this path, along `axis`, (1, 0) or (0, 1). It is the difference to the first neighbour on the
-// same object. A neighbour is on the same object if its offset and its displacement differ by at most kMostSlope.
+// Slope at `texel`, which has this path, along `axis`, (1, 0) or (0, 1). The slope is taken to the first of the two
+// neighbours that is on the same object. A neighbour counts as on the same object if its tap offset and its
+// displacement differ by at most kMostSlope from the tap offset and the displacement of `texel`.
 Slope slopeOf(int layer, ivec2 texel, ivec2 axis, Path path, float t) {
   vec2 offset = tapOffset(path, t);
   for (int side = 1; side >= -1; side -= 2) {

@@ -25,7 +25,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Bvh
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer BvhPairsOfTriangles { BvhTrianglePairs of[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer BvhPairsOfInstances { BvhInstancePairs of[]; };
 
-// Pair of words number `pair` of a node, of a triangle and of an instance.
+// Three functions that read two words of a node, of a triangle or of an instance: the pair of words with the index
+// `pair`.
 uvec2 nodeWords(uint node, int pair) { return unpackDouble2x32(BvhPairsOfNodes(scene_bvh.nodes).of[node].at[pair]); }
 uvec2 triangleWords(uint triangle, int pair) {
   return unpackDouble2x32(BvhPairsOfTriangles(scene_bvh.triangles).of[triangle].at[pair]);
@@ -96,8 +97,9 @@ BvhRay rayOf(vec3 origin, vec3 direction, float reach) {
   return ray;
 }
 
-// Ray in the object space of an instance, from a ray in world space. `at`: index into the instances of all levels. `root`:
-// output, root of the tree of the instance's mesh.
+// Ray in the object space of an instance, from a ray in world space. `at`: index into the array of instances, which
+// holds the instances of one level after the other (one level per time, `levelOf`). `root`: output, root of the tree of
+// the instance's mesh.
 BvhRay rayIn(uint at, Ray world_ray, out uint root) {
   BvhInstance instance = loadedInstance(at);
   vec4 x = instance.row_x, y = instance.row_y, z = instance.row_z;

@@ -26,8 +26,9 @@ BvhStack noEntries() {
   return BvhStack(0u, 0u, 0u, 0u, 0u, 0u, 0);
 }
 
-// Stack entry of a node: the index of the node (24 bits), the numbers of up to three children that are left, and the count of
-// these children (2 bits). The numbers are the last 2 bits of k1 to k3, nearest child first.
+// Stack entry of a node: the index of the node (24 bits), the numbers of up to three children that are left (2 bits
+// each), and the count of these children (2 bits). `k1` to `k3`: sort keys of these children, nearest first; the last 2
+// bits of a key are the number of the child.
 uint entryOf(uint node, uint k1, uint k2, uint k3, uint count) {
   return (node << 8) | ((k1 & 3u) << 2) | ((k2 & 3u) << 4) | ((k3 & 3u) << 6) | count;
 }

@@ -85,9 +85,9 @@ bool isOneSided(uint instance, uint geometry_index) {
   return (scene_materials[geometry.material].flags & MATERIAL_ONE_SIDED) != 0u;
 }
 
-// True if a ray accepts a hit. A hit is rejected if it is on the skipped instance or geometry, if alpha cuts the point out, or
-// if it is on the back of a one-sided material. `is_back_face`: true if the ray meets the triangle from behind and does not
-// count both sides.
+// True if a ray accepts a hit. A hit is rejected if it is on the skipped instance or geometry, if alpha cuts the point
+// out, or if it is on the back of a one-sided material. `is_back_face`: true if the ray meets the triangle from behind.
+// For shadow rays, which hit both sides of every surface, it is always false.
 bool acceptsHit(uint instance, uint geometry, uint primitive, vec2 barycentrics, uint skip_instance, uint skip_geometry,
                 bool is_back_face) {
   bool skipped = instance == skip_instance && (skip_geometry == NO_INSTANCE || geometry == skip_geometry);

@@ -23,7 +23,7 @@ struct FrameData {
   uint seed;             // seed of the random numbers
   uint iteration;        // number of the iteration, counted over all loops of this exposure; 0 outside of loops
   uint iteration_count;  // number of these iterations; 1 outside of loops
-  uint part;             // number of the part of the exposure that the iteration samples, from 0 to iteration_count - 1
+  uint part;             // index of the part of the exposure that the iteration samples, from 0 to iteration_count - 1
   uint slice_count;      // number of slices (scene times) of this iteration; each pixel may use any; 1 outside of loops
   uint instance_count;   // number of instances in the scene
   uint light_count;      // number of lights in the scene

@@ -2,7 +2,8 @@
 // Per tile, the variance of the directions of motion in the 3x3 tiles around it (Guertin et al. 2014).
 // In:  `longest`: longest displacement of each tile, px over the exposure.
 //      `dominant`: longest displacement that reaches each tile, px over the exposure.
-// Out: `variance`: from 0 (all displacements are parallel to u) to 1 (all are perpendicular to u); 0 without motion.
+// Out: `variance`: from 0 (all displacements are parallel to the tile's own longest displacement) to 1 (all are
+//        perpendicular to it); 0 without motion.
 // Method: variance = 1 - mean of |u . v|. u is the unit direction of this tile's longest displacement, or of `dominant` if the
 //   tile is static. v is the unit direction of the longest displacement of each of the 3x3 tiles. Static tiles (displacements
 //   up to 1/2 px) are left out of the mean.

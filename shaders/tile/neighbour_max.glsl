@@ -10,13 +10,14 @@
 //      `dominant_curve`, `dominant_place`: curve of the path of `dominant`, and position of its texel, px; 0 if paths are
 //        straight.
 //      `second`: accepted displacement, longer than 1/2 px, that differs most from `dominant`; `dominant` if none differs.
-// Method: test all tiles up to ceil(limit * width * r / side) tiles away. `limit` is the parameter, in image widths, and width
-//   the image width, px; with `limit` = auto, the longest displacement of the image replaces limit * width. r is 1 for a
-//   one-sided and 1/2 for a centred exposure, and side the side of a tile, px. The parameter `rule` decides which tiles are
-//   accepted:
+// Method: test all tiles up to ceil(L * r / side) tiles away. L is `limit` times the image width or, with `limit` =
+//   auto, the longest displacement of the image, px. r is 1 for a one-sided and 1/2 for a centred exposure. side is the
+//   side of a tile, px. The parameter `rule` decides which tiles are accepted:
 //   - `all`: every tile.
-//   - `sign` (Guertin et al. 2014): tiles whose displacement points here along each axis that separates the two tiles. With a
-//     centred exposure, all of these components must point here, or all must point away.
+//   - `sign` (Guertin et al. 2014): tiles whose displacement has the right sign along x if the two tiles are in
+//     different columns, and along y if they are in different rows. A surface with the right sign gets from that tile
+//     to this one within the exposure, if it is fast enough. A centred exposure also accepts the opposite signs, for
+//     both components together.
 //   - `swept_box`: tiles whose box, swept along the displacement over the exposure, overlaps this tile. Accepts a subset of the
 //     tiles that `sign` accepts, and is exact at any distance.
 //   A tile with a curved path is swept along the curve under every rule. Of equally long displacements the first in raster

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the length of the longest displacement that passes over it. First of three steps that scatter displacements along
-// their paths, instead of gathering them from surrounding tiles, as Unity's HDRP does.
+// Per tile, the length of the longest displacement that passes over it. First of three steps that scatter displacements
+// along their paths, as Unity's HDRP does. Other filters gather them from surrounding tiles instead
+// (tile/neighbour_max.glsl).
 // In:  `longest`: longest displacement of each tile, px over the exposure.
 // Out: `length`: largest length, px over the exposure, as the bits of a float; 0 if no displacement passes over the tile.
 // Method: each tile walks over the tiles on its path within the exposure (mixin/tile_walk.glsl), and writes the length of its

@@ -6,8 +6,8 @@
 // Out: `dominant`: longest displacement, px over the exposure; among equally long ones, the first in raster order of the 3x3
 //        tiles.
 // Method: maximum over 3x3 tiles, because a moving tile is wider than the line that its centre follows.
-// Fails: one displacement represents all displacements that reach a tile. A displacement also dominates the tile beyond its
-//   end.
+// Fails: one displacement represents all displacements that reach a tile. A displacement also dominates the tiles
+//   beside its path and one tile beyond the end of its path, even if its surface does not reach them.
 #include "lib/blur.glsl"
 
 void run(ivec2 tile) {

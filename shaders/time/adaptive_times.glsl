@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mean radiance of each pixel over the exposure, by rays at few times and adaptive subdivision between them (adaptive
 // quadrature).
-// In:  `color`: linear radiance at the raster time
-//      `depth`: view depth, metres; +inf for the sky
+// In:  `color`, `depth`: at the raster time: linear radiance; view depth, metres, +inf for the sky
 //      `id`: instance + 1, geometry + 1; 0 for the sky
 //      `hit`: instance + 1 (0 = sky), geometry, primitive
 //      `velocity`: displacement, px over the exposure
@@ -14,14 +13,14 @@
 // Method: cells with `certain` = 1 that are not beside a refuted cell take the mean of `samples` texels along the motion;
 //   static cells, and pixels that no motion reaches, copy `color`. Other pixels trace rays at some of the n times of the loop:
 //   1. Trace first rays at every k-th time. k is the largest power of two such that a surface that moves by `longest`
-//      moves at most `pace` image widths between two rays.
-//   2. Between two successive rays, at the times number a < b, estimate the colours and their error. If both rays hit one
-//      surface and the raster image shows both points, the times between get the colours of that surface's texels along
-//      its path, and the error is the larger difference between a ray and its texel. Otherwise the times between get
-//      the mean of both rays, and the error is the difference of their colours. The channel with the largest error
-//      counts.
-//   3. If the raster image shows a surface that is at the pixel at a time between, add to the error the difference of that
-//      texel from the more similar ray, divided by b - a.
+//      over the exposure moves at most `pace` image widths between two rays.
+//   2. For two successive rays, at the times number a < b, estimate the colours at the times between, and their error.
+//      A difference of two colours is the difference of the channel that differs most.
+//      - If both rays hit one surface and the raster image shows both hit points, use the colours of the surface's
+//        texels along its path. The error is the larger difference between a ray and its texel.
+//      - Otherwise use the mean of both rays. The error is the difference of the two rays.
+//   3. For each time between: if the raster image shows a surface that is at the pixel at that time, compare the colour
+//      of its texel with both rays, and add the smaller difference, divided by b - a, to the error.
 //   4. Trace a ray half-way between if error * (b - a)/n > `allowance`. Then repeat steps 2 to 4 for both halves.
 // Fails: misses a surface that appears and disappears between two rays of equal colour, unless the raster image shows it.
 #include "lib/blur.glsl"
@@ -49,7 +48,7 @@ bool isShownAt(ivec2 at, uvec2 id, float depth, out vec3 color) {
   return true;
 }
 
-// Position in the raster image, texels, at most two texels outside.
+// Position in the raster image, texels, clamped to at most two texels outside of the image.
 vec2 clamped(vec3 place) { return clamp(vec2(place), vec2(-2), vec2(frame.size) + 1.0); }
 
 // True if the raster texel nearest to `place` (texel, view depth) shows the surface `id`. `color`: as for isShownAt.

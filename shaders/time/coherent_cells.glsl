@@ -7,13 +7,16 @@
 // Out: `certain`: 1 if the gather is reliable, 1/2 if the cell is static, 1/4 if a ray refuted one of these two cases,
 //        otherwise 0
 //      `longest`: longest displacement of the surfaces that reach the cell, px over the exposure
-// Method: join the bounds of all cells that contain surfaces which reach this cell, or texels that a gather in this cell reads.
-//   If the diagonal of the joined box is at most `apart_px`, validate the cell with `validation_rays` rays. Each ray has a
-//   random pixel of the cell and its own part of the exposure. The ray must hit the point that the pixel's displacement brings
-//   there. Otherwise a surface is present that the displacements of the raster time do not describe: with a curved path,
-//   disoccluded, or from outside the image. The cell is then not certain. If the point hit moves faster than the cell,
-//   `longest` is the displacement of this point. Otherwise another surface, of unknown motion, has moved away, and
-//   `longest` is kAssumedDisplacement image widths.
+// Method: join the bounds of all cells that contain surfaces which reach this cell, or texels that a gather in this
+//   cell reads. If the diagonal of the joined box is at most `apart_px`, validate the cell with `validation_rays` rays.
+//   Each ray has a random pixel of the cell and its own part of the exposure. The ray must hit the point that the
+//   pixel's displacement brings to the pixel at the ray's time. Otherwise the cell has a surface that the displacements
+//   of the raster time do not describe: it has a curved path, is disoccluded, or comes from outside the image.
+//   `certain` is then 1/4, and `longest` is one of these:
+//   - if the ray hits a point that moves farther than all displacements of the cell: the displacement of this point, at
+//     most kAssumedDisplacement image widths;
+//   - otherwise: kAssumedDisplacement image widths, because another surface, of unknown motion, has uncovered the
+//     point.
 // Fails: misses a surface much smaller than a cell that the raster image does not show and no ray hits.
 #include "lib/bounds.glsl"
 #include "lib/random.glsl"
@@ -71,9 +74,14 @@ bool shows(ivec2 at, uint id) {
   return false;
 }
 
-// True if validation ray `number` of the cell hits the point that the motion brings to the ray's pixel at the ray's time, and
-// the raster image shows that point. Tolerance: half a pixel, for the rounding of a tap, and `apart_px`. `found`: displacement
-// of the hit point, px over the exposure, from its places at the raster time and at the ray's time.
+// True if validation ray `number` of the cell confirms the motion of its pixel. By the pixel's displacement, the
+// surface at the pixel at the ray's time is at the position `expected` at the raster time. Two conditions must hold:
+// - The point that the ray hits is at `expected` at the raster time, within half a pixel (for the rounding of a tap)
+//   plus `apart_px`. If the ray hits the sky, this is not tested.
+// - The raster image shows the hit instance (or the sky) at most one pixel away from `expected`.
+// `found`: output; displacement of the hit point, px over the exposure, from its positions at the raster time and at
+// the ray's time; 0 if the point is not in front of the camera at the raster time. For the sky: displacement of the
+// pixel.
 bool isConfirmed(ivec2 cell, uint number, out vec2 found) {
   uint index = uint(cell.y * pass_size().x + cell.x);
   uint random = randomUint(index, number, 3u);

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Adds one time sample to each pixel's mean, by distributed ray tracing in time (Cook, Porter, Carpenter 1984).
+// Adds one time sample to each pixel's mean, by distributed ray tracing in time (Cook, Porter, Carpenter 1984). To skip
+// rays, ground truth runs this pass in two loops: the first samples, then the other samples, which use the consensus of
+// the first.
 // In:  `hit`: raster layer: instance + 1 (0 = sky), geometry, primitive
 //      `pixel_list`: pixels to sample; absent: all pixels
 //      `light_visibility`: per shadow tile, bits of the lights visible (x) and blocked (y) from all its surfaces; absent: none
-//      `known_hit`, `known_shadows`, `even_color`: consensus of the first samples (truth/sample_consensus.glsl); absent: none
-//      `first_static`, `first_static_mean`, `first_regions`: outputs `static_background`, `static_mean` and `regions` of the
-//        loop of the first samples, if this is the second loop; absent: none
+//      `known_hit`, `known_shadows`, `even_color`: consensus of the first samples (truth/sample_consensus.glsl), in the
+//        second loop; absent: none
+//      `first_static`, `first_static_mean`, `first_regions`: outputs `static_background`, `static_mean` and `regions`
+//        of the first loop, in the second loop; absent: none
 // Out: all outputs are updated. `mean_a`, `mean_b`: rgb: mean linear radiance of each half of the samples; alpha: their number
 //      `regions`: regions for the report of errors: bits 1 inner, 2 hidden, 4 outer, 8 self (lib/regions.glsl)
-//      `static_background`: common surface of the static hits, with its distance (lib/consensus.glsl). With `pixel` = box, the
-//        common surface of the moving hits if no hit is static
+//      `static_background`: common surface of the static hits, with its distance (lib/consensus.glsl). If no hit is
+//        static, `pixel` = box stores the common surface of the moving hits instead
 //      `static_mean`: rgb: mean linear radiance of the static hits; alpha: number of static hits
 //      `contrast`: largest difference of a static sample's radiance from the mean before the sample, as a share of that mean
 //      `shadows`: visible and blocked lights on two instances (lib/consensus.glsl)
@@ -58,16 +61,18 @@ uvec4 idsOf(Hit hit) {
 // shadows. Computed only for samples that trace all rays, for validation.
 bool is_mismatch = false;
 
-// True if the camera is static and `ids`, a summary of the hits of several samples (lib/consensus.glsl), has a single surface,
-// which belongs to a moving instance. Later hits on static surfaces replace such a summary. Always false with a moving camera:
-// the surfaces in a summary are then hits at the raster time, which are kept on moving instances too.
+// True if the camera is static and `ids`, a summary of the hits of several samples (lib/consensus.glsl), has a single
+// surface, which belongs to a moving instance. Later hits on static surfaces replace such a summary. Always false with
+// a moving camera: a summary then holds hits of rays at the raster time. Hits on moving instances are then as good as
+// hits on static ones, and nothing replaces them.
 bool isMoving(uvec4 ids) {
   return frame.camera_rests != 0u && isOneSurface(ids) && ids.x != kSkySurface && instanceAt(instanceOf(ids)).moves != 0u;
 }
 
-// True if the hit point is occluded at the raster time, or behind the near plane at that time. The ray ends 2^-12 of the
-// distance before the point, because the point's own surface lies there. With a static camera, two tests need fewer rays: only
-// moving surfaces occlude a static point, and nothing occludes a rigid instance that is in front of all others.
+// True if the hit point is occluded at the raster time, or behind the near plane at that time. The ray ends 2^-12 of
+// the distance before the point, because the point's own surface lies there. A static camera saves work in two cases.
+// For a static point, the ray tests only moving surfaces; no ray is traced if no moving surface can be at the pixel. A
+// point on a rigid instance that is in front of all others needs no ray.
 bool wasOccluded(ivec2 pixel, Hit hit) {
   bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
   if (by_moving && !isReachedAt(SLICE_RASTER, pixel)) return false;
@@ -102,10 +107,10 @@ uint wantedRegions(ivec2 pixel, Hit hit, uint known) {
   return (known & wanted) != wanted ? wanted : 0u;
 }
 
-// Bits of the report regions of a sample. They compare the hit with the surface that the raster layer shows at the pixel.
-// `is_static`: neither camera nor instance has moved since the raster time; a comparison of depths then replaces the occlusion
-// test. `hidden`: result of the occlusion test if `is_static` is false: bits of the regions of an occluded point, or 0 if the
-// point is visible at the raster time.
+// Bits of the report regions of a sample. They compare the hit with the surface that the raster layer shows at the
+// pixel. `is_static`: true if neither camera nor instance has moved since the raster time; a comparison of depths then
+// replaces the occlusion test. `hidden`: used if `is_static` is false; bits to set because the point is occluded at the
+// raster time, or 0 if the point is visible then.
 uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_static, uint hidden) {
   uvec4 ids = hit_at(pixel);
   uint id = isHit(hit) ? hit.instance + 1u : 0u;
@@ -222,9 +227,10 @@ bool contradicts(Known known, Hit hit) {
 }
 
 // Shadows at the hit point that the first samples agree on (form of lib/consensus.glsl); 0 if unknown. With a static
-// camera, they are stored at the pixel itself; with a moving camera, they are stored at the pixel that shows the point
-// at the raster time. `is_shown`: true if the camera moves and the first samples in that pixel hit only the point's
-// triangle, so that the raster image is assumed to show the point.
+// camera, the shadows are stored at the pixel itself. With a moving camera, they are stored at the pixel where the
+// point is at the raster time.
+// `is_shown`: output; true if, with a moving camera, the first samples agree on the point's triangle at that pixel. The
+// raster image is then assumed to show the point.
 uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   is_shown = false;
   if (!kFrozen || !isHit(hit)) return 0u;
@@ -283,9 +289,9 @@ void recordMoving(ivec2 pixel, Hit hit) {
   if (before.x == kNoSurface || isMoving(before)) imageStore(static_background_img, pixel, withSurface(before, idsOf(hit)));
 }
 
-// Records a surface and its shadows for the consensus and for later samples. The surface is a static hit, or the hit of a probe
-// at the raster time. `background_t`: distance of the hit along its ray. Returns true if an earlier sample of the pixel has
-// recorded such a surface.
+// Records a surface and its shadows for the consensus and for later samples. The surface is a static hit, or the hit of
+// a probe, an extra ray at the raster time without shading. `background_t`: distance of the hit along its ray. Returns
+// true if an earlier sample of the pixel has recorded such a surface.
 bool recordSurface(ivec2 pixel, Hit hit, float background_t) {
   uvec4 before = imageLoad(static_background_img, pixel);
   bool is_first = before.x == kNoSurface || isMoving(before);

@@ -7,7 +7,8 @@
 //      `shadows`: visible and blocked lights on two instances (lib/consensus.glsl)
 // Out: `known_hit`: surface that the samples of all nine pixels agree on, and its triangle if they agree on one; x = 0 without
 //        a consensus
-//      `known_shadows`: visible and blocked lights on the pixel's two instances that all samples confirm (lib/consensus.glsl)
+//      `known_shadows`: for each of the two instances recorded for the pixel, the lights that are visible, or blocked,
+//        in all samples of all nine pixels (lib/consensus.glsl)
 //      `even_color`: rgb: linear radiance; alpha: 1 if all samples hit one surface and their radiance differs by at most the
 //        share `even_within`, otherwise 0
 //      `more`: 0 if these samples are enough, otherwise 1

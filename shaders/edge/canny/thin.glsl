@@ -10,9 +10,10 @@
 // Fails: where three edges meet, one edge may end a pixel early.
 #include "lib/blur.glsl"
 
-// Factor on a gradient, before it is rounded to one of eight directions: 1 / (2 tan 22.5 deg). The larger component of
-// the gradient is 1 before this scaling. A gradient at most 22.5 degrees from an axis rounds to this axis, any other
-// gradient to a diagonal.
+// Factor that rounds a gradient to one of eight directions: 1 / (2 tan 22.5 deg). The gradient is first scaled so that
+// its larger component is 1 or -1. Then both components are multiplied by this factor and rounded to integers. The
+// larger component becomes 1 or -1. The smaller component becomes 0 if the angle to the axis is below 22.5 degrees,
+// because its value is then below 1/2; otherwise it becomes 1 or -1.
 const float kSector = 1.2071068;
 
 // Strength of the edge at a pixel: length of the gradient; 0 outside the image.
