@@ -40,7 +40,7 @@ local function together(motion, nodes)
   return moves
 end
 
--- Returns the expectation that, for the vase of the paper's figure 1, the paper's claim holds.
+-- Returns the expectation that a claim of the paper (Tan, Cui and Bhojan 2020) holds for the vase of its figure 1.
 local function corresponds(shot)
   return { "hybrid has a smaller error than both post-processes, by RMSE and by FLIP of the whole picture",
     shot = shot, function(r)

@@ -54,7 +54,7 @@ end
 -- Returns the parameters of detectors that compute gradients.
 function edge_ports.gradients()
   return edge_ports.steps {
-    norm = pass.choice { "l1", "l2", default = "l2", doc = "norm of the gradient, a vector of two components",
+    norm = pass.choice { "l1", "l2", default = "l2", doc = "norm that gives the length of the gradient from its two components",
       values = {
         l1 = "Sum of the magnitudes of both components. Fails for diagonals: a diagonal gradient counts 41 % more than an " ..
              "equally long one along an axis.",

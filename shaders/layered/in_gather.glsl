@@ -53,7 +53,7 @@ Path dominantOf(ivec2 pixel, bool after) {
 
 ivec2 tapFor(ivec2 pixel, Path path, float t) { return nextTexel(pixel, path, t); }
 
-// A surface in front of the background. `share`, 0 to 1: coverage of the background.
+// A surface in front of the background. `share`, 0 to 1: the part of the background that the surface covers.
 struct Cover {
   vec3 color;
   float depth;

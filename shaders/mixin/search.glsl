@@ -48,7 +48,7 @@ struct Slope {
   bool is_known;
 };
 
-// Slope at `texel`, which has this path, along `axis`, (1, 0) or (0, 1). The slope is taken to the first of the two
+// Slope at `texel` along `axis`, (1, 0) or (0, 1). `path`: path at `texel`. The slope is taken to the first of the two
 // neighbours that is on the same object. A neighbour counts as on the same object if its tap offset and its
 // displacement differ by at most kMostSlope from the tap offset and the displacement of `texel`.
 Slope slopeOf(int layer, ivec2 texel, ivec2 axis, Path path, float t) {

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Cells where the pipeline `poses` averages raster poses, because every surface of the cell moves and a gather is not reliable.
+-- Cells where every surface moves and a gather is not reliable. There, the pipeline `poses` averages raster images of several
+-- times.
 local pass = require "strobe.pass"
 
 return pass.compute {
-  doc    = "Cells where every surface moves and a gather is not reliable; raster poses are averaged there",
+  doc    = "Cells where every surface moves and a gather is not reliable; there, raster images of several times are averaged",
   size   = { of = "certain" },
   reads  = {
     bounds  = { doc = "least and greatest displacement in each cell, component by component, px over the exposure" },
