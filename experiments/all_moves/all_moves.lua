@@ -4,7 +4,7 @@
 local experiment = require "strobe.experiment"
 
 local base, layers, drawn = "McGuire 2012", "hybrid_layered", "accumulation buffer"
-local few, equal = "truth, 4 samples", "truth, 16 samples"  -- `equal` has as many samples as the methods
+local few, equal = "truth, 4 samples", "truth, 16 samples"  -- `equal`: as many samples as the other arms
 local qualities = { 0.1, 0.2, 0.4 }
 
 local function adaptive(quality) return ("adaptive, quality %g"):format(quality) end

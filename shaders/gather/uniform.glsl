@@ -39,8 +39,8 @@ Tap tapAt(ivec2 pixel) {
   return Tap(texel.color, texel.depth, texel.d, limited(velocity_post_at(pixel)));
 }
 
-// Result of the test if a tap's surface passes over the pixel. `d`: displacement of the surface in the segment where it passes,
-// px over the exposure.
+// Result of the test whether a tap's surface passes over the pixel. `d`: displacement of the surface, px over the exposure; of
+// motion in two segments, the displacement of the segment in which it passes.
 struct Passing {
   bool passes;
   vec2 d;

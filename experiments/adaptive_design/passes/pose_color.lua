@@ -11,7 +11,7 @@ return pass.trace {
   reads = {
     hit   = { uint = true, doc = "surface of the pose, by indices: instance + 1 (0 for the sky), geometry, triangle" },
     drawn = { absent = 1, doc = "per cell, above 1/2 where the colours of the pose are wanted" },
-    rest  = { absent = 0, doc = "colour of all other cells, linear radiance" },
+    rest  = { absent = 0, doc = "colour of the cells whose value of `drawn` is at most 1/2, linear radiance" },
     color = { doc = "colour of the raster layer, linear radiance" },
     depth = { doc = "linear view depth of the raster layer, metres; +inf for the sky" },
     id    = { uint = true, doc = "instance index + 1, geometry index + 1 of the raster layer; 0 for the sky" },
