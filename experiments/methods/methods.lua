@@ -37,6 +37,7 @@ local shots = {
 
 -- Sizes of the pictures. The displacement over the exposure is a twentieth of the width.
 local measured = "1280x720"  -- errors are read at this size
+local moving = "camera"      -- the shot that is drawn at this size only, because ground truth takes a minute per frame
 local sizes = { ["1280x720"] = { 1280, 720 }, ["1920x1080"] = { 1920, 1080 } }
 
 local function error_of(r, shot_name, arm) return r.at { shot = shot_name, arm = arm, picture = measured }.flip end
@@ -63,6 +64,7 @@ return experiment {
       return set
     end,
   } },
+  skip = function(point) return point.shot == moving and point.picture ~= measured end,
   regions = { "whole" },
   measures = { "rmse", "psnr", "ssim", "flip", "ms", "ms_ratio", "rays" },
   expect = {
@@ -86,12 +88,16 @@ return experiment {
       end
       return least >= 5, ("%.1f times"):format(least)
     end },
-    { "the time of every method grows from 1280x720 to 1920x1080 by 1.8 to 2.7 times; the number of pixels grows by 2.25 times",
+    { "in every shot with a static camera, the time of every method grows from 1280x720 to 1920x1080 by 1.8 to 2.7 times; " ..
+      "the number of pixels grows by 2.25 times",
       function(r)
         local least, most = math.huge, 0
-        for _, arm in ipairs(arms) do
-          local small, large = r.at { arm = arm.name, picture = measured }, r.at { arm = arm.name, picture = "1920x1080" }
-          least, most = math.min(least, large.ms / small.ms), math.max(most, large.ms / small.ms)
+        for _, one in ipairs(shots) do
+          for _, arm in ipairs(one.name == moving and {} or arms) do
+            local small = r.at { shot = one.name, arm = arm.name, picture = measured }
+            local large = r.at { shot = one.name, arm = arm.name, picture = "1920x1080" }
+            least, most = math.min(least, large.ms / small.ms), math.max(most, large.ms / small.ms)
+          end
         end
         return least >= 1.8 and most <= 2.7, ("%.2f to %.2f"):format(least, most)
       end },
