@@ -162,7 +162,8 @@ end, "in some scenes, layers at the raster time contain all surfaces that are vi
 also("in every scene, adaptive has at most 1.5 times the error of each point of another pipeline, in the same time", function(r)
   local good, texts = scene_by_scene(r, "ms", 1 / 1.5)
   return good == #shots, ("in %d of %d; %s"):format(good, #shots, table.concat(texts, "; "))
-end)
+end, "in these scenes, little moves in front of a static background, which truth traces once; or layers at the raster time " ..
+  "contain all surfaces that are visible at any time")
 also("the first setting, a quality of 0, is on the front if the post-process that it equals is not counted", function(r)
   local curve, list = fronts(r, "ms")
   local names = {}
@@ -211,7 +212,7 @@ also("in every scene, each increase of quality takes at least 0.95 times the tim
     end
   end
   return #texts == 0, table.concat(texts, "; ")
-end)
+end, "frames take a few milliseconds, and their times vary by more than this bound")
 
 return experiment {
   title    = "Adaptive",

@@ -2,8 +2,7 @@
 // Average of `taps` colours along the pixel's own displacement.
 // In:  `color`: linear radiance. `velocity`: displacement, px over the exposure, y down.
 // Out: `color`: linear radiance, alpha 1.
-// Method: for pixel X, mean of the colours at X - t * displacement over the sample times t. The unit of t is the
-//   exposure, and t = 0 is the raster time.
+// Method: mean of the colours at X - t * displacement for pixel X; t: sample times, in exposures (0: raster time).
 // Fails: moving surfaces are not blurred over static ones, and disoccluded background is missing.
 #include "lib/times.glsl"
 

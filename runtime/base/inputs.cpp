@@ -43,20 +43,37 @@ size_t behindBlanks(const std::string& text, size_t at) {
 
 bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Position after the help text `doc = STRING .. STRING` or `fails = STRING` that begins at `at`; `at` without one.
-size_t behindHelpText(const std::string& text, size_t at) {
+// Strings joined by "..", from the string that begins at `at`. `end`: position after the last string; `at` without one.
+// `is_prose`: one of the quoted strings has three words or more.
+struct Joined {
+  size_t end;
+  bool is_prose = false;
+};
+
+Joined joinedStrings(const std::string& text, size_t at) {
+  Joined joined{at};
+  for (size_t string = at, end; string < text.size() && (end = behindString(text, string)) > string;) {
+    const auto first = text.begin() + std::ptrdiff_t(string), last = text.begin() + std::ptrdiff_t(end);
+    joined.is_prose = joined.is_prose || (text[string] != '[' && std::count(first, last, ' ') >= 2);
+    joined.end = end;
+    const size_t dots = behindBlanks(text, end);
+    if (text.compare(dots, 2, "..") != 0) break;
+    string = behindBlanks(text, dots + 2);
+  }
+  return joined;
+}
+
+// Position after the text for people that begins at `at`: a field `doc` or `fails`, or strings with prose; `at` without
+// one.
+size_t behindProse(const std::string& text, size_t at) {
+  if (const Joined joined = joinedStrings(text, at); joined.is_prose) return joined.end;
   if (at > 0 && isWordCharacter(text[at - 1])) return at;
   for (const std::string field : {"doc", "fails"}) {
     size_t equals = behindBlanks(text, at + field.size());
     if (text.compare(at, field.size(), field) != 0 || text.compare(equals, 1, "=") != 0) continue;
-    size_t end = at, value = behindBlanks(text, equals + 1);
-    while (behindString(text, value) > value) {
-      end = behindString(text, value);
-      size_t dots = behindBlanks(text, end);
-      if (text.compare(dots, 2, "..") != 0) break;
-      value = behindBlanks(text, dots + 2);
-    }
-    return end;
+    const size_t value = behindBlanks(text, equals + 1);
+    const Joined joined = joinedStrings(text, value);
+    if (joined.end > value) return joined.end;
   }
   return at;
 }
@@ -87,13 +104,27 @@ std::string withoutBlankEnds(const std::string& text) {
   return lines;
 }
 
+// Code without the blanks that separate no words.
+std::string withoutBlanks(const std::string& text) {
+  std::string code;
+  for (size_t at = 0; at < text.size();) {
+    const size_t next = behindBlanks(text, at);
+    const bool separates =
+        !code.empty() && isWordCharacter(code.back()) && next < text.size() && isWordCharacter(text[next]);
+    if (next > at && separates) code += ' ';
+    if (next < text.size()) code += text[next];
+    at = next + 1;
+  }
+  return code;
+}
+
 }  // namespace
 
 std::string withoutComments(const std::string& text, Language language) {
   std::string code;
   for (size_t at = 0; at < text.size();) {
     size_t ignored = behindComment(text, language, at);
-    if (language == Language::lua) ignored = std::max(ignored, behindHelpText(text, at));
+    if (language == Language::lua) ignored = std::max(ignored, behindProse(text, at));
     if (ignored > at) {
       code += ' ', at = ignored;
       continue;
@@ -108,7 +139,9 @@ std::string withoutComments(const std::string& text, Language language) {
 std::string inputHash(const Path& file) {
   const std::string text = readText(file);
   const std::optional<Language> language = languageOf(file);
-  return sha256(language ? withoutBlankEnds(withoutComments(text, *language)) : text);
+  if (!language) return sha256(text);
+  const std::string code = withoutComments(text, *language);
+  return sha256(*language == Language::lua ? withoutBlanks(code) : withoutBlankEnds(code));
 }
 
 }  // namespace strobe

@@ -91,7 +91,7 @@ function Results.shown(wanted)
   local parts, names = {}, check.names(wanted)
   table.sort(names)
   for i, name in ipairs(names) do parts[i] = ("%s = %s"):format(name, shown(wanted[name])) end
-  return #parts > 0 and table.concat(parts, ", ") or "any point"
+  return #parts > 0 and table.concat(parts, ", ") or "anything"
 end
 
 local function is_missing(data, name)

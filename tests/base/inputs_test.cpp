@@ -31,6 +31,15 @@ TEST(Inputs, HelpTextsOfLua) {
     EXPECT_EQ(lua(kept), kept);
 }
 
+// A string of three words or more is a text for people. With it go the strings that ".." joins to it.
+TEST(Inputs, ProseOfLua) {
+  EXPECT_EQ(lua("refuse(path, 'has no name', x)"), "refuse(path,  , x)");
+  EXPECT_EQ(lua("{ 'one' ..\n 'two of three' .. x }"), "{   .. x }");
+  EXPECT_EQ(lua("values = { sky = \"The sky alone\" }"), "values = { sky =   }");
+  for (const char* kept : {"name = 'McGuire 2012'", "{ 'one' .. 'two three' }", "[[ int a = 1; ]]", "a[b .. 'c d']"})
+    EXPECT_EQ(lua(kept), kept);
+}
+
 TEST(Inputs, CommentsOfGlsl) {
   EXPECT_EQ(glsl("a / b; // one\nc"), "a / b;  \nc");
   EXPECT_EQ(glsl("a /* two\nlines */ b"), "a   b");
@@ -48,6 +57,11 @@ TEST(Inputs, HashesOfFiles) {
   EXPECT_EQ(hash("b.h", "float a;\n/* */\nfloat b;\n"), plain);
   EXPECT_NE(hash("b.glsl", "float a;\nfloat c;\n"), plain);
   EXPECT_NE(hash("b.glsl", "float a; float b;\n"), plain);
+  const std::string call = hash("a.lua", "return f(a, 'one', b)");
+  EXPECT_EQ(hash("b.lua", "-- Calls f.\nreturn f(a,  -- one\n         'one',\tb)\n"), call) << "wrapped";
+  EXPECT_EQ(hash("b.lua", "return f( a , 'one' ,b)"), call);
+  EXPECT_NE(hash("b.lua", "returnf(a, 'one', b)"), call);
+  EXPECT_NE(hash("b.lua", "return f(a, 'two', b)"), call);
   EXPECT_EQ(hash("c.txt", "abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad") << "FIPS 180-4";
   EXPECT_NE(hash("c.txt", "abc // d"), hash("c.txt", "abc // e"));
   EXPECT_THROW(inputHash(folder / "missing.lua"), Error);

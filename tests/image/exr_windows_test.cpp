@@ -111,8 +111,8 @@ TEST_F(ExrWindows, APartOfThePictureIsNotStretched) {
 TEST_F(ExrWindows, RefusalsNameBothWindows) {
   std::string larger = refusal(plain_, read(fileOf(image_, 0, 0, 50, 40)));
   EXPECT_EQ(larger,
-            "the reference has 50x40 pixels (data window 0,0 to 39,29 in the display window 0,0 to 49,39), the test "
-            "image 40x30 pixels");
+            "the reference has 50x40 pixels (data window 0,0 to 39,29 in the display window 0,0 to 49,39), but the "
+            "test image has 40x30 pixels");
   std::string outside = refusal(plain_, read(fileOf(image_, 60, 0, 40, 30)));
   EXPECT_NE(outside.find("data window 60,0 to 99,29 in the display window 0,0 to 39,29"), std::string::npos) << outside;
 }

@@ -136,7 +136,7 @@ TEST(PngColour, UnusedProfilesAreNamed) {
   std::string profile = chunk("iCCP", std::string("Wide\0\0", 6) + zlib(std::string(128, '\0')));
   EXPECT_NE(notesOf(read(png(8, grey({9}), profile))), "");
   std::string pq = notesOf(read(png(16, grey({9}), chunk("cICP", {9, 16, 0, 1}))));
-  EXPECT_EQ(pq, "its cICP chunk (9 16 0 1) is not used: only sRGB (1 13 0 1) is");
+  EXPECT_EQ(pq, "its cICP chunk (9 16 0 1) is not used: only sRGB (1 13 0 1) is supported");
 }
 
 // A header alone must not take memory.

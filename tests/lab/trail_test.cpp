@@ -177,7 +177,7 @@ TEST(Trail, WhatIsNotFiniteIsNamed) {
   Trail trail = {"p", 0, 0, 64, 40, {rowOf("rgba32f", {NAN, inf, -inf})}, {}};
   EXPECT_EQ(toJson(trail)["passes"][0]["values"], Json::parse(R"(["nan", "inf", "-inf"])"));
   EXPECT_NE(tableOf(trail).find("nan  inf  -inf"), std::string::npos);
-  EXPECT_NE(tableOf(trail).find("meets nothing"), std::string::npos);
+  EXPECT_NE(tableOf(trail).find("no surface on the ray"), std::string::npos);
 }
 
 }  // namespace trail_test

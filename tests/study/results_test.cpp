@@ -161,7 +161,7 @@ TEST(Results, ContradictionsAreNamed) {
                           {"fifth", "", "", "does not apply", "", ""}};
   EXPECT_EQ(results.contradicted(),
             (std::vector<std::string>{"expectation fails: second (3 > 2)",
-                                      "expectation holds; it is said to fail: the floor is too high: fourth"}));
+                                      "expectation holds; known to fail: the floor is too high: fourth"}));
 }
 
 // Names and numbers by which results are laid out; and a file that was altered anywhere.
@@ -178,7 +178,7 @@ TEST(Results, DamageIsRefused) {
   };
   EXPECT_EQ(refusal([](Json&) {}), "");
   EXPECT_EQ(refusal([](Json& json) { json["measures"][0] = "rmsf"; }),
-            "result.json: is not a result of an experiment, or is damaged: there is no measure 'rmsf'; the same sweep "
+            "result.json: is not a result of an experiment, or is damaged: unknown measure 'rmsf'; the same sweep "
             "writes it again");
   for (const auto& [path, value] :
        std::vector<std::pair<std::string, Json>>{{"/size/0", 0},

@@ -24,20 +24,33 @@ NOT_RECORDED = "inputs are not recorded"
 SHIPPED, SHARED, PROJECT = "strobe:", "shared:", "project:"
 GLSL = re.compile(rb"(?P<kept>)(?://[^\n]*|/\*.*?\*/)", re.DOTALL)
 STRING = rb"""(?:"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|\[(?P<%s>=*)\[.*?\](?P=%s)\])"""
-HELP = rb"\b(?:doc|fails)\s*=\s*" + STRING % (b"a", b"a") + rb"(?:\s*\.\.\s*" + STRING % (b"b", b"b") + rb")*"
-LUA = re.compile(HELP + rb"|(?P<kept>" + STRING % (b"c", b"c") + rb")|--(?:\[(?P<d>=*)\[.*?\](?P=d)\]|[^\n]*)", re.DOTALL)
+JOINED = STRING + rb"(?:\s*\.\.\s*" + STRING + rb")*"  # strings joined by ".."
+HELP = rb"\b(?:doc|fails)\s*=\s*" + JOINED % (b"a", b"a", b"b", b"b")
+LUA = re.compile(HELP + rb"|(?P<kept>" + JOINED % (b"c", b"c", b"d", b"d") + rb")|--(?:\[(?P<e>=*)\[.*?\](?P=e)\]|[^\n]*)",
+                 re.DOTALL)
+ONE_STRING = re.compile(STRING % (b"a", b"a"), re.DOTALL)
 COMMENTS = {".glsl": GLSL, ".h": GLSL, ".lua": LUA}
 
 
+def code_of(match):
+    """A blank for a comment or a text for people; otherwise the matched code."""
+    code = match["kept"] or b" "
+    texts = (one.group() for one in ONE_STRING.finditer(code))
+    return b" " if any(not text.startswith(b"[") and text.count(b" ") >= 2 for text in texts) else code
+
+
 def hash_of(file):
-    """SHA-256 of a file. In Lua and GLSL, comments, help texts (fields `doc` and `fails`), blank lines and trailing
-    blanks do not count. inputHash of runtime/base/inputs.h returns the same hash."""
+    """SHA-256 of a file. In Lua and GLSL, comments and blanks without meaning do not count. In Lua, texts for people do not
+    count: fields `doc` and `fails`, and strings joined by ".." if one of these has three words or more. inputHash of
+    runtime/base/inputs.h returns the same hash."""
     data = Path(file).read_bytes()
-    comments = COMMENTS.get(Path(file).suffix)
-    if comments:
-        code = comments.sub(lambda match: match["kept"] or b" ", data)
-        lines = [line.rstrip(b" \t\r") for line in code.split(b"\n")]
-        data = b"".join(line + b"\n" for line in lines if line)
+    suffix = Path(file).suffix
+    if suffix in COMMENTS:
+        data = COMMENTS[suffix].sub(code_of, data)
+    if suffix == ".lua":
+        data = re.sub(rb"(?<!\w) | (?!\w)", b"", re.sub(rb"[ \t\r\n]+", b" ", data))
+    elif suffix in COMMENTS:
+        data = b"".join(line + b"\n" for line in (line.rstrip(b" \t\r") for line in data.split(b"\n")) if line)
     return hashlib.sha256(data).hexdigest()
 
 
@@ -76,9 +89,16 @@ def of_source(root, source):
     return {name: hash_of(file) for name, file in named.items() if file.is_file()}
 
 
+# Modules that check experiments and judge expectations. A test compares the points of each result with its experiment.
+NO_PICTURES = (SHIPPED + "scripts/strobe/experiment.lua", SHIPPED + "scripts/strobe/judge.lua")
+
+
 def changed(root, inputs, project):
-    """Names of inputs with changed content. Skips shared data if its folder is missing."""
+    """Names of inputs with changed content. Skips shared data if its folder is missing, and modules without effect on
+    pictures."""
     def is_changed(name, was):
+        if name in NO_PICTURES:
+            return False
         file = path_of(root, name, project)
         if name.startswith(SHARED) and not shared_folder(root).is_dir():
             return False
