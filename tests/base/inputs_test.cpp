@@ -27,7 +27,7 @@ TEST(Inputs, HelpTextsOfLua) {
   EXPECT_EQ(lua("{ fails='one' ..\n  [[two]], 3 }"), "{  , 3 }");
   EXPECT_EQ(lua("doc = 'one' .. x"), "  .. x");
   for (const char* kept : {"doc = text", "doc == 'one'", "doc('one')", "undoc = 'one'", "a_doc = 'one'",
-                           "\"doc = 'one'\"", "doc", "doc =", "docs = 'one'"})
+                           "\"doc='one'\"", "doc", "doc =", "docs = 'one'"})
     EXPECT_EQ(lua(kept), kept);
 }
 

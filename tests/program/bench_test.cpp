@@ -148,10 +148,10 @@ TEST_F(Bench, RefusesMisuse) {
 TEST_F(Bench, RefusesOtherRuns) {
   const std::string page = *folder_ / "out/index.html";
   expectRefusal("hybrid " + kShot + "--against " + page, 1, page + ": is not a run of `strobe bench frames`");
-  expectRefusal("hybrid " + kShot + "--against " + saved(), 1, "it has 'mcguire2012, oracles/bar, 32x18'");
-  expectRefusal(kMethods + kShot + "--exposure 0.25 --against " + saved(), 1, "is taken otherwise: exposure 0.5");
+  expectRefusal("hybrid " + kShot + "--against " + saved(), 1, "it also has 'mcguire2012, oracles/bar, 32x18'");
+  expectRefusal(kMethods + kShot + "--exposure 0.25 --against " + saved(), 1, "has other options: exposure 0.5");
   expectRefusal("hybrid " + kShot + "--against /bin/false", 1, "/bin/false: cannot run these shots: exit code 1");
-  expectRefusal("hybrid " + kShot + "--against /bin/true", 1, "/bin/true bench frames: this is no run");
+  expectRefusal("hybrid " + kShot + "--against /bin/true", 1, "/bin/true bench frames: is not a run of");
 }
 
 }  // namespace bench_test
