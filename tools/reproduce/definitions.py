@@ -78,7 +78,7 @@ FRAGMENTS = [
     ("docs/tuning.md", "of at most 1.1 times the base's", "an example of an option"),
     ("docs/writing-experiments.md", "until the 95 % interval", "a definition"),
     ("docs/writing-experiments.md", "differ by more than 1e-5, RMS", "a definition"),
-    ("docs/methods.md", "FLIP at 67 pixels per degree", "a definition"),
+    ("docs/methods.md", "FLIP at 67 pixels per\ndegree", "a definition"),
     ("docs/writing-experiments.md", "at 67 pixels per degree", "a definition"),
     ("docs/writing-experiments.md", "aims at 8 MB at most", "a limit"),
     ("docs/writing-experiments.md", "Intervals are 95 % confidence intervals", "a definition"),
