@@ -153,6 +153,7 @@ FIGURES = [
     captured("figure1"),
     captured("figure2"),
     picture("figure_rooms", "rooms", "rooms.svg", 2, compare="titles", because="Graphviz versions differ in layout"),
+    picture("figure_cells", "cells", "cells.png", 2, compare="pixels", share=0.002, step=2),
     picture("figure_frame", "frame", "frame.svg", 2, compare="titles", because="Graphviz versions differ in layout"),
     *[picture("figure_pass_" + name.replace(".", "_"), "passes", f"passes/{name}.png", 40, compare="pixels", share=0.002,
               step=2) for name in PASSES],

@@ -89,17 +89,19 @@ def of_source(root, source):
     return {name: hash_of(file) for name, file in named.items() if file.is_file()}
 
 
-# Modules that check experiments and judge expectations. A test compares the points of each result with its experiment.
-NO_PICTURES = (SHIPPED + "scripts/strobe/experiment.lua", SHIPPED + "scripts/strobe/judge.lua")
+# Modules that check experiments and judge expectations. No picture depends on them.
+JUDGES = (SHIPPED + "scripts/strobe/experiment.lua", SHIPPED + "scripts/strobe/judge.lua")
 
 
-def changed(root, inputs, project):
-    """Names of inputs with changed content. Skips shared data if its folder is missing, and modules without effect on
-    pictures."""
+def changed(root, inputs, project, is_result=False):
+    """Names of inputs with changed content. Skips modules that judge experiments, and shared data if its folder is missing.
+    `is_result`: inputs of a result. The file of its experiment does not count then: a test compares its points with it."""
+    experiment = project / f"{project.name}.lua"
+
     def is_changed(name, was):
-        if name in NO_PICTURES:
-            return False
         file = path_of(root, name, project)
+        if name in JUDGES or (is_result and file == experiment):
+            return False
         if name.startswith(SHARED) and not shared_folder(root).is_dir():
             return False
         return not file.is_file() or hash_of(file) != was
