@@ -93,14 +93,15 @@ def of_source(root, source):
 JUDGES = (SHIPPED + "scripts/strobe/experiment.lua", SHIPPED + "scripts/strobe/judge.lua")
 
 
-def changed(root, inputs, project, is_result=False):
+def changed(root, inputs, project, of_experiment=False):
     """Names of inputs with changed content. Skips modules that judge experiments, and shared data if its folder is missing.
-    `is_result`: inputs of a result. The file of its experiment does not count then: a test compares its points with it."""
+    `of_experiment`: inputs of a result, or of a sheet of its pictures. The file of the experiment does not count then: a test
+    compares the points of the result with it."""
     experiment = project / f"{project.name}.lua"
 
     def is_changed(name, was):
         file = path_of(root, name, project)
-        if name in JUDGES or (is_result and file == experiment):
+        if name in JUDGES or (of_experiment and file == experiment):
             return False
         if name.startswith(SHARED) and not shared_folder(root).is_dir():
             return False

@@ -63,7 +63,7 @@ def stale_files(root, pictures, marks):
         made_from[str(file.relative_to(root))] = json.loads(file.read_text()).get("inputs")
     pages, found = pages_by_file(root, marks), []
     for name, files in sorted(made_from.items()):
-        changed = inputs.changed(root, files or {}, (root / name).parent, name.endswith("/result.json"))
+        changed = inputs.changed(root, files or {}, (root / name).parent, name.startswith("experiments/"))
         if files is None or changed:
             found.append(Stale(name, changed, sorted(pages.get(name, ())), inputs.NOT_RECORDED if files is None else ""))
     return found
