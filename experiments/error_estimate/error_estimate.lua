@@ -48,7 +48,7 @@ return experiment {
           elseif at then others[#others + 1] = ("%s %.2f"):format(shot.title, at) end
         end
         return good >= 0.8 * all, ("%d of %d; outside: %s"):format(good, all, table.concat(others, ", "))
-      end, known = "the estimate assumes that colours change at once; where they change gradually, it is too large" },
+      end, known = "the reason is not measured: in six of these shots the estimate is too large, in one it is too small" },
     { "in no shot and at no quality is the mean estimate below a third of the mean error", function(r)
       local least, where = math.huge, ""
       for _, shot in ipairs(shots) do

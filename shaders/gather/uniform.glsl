@@ -39,8 +39,8 @@ Tap tapAt(ivec2 pixel) {
   return Tap(texel.color, texel.depth, texel.d, limited(velocity_post_at(pixel)));
 }
 
-// Result of the test whether a tap's surface passes over the pixel. `d`: displacement of the surface, px over the exposure; of
-// motion in two segments, the displacement of the segment in which it passes.
+// Result of the test whether a tap's surface passes over the pixel. `d`: displacement of the surface, px over the exposure. If
+// the motion has two segments, `d` belongs to the segment in which the surface passes.
 struct Passing {
   bool passes;
   vec2 d;
