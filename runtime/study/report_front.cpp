@@ -64,11 +64,13 @@ class Front {
     axis.title = titleOf(measure, layout_.region);
     double least = kUnbounded, most = 0;
     for (const Candidate& one : all_) {
-      double value = &measure == &x_ ? one.x : one.y;
-      least = std::min(least, value), most = std::max(most, value);
+      if (layout_.together || &measure == &x_) least = std::min(least, one.x), most = std::max(most, one.x);
+      if (layout_.together || &measure == &y_) least = std::min(least, one.y), most = std::max(most, one.y);
     }
     bool wide = least > 0 && most > 5 * least;
-    axis.kind = wide && measure.better == Better::lower ? page::Scale::Kind::log : page::Scale::Kind::linear;
+    // Both axes of y = x have one scale, so that the line is straight.
+    const bool log = wide && (layout_.together || measure.better == Better::lower);
+    axis.kind = log ? page::Scale::Kind::log : page::Scale::Kind::linear;
     axis.rounded = !wide;
     return axis;
   }
