@@ -3,12 +3,11 @@
 local preset = require "strobe.preset"
 
 return preset {
-  doc = "hybrid tuned on living_room, 320x180: least inner RMSE, 0.01362, within half of the time that the passes of hybrid " ..
-    "itself (without rasterisation and shading) take with default settings",
+  doc = "adaptive tuned on living_room, 320x180: least inner RMSE, 0.01668, within half of the time that the passes of " ..
+    "adaptive itself (without rasterisation and shading) take with default settings",
   set = {
-    composite = "in_gather",
-    depth_extent = 0.005,
-    max_layers = 16,
-    tile = 20,
+    quality = 0.283,
+    samples = 8,
+    tile = 27,
   },
 }
