@@ -15,7 +15,7 @@
 #include "base/extension.h"
 #include "base/numbers.h"
 #include "graph/pipelines.h"
-#include "lab/frame_facts.h"
+#include "lab/frame.h"
 #include "lab/workbench.h"
 #include "page/table.h"
 #include "plan/canonical.h"
@@ -322,27 +322,25 @@ struct PlanOptions {
 };
 
 // Size of the shot's scene, and tree nodes that a random line meets. Needs no device.
-std::string treeText(const lab::Shot& shot, const scene::Scene& scene) {
-  scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
-  scene::SceneTree tree = scene::treeOf(scene, pose);
+std::string treeText(const lab::Shot& shot, const scene::Scene& scene, const graph::FrameSetup& frame) {
+  scene::SceneTree tree = scene::treeOf(scene, frame.pose_at(frame.capture_s));
   std::string text = fmt::format("scene {}: {} in {}; ", shot.scene, countText(tree.triangles, "triangle"),
                                  countText(tree.instances, "instance"));
   return text + fmt::format("a random line meets {:.0f} nodes of their tree, or {:.0f} in the file's order\n",
                             tree.visits, tree.visits_as_given);
 }
 
-std::string motionText(const lab::Shot& shot, const scene::Scene& scene, int earlier_frames) {
-  scene::PixelArea reach = lab::frameSetup(shot, scene, earlier_frames).reach;
-  const bool camera_moves = lab::factsOf(shot, scene, earlier_frames).camera_moves;
-  return fmt::format("{}, in {}x{} of {}x{} px", camera_moves ? "the camera too" : "objects", reach.x1 - reach.x0,
-                     reach.y1 - reach.y0, shot.width, shot.height);
+std::string motionText(const lab::Shot& shot, const graph::FrameSetup& frame) {
+  const scene::PixelArea& reach = frame.motion.reach;
+  return fmt::format("{}, in {}x{} of {}x{} px", frame.facts.camera_moves ? "the camera too" : "objects",
+                     reach.x1 - reach.x0, reach.y1 - reach.y0, shot.width, shot.height);
 }
 
 // Facts of the frame, and the passes and memory that `planned` does not need. `whole`: the plan for any frame.
-std::string factsText(const lab::Shot& shot, const scene::Scene& scene, const plan::Plan& planned,
+std::string factsText(const lab::Shot& shot, const graph::FrameSetup& frame, const plan::Plan& planned,
                       const plan::Plan& whole) {
   std::string text = fmt::format("frame {} of {}\n", shot.frame, shot.scene);
-  const std::string motion = motionText(shot, scene, plan::earlierFrames(planned.pipeline));
+  const std::string motion = motionText(shot, frame);
   for (const plan::Fact& fact : plan::facts()) {
     std::string holds = fact.name == "motion" ? "yes: " + motion : "yes";
     text += fmt::format("  {}: {}\n", fact.name, plan::lacks(planned, fact.name) ? "no, " + fact.absent : holds);
@@ -360,13 +358,14 @@ void plan(const Home& home, const PlanOptions& options) {
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
   // The plan is the same for all backends that trace rays in compute.
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
-  plan::Plan planned = lab::planOf(shot, pipeline, backend, lab::absentFacts(in_scene, loaded.scene, pipeline));
+  const graph::FrameSetup frame = lab::frameOf(in_scene, loaded.scene, plan::earlierFrames(pipeline));
+  plan::Plan planned = lab::planOf(shot, pipeline, backend, lab::absentFacts(frame, pipeline));
   std::string text = options.dot    ? plan::toDot(planned)
                      : options.json ? plan::toJson(planned).dump(2) + "\n"
                                     : plan::describe(planned);
   if (!options.dot && !options.json)
-    text += factsText(in_scene, loaded.scene, planned, lab::planOf(shot, pipeline, backend)) +
-            treeText(in_scene, loaded.scene);
+    text += factsText(in_scene, frame, planned, lab::planOf(shot, pipeline, backend)) +
+            treeText(in_scene, loaded.scene, frame);
   std::fputs(text.c_str(), stdout);
 }
 

@@ -13,6 +13,7 @@
 #include "image/png.h"
 #include "lab/budget.h"
 #include "lab/capture.h"
+#include "lab/frame.h"
 #include "lab/session.h"
 #include "lab/tev.h"
 #include "lab/trail.h"
@@ -127,10 +128,11 @@ std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::P
 void exportShot(const Home& home, const RenderOptions& options, lab::Shot shot) {
   requireWritable(options.mitsuba, "--export-mitsuba");
   const lab::LoadedScene loaded = lab::loadScene(home, shot);
-  const auto [open_s, close_s] = shot.window();
-  scene::MitsubaExport written =
-      scene::exportMitsuba(loaded.scene, lab::frameSetup(shot, loaded.scene).pose_at,
-                           {shot.captureTime(), open_s, close_s, open_s, shot.width, shot.height}, options.mitsuba);
+  const graph::FrameSetup frame = lab::frameOf(shot, loaded.scene);
+  scene::FrameView view;
+  view.capture_s = frame.capture_s, view.open_s = frame.open_s, view.close_s = frame.close_s;
+  view.height = shot.height;
+  scene::MitsubaExport written = scene::exportMitsuba(loaded.scene, frame.pose_at, view, options.mitsuba);
   if (shot.shutter_curve != "box")
     written.left_out.push_back(
         fmt::format("the shutter curve ({}): all times have the same weight", shot.shutter_curve));

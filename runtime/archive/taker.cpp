@@ -12,6 +12,7 @@
 #include "image/png.h"
 #include "lab/capture.h"
 #include "lab/controls.h"
+#include "lab/frame.h"
 #include "lab/record.h"
 #include "lab/shot_data.h"
 #include "lab/views.h"
@@ -76,7 +77,7 @@ Json recordOf(const lab::Picture& picture, const CapturedShot& shot) {
 
 // Centre of the geometry of each node at the raster time, metres.
 Json nodesOf(const lab::Shot& shot, const scene::Scene& scene) {
-  scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
+  scene::Pose pose = lab::frameOf(shot, scene).pose_at(shot.captureTime());
   std::vector<scene::Instance> instances = scene::instancesOf(scene);
   std::map<std::string, Bounds> bounds;
   for (size_t i = 0; i < instances.size(); ++i)

@@ -41,8 +41,8 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   frame.light_count = scene.lightCount();
   frame.sky = setup.environment.sky;
   frame.ground = setup.environment.ground;
-  frame.moving_rect = vectorOf(setup.reach);
-  frame.camera_rests = setup.camera_rests ? 1 : 0;
+  frame.moving_rect = vectorOf(setup.motion.reach);
+  frame.camera_rests = setup.facts.camera_moves ? 0 : 1;
   frame.moving_count = scene.movingCount();
   frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
   setCurve(setup.curve, frame);
@@ -56,13 +56,13 @@ static dvec3 frameOrigin(const FrameSetup& setup) { return dvec3(setup.pose_at(s
 static void setPose(world::GpuScene& scene, gpu::Staging& staging, uint32_t slice, const Plan& plan,
                     const FrameSetup& setup, double time_s, const dvec3& origin) {
   const scene::Pose pose = setup.pose_at(time_s);
-  const ivec4 moving = vectorOf(setup.area_at ? setup.area_at(pose) : setup.reach);
+  const ivec4 moving = vectorOf(setup.motion.area_at ? setup.motion.area_at(pose) : setup.motion.reach);
   scene.setPose(staging, slice, pose, double(plan.width) / plan.height, origin, moving);
 }
 
 void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const FrameSetup& setup) {
   dvec3 origin = frameOrigin(setup);
-  scene.setMotion(staging, setup.moves, setup.paths);
+  scene.setMotion(staging, setup.facts.moves, setup.motion.paths);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
   for (uint32_t slice : {SLICE_RASTER, SLICE_SHUTTER_OPEN, SLICE_SHUTTER_CLOSE, SLICE_PREVIOUS})
     setPose(scene, staging, slice, plan, setup, times[slice], origin);
@@ -85,11 +85,8 @@ FrameSetup partSetup(const FrameSetup& setup, const Plan& plan, const plan::Plan
   frame.capture_s = 0.5 * (frame.open_s + frame.close_s);
   frame.curve = {};
   frame.anchor = ANCHOR_CENTRE;
-  frame.reach = {0, 0, plan.width, plan.height};
-  frame.area_at = {};
-  frame.moves.clear();
-  frame.paths.clear();
-  frame.camera_rests = false;
+  frame.motion = {{0, 0, plan.width, plan.height}, {}, {}};
+  frame.facts = {};
   return frame;
 }
 

@@ -11,6 +11,7 @@
 #include "image/image.h"
 #include "math/shutter_curve.h"
 #include "plan/plan.h"
+#include "scene/facts.h"
 #include "scene/screen_motion.h"
 #include "world/gpu_scene.h"
 
@@ -28,11 +29,9 @@ struct FrameSetup {
   uint32_t seed = 0;
   vec2 subpixel = vec2(0);  // sample position relative to the pixel's centre, px
   scene::Environment environment;
-  scene::PixelArea reach;  // moving rectangle: all pixels that a moving instance may cover
-  std::function<scene::PixelArea(const scene::Pose&)> area_at;  // moving rectangle at one pose; empty: unknown
-  std::vector<bool> moves;                        // by instance: may move within the exposure; empty: all may
-  std::vector<scene::ScreenPath> paths;           // by instance; empty: unknown
-  bool camera_rests = false;                      // camera static within the exposure
+  scene::ScreenMotion motion;                     // in the picture; `paths` empty: unknown
+  scene::Facts facts;                             // of the scene; the initial value assumes everything
+  bool model_everything = false;                  // also run passes that the facts do not require
   const std::set<std::string>* wanted = nullptr;  // outputs and taps to read back; null: all
 };
 

@@ -27,8 +27,8 @@ class Recording {
   // Selects the plan and the frame in flight to record.
   void setFrame(const plan::Plan& plan, size_t frame, const FrameSetup& setup) {
     plan_ = &plan, frame_ = frame;
-    wanted_ = setup.wanted, reach_ = setup.reach, camera_rests_ = setup.camera_rests;
-    const scene::PixelArea& reach = setup.reach;
+    wanted_ = setup.wanted, reach_ = setup.motion.reach, camera_rests_ = !setup.facts.camera_moves;
+    const scene::PixelArea& reach = reach_;
     reaches_all_ = reach.x0 <= 0 && reach.y0 <= 0 && reach.x1 >= plan.width && reach.y1 >= plan.height;
   }
 

@@ -5,7 +5,7 @@
 
 #include "base/hash.h"
 #include "base/log.h"
-#include "lab/frame_facts.h"
+#include "lab/frame.h"
 #include "math/statistics.h"
 #include "plan/canonical.h"
 #include "plan/settings.h"
@@ -90,17 +90,17 @@ Shot Batch::filled(const Shot& shot) {
 
 // ---- plans and drawings
 
-const Batch::KnownPlan& Batch::known(const Shot& shot, const HeldScene& scene, const Outputs& outputs) {
+const Batch::KnownPlan& Batch::known(const Shot& shot, HeldScene& scene, const Outputs& outputs) {
   constexpr size_t kMost = 512;
   Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
   if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
-  std::string key =
-      fmt::format("{}x{}|{}|{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
-                  settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","),
-                  fmt::join(absentFacts(shot, scene.loaded.scene, *evaluated.pipeline), ","), fmt::join(outputs, ","));
+  const graph::FrameSetup& frame = scene.frame(shot, plan::earlierFrames(*evaluated.pipeline));
+  std::string key = fmt::format("{}x{}|{}|{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
+                                settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","),
+                                fmt::join(absentFacts(frame, *evaluated.pipeline), ","), fmt::join(outputs, ","));
   auto found = plans_.find(key);
   if (found != plans_.end()) return found->second;
-  KnownPlan known{plannedOf(bench_, shot, scene.loaded.scene, *evaluated.pipeline, outputs), ""};
+  KnownPlan known{plannedOf(bench_, shot, scene, *evaluated.pipeline, outputs), ""};
   known.identity = identityOf(*known.planned.plan);
   if (plans_.size() >= kMost) plans_.clear();
   return plans_[key] = std::move(known);

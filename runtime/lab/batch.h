@@ -113,7 +113,7 @@ class Batch {
   };
   Evaluated byScripts(const std::string& pipeline, const script::Settings& sets);
   std::shared_ptr<const Evaluation> derived(const std::string& pipeline, const script::Settings& sets);
-  const KnownPlan& known(const Shot& filled, const HeldScene& scene, const Outputs& outputs = {});
+  const KnownPlan& known(const Shot& filled, HeldScene& scene, const Outputs& outputs = {});
   Drawing& drawing(const Shot& filled, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs = {});
   void makeRoom(const plan::Plan& plan);
   const std::string& shadersOf(const plan::PassDesc& pass, graph::Backend backend);

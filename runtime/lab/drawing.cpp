@@ -8,82 +8,14 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "gpu/limits.h"
-#include "lab/camera_path.h"
-#include "lab/frame_facts.h"
+#include "lab/frame.h"
 #include "lab/record.h"
 #include "lab/warnings.h"
 #include "plan/canonical.h"
-#include "scene/depth_bounds.h"
-#include "scene/frame_poser.h"
-#include "scene/motion.h"
 #include "scene/tree_order.h"
-#include "shader/interface.h"
 #include "world/fits.h"
 
 namespace strobe::lab {
-
-// Camera at the first point, looking at the second; y is up, or z if the view is along y.
-static dmat4 worldFromView(const std::array<double, 6>& view) {
-  dvec3 eye(view[0], view[1], view[2]), target(view[3], view[4], view[5]);
-  dvec3 back = glm::normalize(eye - target);
-  dvec3 up = std::abs(back.y) > 0.9999 ? dvec3(0, 0, 1) : dvec3(0, 1, 0);
-  dvec3 right = glm::normalize(glm::cross(up, back));
-  return dmat4(dvec4(right, 0), dvec4(glm::cross(back, right), 0), dvec4(back, 0), dvec4(eye, 1));
-}
-
-// Area widened to whole workgroups. In full-size passes each pixel then has the same neighbours in its workgroup,
-// wherever the area lies. On some devices the last bit of a filtered texture depends on these neighbours.
-static scene::PixelArea inWholeGroups(const scene::PixelArea& area, int width, int height) {
-  if (area.empty()) return area;
-  const int group = int(shader::kGroupSize);
-  const auto up = [&](int x) { return (x + group - 1) / group * group; };
-  return {area.x0 / group * group, area.y0 / group * group, std::min(up(area.x1), width),
-          std::min(up(area.y1), height)};
-}
-
-graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int earlier_frames) {
-  int camera_node = scene::cameraNode(scene, shot.camera);
-  auto poser = std::make_shared<scene::FramePoser>(scene, camera_node, shot.animation, frameTimesOf(shot, scene));
-  graph::FrameSetup setup;
-  setup.pose_at = [poser, view = shot.view, keys = cameraKeys(shot.path), fps = shot.fps](double time_s) {
-    scene::Pose pose = poser->at(time_s);
-    if (view) pose.world_from_camera = worldFromView(*view);
-    else if (!keys.empty()) pose.world_from_camera = worldFromView(viewAt(keys, poser->cameraTime(time_s) * fps));
-    return pose;
-  };
-  setup.capture_s = shot.captureTime();
-  std::vector<double> shares;  // share of its motion that each instance keeps; empty: all keep their whole motion
-  if (!shot.motion_depths.empty()) {
-    shares = scene::motionShares(scene, setup.pose_at(setup.capture_s), scene::DepthBounds::from(shot.motion_depths));
-    setup.pose_at = [true_pose = setup.pose_at, shares, capture_s = setup.capture_s](double time_s) {
-      return scene::boundedPose(true_pose, shares, capture_s, time_s);
-    };
-  }
-  setup.open_s = shot.window()[0];
-  setup.close_s = shot.window()[1];
-  setup.curve = ShutterCurve::from(shot.shutter_curve);
-  setup.frame_s = 1 / shot.fps;
-  setup.anchor = anchorCode(shot.anchor);
-  setup.frame = uint32_t(shot.frame);
-  setup.seed = shot.seed;
-  setup.environment = scene.environment;
-  const double previous_s = previousTime(shot, earlier_frames);
-  scene::ExposedFrame exposed{setup.capture_s, setup.open_s, setup.close_s, previous_s, shot.width, shot.height};
-  for (int k = 2; k <= earlier_frames; ++k) exposed.earlier_s.push_back(setup.capture_s - k * setup.frame_s);
-  scene::ScreenMotion motion = scene::screenMotionOf(scene, setup.pose_at, exposed);
-  setup.reach = inWholeGroups(motion.reach, shot.width, shot.height);
-  setup.area_at = std::move(motion.area_at);
-  setup.paths = std::move(motion.paths);
-  if (shot.model_everything) setup.reach = {0, 0, shot.width, shot.height};
-  if (shot.model_everything) return setup;
-  scene::Facts facts = factsOf(shot, scene, earlier_frames);
-  setup.moves = facts.moves;
-  // An instance that keeps less than its whole motion follows the camera.
-  for (size_t i = 0; i < shares.size() && i < setup.moves.size(); ++i)
-    if (shares[i] < 1) setup.moves[i] = facts.camera_moves || (setup.moves[i] && shares[i] > 0);
-  setup.camera_rests = !facts.camera_moves;
-  return setup;
-}
 
 // ---- plans
 
@@ -108,10 +40,11 @@ static Planned plannedFor(const Workbench& bench, const Shot& shot, const plan::
   return planned;
 }
 
-Planned plannedOf(const Workbench& bench, const Shot& shot, const scene::Scene& scene,
-                  const plan::PipelineDesc& pipeline, const std::set<std::string>& outputs) {
+Planned plannedOf(const Workbench& bench, const Shot& shot, HeldScene& scene, const plan::PipelineDesc& pipeline,
+                  const std::set<std::string>& outputs) {
   return plannedFor(
-      bench, shot, pipeline, [&] { return absentFacts(shot, scene, pipeline); }, outputs);
+      bench, shot, pipeline, [&] { return absentFacts(scene.frame(shot, plan::earlierFrames(pipeline)), pipeline); },
+      outputs);
 }
 
 Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline) {
@@ -219,9 +152,13 @@ static void nameTriangles(graph::FrameResult& frame, const scene::Scene& scene) 
     }
 }
 
+graph::FrameSetup Drawing::frameOf(const Shot& shot) const {
+  return scene_->frame(shot, plan::earlierFrames(plan().pipeline));
+}
+
 graph::FrameResult Drawing::draw(const Shot& shot, const std::set<std::string>* outputs,
                                  const std::function<void(int, int)>& progress) {
-  graph::FrameSetup frame = frameSetup(shot, scene().scene, plan::earlierFrames(plan().pipeline));
+  graph::FrameSetup frame = frameOf(shot);
   frame.wanted = outputs;
   graph::FrameResult result = graph_->run(frame, progress);
   nameTriangles(result, scene().scene);
@@ -229,7 +166,7 @@ graph::FrameResult Drawing::draw(const Shot& shot, const std::set<std::string>* 
 }
 
 void Drawing::begin(const Shot& shot, const std::set<std::string>* outputs) {
-  graph::FrameSetup frame = frameSetup(shot, scene().scene, plan::earlierFrames(plan().pipeline));
+  graph::FrameSetup frame = frameOf(shot);
   frame.wanted = outputs;
   graph_->begin(frame);
 }
@@ -326,7 +263,7 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
   if (id_coverage) requireIds(plan());
   auto seen = std::make_shared<image::IdCoverage>();
   double started_s = clockSeconds();
-  graph::FrameSetup setup = frameSetup(shot, scene().scene, plan::earlierFrames(plan().pipeline));
+  graph::FrameSetup setup = frameOf(shot);
   setup.wanted = outputs;
   Picture picture;
   double ready_s = clockSeconds();

@@ -21,8 +21,8 @@ class Planned {
 };
 
 // Plan of a shot without unset options, for the facts of its frame and for `outputs` (empty: all). Throws `Error`.
-Planned plannedOf(const Workbench& bench, const Shot& shot, const scene::Scene& scene,
-                  const plan::PipelineDesc& pipeline, const std::set<std::string>& outputs = {});
+Planned plannedOf(const Workbench& bench, const Shot& shot, HeldScene& scene, const plan::PipelineDesc& pipeline,
+                  const std::set<std::string>& outputs = {});
 // Plan for any scene and all outputs: all facts hold.
 Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline);
 
@@ -68,6 +68,8 @@ class Drawing {
   std::vector<std::string> limitsMet(const Shot& shot, const graph::FrameResult& frame) const;
 
  private:
+  graph::FrameSetup frameOf(const Shot& shot) const;
+
   Workbench& bench_;
   // Destruction is in reverse order: the graph before the objects that it uses.
   std::shared_ptr<HeldScene> scene_;

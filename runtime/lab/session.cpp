@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/log.h"
-#include "lab/frame_facts.h"
+#include "lab/frame.h"
 #include "plan/canonical.h"
 #include "plan/filled_images.h"
 #include "plan/settings.h"
@@ -18,7 +18,7 @@ std::unique_ptr<Drawing> Session::build(const Shot& shot, std::shared_ptr<const 
                                         std::vector<std::string>* problems, bool whole) {
   Shot filled = shot;
   std::shared_ptr<HeldScene> scene = bench_.scene(filled);
-  Planned planned = plannedOf(bench_, filled, scene->loaded.scene, evaluation->pipeline);
+  Planned planned = plannedOf(bench_, filled, *scene, evaluation->pipeline);
   return std::make_unique<Drawing>(bench_, scene, std::move(planned), std::move(evaluation), running_.get(), problems,
                                    whole);
 }
@@ -142,7 +142,11 @@ void Session::set(const std::string& name, const plan::Value& value, const std::
   // A change of the frame alone needs no new plan if the facts stay equal.
   bool frame_alone = option->concern == Concern::Frame || option->concern == Concern::Motion;
   frame_alone = frame_alone && sceneIdentity(shot) == sceneIdentity(shot_);
-  if (frame_alone && absentFacts(shot, scene(), plan().pipeline) == plan().absent) shot_ = shot;
+  auto needs_no_plan = [&] {
+    const plan::PipelineDesc& pipeline = plan().pipeline;
+    return absentFacts(running_->held()->frame(shot, plan::earlierFrames(pipeline)), pipeline) == plan().absent;
+  };
+  if (frame_alone && needs_no_plan()) shot_ = shot;
   else apply(shot);
   if (field) origins_[name] = origin;
   for (const ShotField& one : option->fields)

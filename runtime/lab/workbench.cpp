@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "base/log.h"
 #include "lab/drawing.h"
+#include "lab/frame.h"
 #include "lab/shot_options.h"
 #include "scene/bend.h"
 #include "scene/defaults.h"
@@ -153,6 +154,14 @@ std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, 
   return copy;
 }
 
+const graph::FrameSetup& HeldScene::frame(const Shot& shot, int earlier_frames) {
+  std::string key = fmt::format("{}|{}x{}|{}|{}|{}", frameIdentity(shot), shot.width, shot.height, shot.camera,
+                                shot.model_everything, earlier_frames);
+  if (key != frame_key_) frame_ = frameOf(shot, loaded.scene, earlier_frames);
+  frame_key_ = std::move(key);
+  return frame_;
+}
+
 plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend,
                   const std::vector<std::string>& absent, const std::set<std::string>& outputs) {
   plan::CompileOptions options;
@@ -251,7 +260,7 @@ Picture Workbench::render(const Shot& shot, const std::function<void(int, int)>&
   Shot filled = shot;
   std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets);
   std::shared_ptr<HeldScene> held = scene(filled, true);
-  Planned planned = plannedOf(*this, filled, held->loaded.scene, evaluation->pipeline);
+  Planned planned = plannedOf(*this, filled, *held, evaluation->pipeline);
   return Drawing(*this, held, std::move(planned), evaluation).capture(filled, nullptr, progress, id_coverage);
 }
 

@@ -50,6 +50,13 @@ struct HeldScene {
   // Copy of the scene for `slices` poses, made if it is missing. Evicts unused copies, keeping one.
   std::shared_ptr<world::GpuScene> onDevice(const gpu::Device& device, uint32_t slices,
                                             shader::StructureKind structures);
+  // Frame of a shot of this scene (lab/frame.h). The frame of the last call is kept: plan and pictures of a shot use
+  // the same frame.
+  const graph::FrameSetup& frame(const Shot& shot, int earlier_frames);
+
+ private:
+  std::string frame_key_;
+  graph::FrameSetup frame_;
 };
 
 // One picture, its record and its timings.
@@ -127,10 +134,6 @@ class Workbench {
   std::map<std::string, KnownEvaluation> evaluated_;
   int evaluations_ = 0;
 };
-
-// Setup of the frame of a shot: poses, times and screen motion. The scene must outlive the result. Paths begin
-// `earlier_frames` frames before the frame (plan::earlierFrames), at least one.
-graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int earlier_frames = 1);
 
 // Plan of a pipeline at the size of the shot, for a frame without the facts `absent` and with `outputs` (empty: all).
 plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend,

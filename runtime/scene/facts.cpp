@@ -138,9 +138,10 @@ class Driven {
   std::map<Span, Moving> moving_;
 };
 
-Facts factsOf(const Scene& scene, const FrameView& view) {
-  const std::array<double, 4> times = {view.times.capture_s, view.times.open_s, view.times.close_s, view.previous_s};
-  const FramePoser poser(scene, view.camera_node, view.animation, view.times);
+Facts factsOf(const FramePoser& poser, std::optional<bool> camera_moves) {
+  const Scene& scene = poser.scene();
+  const FrameView& view = poser.view();
+  const std::array<double, 4> times = {view.capture_s, view.open_s, view.close_s, view.previous_s};
   std::vector<Pose> poses;
   for (double time_s : times) poses.push_back(poser.at(time_s));
   auto differs = [&](auto part) {
@@ -152,16 +153,16 @@ Facts factsOf(const Scene& scene, const FrameView& view) {
     auto [from, to] = std::minmax_element(owned.begin(), owned.end());
     return Span(*from, *to);
   };
-  Driven driven(scene, view.animation);
+  Driven driven(scene, poser.animation());
 
   Facts facts;
   const Span span = spanOf([&](double time_s) { return poser.cameraTime(time_s); });
-  if (view.camera_moves) facts.camera_moves = *view.camera_moves && Driven::isTime(span);
+  if (camera_moves) facts.camera_moves = *camera_moves && Driven::isTime(span);
   else
     facts.camera_moves =
-        driven.isNode(view.camera_node, span) || differs([](const Pose& pose) { return pose.world_from_camera; });
+        driven.isNode(poser.cameraNode(), span) || differs([](const Pose& pose) { return pose.world_from_camera; });
   facts.camera_moves = facts.camera_moves ||
-                       driven.isProperty(true, scene.nodes[size_t(view.camera_node)].camera, span) ||
+                       driven.isProperty(true, scene.nodes[size_t(poser.cameraNode())].camera, span) ||
                        differs([](const Pose& pose) { return pose.camera; });
   facts.motion = facts.camera_moves;
   facts.alpha = facts.blend = facts.one_sided = facts.shadows = facts.deforms = false;

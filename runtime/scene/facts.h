@@ -10,15 +10,6 @@
 
 namespace strobe::scene {
 
-// Camera and times of a frame. A `FramePoser` poses the scene at the times of the exposure and at `previous_s`.
-struct FrameView {
-  int camera_node = -1;
-  std::string animation = "all";
-  FrameTimes times;
-  double previous_s = 0;
-  std::optional<bool> camera_moves;  // set for a camera that the scene does not move; true if the camera moves
-};
-
 // Facts of a frame. Conservative: false only if proven false.
 struct Facts {
   bool camera_moves = true;  // between the first and the last time of the frame
@@ -34,6 +25,7 @@ struct Facts {
 // Computes the facts from the keys and rates that drive nodes, since poses are equal at both ends of a motion that
 // returns; and from the poses at the four times, which must be equal to the last bit. Motion that the frame does not
 // keep does not count: a share of 0, a cut, or an exposure of 0 without use of the previous frame.
-Facts factsOf(const Scene& scene, const FrameView& view);
+// `camera_moves`: set for a camera that the scene does not move; true if the camera moves.
+Facts factsOf(const FramePoser& poser, std::optional<bool> camera_moves = {});
 
 }  // namespace strobe::scene

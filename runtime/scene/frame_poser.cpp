@@ -7,12 +7,16 @@
 
 namespace strobe::scene {
 
-FramePoser::FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameTimes& times)
-    : poser_(scene, camera_node, animation), times_(times) {
+FramePoser::FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameView& view)
+    : scene_(scene),
+      camera_node_(camera_node),
+      animation_(animation),
+      poser_(scene, camera_node, animation),
+      view_(view) {
   NodeTime everything{Clock::Objects, scene.cuts, {}};
-  everything.add({Clock::Objects, times.cuts, {}});
+  everything.add({Clock::Objects, view.cuts, {}});
   std::vector<NodeTime> nodes(scene.nodes.size());
-  addClips(scene, animation, nodes);
+  addClips(nodes);
   for (int index : hierarchyOrder(scene)) {
     const Node& node = scene.nodes[size_t(index)];
     NodeTime& own = nodes[size_t(index)];
@@ -20,9 +24,9 @@ FramePoser::FramePoser(const Scene& scene, int camera_node, const std::string& a
     own.clock = above.clock;
     own.add(above);
     own.add({Clock::Objects, node.cuts, {}});
-    if (index == times.followed) own.clock = Clock::Camera;
+    if (index == view.followed) own.clock = Clock::Camera;
   }
-  for (const Instance& instance : instancesOf(scene)) instances_.push_back(ofInstance(scene, instance, nodes));
+  for (const Instance& instance : instancesOf(scene)) instances_.push_back(ofInstance(instance, nodes));
   for (int light : lightsOf(scene)) lights_.push_back(nodes[size_t(light)]);
   if (camera_node >= 0) camera_ = nodes[size_t(camera_node)];
   else camera_ = everything;
@@ -36,25 +40,24 @@ void FramePoser::NodeTime::add(const NodeTime& other) {
 }
 
 // Adds the clips that have cuts to the nodes that they drive, directly or by a camera, a light or weights.
-void FramePoser::addClips(const Scene& scene, const std::string& animation, std::vector<NodeTime>& nodes) const {
-  for (const Animation* clip : clipsOf(scene, animation)) {
+void FramePoser::addClips(std::vector<NodeTime>& nodes) const {
+  for (const Animation* clip : clipsOf(scene_, animation_)) {
     if (clip->cuts.empty()) continue;
     const NodeTime its{Clock::Objects, {}, {clip}};
     for (const Track& track : clip->tracks) nodes[size_t(track.node)].add(its);
     for (const WeightTrack& track : clip->weights) nodes[size_t(track.node)].add(its);
     for (const PropertyTrack& track : clip->properties)
       for (size_t i = 0; i < nodes.size(); ++i)
-        if ((track.isOfCamera() ? scene.nodes[i].camera : scene.nodes[i].light) == track.index) nodes[i].add(its);
+        if ((track.isOfCamera() ? scene_.nodes[i].camera : scene_.nodes[i].light) == track.index) nodes[i].add(its);
   }
 }
 
 // A mesh with a skin also follows the joints.
-FramePoser::NodeTime FramePoser::ofInstance(const Scene& scene, const Instance& instance,
-                                            const std::vector<NodeTime>& nodes) const {
+FramePoser::NodeTime FramePoser::ofInstance(const Instance& instance, const std::vector<NodeTime>& nodes) const {
   NodeTime time = nodes[size_t(instance.node)];
-  const Node& node = scene.nodes[size_t(instance.node)];
+  const Node& node = scene_.nodes[size_t(instance.node)];
   if (node.skin < 0) return time;
-  for (int joint : scene.skins[size_t(node.skin)].joints) {
+  for (int joint : scene_.skins[size_t(node.skin)].joints) {
     const NodeTime& other = nodes[size_t(joint)];
     if (other.clock == Clock::Camera) time.clock = Clock::Camera;
     time.add(other);
@@ -71,24 +74,24 @@ bool FramePoser::isCut(const NodeTime& node, double from_s, double to_s) const {
 // A frame with a cut in its exposure is static, on the raster time's side of the cut. Other poses of the frame are held
 // at the raster time only if a cut is between them and the raster time.
 double FramePoser::timeOf(const NodeTime& node, double time_s) const {
-  const double capture_s = times_.capture_s;
-  if (isCut(node, std::min(times_.open_s, capture_s), std::max(times_.close_s, capture_s))) return capture_s;
+  const double capture_s = view_.capture_s;
+  if (isCut(node, std::min(view_.open_s, capture_s), std::max(view_.close_s, capture_s))) return capture_s;
   if (isCut(node, std::min(time_s, capture_s), std::max(time_s, capture_s))) return capture_s;
-  const double share = node.clock == Clock::Camera ? times_.camera_share : times_.object_share;
+  const double share = node.clock == Clock::Camera ? view_.camera_share : view_.object_share;
   return share == 1 ? time_s : capture_s + share * (time_s - capture_s);
 }
 
 const Pose& FramePoser::posed(double time_s, std::vector<std::pair<double, Pose>>& poses) const {
   auto known = std::find_if(poses.begin(), poses.end(), [&](const auto& one) { return one.first == time_s; });
   if (known != poses.end()) return known->second;
-  poses.emplace_back(time_s, poser_.at(time_s, times_.capture_s));
+  poses.emplace_back(time_s, poser_.at(time_s, view_.capture_s));
   return poses.back().second;
 }
 
 Pose FramePoser::at(double time_s) const {
   std::vector<std::pair<double, Pose>> poses;  // by time
   const double camera_s = cameraTime(time_s);
-  Pose pose = poser_.at(camera_s, times_.capture_s);
+  Pose pose = poser_.at(camera_s, view_.capture_s);
   for (size_t i = 0; i < instances_.size(); ++i) {
     const double own_s = instanceTime(i, time_s);
     if (own_s == camera_s) continue;

@@ -7,8 +7,12 @@
 
 namespace strobe::scene {
 
-struct FrameTimes {
+// Times of a frame, the motion that it keeps, and the size of its picture.
+struct FrameView {
   double capture_s = 0, open_s = 0, close_s = 0;
+  double previous_s = 0;               // raster time of the previous frame
+  std::vector<double> earlier_s = {};  // raster times of frames before the previous frame, if the pipeline uses them
+  int width = 0, height = 0;           // of the picture, px
   // Shares of the motion that are kept, 0 (none) to 1: at time t, an object has its true pose of the time capture +
   // share * (t - capture).
   double camera_share = 1, object_share = 1;
@@ -19,7 +23,12 @@ struct FrameTimes {
 class FramePoser {
  public:
   // `scene` must outlive the poser. Throws as `Poser` does.
-  FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameTimes& times);
+  FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameView& view);
+
+  const Scene& scene() const { return scene_; }
+  int cameraNode() const { return camera_node_; }
+  const std::string& animation() const { return animation_; }
+  const FrameView& view() const { return view_; }
 
   Pose at(double time_s) const;
   // Times of the true poses that `at(time_s)` has for the camera, for an instance (index into instancesOf) and for a
@@ -38,14 +47,17 @@ class FramePoser {
     void add(const NodeTime& other);
   };
 
-  void addClips(const Scene& scene, const std::string& animation, std::vector<NodeTime>& nodes) const;
-  NodeTime ofInstance(const Scene& scene, const Instance& instance, const std::vector<NodeTime>& nodes) const;
+  void addClips(std::vector<NodeTime>& nodes) const;
+  NodeTime ofInstance(const Instance& instance, const std::vector<NodeTime>& nodes) const;
   bool isCut(const NodeTime& node, double from_s, double to_s) const;
   double timeOf(const NodeTime& node, double time_s) const;
   const Pose& posed(double time_s, std::vector<std::pair<double, Pose>>& poses) const;
 
+  const Scene& scene_;
+  int camera_node_;
+  std::string animation_;
   Poser poser_;
-  FrameTimes times_;
+  FrameView view_;
   std::vector<NodeTime> instances_, lights_;
   NodeTime camera_;
 };

@@ -71,7 +71,7 @@ image::Image gradientOf(const Environment& environment) {
 // Poses of all objects during the exposure.
 class Paths {
  public:
-  Paths(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame)
+  Paths(const Scene& scene, const std::function<Pose(double)>& pose_at, const FrameView& frame)
       : instances_(instancesOf(scene)), height_(frame.height) {
     for (const Mesh& mesh : scene.meshes) bounds_.push_back(boundsOf(mesh));
     for (size_t i = 0; i < kPathTimes; ++i) {
@@ -169,8 +169,7 @@ class Paths {
 
 class Exporter {
  public:
-  Exporter(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame,
-           const Path& folder)
+  Exporter(const Scene& scene, const std::function<Pose(double)>& pose_at, const FrameView& frame, const Path& folder)
       : scene_(scene),
         frame_(frame),
         folder_(folder),
@@ -498,7 +497,7 @@ class Exporter {
   }
 
   const Scene& scene_;
-  const ExposedFrame frame_;
+  const FrameView frame_;
   const Path folder_;
   const std::vector<Instance> instances_;
   const Pose raster_;
@@ -513,7 +512,7 @@ class Exporter {
 
 }  // namespace
 
-MitsubaExport exportMitsuba(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame,
+MitsubaExport exportMitsuba(const Scene& scene, const std::function<Pose(double)>& pose_at, const FrameView& frame,
                             const Path& folder) {
   return Exporter(scene, pose_at, frame, folder).write();
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/files.h"
+#include "scene/frame_poser.h"
 #include "scene/scene.h"
-#include "scene/screen_motion.h"
 
 namespace strobe::scene {
 
@@ -21,7 +21,7 @@ struct MitsubaExport {
 // Writes scene.xml, a binary PLY file for each geometry and an EXR file for each texture to `folder`.
 // `pose_at`: the scene at a time, s. If all materials are unlit, the file requests an image of their colours;
 // otherwise it requests direct light.
-MitsubaExport exportMitsuba(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame,
+MitsubaExport exportMitsuba(const Scene& scene, const std::function<Pose(double)>& pose_at, const FrameView& frame,
                             const Path& folder);
 
 }  // namespace strobe::scene

@@ -123,7 +123,7 @@ static bool isFollowed(const Scene& scene, double from_s, double to_s, double st
 }
 
 // Times of the poses: evenly over the exposure, and at keys in between.
-static std::vector<double> timesOf(const Scene& scene, const ExposedFrame& frame) {
+static std::vector<double> timesOf(const Scene& scene, const FrameView& frame) {
   std::vector<double> times = frame.earlier_s;
   times.insert(times.end(), {frame.capture_s, frame.previous_s});
   for (int i = 0; i < kTimes; ++i) times.push_back(glm::mix(frame.open_s, frame.close_s, i / (kTimes - 1.0)));
@@ -143,7 +143,7 @@ static std::vector<double> timesOf(const Scene& scene, const ExposedFrame& frame
 // ---- areas of the picture
 
 // Pixels around the rectangle [low, high) from the middle of the picture, clipped to the picture.
-static PixelArea areaOf(const dvec2& low, const dvec2& high, const ExposedFrame& frame) {
+static PixelArea areaOf(const dvec2& low, const dvec2& high, const FrameView& frame) {
   const dvec2 middle = dvec2(frame.width, frame.height) * 0.5, size = middle * 2.0;
   const dvec2 from = glm::clamp(glm::floor(middle + low), dvec2(0), size);
   const dvec2 to = glm::clamp(glm::ceil(middle + high), dvec2(0), size);
@@ -164,7 +164,7 @@ static const Corners& cornersAt(const Track8& box, const std::vector<double>& ti
 // Upper bound of the error at shutter open and close, px, if the motion since the previous frame is extrapolated.
 // Points of a box are between its corners, but their shares vary with the depth: the error of random points is below
 // the error of the corners times the ratio of depths.
-static double offTheForetold(const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
+static double offTheForetold(const Track8& box, const std::vector<double>& times, const FrameView& frame) {
   double off_px = 0, least_z = INFINITY, most_z = 0;
   if (!(frame.previous_s < frame.capture_s)) return off_px;
   const Corners &now = cornersAt(box, times, frame.capture_s), &previous = cornersAt(box, times, frame.previous_s);
@@ -183,7 +183,7 @@ static double offTheForetold(const Track8& box, const std::vector<double>& times
 // Largest distance of a corner from uniform straight motion between the ends of the exposure, px. A line through the
 // raster time has the same error at most, and a parabola or an arc through poses in between at most about twice the
 // error.
-static double offTheLine(const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
+static double offTheLine(const Track8& box, const std::vector<double>& times, const FrameView& frame) {
   double off_px = 0;
   if (!(frame.open_s < frame.close_s)) return off_px;
   const Corners &open = cornersAt(box, times, frame.open_s), &close = cornersAt(box, times, frame.close_s);
@@ -197,7 +197,7 @@ static double offTheLine(const Track8& box, const std::vector<double>& times, co
 }
 
 // Adds the pixels around a box during the exposure.
-static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
+static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>& times, const FrameView& frame) {
   Extent extent;
   double step_px = 0;
   const Corners* before = nullptr;
@@ -263,7 +263,7 @@ static std::optional<Extent> extentOf(const Hull& hull, const std::vector<Pose>&
 // Pixels around all moving objects at one pose, in the view of the raster time. The whole picture if an object is not
 // clearly in front of the camera.
 static PixelArea areaAt(const Pose& pose, const std::vector<std::pair<size_t, Hull>>& moving, const View& view,
-                        const ExposedFrame& frame) {
+                        const FrameView& frame) {
   PixelArea area;
   for (const auto& [index, hull] : moving) {
     std::optional<Extent> extent = extentOf(hull, {pose}, index, view);
@@ -276,7 +276,7 @@ static PixelArea areaAt(const Pose& pose, const std::vector<std::pair<size_t, Hu
 // Adds a moving instance to the moving rectangle, and sets `curved` and `turns`. False if the instance is not clearly
 // in front of the camera.
 static bool follow(const Hull& hull, const std::vector<Pose>& poses, const std::vector<double>& times, size_t index,
-                   const View& view, const ExposedFrame& frame, ScreenMotion& motion) {
+                   const View& view, const FrameView& frame, ScreenMotion& motion) {
   ScreenPath& path = motion.paths[index];
   for (size_t box = 0; box < hull.boxes(); ++box) {
     std::optional<Track8> posed = posedBox(hull, box, poses, index, view);
@@ -298,7 +298,7 @@ static bool isSmall(const Scene& scene, const std::vector<Instance>& instances) 
   return vertices <= kMostFollowed;
 }
 
-ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame) {
+ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const FrameView& frame) {
   const std::vector<Instance> instances = instancesOf(scene);
   ScreenMotion unknown;
   unknown.reach = {0, 0, frame.width, frame.height};

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/frame_poser.h"
 
 namespace strobe::scene {
 
@@ -17,13 +17,6 @@ struct PixelArea {
 
 // Extends `area` to contain `other`.
 void include(PixelArea& area, const PixelArea& other);
-
-// The times of a frame, s, and the size of its picture, px.
-struct ExposedFrame {
-  double capture_s = 0, open_s = 0, close_s = 0, previous_s = 0;
-  int width = 0, height = 0;
-  std::vector<double> earlier_s = {};  // raster times of frames before the previous one, if the frame uses them
-};
 
 // Motion of an instance on the screen, within the exposure and back to the raster time of the previous frame or of
 // earlier frames. Conservative flags: false only if proven false, tolerance 0.05 px.
@@ -48,6 +41,6 @@ struct ScreenMotion {
 };
 
 // `pose_at`: the scene at a time, s.
-ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame);
+ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const FrameView& frame);
 
 }  // namespace strobe::scene

@@ -8,6 +8,7 @@
 
 #include "common/home.h"
 #include "common/source.h"
+#include "lab/frame.h"
 #include "oracle/render.h"
 #include "scene/bend.h"
 #include "scene/defaults.h"
@@ -67,7 +68,7 @@ class RenderDisplacements : public RenderTest {
     Seen seen;
     seen.held = bench().scene(shot);
     seen.scene = &seen.held->loaded.scene;
-    graph::FrameSetup setup = lab::frameSetup(shot, *seen.scene);
+    graph::FrameSetup setup = lab::frameOf(shot, *seen.scene);
     seen.capture = setup.pose_at(setup.capture_s);
     seen.open = setup.pose_at(setup.open_s);
     seen.close = setup.pose_at(setup.close_s);
@@ -217,7 +218,7 @@ TEST_F(RenderDisplacements, OfWhatBendsFromNear) {
       if (!fs::exists(shot.scene)) continue;
       shot.frame = frame;
       const scene::Scene& scene = bench().scene(shot)->loaded.scene;
-      const scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
+      const scene::Pose pose = lab::frameOf(shot, scene).pose_at(shot.captureTime());
       const std::vector<scene::Instance> instances = scene::instancesOf(scene);
       Bounds bounds;
       for (size_t i = 0; i < instances.size(); ++i) bounds.add(scene::posedBounds(scene, instances, i, pose));

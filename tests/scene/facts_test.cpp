@@ -28,11 +28,14 @@ Scene still() {
 // The capture at `frame`, an exposure of half a frame before it.
 FrameView viewAt(double frame) {
   FrameView view;
-  view.camera_node = 2;
-  view.times.capture_s = view.times.close_s = frame * kFrame;
-  view.times.open_s = view.times.capture_s - kFrame / 2;
-  view.previous_s = view.times.capture_s - kFrame;
+  view.capture_s = view.close_s = frame * kFrame;
+  view.open_s = view.capture_s - kFrame / 2;
+  view.previous_s = view.capture_s - kFrame;
   return view;
+}
+
+Facts factsOf(const Scene& scene, const FrameView& view, std::optional<bool> camera_moves = {}) {
+  return factsOf(FramePoser(scene, 2, "all", view), camera_moves);
 }
 
 bool moves(const Scene& scene, double frame = 1) { return factsOf(scene, viewAt(frame)).motion; }
@@ -123,7 +126,7 @@ TEST(Facts, ThePoseOfTheFrameBeforeCounts) {
   EXPECT_TRUE(moves(scene, 1));
   EXPECT_FALSE(moves(scene, 2));
   FrameView view = viewAt(1);
-  view.previous_s = view.times.open_s;
+  view.previous_s = view.open_s;
   EXPECT_FALSE(factsOf(scene, view).motion);
 }
 
@@ -149,29 +152,26 @@ TEST(Facts, TheCameraMovesUnlessAnotherStandsInItsPlace) {
   FrameView view = viewAt(1);
   EXPECT_TRUE(factsOf(scene, view).camera_moves);
   EXPECT_TRUE(factsOf(scene, view).motion);
-  view.camera_moves = false;
-  EXPECT_FALSE(factsOf(scene, view).motion);
-  view.camera_moves = true;
-  EXPECT_TRUE(factsOf(still(), view).motion);
+  EXPECT_FALSE(factsOf(scene, view, false).motion);
+  EXPECT_TRUE(factsOf(still(), view, true).motion);
 }
 
 TEST(Facts, WhatKeepsNoShareOfItsMotionRests) {
   FrameView view = viewAt(1);
-  view.times.object_share = 0;
+  view.object_share = 0;
   EXPECT_FALSE(factsOf(spun(0, 0.1), view).motion) << "a triangle";
   EXPECT_FALSE(factsOf(spun(1, 0.1), view).motion) << "a light";
   EXPECT_TRUE(factsOf(spun(2, 0.1), view).motion) << "the camera";
-  view.times.followed = 0;
+  view.followed = 0;
   EXPECT_TRUE(factsOf(spun(0, 0.1), view).motion) << "what keeps the camera's";
-  view.times.camera_share = 0;
+  view.camera_share = 0;
   for (int node : {0, 1, 2}) EXPECT_FALSE(factsOf(spun(node, 0.1), view).motion) << node;
-  view.camera_moves = true;
-  EXPECT_FALSE(factsOf(still(), view).motion);
+  EXPECT_FALSE(factsOf(still(), view, true).motion);
 }
 
 TEST(Facts, WithinNoTimeNothingMoves) {
   FrameView view = viewAt(1);
-  view.times.open_s = view.previous_s = view.times.capture_s;
+  view.open_s = view.previous_s = view.capture_s;
   for (int node : {0, 1, 2}) EXPECT_FALSE(factsOf(spun(node, 0.1), view).motion) << node;
   EXPECT_FALSE(factsOf(animated({0, 4}, {0, 1}), view).motion);
 }
@@ -193,15 +193,14 @@ TEST(Facts, KeysOfALensAndOfLightCount) {
     scene.animations[0].properties = {track};
     FrameView view = viewAt(1);
     EXPECT_TRUE(factsOf(scene, view).motion) << of_camera;
-    (of_camera ? view.times.camera_share : view.times.object_share) = 0;
+    (of_camera ? view.camera_share : view.object_share) = 0;
     EXPECT_FALSE(factsOf(scene, view).motion) << of_camera;
   }
 }
 
 TEST(Facts, AnAnimationThatIsNotPlayedRests) {
-  FrameView view = viewAt(1);
-  view.animation = "none";
-  EXPECT_FALSE(factsOf(animated({0, 4}, {0, 1}), view).motion);
+  const Scene scene = animated({0, 4}, {0, 1});
+  EXPECT_FALSE(factsOf(FramePoser(scene, 2, "none", viewAt(1))).motion);
 }
 
 TEST(Facts, AlphaCountsWhereItsMaterialIsSeen) {

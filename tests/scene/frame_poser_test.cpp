@@ -28,14 +28,14 @@ struct Places {
   dvec3 car, wheel, ball, lamp, eye;
 };
 
-Places placesAt(const Scene& scene, const FrameTimes& times, double time_s) {
+Places placesAt(const Scene& scene, const FrameView& times, double time_s) {
   Pose pose = FramePoser(scene, cameraNode(scene, ""), "all", times).at(time_s);
   auto place = [](const dmat4& world) { return dvec3(world[3]); };
   return {place(pose.world_from_instance[0]), place(pose.world_from_instance[1]), place(pose.world_from_instance[2]),
           place(pose.world_from_light[0]), place(pose.world_from_camera)};
 }
 
-const FrameTimes kTimes{2, 1, 2};  // the exposure from 1 s to 2 s, the capture at its end
+const FrameView kTimes{2, 1, 2};  // the exposure from 1 s to 2 s, the capture at its end
 
 TEST(FramePoser, IsThePoserWhereNothingIsCut) {
   Scene scene = sceneWith("", "", "");
@@ -82,7 +82,7 @@ TEST(FramePoser, ACutOfANodeIsOneOfAllBelowIt) {
 
 TEST(FramePoser, SharesAreOfTheTimeFromTheCapture) {
   Scene scene = sceneWith("", "", "");
-  FrameTimes times = kTimes;
+  FrameView times = kTimes;
   times.camera_share = .25;
   times.object_share = .5;
   Places at = placesAt(scene, times, 1);
@@ -101,7 +101,7 @@ TEST(FramePoser, SharesAreOfTheTimeFromTheCapture) {
 // Of the frame's own times, beside the scene's.
 TEST(FramePoser, TimesOfAFrameCutToo) {
   Scene scene = sceneWith("9", "", "");
-  FrameTimes times = kTimes;
+  FrameView times = kTimes;
   times.cuts = {.5, 1.5};
   Places at = placesAt(scene, times, 1);
   for (const dvec3& place : {at.car, at.ball, at.lamp, at.eye}) EXPECT_EQ(place, dvec3(2, 0, 0));

@@ -206,11 +206,10 @@ Facts factsAt(Scene scene, double capture_s) {
   scene.nodes.push_back({});
   scene.nodes.back().camera = 0;
   FrameView view;
-  view.camera_node = int(scene.nodes.size()) - 1;
-  view.times.capture_s = view.times.close_s = capture_s;
-  view.times.open_s = capture_s - 0.02;
+  view.capture_s = view.close_s = capture_s;
+  view.open_s = capture_s - 0.02;
   view.previous_s = capture_s - 0.04;
-  return factsOf(scene, view);
+  return factsOf(FramePoser(scene, int(scene.nodes.size()) - 1, "all", view));
 }
 
 TEST_F(Gltf, WhatBendsMovesAsItsJointsAndWeightsDo) {

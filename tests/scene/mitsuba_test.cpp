@@ -19,7 +19,7 @@ namespace strobe::scene {
 namespace mitsuba_test {
 
 // The exposure lasts from 1 s to 1.5 s; the raster time is its end.
-const ExposedFrame kFrame{1.5, 1, 1.5, 1, 200, 100};
+const FrameView kFrame{1.5, 1, 1.5, 1, {}, 200, 100};
 // Ends, and times of which most lie between keys.
 const std::vector<double> kTimes = {0, 0.1, 0.3701, 0.5, 0.93, 1};
 // Shares of width and height, as in mitsuba_reference.py.

@@ -18,7 +18,7 @@ constexpr int kWidth = 400, kHeight = 300;
 // 300 px at depth 10 are 10 m high.
 constexpr double kMetre = 30;
 
-ExposedFrame frameAtOne() { return {kFrame, 0.5 * kFrame, kFrame, 0, kWidth, kHeight}; }
+FrameView frameAtOne() { return {kFrame, 0.5 * kFrame, kFrame, 0, {}, kWidth, kHeight}; }
 
 // Boxes by node, half a `size` to each side of `at`; the last node is the camera, at the origin, looking along -z.
 class Boxes {
@@ -149,7 +149,7 @@ TEST(ScreenMotion, OfEarlierFrames) {
   boxes.move(boxes.add({0, 0, -10}, kCard), {2, 1, 0});
   Poser poser(boxes.scene(), 0);
   auto pose_at = [&](double time_s) { return poser.at(std::max(time_s, 0.0)); };
-  ExposedFrame frame = frameAtOne();
+  FrameView frame = frameAtOne();
   EXPECT_FALSE(screenMotionOf(boxes.scene(), pose_at, frame).paths.at(0).curved);
   frame.earlier_s = {-kFrame};
   EXPECT_TRUE(screenMotionOf(boxes.scene(), pose_at, frame).paths.at(0).curved);
