@@ -131,11 +131,7 @@ class Paths {
 
   // World bounds of an instance.
   Bounds boxOf(size_t index, const Pose& pose) const {
-    Bounds box;
-    const Bounds& own = bounds_[size_t(instances_[index].mesh)];
-    for (int k = 0; k < 8 && !own.empty(); ++k)
-      box.add(dvec3(pose.world_from_instance[index] * dvec4(own.corner(k), 1)));
-    return box;
+    return bounds_[size_t(instances_[index].mesh)].transformed(pose.world_from_instance[index]);
   }
 
   // Size of a pixel at the nearest point of a box, metres.

@@ -53,7 +53,6 @@ struct Geometry {
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;  // three per triangle
   int material = 0;
-  std::vector<uint32_t> source = {};  // number of each triangle in the file (scene/tree_order.h); empty: unchanged
   Influences influences = {};
   // Per vertex: direction of the normal map's x axis, unit, and sign of its y axis. 0, 0, 0, 0, or an empty list: both
   // are derived from the texture coordinates.
