@@ -79,8 +79,6 @@ class Loader {
       Camera camera;
       camera.name = file_.text(cameras[i], "name");
       camera.orthographic = type == "orthographic";
-      if (type != "orthographic" && type != "perspective")
-        file_.refuse(where, fmt::format("type '{}' is unknown", type));
       file_.require(cameras[i], type, where);
       readLens(file_.object(cameras[i], type, where), where, camera);
       scene_.cameras.push_back(camera);
@@ -110,15 +108,14 @@ class Loader {
       light.name = file_.text(lights[i], "name");
       if (type == "directional") light.type = Light::Type::Directional;
       else if (type == "spot") light.type = Light::Type::Spot;
-      else if (type != "point") file_.refuse(where, fmt::format("type '{}' is unknown", type));
-      auto color = sharesOf(file_, lights[i], "color", {1, 1, 1}, where);
+      auto color = file_.numbers(lights[i], "color", {1, 1, 1}, where);
       light.color = vec3(color[0], color[1], color[2]);
-      light.intensity = file_.numberIn(lights[i], "intensity", 1, 0, HUGE_VAL, where);
+      light.intensity = file_.number(lights[i], "intensity", 1, where);
       light.range = file_.numberIn(lights[i], "range", 0, 1e-30, HUGE_VAL, where);
       if (light.type == Light::Type::Spot) file_.require(lights[i], "spot", where);
       const Json& spot = file_.object(lights[i], "spot", where);
-      light.inner_cone = file_.numberIn(spot, "innerConeAngle", 0, 0, kPi / 2, where);
-      light.outer_cone = file_.numberIn(spot, "outerConeAngle", kPi / 4, 0, 1.5707964, where);
+      light.inner_cone = file_.number(spot, "innerConeAngle", 0, where);
+      light.outer_cone = file_.number(spot, "outerConeAngle", kPi / 4, where);
       if (light.inner_cone >= light.outer_cone) file_.refuse(where, "innerConeAngle is not below outerConeAngle");
       scene_.lights.push_back(light);
     }
