@@ -171,6 +171,13 @@ static VertexBounds boundsOf(const Geometry& geometry) {
   return bounds;
 }
 
+Bounds vertexBounds(const Mesh& mesh) {
+  Bounds bounds;
+  for (const Geometry& geometry : mesh.geometries)
+    for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
+  return bounds;
+}
+
 void findBounds(Scene& scene) {
   for (Mesh& mesh : scene.meshes)
     for (Geometry& geometry : mesh.geometries) geometry.bounds = boundsOf(geometry);

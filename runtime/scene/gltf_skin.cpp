@@ -141,10 +141,7 @@ static std::vector<bool> nodesThatMayMirror(const Scene& scene) {
                          });
       if (!keeps) may[size_t(track.node)] = true;
     }
-  for (int node : hierarchyOrder(scene)) {
-    const int parent = scene.nodes[size_t(node)].parent;
-    if (parent >= 0 && may[size_t(parent)]) may[size_t(node)] = true;
-  }
+  markDescendants(scene, may);
   return may;
 }
 
