@@ -60,13 +60,13 @@ class Loader {
   // Index of the requested variant; -1 without a request.
   int readVariants() {
     const Json& variants = file_.list(file_.extension(file_.json(), "KHR_materials_variants"), "variants", "");
-    scene_.variants = file_.uniqueNames(variants, "variant");
     if (variant_.empty()) return -1;
-    auto found = std::find(scene_.variants.begin(), scene_.variants.end(), variant_);
-    if (found != scene_.variants.end()) return int(found - scene_.variants.begin());
-    if (scene_.variants.empty()) throw Error(fmt::format("{} has no material variants", scene_.name), {}, 2);
-    throw Error(fmt::format("{} has no variant '{}'{}; it has {}", scene_.name, variant_,
-                            didYouMean(variant_, scene_.variants), fmt::join(scene_.variants, ", ")),
+    const std::vector<std::string> names = file_.uniqueNames(variants, "variant");
+    auto found = std::find(names.begin(), names.end(), variant_);
+    if (found != names.end()) return int(found - names.begin());
+    if (names.empty()) throw Error(fmt::format("{} has no material variants", scene_.name), {}, 2);
+    throw Error(fmt::format("{} has no variant '{}'{}; it has {}", scene_.name, variant_, didYouMean(variant_, names),
+                            fmt::join(names, ", ")),
                 {}, 2);
   }
 
@@ -92,12 +92,10 @@ class Loader {
     if (far <= camera.near) file_.refuse(where, fmt::format("zfar {} is not beyond znear {}", far, camera.near));
     if (camera.orthographic) {
       camera.half_height = file_.numberIn(lens, "ymag", std::nullopt, kLeast, kMost, where);
-      camera.aspect = file_.numberIn(lens, "xmag", std::nullopt, kLeast, kMost, where) / camera.half_height;
+      file_.numberIn(lens, "xmag", std::nullopt, kLeast, kMost, where);
       return;
     }
     camera.vertical_fov = file_.numberIn(lens, "yfov", std::nullopt, 1e-4, 3.14, where);
-    if (lens.contains("aspectRatio"))
-      camera.aspect = file_.numberIn(lens, "aspectRatio", std::nullopt, kLeast, kMost, where);
   }
 
   void readLights() {
