@@ -435,13 +435,6 @@ void doctor(const Home& home, bool json) {
     }
     for (const std::string& problem : driver_problems) std::printf("driver not loaded: %s\n", problem.c_str());
     for (const Path& root : home.roots()) std::printf("files: %s\n", root.c_str());
-    try {
-      lab::Shot shot;
-      lab::LoadedScene loaded = lab::loadScene(home, shot);
-      std::fputs(sizeText(shot, loaded.scene).c_str(), stdout);
-    } catch (const Error& error) {
-      std::printf("scene: %s\n", error.what());
-    }
     std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder)");
     std::printf("compiled shaders, painted textures: %s\n", home.cache().empty() ? "not kept" : home.cache().c_str());
   }
