@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <thread>
+
+#include "base/cores.h"
 
 namespace strobe::scene {
 
@@ -139,16 +140,9 @@ Texture paint(int width, int height, int samples, const std::function<vec4(dvec2
         sum += color_at({(x + (i + 0.5) / samples) / width, (y + (j + 0.5) / samples) / height});
     return sum / float(samples * samples);
   };
-  // Threads share the rows. The number of threads does not change the texels.
-  unsigned count = std::max(1u, std::min(std::thread::hardware_concurrency(), unsigned(height) / 16));
-  std::vector<std::jthread> threads;
-  for (unsigned k = 0; k < count; ++k) {
-    threads.emplace_back([&, k] {
-      for (int y = int(k); y < height; y += int(count))
-        for (int x = 0; x < width; ++x) texels[size_t(y) * width + x] = texel(x, y);
-    });
-  }
-  threads.clear();
+  forEachOnAllCores(size_t(height), [&](size_t y) {
+    for (int x = 0; x < width; ++x) texels[y * size_t(width) + size_t(x)] = texel(x, int(y));
+  });
   Texture texture;
   texture.width = width;
   texture.height = height;
