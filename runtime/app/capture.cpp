@@ -8,8 +8,8 @@
 #include "app/shot_options.h"
 #include "archive/capture_run.h"
 #include "archive/verify.h"
-#include "archive/zip.h"
 #include "base/log.h"
+#include "base/process.h"
 
 namespace strobe::app {
 
@@ -20,6 +20,14 @@ struct CaptureOptions {
   bool bundle = false, zip = false, json = false;
 };
 
+// Describes and packs a capture. Returns the path of the packed file.
+std::string packed(const Home& home, const Path& folder) {
+  const ProgramEnd end = run({.arguments = {"python3", home.shipped() / "tools/crate.py", folder, "--zip"},
+                              .errors = Program::Errors::inherited});
+  if (!end.succeeded()) throw Error("the capture was taken, but it could not be packed");
+  return end.output;
+}
+
 void capture(const Home& home, const CaptureOptions& options) {
   archive::Order order;
   order.file = hereOrAtHome(home, options.file);
@@ -29,11 +37,9 @@ void capture(const Home& home, const CaptureOptions& options) {
   order.bundle = options.bundle || options.zip;
   order.device = options.device, order.validation = validationWanted();
   requireWritable(order.folder);
-  const Path zip = archive::zipBeside(order.folder);
-  if (options.zip) requireWritable(zip.parent_path());
   archive::readCapture(home, order.file, order.size);  // report mistakes before anything is written
   archive::Captured captured = archive::runCapture(home, order, [](const std::string& line) { note(line); });
-  if (options.zip) archive::writeZip(order.folder, zip);
+  const std::string zip = options.zip ? packed(home, order.folder) : "";
   if (options.json) {
     std::printf("%s\n", captured.manifest.json.dump(1).c_str());
     return;
@@ -41,7 +47,7 @@ void capture(const Home& home, const CaptureOptions& options) {
   for (const auto* files : {&captured.figures, &captured.pictures})
     for (const Path& file : *files) std::printf("%s\n", file.c_str());
   std::printf("%s\n", (order.folder / archive::kManifestFile).c_str());
-  if (options.zip) std::printf("%s\n", zip.c_str());
+  std::fputs(zip.c_str(), stdout);
 }
 
 struct VerifyOptions {
@@ -103,7 +109,7 @@ void registerCapture(CLI::App& program, const Home& home) {
       ->type_name("NAME");
   command->add_option("--size", order->size, "WIDTHxHEIGHT in pixels: scales the whole capture (default: the file's)");
   command->add_flag("--bundle", order->bundle, "copy every used file, so that the folder can be verified anywhere");
-  command->add_flag("--zip", order->zip, "write a bundle, and a copy as one file, FOLDER.zip");
+  command->add_flag("--zip", order->zip, "write a bundle, and a copy as one file, FOLDER.zip (needs Python 3)");
   command->add_option("--device", order->device, "index or part of the name of a Vulkan device");
   command->add_flag("--json", order->json, "print the manifest");
   command->callback([order, &home] { capture(home, *order); });

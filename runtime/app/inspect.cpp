@@ -23,7 +23,6 @@
 #include "plan/facts.h"
 #include "plan/settings.h"
 #include "scene/json_scene.h"
-#include "scene/tree_order.h"
 #include "study/experiment.h"
 
 namespace strobe::app {
@@ -321,13 +320,15 @@ struct PlanOptions {
   bool json = false, dot = false;
 };
 
-// Size of the shot's scene, and tree nodes that a random line meets. Needs no device.
-std::string treeText(const lab::Shot& shot, const scene::Scene& scene, const graph::FrameSetup& frame) {
-  scene::SceneTree tree = scene::treeOf(scene, frame.pose_at(frame.capture_s));
-  std::string text = fmt::format("scene {}: {} in {}; ", shot.scene, countText(tree.triangles, "triangle"),
-                                 countText(tree.instances, "instance"));
-  return text + fmt::format("a random line meets {:.0f} nodes of their tree, or {:.0f} in the file's order\n",
-                            tree.visits, tree.visits_as_given);
+// Size of the shot's scene.
+std::string sizeText(const lab::Shot& shot, const scene::Scene& scene) {
+  const std::vector<scene::Instance> instances = scene::instancesOf(scene);
+  size_t triangles = 0;
+  for (const scene::Instance& instance : instances)
+    for (const scene::Geometry& geometry : scene.meshes[size_t(instance.mesh)].geometries)
+      triangles += geometry.indices.size() / 3;
+  return fmt::format("scene {}: {} in {}\n", shot.scene, countText(triangles, "triangle"),
+                     countText(instances.size(), "instance"));
 }
 
 std::string motionText(const lab::Shot& shot, const graph::FrameSetup& frame) {
@@ -364,8 +365,8 @@ void plan(const Home& home, const PlanOptions& options) {
                      : options.json ? plan::toJson(planned).dump(2) + "\n"
                                     : plan::describe(planned);
   if (!options.dot && !options.json)
-    text += factsText(in_scene, frame, planned, lab::planOf(shot, pipeline, backend)) +
-            treeText(in_scene, loaded.scene, frame);
+    text +=
+        factsText(in_scene, frame, planned, lab::planOf(shot, pipeline, backend)) + sizeText(in_scene, loaded.scene);
   std::fputs(text.c_str(), stdout);
 }
 
@@ -434,13 +435,6 @@ void doctor(const Home& home, bool json) {
     }
     for (const std::string& problem : driver_problems) std::printf("driver not loaded: %s\n", problem.c_str());
     for (const Path& root : home.roots()) std::printf("files: %s\n", root.c_str());
-    try {
-      lab::Shot shot;
-      lab::LoadedScene loaded = lab::loadScene(home, shot);
-      std::fputs(treeText(shot, loaded.scene).c_str(), stdout);
-    } catch (const Error& error) {
-      std::printf("scene: %s\n", error.what());
-    }
     std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder)");
     std::printf("compiled shaders, painted textures: %s\n", home.cache().empty() ? "not kept" : home.cache().c_str());
   }

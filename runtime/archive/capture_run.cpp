@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "archive/crate.h"
 #include "base/hash.h"
 #include "base/leftovers.h"
 #include "figure/film.h"
@@ -40,7 +39,6 @@ Capturing::Capturing(const Home& home, const Order& order, Report report)
     : order_(order),
       home_(home),
       report_(std::move(report)),
-      date_(crateDate(home)),
       frozen_(home, order.folder / ".inputs"),
       capture_(readCapture(frozen_.home(), frozen_.at(order.file), order.size)),
       bench_(std::make_unique<lab::Workbench>(frozen_.home(), order.device, order.validation)),
@@ -165,7 +163,6 @@ Captured Capturing::finish() {
                         {"pictures", std::move(pictures_)},
                         {"files", std::move(files_)}}};
   writeFileAtomically(order_.folder / kManifestFile, manifest.json.dump(1) + "\n");
-  writeFileAtomically(order_.folder / kCrateFile, crateOf(manifest, listed, date_).dump(1) + "\n");
   if (taker_.drawn() > 0) writeFileAtomically(order_.folder / "timings.json", taker_.timings().dump(1) + "\n");
   writeFileAtomically(order_.folder / kSumsFile, sumsOf(order_.folder, listed));
   return {std::move(manifest), std::move(figure_files_), std::move(picture_files_)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes a capture: from its script to a folder with pictures, figures, films, manifest.json, ro-crate-metadata.json,
-// inputs, SHA256SUMS and timings.json.
+// Takes a capture: from its script to a folder with pictures, figures, films, manifest.json, inputs, SHA256SUMS and
+// timings.json.
 #pragma once
 
 #include "archive/manifest.h"
@@ -44,7 +44,7 @@ class Capturing {
     return taker_.draw(frame, progress);
   }
 
-  // Takes the remaining pictures, draws figures and films, and writes manifest, crate, inputs, timings and sums.
+  // Takes the remaining pictures, draws figures and films, and writes manifest, inputs, timings and sums.
   Captured finish();
 
  private:
@@ -58,7 +58,6 @@ class Capturing {
   const Order order_;
   const Home& home_;
   const Report report_;
-  const std::string date_;
   const FrozenHome frozen_;
   const CaptureFile capture_;
   const std::unique_ptr<lab::Workbench> bench_;

@@ -5,7 +5,6 @@
 #include <cairo.h>
 #include <png.h>
 
-#include <charconv>
 #include <filesystem>
 #include <regex>
 #include <sstream>
@@ -42,13 +41,6 @@ Json programJson(const Home& home) {
                        {"cairo", cairo_version_string()},
                        {"compiler", __VERSION__}};
   return json;
-}
-
-std::optional<int64_t> revisionTime(const Home& home) {
-  auto text = git(home.shipped(), {"log", "-1", "--no-show-signature", "--format=%ct", "HEAD"});
-  int64_t seconds = 0;
-  if (!text || std::from_chars(text->data(), text->data() + text->size(), seconds).ec != std::errc()) return {};
-  return seconds;
 }
 
 Json deviceJson(const gpu::DeviceInfo& device) {

@@ -16,8 +16,6 @@ inline constexpr const char* kSumsFile = "SHA256SUMS";
 // Program: version, hash of its file, and libraries. With git, also the revision of the sources and whether they were
 // changed since.
 Json programJson(const Home& home);
-// Time of the revision, seconds since 1970; nothing without git. Not part of a manifest.
-std::optional<int64_t> revisionTime(const Home& home);
 // Device: name, driver, API. If the name states them, also the version of LLVM and the width of vectors.
 Json deviceJson(const gpu::DeviceInfo& device);
 

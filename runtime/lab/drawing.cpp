@@ -12,7 +12,6 @@
 #include "lab/record.h"
 #include "lab/warnings.h"
 #include "plan/canonical.h"
-#include "scene/tree_order.h"
 #include "world/fits.h"
 
 namespace strobe::lab {
@@ -138,20 +137,6 @@ void Drawing::become(Planned planned, std::shared_ptr<const Evaluation> evaluati
   evaluation_ = std::move(evaluation);
 }
 
-// Replaces the triangle indices of the output "id" (instance + 1, geometry, triangle) with the indices in the scene
-// file.
-static void nameTriangles(graph::FrameResult& frame, const scene::Scene& scene) {
-  auto found = frame.outputs.find("id");
-  if (found == frame.outputs.end() || found->second.uints.channels < 3) return;
-  auto& ids = found->second.uints;
-  const std::vector<scene::Instance> instances = scene::instancesOf(scene);
-  for (int y = 0; y < ids.height; ++y)
-    for (int x = 0; x < ids.width; ++x) {
-      uint32_t& triangle = ids.values[(size_t(y) * ids.width + x) * ids.channels + 2];
-      triangle = scene::sourceTriangle(scene, instances, ids.at(x, y, 0), ids.at(x, y, 1), triangle);
-    }
-}
-
 graph::FrameSetup Drawing::frameOf(const Shot& shot) const {
   return scene_->frame(shot, plan::earlierFrames(plan().pipeline));
 }
@@ -160,9 +145,7 @@ graph::FrameResult Drawing::draw(const Shot& shot, const std::set<std::string>* 
                                  const std::function<void(int, int)>& progress) {
   graph::FrameSetup frame = frameOf(shot);
   frame.wanted = outputs;
-  graph::FrameResult result = graph_->run(frame, progress);
-  nameTriangles(result, scene().scene);
-  return result;
+  return graph_->run(frame, progress);
 }
 
 void Drawing::begin(const Shot& shot, const std::set<std::string>* outputs) {
@@ -171,11 +154,7 @@ void Drawing::begin(const Shot& shot, const std::set<std::string>* outputs) {
   graph_->begin(frame);
 }
 
-graph::FrameResult Drawing::finish() {
-  graph::FrameResult result = graph_->finish();
-  nameTriangles(result, scene().scene);
-  return result;
-}
+graph::FrameResult Drawing::finish() { return graph_->finish(); }
 
 std::vector<std::string> Drawing::limitsMet(const Shot& shot, const graph::FrameResult& frame) const {
   std::vector<std::string> met = lab::limitsMet(shot, scene().scene);

@@ -62,7 +62,6 @@ bool ChangedFiles::isBeingSaved(Noted& noted, const std::string& now) {
 // Files that changed since they were recorded. With `wait`, a missing file counts as deleted at once.
 FileChanges ChangedFiles::changedSince(const Drawing& running, bool wait) {
   FileChanges changes;
-  double started_s = clockSeconds();
   looks_again_ = false;
   auto is_among = [](const std::vector<script::Dependency>& files, const Path& path) {
     return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
@@ -85,7 +84,6 @@ FileChanges ChangedFiles::changedSince(const Drawing& running, bool wait) {
     changes.scene |= scene;
     changes.scripts |= is_among(running.evaluation().scripts, path) || (!scene && !shader);
   }
-  changes.ms = 1000 * (clockSeconds() - started_s);
   return changes;
 }
 
@@ -112,7 +110,6 @@ static void add(FileChanges& changes, const FileChanges& failed) {
   changes.files = std::move(files);
   changes.scripts |= failed.scripts;
   changes.scene |= failed.scene;
-  changes.ms += failed.ms;
 }
 
 std::optional<FileChanges> ChangedFiles::newChanges(const Running& running, bool first, bool wait) {

@@ -15,7 +15,6 @@ namespace strobe::lab {
 struct FileChanges {
   std::vector<std::string> files;  // file names for display
   bool scripts = false, scene = false;
-  double ms = 0;  // time to hash the files
   Attempt evaluated;
   std::optional<Shot> shot;      // shot at the start of the evaluation; empty before the evaluation
   double show_failure_at_s = 0;  // time to show a held failure

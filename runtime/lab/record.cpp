@@ -98,7 +98,7 @@ Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device,
   json["note"] = device.software
                      ? "software device: not comparable with a GPU; each step is submitted and waited for on its own"
                      : "one frame, clocks not locked";
-  json["load_s"] = {{"read", scene.loaded.read_s}, {"sort", scene.loaded.order_s}, {"device", scene.device_s}};
+  json["load_s"] = {{"read", scene.loaded.read_s}, {"device", scene.device_s}};
   json["prepare_s"] = prepare_s;
   json["draw_s"] = draw_s;
   json["gpu_ms"] = frame.gpu_ms;

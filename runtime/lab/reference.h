@@ -26,9 +26,6 @@ std::vector<ReferencePage> referencePages(const Home& home);
 // Writes the reference pages below `folder`. Removes pages whose pass or pipeline no longer exists.
 void writeReference(const Home& home, const Path& folder);
 
-// Command that updates the shipped pages.
-inline const char* const kReferenceCommand = "strobe help --write docs/reference";
-
 // All topics, one line each.
 std::string helpTopics(const Home& home);
 

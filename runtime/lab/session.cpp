@@ -205,7 +205,6 @@ std::optional<Reload> Session::reload(bool wait) {
   Attempt& evaluated = changes->evaluated;
   Reload result;
   result.changed = changes->files;
-  result.notice_ms = changes->ms;
   result.evaluate_ms = evaluated.ms;
   result.problems = evaluated.problems;
   std::vector<script::Dependency> tried = evaluated.good.scripts;

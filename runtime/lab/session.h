@@ -26,7 +26,6 @@ struct Reload {
   std::vector<std::string> choices;   // new choices: "edge = dilation"
   std::vector<std::string> rebuilt;   // nodes that run a new pipeline
   int compilations = 0;               // number of compiled pipelines
-  double notice_ms = 0;               // time to hash the files
   double evaluate_ms = 0;             // time of Lua in its process
   double compile_ms = 0;              // time from GLSL to pipelines
   double build_ms = 0;                // time for plan, images and descriptor sets

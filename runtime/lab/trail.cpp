@@ -9,7 +9,6 @@
 #include "lab/session.h"
 #include "page/table.h"
 #include "plan/filled_images.h"
-#include "scene/tree_order.h"
 
 namespace strobe::lab {
 
@@ -158,14 +157,13 @@ std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult
   const auto& velocity = frame.outputs.at("velocity").floats;
   const auto& color = frame.outputs.at("color").floats;
   std::vector<IdName> names = idNamesOf(scene);
-  const std::vector<scene::Instance> instances = scene::instancesOf(scene);
   std::vector<TrailHit> hits;
   for (int i = 0; i < ids.width && ids.at(i, 0, 0) != 0; ++i) {
     TrailHit hit;
     hit.layer = i;
     hit.instance = nodeOf(names, ids.at(i, 0, 0));
     hit.geometry = ids.at(i, 0, 1) - 1;
-    hit.primitive = scene::sourceTriangle(scene, instances, ids.at(i, 0, 0), hit.geometry, ids.at(i, 0, 2));
+    hit.primitive = ids.at(i, 0, 2);
     hit.front = ids.at(i, 0, 3) != 0;
     hit.depth = where.at(i, 0, 0);
     hit.normal = vec3(where.at(i, 0, 1), where.at(i, 0, 2), where.at(i, 0, 3));

@@ -16,7 +16,6 @@
 #include "scene/json_scene.h"
 #include "scene/kept_textures.h"
 #include "scene/motion.h"
-#include "scene/tree_order.h"
 #include "world/fits.h"
 
 namespace strobe::lab {
@@ -127,11 +126,8 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
   completeScene(loaded.scene, shot);
   loaded.hash = hashText(loaded.description.dump());
   loaded.bytes = bytesOf(loaded.scene);
-  const double read_s = clockSeconds();
-  scene::orderTriangles(loaded.scene);
   scene::findBounds(loaded.scene);
-  loaded.read_s = read_s - started_s;
-  loaded.order_s = clockSeconds() - read_s;
+  loaded.read_s = clockSeconds() - started_s;
   return loaded;
 }
 

@@ -20,10 +20,10 @@ namespace strobe::lab {
 // A scene, with the moves of a shot applied and missing parts supplied.
 struct LoadedScene {
   scene::Scene scene;
-  Json description;                // identity: the Lua data, or the name and hash of the file
-  std::string hash;                // hash of the description
-  uint64_t bytes = 0;              // bytes of meshes and textures
-  double read_s = 0, order_s = 0;  // time to read the scene, to order its triangles
+  Json description;    // identity: the Lua data, or the name and hash of the file
+  std::string hash;    // hash of the description
+  uint64_t bytes = 0;  // bytes of meshes and textures
+  double read_s = 0;   // time to read the scene
   std::vector<script::Dependency> dependencies;
 };
 

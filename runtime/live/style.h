@@ -23,7 +23,6 @@ constexpr ImU32 kText = IM_COL32(222, 224, 228, 255);
 constexpr ImU32 kDim = IM_COL32(138, 143, 152, 255);
 constexpr ImU32 kAccent = IM_COL32(240, 170, 80, 255);  // value set by hand; side A
 constexpr ImU32 kOther = IM_COL32(104, 178, 230, 255);  // value from another origin; side B
-constexpr ImU32 kGood = IM_COL32(126, 196, 130, 255);
 constexpr ImU32 kBad = IM_COL32(240, 104, 96, 255);
 }  // namespace colours
 

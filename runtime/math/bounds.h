@@ -25,6 +25,12 @@ struct Bounds {
   double radius() const { return glm::length(high - low) * 0.5; }
   // Corner `i`, 0 to 7. Bit 0 selects high.x, bit 1 high.y, bit 2 high.z.
   dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
+  // Bounds of the transformed box.
+  Bounds transformed(const dmat4& transform) const {
+    Bounds result;
+    for (int i = 0; i < 8 && !empty(); ++i) result.add(dvec3(transform * dvec4(corner(i), 1)));
+    return result;
+  }
 };
 
 }  // namespace strobe

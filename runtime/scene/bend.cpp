@@ -2,8 +2,8 @@
 #include "scene/bend.h"
 
 #include <algorithm>
-#include <future>
-#include <thread>
+
+#include "base/cores.h"
 
 namespace strobe::scene {
 
@@ -114,29 +114,21 @@ class Bending {
   const Bend& bend_;
 };
 
-constexpr size_t kWorthAThread = 20000;
-
-void bendAll(const Bending& bending, size_t begin, size_t end, unsigned threads, BentVertex* to) {
-  std::future<void> left;
-  if (threads > 1 && end - begin > kWorthAThread) {
-    const size_t middle = begin + (end - begin) / 2;
-    left = std::async(std::launch::async, [=] { bendAll(bending, begin, middle, threads / 2, to); });
-    bendAll(bending, middle, end, threads - threads / 2, to + (middle - begin));
-    return left.get();
-  }
-  for (size_t v = begin; v < end; ++v) *to++ = bending.at(v);
-}
+constexpr size_t kBlock = 10000;  // vertices that one thread deforms at a time
 
 }  // namespace
 
 std::vector<BentVertex> bentVertices(const Scene& scene, const Instance& instance, const Bend& bend) {
   const Mesh& mesh = meshOf(scene, instance);
   std::vector<BentVertex> vertices(vertexCount(scene, instance));
-  const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   BentVertex* to = vertices.data();
   for (const Geometry& geometry : mesh.geometries) {
-    bendAll(Bending(mesh, geometry, bend), 0, geometry.vertices.size(), threads, to);
-    to += geometry.vertices.size();
+    const Bending bending(mesh, geometry, bend);
+    const size_t count = geometry.vertices.size();
+    forEachOnAllCores((count + kBlock - 1) / kBlock, [&](size_t block) {
+      for (size_t v = block * kBlock; v < std::min(count, (block + 1) * kBlock); ++v) to[v] = bending.at(v);
+    });
+    to += count;
   }
   return vertices;
 }
@@ -168,6 +160,13 @@ static void addVertex(const Geometry& geometry, size_t vertex, const dvec3& orig
 static VertexBounds boundsOf(const Geometry& geometry) {
   VertexBounds bounds;
   for (size_t v = 0; v < geometry.vertices.size(); ++v) addVertex(geometry, v, dvec3(0), bounds);
+  return bounds;
+}
+
+Bounds vertexBounds(const Mesh& mesh) {
+  Bounds bounds;
+  for (const Geometry& geometry : mesh.geometries)
+    for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
   return bounds;
 }
 

@@ -31,6 +31,9 @@ std::vector<BentVertex> bentVertices(const Scene& scene, const Instance& instanc
 // Bounds of all vertices of `instances[index]` as posed, world space.
 Bounds posedBounds(const Scene& scene, const std::vector<Instance>& instances, size_t index, const Pose& pose);
 
+// Bounds of all vertices of a mesh, relative to its origin.
+Bounds vertexBounds(const Mesh& mesh);
+
 // Sets the bounds of all geometries, so that code that runs every frame need not read every vertex. The vertices must
 // not change afterwards.
 void findBounds(Scene& scene);

@@ -7,7 +7,6 @@
 #include "math/constants.h"
 #include "scene/bend.h"
 #include "scene/motion.h"
-#include "scene/tree_order.h"
 
 namespace strobe::scene {
 
@@ -28,7 +27,7 @@ static Bounds boundsOf(const Scene& scene, const std::vector<Bounds>& meshes, co
     if (own.empty()) continue;
     const bool follows = scene.nodes[size_t(instances[i].node)].skin >= 0;
     if (follows || bends(scene, instances[i])) all.add(posedBounds(scene, instances, i, pose));
-    else all.add(moved(own, worlds[size_t(instances[i].node)] * instances[i].node_from_instance));
+    else all.add(own.transformed(worlds[size_t(instances[i].node)] * instances[i].node_from_instance));
   }
   return all;
 }

@@ -47,10 +47,7 @@ static std::vector<bool> movingNodes(const Scene& scene, const std::string& anim
       if (varies(*clip, track, from_s, to_s)) moves[size_t(track.node)] = true;
   for (const ConstantMotion& motion : scene.motions)
     if (isMotion(motion)) moves[size_t(motion.node)] = true;
-  for (int node : hierarchyOrder(scene)) {
-    int parent = scene.nodes[size_t(node)].parent;
-    if (parent >= 0 && moves[size_t(parent)]) moves[size_t(node)] = true;
-  }
+  markDescendants(scene, moves);
   return moves;
 }
 

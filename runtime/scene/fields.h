@@ -20,6 +20,10 @@ class Fields : public strobe::Fields {
   dvec3 vector3(const std::string& key, std::optional<dvec3> fallback, double min = -1e9, double max = 1e9);
   // Three or four numbers; a missing fourth is 1.
   vec4 color(const std::string& key, std::optional<vec4> fallback, double max = 1);
+
+ private:
+  // The numbers of a list; empty, possibly with a mistake, if the list is missing or wrong.
+  std::vector<double> listAt(const std::string& key, bool needed, size_t least, size_t most, double min, double max);
 };
 
 }  // namespace strobe::scene

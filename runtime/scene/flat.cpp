@@ -88,10 +88,7 @@ std::vector<bool> flatteningNodes(const Scene& scene) {
   for (const Animation& clip : scene.animations)
     for (const Track& track : clip.tracks)
       if (track.target == Track::Target::Scale && mayFlatten(scalesOf(track))) flattens[size_t(track.node)] = true;
-  for (int node : hierarchyOrder(scene)) {
-    const int parent = scene.nodes[size_t(node)].parent;
-    if (parent >= 0 && flattens[size_t(parent)]) flattens[size_t(node)] = true;
-  }
+  markDescendants(scene, flattens);
   return flattens;
 }
 

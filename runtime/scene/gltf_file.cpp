@@ -214,7 +214,6 @@ GltfFile::View GltfFile::view(int view_index, const std::string& where) const {
 // Part of a buffer, as stated by a buffer view or by its compression extension.
 GltfFile::View GltfFile::stored(const Json& json, const std::string& name) const {
   int buffer = index(json, "buffer", "buffers", name);
-  if (buffer < 0) refuse(name, "has no buffer");
   if (isFallback(all("buffers")[size_t(buffer)])) refuse(name, "is not compressed, but its buffer is a fallback");
   size_t offset = size(json, "byteOffset", 0, name), length = size(json, "byteLength", std::nullopt, name);
   size_t available = buffers_[buffer].size();
@@ -306,8 +305,6 @@ void GltfFile::applySparse(const Json& accessor, Values& values, int component_t
                            const std::string& where) const {
   const Json& sparse = object(accessor, "sparse", where);
   size_t count = size(sparse, "count", std::nullopt, where);
-  if (count == 0 || count > values.count)
-    refuse(where, fmt::format("count is {}, but the accessor has {} elements", count, values.count));
   const Json &indices = object(sparse, "indices", where), &replacing = object(sparse, "values", where);
   int index_type = int(size(indices, "componentType", std::nullopt, where));
   size_t index_stride = 0, stride = 0, width = componentSize(component_type);

@@ -144,15 +144,6 @@ size_t GltfJson::size(const Json& object, const std::string& key, std::optional<
   return size_t(*value);
 }
 
-std::vector<double> sharesOf(const GltfJson& file, const Json& object, const std::string& key,
-                             std::vector<double> fallback, const std::string& where) {
-  std::vector<double> values = file.numbers(object, key, std::move(fallback), where);
-  for (double value : values)
-    if (value < 0 || value > 1)
-      file.refuse(where, fmt::format("'{}' has {}, which is not in the range from 0 to 1", key, value));
-  return values;
-}
-
 std::vector<double> cutsOf(const GltfJson& file, const Json& object, const std::string& where) {
   if (!object.is_object() || !object.contains("extras")) return {};
   const Json& extras = object["extras"];

@@ -56,10 +56,6 @@ class GltfJson {
   Path shown_;  // the file, as shown in errors
 };
 
-// List of numbers from 0 to 1.
-std::vector<double> sharesOf(const GltfJson& file, const Json& object, const std::string& key,
-                             std::vector<double> fallback, const std::string& where);
-
 // `extras.cuts` of a scene, a node or an animation: increasing times, s. Empty if the extras have another form.
 std::vector<double> cutsOf(const GltfJson& file, const Json& object, const std::string& where);
 

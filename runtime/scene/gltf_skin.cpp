@@ -29,15 +29,11 @@ class SkinReader {
  private:
   Skin readSkin(const Json& json, const std::string& where) {
     Skin skin;
-    for (const Json& joint : file_.list(json, "joints", where)) {
-      const Json holder = {{"joint", joint}};
-      const int node = file_.index(holder, "joint", "nodes", where);
+    for (int node : file_.indexList(json, "joints", "nodes", where)) {
       if (std::count(skin.joints.begin(), skin.joints.end(), node))
         file_.refuse(where, fmt::format("lists joint {} twice", node));
       skin.joints.push_back(node);
     }
-    if (skin.joints.empty()) file_.refuse(where, "has no joints");
-    file_.index(json, "skeleton", "nodes", where);
     skin.inverse_binds.assign(skin.joints.size(), dmat4(1));
     const int matrices = file_.index(json, "inverseBindMatrices", "accessors", where);
     if (matrices >= 0) readInverseBinds(matrices, where, skin);
@@ -145,10 +141,7 @@ static std::vector<bool> nodesThatMayMirror(const Scene& scene) {
                          });
       if (!keeps) may[size_t(track.node)] = true;
     }
-  for (int node : hierarchyOrder(scene)) {
-    const int parent = scene.nodes[size_t(node)].parent;
-    if (parent >= 0 && may[size_t(parent)]) may[size_t(node)] = true;
-  }
+  markDescendants(scene, may);
   return may;
 }
 

@@ -30,6 +30,16 @@ double angleBetween(const dmat4& a, const dmat4& b) {
   return 2 * std::acos(std::min(cosine, 1.0));
 }
 
+// Transform between two others, `t` in [0, 1]. All have the form translation * rotation * scale.
+dmat4 interpolated(const dmat4& a, const dmat4& b, double t) {
+  const Parts from = partsOf(a), to = partsOf(b);
+  dmat4 transform = glm::mat4_cast(glm::slerp(from.rotation, to.rotation, t));
+  const dvec3 scale = glm::mix(from.scale, to.scale, t);
+  for (int c = 0; c < 3; ++c) transform[c] *= scale[c];
+  transform[3] = dvec4(glm::mix(from.translation, to.translation, t), 1);
+  return transform;
+}
+
 // Every `step`-th transform of a path, and the largest deviation between them. The deviation is infinite if a rotation
 // is too large.
 Keys everyNth(const std::vector<dmat4>& path, size_t step,
@@ -46,15 +56,6 @@ Keys everyNth(const std::vector<dmat4>& path, size_t step,
 }
 
 }  // namespace
-
-dmat4 interpolated(const dmat4& a, const dmat4& b, double t) {
-  const Parts from = partsOf(a), to = partsOf(b);
-  dmat4 transform = glm::mat4_cast(glm::slerp(from.rotation, to.rotation, t));
-  const dvec3 scale = glm::mix(from.scale, to.scale, t);
-  for (int c = 0; c < 3; ++c) transform[c] *= scale[c];
-  transform[3] = dvec4(glm::mix(from.translation, to.translation, t), 1);
-  return transform;
-}
 
 bool isSheared(const dmat4& transform) {
   const dvec3 x(transform[0]), y(transform[1]), z(transform[2]);

@@ -14,9 +14,6 @@ namespace strobe::scene {
 constexpr size_t kMostKeys = 129;
 constexpr size_t kPathTimes = 2 * (kMostKeys - 1) + 1;
 
-// Transform between two others, `t` in [0, 1]. All have the form translation * rotation * scale.
-dmat4 interpolated(const dmat4& a, const dmat4& b, double t);
-
 // True if the transform is not of the form translation * rotation * scale.
 bool isSheared(const dmat4& transform);
 

@@ -73,7 +73,7 @@ class Paths {
  public:
   Paths(const Scene& scene, const std::function<Pose(double)>& pose_at, const FrameView& frame)
       : instances_(instancesOf(scene)), height_(frame.height) {
-    for (const Mesh& mesh : scene.meshes) bounds_.push_back(boundsOf(mesh));
+    for (const Mesh& mesh : scene.meshes) bounds_.push_back(vertexBounds(mesh));
     for (size_t i = 0; i < kPathTimes; ++i) {
       poses_.push_back(pose_at(glm::mix(frame.open_s, frame.close_s, double(i) / double(kPathTimes - 1))));
       poses_.back().bends.clear();
@@ -122,20 +122,9 @@ class Paths {
  private:
   static constexpr double kDeviation_px = 0.001;
 
-  static Bounds boundsOf(const Mesh& mesh) {
-    Bounds bounds;
-    for (const Geometry& geometry : mesh.geometries)
-      for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
-    return bounds;
-  }
-
   // World bounds of an instance.
   Bounds boxOf(size_t index, const Pose& pose) const {
-    Bounds box;
-    const Bounds& own = bounds_[size_t(instances_[index].mesh)];
-    for (int k = 0; k < 8 && !own.empty(); ++k)
-      box.add(dvec3(pose.world_from_instance[index] * dvec4(own.corner(k), 1)));
-    return box;
+    return bounds_[size_t(instances_[index].mesh)].transformed(pose.world_from_instance[index]);
   }
 
   // Size of a pixel at the nearest point of a box, metres.

@@ -191,6 +191,13 @@ std::vector<int> hierarchyOrder(const Scene& scene) {
   return order;
 }
 
+void markDescendants(const Scene& scene, std::vector<bool>& marks) {
+  for (int node : hierarchyOrder(scene)) {
+    const int parent = scene.nodes[size_t(node)].parent;
+    if (parent >= 0 && marks[size_t(parent)]) marks[size_t(node)] = true;
+  }
+}
+
 std::vector<dmat4> restWorlds(const Scene& scene) {
   std::vector<dmat4> worlds(scene.nodes.size());
   for (int node : hierarchyOrder(scene)) {

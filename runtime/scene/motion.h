@@ -55,6 +55,9 @@ std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& ani
 // All nodes, parents before children. Throws `Error` naming a node that is its own ancestor.
 std::vector<int> hierarchyOrder(const Scene& scene);
 
+// Marks the descendants of marked nodes.
+void markDescendants(const Scene& scene, std::vector<bool>& marks);
+
 // World-from-node of every node, at rest.
 std::vector<dmat4> restWorlds(const Scene& scene);
 

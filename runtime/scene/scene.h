@@ -53,7 +53,6 @@ struct Geometry {
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;  // three per triangle
   int material = 0;
-  std::vector<uint32_t> source = {};  // number of each triangle in the file (scene/tree_order.h); empty: unchanged
   Influences influences = {};
   // Per vertex: direction of the normal map's x axis, unit, and sign of its y axis. 0, 0, 0, 0, or an empty list: both
   // are derived from the texture coordinates.
@@ -129,10 +128,9 @@ struct Light {
 struct Camera {
   std::string name;
   bool orthographic = false;
-  double vertical_fov = 0.8;     // perspective: full angle, radians
-  double half_height = 1;        // orthographic: half the height of the view, metres
-  std::optional<double> aspect;  // stated by the file; only reported, the aspect of the picture is used
-  double near = 0.01;            // near plane, metres along the view direction
+  double vertical_fov = 0.8;  // perspective: full angle, radians
+  double half_height = 1;     // orthographic: half the height of the view, metres
+  double near = 0.01;         // near plane, metres along the view direction
   bool operator==(const Camera&) const = default;
 };
 
@@ -234,7 +232,6 @@ struct Scene {
   std::vector<Skin> skins;
   std::vector<Material> materials;  // at least one
   std::vector<Texture> textures;
-  std::vector<std::string> variants;  // names of the file's variants of materials
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   std::vector<Animation> animations;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -46,6 +47,24 @@ dvec2 onCircle(int i, int n) {
 dvec3 unitOr(const dvec3& v, const dvec3& otherwise) {
   double length = glm::length(v);
   return length > 0 ? v / length : otherwise;
+}
+
+// Catmull-Rom curve through the points (ends repeated), `steps` per span.
+template <class Vector>
+std::vector<Vector> refined(const std::vector<Vector>& points, int steps) {
+  if (steps <= 1 || points.size() < 3) return points;
+  std::vector<Vector> result;
+  auto at = [&](long i) { return points[std::clamp<long>(i, 0, long(points.size()) - 1)]; };
+  for (long i = 0; i + 1 < long(points.size()); ++i) {
+    for (int k = 0; k < steps; ++k) {
+      double t = double(k) / steps;
+      Vector a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
+      result.push_back(0.5 * (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * (t * t) +
+                              (3.0 * b - a - 3.0 * c + d) * (t * t * t)));
+    }
+  }
+  result.push_back(points.back());
+  return result;
 }
 
 double signedPower(double x, double e) {

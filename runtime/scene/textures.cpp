@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <thread>
+
+#include "base/cores.h"
 
 namespace strobe::scene {
 
@@ -13,27 +14,17 @@ double linearFromSrgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-double srgbFromLinear(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 namespace {
 
 struct SrgbTables {
   std::array<float, 256> linear;
-  std::array<float, 255> between;   // linear light halfway (in code) between i and i + 1
-  std::array<uint8_t, 4097> guess;  // code of i / 4096
+  std::array<float, 255> between;  // linear light halfway (in code) between i and i + 1
   SrgbTables() {
     for (int i = 0; i < 256; ++i) linear[i] = float(linearFromSrgb(i / 255.0));
     for (int i = 0; i < 255; ++i) between[i] = float(linearFromSrgb((i + 0.5) / 255));
-    for (int i = 0; i <= 4096; ++i) guess[i] = uint8_t(std::lround(srgbFromLinear(i / 4096.0) * 255));
   }
   uint8_t encode(float value) const {
-    value = std::clamp(value, 0.0f, 1.0f);
-    int code = guess[size_t(value * 4096)];
-    while (code < 255 && value >= between[code]) ++code;
-    while (code > 0 && value < between[code - 1]) --code;
-    return uint8_t(code);
+    return uint8_t(std::upper_bound(between.begin(), between.end(), value) - between.begin());
   }
 };
 
@@ -149,16 +140,9 @@ Texture paint(int width, int height, int samples, const std::function<vec4(dvec2
         sum += color_at({(x + (i + 0.5) / samples) / width, (y + (j + 0.5) / samples) / height});
     return sum / float(samples * samples);
   };
-  // Threads share the rows. The number of threads does not change the texels.
-  unsigned count = std::max(1u, std::min(std::thread::hardware_concurrency(), unsigned(height) / 16));
-  std::vector<std::jthread> threads;
-  for (unsigned k = 0; k < count; ++k) {
-    threads.emplace_back([&, k] {
-      for (int y = int(k); y < height; y += int(count))
-        for (int x = 0; x < width; ++x) texels[size_t(y) * width + x] = texel(x, y);
-    });
-  }
-  threads.clear();
+  forEachOnAllCores(size_t(height), [&](size_t y) {
+    for (int x = 0; x < width; ++x) texels[y * size_t(width) + size_t(x)] = texel(x, int(y));
+  });
   Texture texture;
   texture.width = width;
   texture.height = height;

@@ -8,9 +8,8 @@
 
 namespace strobe::scene {
 
-// Transfer functions of sRGB (IEC 61966-2-1) for values in 0..1.
+// Transfer function of sRGB (IEC 61966-2-1) for values in 0..1.
 double linearFromSrgb(double encoded);
-double srgbFromLinear(double linear);
 
 // Fills the levels below level 0, down to 1x1. Each texel is the mean over its area. The mean of Rgba8Srgb is in linear
 // light and weighted with alpha; other formats average the stored values. Sizes halve and round down.

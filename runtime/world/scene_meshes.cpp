@@ -13,13 +13,6 @@ namespace strobe::world {
 using namespace scene;
 using namespace shared;
 
-static Bounds ownBounds(const Mesh& mesh) {
-  Bounds bounds;
-  for (const Geometry& geometry : mesh.geometries)
-    for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
-  return bounds;
-}
-
 SceneMeshes::SceneMeshes(const gpu::Device& device, const Scene& scene) : device_(device), scene_(scene) {
   VkBufferUsageFlags usage = gpu::kReadByAddress;
   if (device.info().has("accelerationStructure"))
@@ -33,7 +26,7 @@ SceneMeshes::SceneMeshes(const gpu::Device& device, const Scene& scene) : device
 void SceneMeshes::numberGeometries() {
   for (const Mesh& mesh : scene_.meshes) {
     first_geometry_.push_back(uint32_t(geometries_.size()));
-    bounds_.push_back(ownBounds(mesh));
+    bounds_.push_back(vertexBounds(mesh));
     for (const Geometry& source : mesh.geometries) {
       geometries_.push_back({uint32_t(index_count_), uint32_t(vertex_count_), uint32_t(source.indices.size() / 3),
                              uint32_t(source.material),

@@ -128,7 +128,8 @@ TEST(ReferencePages, InTheTreeAreUpToDate) {
   }
   for (const std::string& path : committed)
     if (!current.count(path)) differ.push_back(path);
-  EXPECT_TRUE(differ.empty()) << fmt::format("{}\nregenerate with: {}", fmt::join(differ, "\n"), kReferenceCommand);
+  EXPECT_TRUE(differ.empty()) << fmt::format("{}", fmt::join(differ, "\n"))
+                              << "\nregenerate with: strobe help --write docs/reference";
 }
 
 // Every link of a page leads to a page.

@@ -91,8 +91,7 @@ TEST_F(Capture, IsTheSameUnderAllDisturbances) {
     EXPECT_EQ(images(out), images("first"));
     Json is = manifest(out);
     EXPECT_EQ(is, was);
-    for (const char* file : {"/ro-crate-metadata.json", "/SHA256SUMS"})
-      EXPECT_EQ(contentOf(path(out + file)), contentOf(path("first") + file));
+    EXPECT_EQ(contentOf(path(out + "/SHA256SUMS")), contentOf(path("first/SHA256SUMS")));
   }
   Outcome same = run("diff " + path("first") + " " + path("threads_1"));
   EXPECT_EQ(same.exit_code, 0) << same.err;
@@ -203,7 +202,9 @@ TEST_F(Capture, ABundleVerifiesWithoutTheOriginals) {
 
 // What RO-Crate 1.1 and the profile demand of structure, and that all it says of files is so.
 TEST_F(Capture, ItsCrateDescribesEveryFile) {
-  ASSERT_EQ(capture("out", "--only card", "STROBE_VALIDATION=0 SOURCE_DATE_EPOCH=1595116801").exit_code, 0);
+  ASSERT_EQ(capture("out", "--only card").exit_code, 0);
+  const std::string tool = "python3 '" + (sourceFolder() / "tools/crate.py").string() + "' " + path("out");
+  ASSERT_EQ(runLine("SOURCE_DATE_EPOCH=1595116801 exec " + tool).exit_code, 0);
   Json crate = Json::parse(contentOf(path("out/ro-crate-metadata.json")));
   EXPECT_EQ(crate["@context"][0], "https://w3id.org/ro/crate/1.1/context");
   std::map<std::string, Json> entities;
@@ -250,7 +251,7 @@ TEST_F(Capture, ItsCrateDescribesEveryFile) {
   used.insert(made.begin(), made.end()), used.insert("SHA256SUMS");
   EXPECT_EQ(used, files);
   EXPECT_EQ(runLine("cd " + path("out") + " && grep -c ro-crate SHA256SUMS").out, "0\n") << "it is derived";
-  Outcome refused = capture("refused", "", "STROBE_VALIDATION=0 SOURCE_DATE_EPOCH=today");
+  Outcome refused = runLine("SOURCE_DATE_EPOCH=today exec " + tool);
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_NE(refused.err.find("SOURCE_DATE_EPOCH is not a number of seconds"), std::string::npos) << refused.err;
 }

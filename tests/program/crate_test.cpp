@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The crate of a manifest: what was not copied, what is said of scenes, names as URIs, the version, the day.
-#include "archive/crate.h"
-
+// tools/crate.py, from outside: the crate of a manifest. What was not copied, what is said of scenes, names as URIs,
+// the version, the day.
 #include <gtest/gtest.h>
 
-#include "common/home.h"
+#include "base/json.h"
+#include "common/source.h"
 #include "program/run.h"
 
-namespace strobe::archive {
+namespace strobe::testing {
 namespace crate_test {
-
-using strobe::testing::TemporaryFolder;
-using strobe::testing::writeText;
 
 Json manifestJson() {
   return Json::parse(R"({
+    "format": "strobe.manifest", "format_version": 1,
     "capture": { "file": "capture:a b.lua", "title": "Two", "size": [64, 36], "bundle": false, "note": "A note." },
     "program": { "version": "0.1.0", "program": "0", "revision": "abc", "modified": true },
     "device": { "name": "Device", "driver": "Driver" },
@@ -32,14 +30,27 @@ Json manifestJson() {
 class CrateOfManifest : public ::testing::Test {
  protected:
   CrateOfManifest() {
-    writeText(folder_ / kManifestFile, "{}");
-    crate_ = crateOf({folder_.path(), manifestJson()}, {"inputs/capture/a b.lua"}, "2020-07-19");
+    writeText(folder_ / "manifest.json", manifestJson().dump());
+    writeText(folder_ / "SHA256SUMS", std::string(64, '0') + "  inputs/capture/a b.lua\n");
   }
-  Json entity(const std::string& id) const {
-    for (const Json& one : crate_["@graph"])
+  Outcome write(const std::string& environment) const {
+    return runLine("exec env " + environment + " python3 '" + (sourceFolder() / "tools/crate.py").string() + "' '" +
+                   folder_.path().string() + "'");
+  }
+  Json crate(const std::string& environment = "SOURCE_DATE_EPOCH=1595116801") const {
+    Outcome written = write(environment);
+    EXPECT_EQ(written.exit_code, 0) << written.err;
+    return Json::parse(contentOf(folder_ / "ro-crate-metadata.json"), nullptr, false);
+  }
+  Json entity(const std::string& id, const std::string& environment = "SOURCE_DATE_EPOCH=1595116801") const {
+    const Json all = crate(environment);
+    for (const Json& one : all["@graph"])
       if (one["@id"] == id) return one;
-    ADD_FAILURE() << "no " << id << " in " << crate_.dump(1);
+    ADD_FAILURE() << "no " << id << " in " << all.dump(1);
     return Json::object();
+  }
+  std::string dayAt(const std::string& seconds) const {
+    return entity("./", "SOURCE_DATE_EPOCH=" + seconds)["datePublished"];
   }
   bool links(const std::string& from, const char* property, const std::string& to) const {
     const Json source = entity(from);
@@ -49,7 +60,6 @@ class CrateOfManifest : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
-  Json crate_;
 };
 
 TEST_F(CrateOfManifest, WhatWasNotCopiedIsNoFileOfIt) {
@@ -82,37 +92,25 @@ TEST_F(CrateOfManifest, SaysWhatRan) {
   EXPECT_EQ(entity("./")["datePublished"], "2020-07-19");
 }
 
-// The variable stays as it was: other tests of this process may read it.
-class Day : public ::testing::Test {
- protected:
-  Day() {
-    if (const char* value = std::getenv("SOURCE_DATE_EPOCH")) was_ = value;
-  }
-  ~Day() override {
-    if (was_) ::setenv("SOURCE_DATE_EPOCH", was_->c_str(), 1);
-    else ::unsetenv("SOURCE_DATE_EPOCH");
-  }
-  std::string dayAt(const char* seconds) const {
-    ::setenv("SOURCE_DATE_EPOCH", seconds, 1);
-    return crateDate(home());
-  }
-  std::optional<std::string> was_;
-};
-
-TEST_F(Day, IsThatOfTheEnvironmentInUtc) {
+TEST_F(CrateOfManifest, TheDayIsThatOfTheEnvironmentInUtc) {
   EXPECT_EQ(dayAt("0"), "1970-01-01");
   EXPECT_EQ(dayAt("86399"), "1970-01-01");
   EXPECT_EQ(dayAt("951782400"), "2000-02-29");
   EXPECT_EQ(dayAt("253402300799"), "9999-12-31");
   for (const char* wrong : {"", "-1", "1.5", " 1", "1 ", "253402300800", "99999999999999999999"})
-    EXPECT_THROW(dayAt(wrong), Error) << wrong;
+    EXPECT_EQ(write(fmt::format("'SOURCE_DATE_EPOCH={}'", wrong)).exit_code, 1) << wrong;
 }
 
-TEST_F(Day, IsTheFirstOneWhereNothingIsKnown) {
-  ::unsetenv("SOURCE_DATE_EPOCH");
-  TemporaryFolder none;
-  EXPECT_EQ(crateDate(Home(none.path())), "1970-01-01");
+TEST_F(CrateOfManifest, TheDayIsTheFirstOneWhereTheRevisionIsUnknown) {
+  EXPECT_EQ(entity("./", "-u SOURCE_DATE_EPOCH")["datePublished"], "1970-01-01");
+}
+
+TEST_F(CrateOfManifest, WhatIsNoManifestIsRefused) {
+  writeText(folder_ / "manifest.json", "{}");
+  Outcome refused = write("");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.err.find("manifest.json: is not a manifest of a capture"), std::string::npos) << refused.err;
 }
 
 }  // namespace crate_test
-}  // namespace strobe::archive
+}  // namespace strobe::testing
