@@ -100,11 +100,11 @@ def layer_errors(*wanted):
 
 
 def reveal_counter(bench, name, *settings):
-    """A counter of the pass `reveal` in a picture of the living room."""
+    """A counter of the pass `ray_reveal` in a picture of the living room."""
     file = bench.folder("room") / ("_".join(("room",) + settings) + ".exr")
     sets = [word for setting in settings for word in ("--set", setting)]
     bench.run("strobe", "render", "hybrid_layered", "--scene", "living_room", "--size", "320x180", *sets, "-o", file)
-    return json.loads(file.with_suffix(".record.json").read_text())["counters"]["reveal." + name]
+    return json.loads(file.with_suffix(".record.json").read_text())["counters"]["ray_reveal." + name]
 
 
 def room_cap(bench):

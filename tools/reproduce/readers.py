@@ -121,9 +121,10 @@ def gpu_by_rays(bench):
 
 
 def gpu_pairs(bench):
-    """Pairs of times of frames ("") or passes: with another choice, and as shipped."""
+    """Pairs of times of frames ("") or passes: with another choice, and as shipped. The data of the GPU has the names
+    that passes had then: `mask_tile_motions` is `tile_velocities` now."""
     now = gpu_times(bench)
-    pairs = [("clears_by_driver", "hybrid:preset=seed", ""), ("one_invocation_per_tile", "hybrid", "tile_velocities"),
+    pairs = [("clears_by_driver", "hybrid:preset=seed", ""), ("one_invocation_per_tile", "hybrid", "mask_tile_motions"),
              ("one_invocation_per_tile", "hybrid", "tile_max"), ("pipeline", "none", "")]
     return [run[method, 1920][name] for file, method, name in pairs for run in (gpu_times(bench, file), now)]
 
