@@ -165,8 +165,8 @@ FIGURES = [
            make=written(("stability", "--write"))),
     Figure("extreme_cases_page", "./strobe stability --extremes --write FILE", 600, "counts of cases",
            file="docs/extreme-cases.md", make=written(("stability", "--extremes", "--write"))),
-    Unrepeated("figure_report", because="a screenshot of a page in a browser, with a chart of times; 6a5eb16, "
-               "2026-11-22, llvmpipe on two cores", file="docs/pictures/report.png"),
+    Unrepeated("figure_report", because="a screenshot in a browser of the report of experiments/composites, with a chart "
+               "of times; 2026-11-29, llvmpipe on two cores", file="docs/pictures/report.png"),
     Unrepeated("mutations_page", because="build/strobe_mutate --seed 1 --count 120 --write FILE takes hours; made at "
                "5d06a84, 2026-11-21, llvmpipe on two cores", file="tools/mutate/mutations.md"),
 ] + SHEETS
