@@ -279,7 +279,9 @@ TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
 TEST_F(RenderFacts, OfPartsHold) {
   Shot shot = with(cases()[0].shot, "eevee", {}, "end");
   const plan::PipelineDesc& pipeline = bench().evaluate("eevee", {})->pipeline;
-  auto absent = [&] { return absentFacts(frameOf(shot, bench().scene(shot)->loaded.scene), pipeline); };
+  auto absent = [&] {
+    return absentFacts(frameOf(shot, bench().scene(shot)->loaded.scene, plan::earlierFrames(pipeline)), pipeline);
+  };
   EXPECT_EQ(absent(), (std::vector<std::string>{"alpha", "blend", "one_sided", "deforms", "weighted"}));
   shot.exposure = 0;
   EXPECT_EQ(absent().front(), "motion");
