@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words of the canonical form, for its reader and its writer. They are in the order of the enumerations.
+// Words of the canonical form, in the order of the enumerations.
 #pragma once
 
 #include <string>
@@ -15,11 +15,5 @@ inline const std::vector<std::string> kSizeKinds = {"frame", "port", "fixed"};
 inline const std::vector<std::string> kNodeTimes = {"raster", "shutter_open", "shutter_close", "sample"};
 inline const std::vector<std::string> kNodeRuns = {"everywhere", "moving_rect", "moving_instances"};
 inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even", "frames", kPartTimes};
-
-// Name of a role; "" for Role::None.
-std::string roleName(Role role);
-
-// Names joined by commas: "a, b, c".
-std::string listed(const std::vector<std::string>& words);
 
 }  // namespace strobe::plan
