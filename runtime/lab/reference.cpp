@@ -13,7 +13,6 @@
 #include "lab/limits.h"
 #include "lab/shot.h"
 #include "page/table.h"
-#include "plan/description_words.h"
 #include "plan/formats.h"
 #include "plan/named.h"
 #include "script/evaluate.h"

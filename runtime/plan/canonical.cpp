@@ -3,7 +3,6 @@
 
 #include "base/hash.h"
 #include "base/json.h"
-#include "plan/description_words.h"
 #include "plan/facts.h"
 
 namespace strobe::plan {

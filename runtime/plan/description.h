@@ -75,6 +75,9 @@ struct ParamDesc {
   bool operator==(const ParamDesc&) const = default;
 };
 
+// Names of the values of an enumeration, in its order.
+inline const std::vector<std::string> kParamTypes = {"bool", "int", "float", "choice"};
+
 // True if the value is compiled into the shader.
 inline bool isCompiledIn(const ParamDesc& param) {
   return param.variant || param.type == ParamDesc::Type::Bool || param.type == ParamDesc::Type::Choice;
@@ -133,6 +136,8 @@ struct SizeDesc {
   bool operator==(const SizeDesc&) const = default;
 };
 
+inline const std::vector<std::string> kSizeKinds = {"frame", "port", "fixed"};
+
 struct CounterDesc {
   std::string name;
   std::string doc;
@@ -179,6 +184,8 @@ struct PassDesc {
   bool operator==(const PassDesc&) const = default;
 };
 
+inline const std::vector<std::string> kPassKinds = {"raster", "compute", "trace"};
+
 // Names of the writes, then of the updates.
 std::vector<std::string> outputsOf(const PassDesc& pass);
 
@@ -197,13 +204,16 @@ enum class Runs {
   MovingInstances,  // raster: instances that move, if the camera is static
 };
 
+inline const std::vector<std::string> kNodeRuns = {"everywhere", "moving_rect", "moving_instances"};
+inline const std::vector<std::string> kNodeTimes = {"raster", "shutter_open", "shutter_close", "sample"};
+
 // One use of a pass.
 struct NodeDesc {
   std::string name;  // unique: the name of the pass, or the name given by `as`
   std::string pass;
   std::vector<std::pair<std::string, std::string>> inputs;  // read port -> "node.port"
   std::vector<std::pair<std::string, Binding>> params;
-  // Pose of the scene: "raster", "shutter_open", "shutter_close" or "sample" (times of its loop).
+  // Pose of the scene, one of kNodeTimes; "sample": the times of its loop.
   std::string time = "raster";
   std::string loop;  // name of the loop that repeats the node, or ""
   Runs runs = Runs::MovingRect;
@@ -213,13 +223,14 @@ struct NodeDesc {
 
 // Times of a loop whose iterations draw the parts of the frame's exposure, each as an exposure of its own.
 inline constexpr const char* kPartTimes = "parts";
+inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even", "frames", kPartTimes};
 
 // Nodes repeated for k = first .. first+count-1, with other scene times in each iteration.
 struct LoopDesc {
   std::string name;
   Binding count;
-  // Choice "midpoint" | "stratified" (parts of equal weight) | "even" (parts of equal length) | "frames" (raster times
-  // of earlier frames, the latest first) | kPartTimes.
+  // Choice of kSampleTimes: "stratified" (parts of equal weight), "even" (parts of equal length), "frames" (raster
+  // times of earlier frames, the latest first).
   Binding times;
   Binding slices;     // scene times per iteration; a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""

@@ -5,7 +5,6 @@
 
 #include "base/json.h"
 #include "base/lists.h"
-#include "plan/description_words.h"
 
 namespace strobe::plan {
 

@@ -6,8 +6,6 @@
 #include <map>
 #include <set>
 
-#include "plan/description_words.h"
-
 namespace strobe::plan {
 namespace {
 

@@ -5,7 +5,6 @@
 #include "base/json.h"
 #include "base/lists.h"
 #include "plan/description_reader.h"
-#include "plan/description_words.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
 

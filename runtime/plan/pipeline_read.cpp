@@ -5,7 +5,6 @@
 
 #include "base/json.h"
 #include "plan/description_reader.h"
-#include "plan/description_words.h"
 #include "plan/wiring.h"
 
 namespace strobe::plan {

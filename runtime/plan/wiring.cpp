@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/lists.h"
-#include "plan/description_words.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
 #include "plan/named.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "plan/description_words.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
 #include "plan/named.h"
