@@ -17,6 +17,7 @@ struct Place {
   std::string file;
   int line = 0;
   int column = 0;
+  bool operator==(const Place&) const = default;
 
   // "file:line:column", without unknown parts.
   std::string text() const;

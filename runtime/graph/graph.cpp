@@ -21,7 +21,7 @@ uint32_t Graph::sampleSlices(const Plan& plan) {
 }
 
 static bool traces(const Plan& plan, const plan::PlanNode& node) {
-  return plan.pipeline.passes[size_t(node.pass)].kind == plan::PassDesc::Kind::Trace;
+  return plan.passOf(node).kind == plan::PassDesc::Kind::Trace;
 }
 
 static bool traces(const Plan& plan) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "plan/named.h"
+
 namespace strobe::graph {
 
 void NodeInFrame::begin() {
@@ -124,11 +126,10 @@ void PlanNodes::writeParams(size_t i, size_t frame) {
   const Node& node = nodes_[i];
   std::vector<uint32_t> words;
   for (const auto& param : node.pipeline->interface.params) {
-    auto found = std::find_if(planned(i).params.begin(), planned(i).params.end(),
-                              [&](const auto& p) { return p.first == param.name; });
-    STROBE_ASSERT(found != planned(i).params.end(), "{}", param.name);
-    const plan::Value& value = found->second;
-    double number = std::holds_alternative<double>(value) ? std::get<double>(value) : double(std::get<int64_t>(value));
+    const plan::Value* value = plan::valueIn(planned(i).params, param.name);
+    STROBE_ASSERT(value, "{}", param.name);
+    const double* real = std::get_if<double>(value);
+    double number = real ? *real : double(std::get<int64_t>(*value));
     uint32_t word;
     if (param.integer) {
       int32_t integer = int32_t(number);

@@ -94,14 +94,14 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
 }
 
 shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices) {
-  const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
+  const PassDesc& pass = plan.passOf(node);
   std::vector<bool> wired;
   for (int resource : node.reads) wired.push_back(resource >= 0);
   shader::Interface in = interfaceOf(pass, backend, wired, node.params, plan.absent);
   in.slices = slices;
   in.static_once = node.static_once;
   in.in_moving_rect = node.in_moving_rect;
-  in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
+  in.time_slice = timeSlice(plan.descOf(node).time);
   return in;
 }
 
@@ -289,7 +289,7 @@ PassCode compileAlone(const Home& home, const shader::Interface& in, const PassD
 
 void ShaderCheck::add(const plan::Plan& plan, Backend backend) {
   for (const plan::PlanNode& node : plan.nodes) {
-    const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
+    const PassDesc& pass = plan.passOf(node);
     shader::Interface in = interfaceOf(plan, node, backend, SLICE_SAMPLE + 1);
     std::string key = fmt::format("{}|{}|{}|{}", pass.name, pass.shader, int(pass.kind), textOf(in));
     std::lock_guard lock(mutex_);

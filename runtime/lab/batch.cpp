@@ -127,7 +127,7 @@ std::string Batch::contentOf(const Shot& wanted) {
   const Planned& planned = known(shot, *scene).planned;
   std::string shaders;
   for (const plan::PlanNode& node : planned.plan->nodes)
-    shaders += shadersOf(planned.plan->pipeline.passes[size_t(node.pass)], planned.backend);
+    shaders += shadersOf(planned.plan->passOf(node), planned.backend);
   const Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
   for (const script::Dependency& file : evaluated.evaluation->scripts) inputs_.insert(file.path);
   for (const script::Dependency& file : scene->loaded.dependencies) inputs_.insert(file.path);

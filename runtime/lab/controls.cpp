@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "plan/named.h"
 #include "plan/settings.h"
 
 namespace strobe::lab {
@@ -102,21 +103,19 @@ void addPipeline(Collector& into, const plan::Plan& plan) {
   }
 }
 
-void addNode(Collector& into, const plan::PipelineDesc& pipeline, const plan::PlanNode& node) {
-  const plan::NodeDesc& described = pipeline.nodes[size_t(node.node)];
-  const std::vector<plan::ParamDesc>& params = pipeline.passes[size_t(node.pass)].params;
+void addNode(Collector& into, const plan::Plan& plan, const plan::PlanNode& node) {
+  const plan::NodeDesc& described = plan.descOf(node);
+  const std::vector<plan::ParamDesc>& params = plan.passOf(node).params;
   for (size_t i = 0; i < params.size(); ++i) {
     if (params[i].wired) continue;
     plan::ParamDesc declaration = params[i];
     declaration.name = described.name + "." + params[i].name;
-    auto bound = std::find_if(described.params.begin(), described.params.end(),
-                              [&](const auto& b) { return b.first == params[i].name; });
-    bool follows = bound != described.params.end() && !bound->second.follows.empty();
+    const plan::Binding* bound = plan::valueIn(described.params, params[i].name);
     const plan::Value& value = node.params[i].second;
     into.add(declaration, value, described.name, params[i].place.text(),
-             follows                            ? "follows " + bound->second.follows
+             bound && !bound->follows.empty()   ? "follows " + bound->follows
              : value == params[i].default_value ? "default"
-                                                : pipeline.file);
+                                                : plan.pipeline.file);
   }
 }
 
@@ -128,7 +127,7 @@ std::vector<Control> controlsOf(const Shot& shot, const Drawing& drawing,
   const plan::Plan& plan = drawing.plan();
   addShot(collector, shot, drawing.scene().scene, given_by);
   addPipeline(collector, plan);
-  for (const plan::PlanNode& node : plan.nodes) addNode(collector, plan.pipeline, node);
+  for (const plan::PlanNode& node : plan.nodes) addNode(collector, plan, node);
   return std::move(collector.controls);
 }
 

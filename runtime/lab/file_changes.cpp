@@ -26,7 +26,7 @@ void ChangedFiles::remember(const Drawing& running, const std::vector<script::De
   };
   const plan::Plan& plan = running.plan();
   for (const auto& node : sound ? std::vector<plan::PlanNode>() : plan.nodes)
-    for (const Path& file : graph::shaderFiles(bench_.home(), plan.pipeline.passes[size_t(node.pass)])) {
+    for (const Path& file : graph::shaderFiles(bench_.home(), plan.passOf(node))) {
       std::vector<Path> reached = {file};
       try {
         shader::textWithIncludes(bench_.home(), file, &reached);

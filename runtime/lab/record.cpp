@@ -44,10 +44,10 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   if (!plan.pipeline.preset.empty()) pipeline["preset"] = plan.pipeline.preset;
   for (const auto& [name, value] : plan.pipeline.values) pipeline["values"][name] = plan::toJson(value);
   for (const auto& node : plan.nodes) {
-    const auto& declared = plan.pipeline.passes[size_t(node.pass)].params;
+    const auto& declared = plan.passOf(node).params;
     for (size_t i = 0; i < declared.size(); ++i) {
       const auto& [name, value] = node.params[i];
-      pipeline["nodes"][plan.pipeline.nodes[size_t(node.node)].name][name] = plan::toJson(value);
+      pipeline["nodes"][plan.descOf(node).name][name] = plan::toJson(value);
     }
   }
   pipeline["plan"] = c.drawing.planned().hash;

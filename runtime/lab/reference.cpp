@@ -14,6 +14,7 @@
 #include "lab/shot.h"
 #include "page/table.h"
 #include "plan/formats.h"
+#include "plan/named.h"
 #include "script/evaluate.h"
 
 namespace strobe::lab {
@@ -61,11 +62,6 @@ std::string section(const std::string& title, const std::string& text) {
 
 // --- Parameters
 
-const char* typeName(ParamDesc::Type type) {
-  static const char* const names[] = {"bool", "int", "float", "choice"};
-  return names[int(type)];
-}
-
 std::string rangeOf(const ParamDesc& param) {
   if (param.min && param.max)
     return fmt::format("{} to {}{}", *param.min, *param.max, param.has_auto ? ", or auto" : "");
@@ -86,7 +82,7 @@ std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
   return tableText({"name", "type", "default", "range", "unit", "description", "in GLSL"}, params,
                    [&](const ParamDesc& param) -> page::Row {
                      return {code(param.name),
-                             typeName(param.type),
+                             plan::kParamTypes[size_t(param.type)],
                              plainText(param, param.default_value),
                              rangeOf(param),
                              param.unit,
@@ -101,12 +97,11 @@ template <class Link>
 std::string valueTable(const ParamDesc& param, const Link& link) {
   Table table{"", {"value", "effect and failures"}};
   for (const std::string& choice : param.choices) {
-    auto is_it = [&](const auto& value) { return value.first == choice; };
-    auto found = std::find_if(param.values.begin(), param.values.end(), is_it);
+    const std::string* text = plan::valueIn(param.values, choice);
     std::string page = link(param, choice);
     std::string name = page.empty() ? code(choice) : fmt::format("[`{}`]({})", choice, page);
     bool listed = !param.values.empty() || !page.empty();
-    if (listed) table.add({name, found == param.values.end() ? "" : found->second});
+    if (listed) table.add({name, text ? *text : ""});
   }
   return tableText(table);
 }
@@ -126,7 +121,7 @@ std::string withoutText(const PassDesc& pass) {
   Table table{"", {"without", "write", "stand-in"}};
   for (const plan::WithoutDesc& without : pass.without)
     for (const auto& [write, read] : without.writes)
-      table.add({without.name == plan::kReached ? "motion that reaches the pixel" : code(without.name), code(write),
+      table.add({without.name == plan::kMovingRect ? "motion that reaches the pixel" : code(without.name), code(write),
                  read.empty() ? "0" : code(read)});
   return tableText(table);
 }
@@ -287,8 +282,8 @@ std::string nodesText(const PipelineDesc& pipeline, const std::vector<PassDesc>&
   Table table{"", {"node", "pass", "loop", "own parameters"}};
   for (const auto& node : pipeline.nodes) {
     std::string pass = code(node.pass);
-    for (const PassDesc& one : passes)
-      if (one.name == node.pass) pass = fmt::format("[`{}`](../{})", node.pass, pathOf(one));
+    if (const PassDesc* linked = plan::find(passes, node.pass))
+      pass = fmt::format("[`{}`](../{})", node.pass, pathOf(*linked));
     table.add({code(node.name), pass, node.loop.empty() ? "" : code(node.loop), ownParams(node)});
   }
   return tableText(table);
@@ -403,11 +398,6 @@ std::string limitsPage(const std::vector<PassDesc>& passes) {
 
 // --- Topics
 
-const ParamDesc* findParam(const std::vector<ParamDesc>& params, const std::string& name) {
-  auto found = std::find_if(params.begin(), params.end(), [&](const ParamDesc& param) { return param.name == name; });
-  return found == params.end() ? nullptr : &*found;
-}
-
 // Finds a pass by its name, by folder and file, or by file name alone if it is unique; null if not found.
 const PassDesc* findPass(const std::vector<PassDesc>& passes, const std::string& name) {
   std::vector<const PassDesc*> alike;
@@ -428,7 +418,7 @@ std::string helpOnParam(const std::string& topic, const std::string& owner, cons
                         bool in_glsl) {
   std::vector<std::string> known;
   for (const ParamDesc& param : params) known.push_back(owner + "." + param.name);
-  const ParamDesc* param = findParam(params, topic.substr(owner.size() + 1));
+  const ParamDesc* param = plan::find(params, topic.substr(owner.size() + 1));
   if (!param) refuse(topic, known);
   return fmt::format("# {}\n\n{}", topic, paramsText({*param}, in_glsl, noLink));
 }
@@ -526,7 +516,7 @@ std::string helpTopics(const Home& home) {
 static std::string helpOnParamOfPipelines(const Home& home, const std::string& name) {
   std::string text;
   for (const PipelineDesc& pipeline : allPipelines(home))
-    if (findParam(pipeline.params, name))
+    if (plan::find(pipeline.params, name))
       text +=
           (text.empty() ? "" : "\n") + helpOnParam(pipeline.name + "." + name, pipeline.name, pipeline.params, false);
   return text;

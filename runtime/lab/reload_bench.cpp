@@ -27,7 +27,7 @@ std::vector<Kind> kindsFor(const Session& session) {
   // the script of the pipeline.
   const plan::Plan& plan = session.plan();
   const Home& home = session.bench().home();
-  const plan::PassDesc& last = plan.pipeline.passes[size_t(plan.nodes.back().pass)];
+  const plan::PassDesc& last = plan.passOf(plan.nodes.back());
   std::map<std::string, int> uses;
   for (const auto& [node, pipeline] : session.running().graph().pipelines())
     for (const Path& file : pipeline->files)

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/lists.h"
 #include "base/log.h"
 #include "lab/frame.h"
 #include "plan/canonical.h"
 #include "plan/filled_images.h"
+#include "plan/named.h"
 #include "plan/settings.h"
 
 namespace strobe::lab {
@@ -49,21 +51,14 @@ static const ShotOption* findOption(const std::string& name, const ShotField** f
 
 // Names of the writes and updates of a node; empty for an unknown node.
 static std::vector<std::string> portsOf(const plan::PipelineDesc& pipeline, const std::string& name) {
-  auto node = std::find_if(pipeline.nodes.begin(), pipeline.nodes.end(), [&](const auto& n) { return n.name == name; });
-  if (node == pipeline.nodes.end()) return {};
-  auto pass =
-      std::find_if(pipeline.passes.begin(), pipeline.passes.end(), [&](const auto& p) { return p.name == node->pass; });
-  std::vector<std::string> ports;
-  for (const auto* list : {&pass->writes, &pass->updates})
-    for (const plan::PortDesc& port : *list) ports.push_back(port.name);
-  return ports;
+  const plan::NodeDesc* node = plan::find(pipeline.nodes, name);
+  return node ? plan::outputsOf(*plan::find(pipeline.passes, node->pass)) : std::vector<std::string>();
 }
 
 static bool hasPort(const plan::PipelineDesc& pipeline, const std::string& source) {
   size_t dot = source.find('.');
   if (dot == std::string::npos) return false;
-  std::vector<std::string> ports = portsOf(pipeline, source.substr(0, dot));
-  return std::find(ports.begin(), ports.end(), source.substr(dot + 1)) != ports.end();
+  return contains(portsOf(pipeline, source.substr(0, dot)), source.substr(dot + 1));
 }
 
 // Drops the taps that the new graph lacks, so that a tap never prevents a change.
@@ -222,7 +217,9 @@ std::optional<Reload> Session::reload(bool wait) {
     return std::nullopt;
   }
   script_problem_ = !evaluated.problems.empty();
-  for (const auto& name : result.reset) origins_.erase(name.substr(0, name.find(" = ")));
+  const bool are_dropped = shot_.sets == shot.sets;  // false if the running version was kept
+  for (const auto& one : evaluated.dropped)
+    if (are_dropped) origins_.erase(one.name);
   problems_ = result.problems;
   files_.remember(*running_, tried, problems_.empty());
   return result;
@@ -232,12 +229,9 @@ std::optional<Reload> Session::reload(bool wait) {
 static std::vector<std::string> addedChoices(const plan::PipelineDesc& before, const plan::PipelineDesc& now) {
   std::vector<std::string> added;
   for (const plan::ParamDesc& param : now.params) {
-    auto known = std::find_if(before.params.begin(), before.params.end(),
-                              [&](const plan::ParamDesc& one) { return one.name == param.name; });
-    if (known == before.params.end()) continue;
+    const plan::ParamDesc* known = plan::find(before.params, param.name);
     for (const std::string& choice : param.choices)
-      if (std::find(known->choices.begin(), known->choices.end(), choice) == known->choices.end())
-        added.push_back(param.name + " = " + choice);
+      if (known && !contains(known->choices, choice)) added.push_back(param.name + " = " + choice);
   }
   return added;
 }
@@ -283,8 +277,7 @@ void Session::replace(Shot shot, const std::shared_ptr<const Evaluation>& evalua
   keepSettings(shot_, result);
   std::vector<std::string> kept = running_->graph().histories(true);
   for (const std::string& name : histories) {
-    bool lives_on = std::find(kept.begin(), kept.end(), name) != kept.end();
-    if (lives_on) result.kept.push_back("history " + name);
+    if (contains(kept, name)) result.kept.push_back("history " + name);
     else if (result.swapped) result.reset.push_back("history " + name + ": its declaration changed");
   }
 }

@@ -145,7 +145,7 @@ Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, in
   plan::forFilledImages(plan, [&](const plan::PlanNode& node, const plan::VirtualImage& image) {
     auto tap = frame.taps.find(image.name);
     if (tap == frame.taps.end()) return;
-    trail.rows.push_back(rowOf(plan.pipeline.passes[size_t(node.pass)], image, tap->second, x, y));
+    trail.rows.push_back(rowOf(plan.passOf(node), image, tap->second, x, y));
   });
   return trail;
 }

@@ -6,22 +6,22 @@
 
 #include "image/regions.h"
 #include "lab/limits.h"
+#include "plan/named.h"
 #include "scene/clips.h"
 #include "scene/motion.h"
 
 namespace strobe::lab {
 
 static uint64_t countOf(const graph::FrameResult& frame, const std::string& name) {
-  auto found =
-      std::find_if(frame.counters.begin(), frame.counters.end(), [&](const auto& c) { return c.first == name; });
-  return found == frame.counters.end() ? 0 : found->second;
+  const uint64_t* count = plan::valueIn(frame.counters, name);
+  return count ? *count : 0;
 }
 
 std::vector<std::string> limitsMet(const plan::Plan& plan, const graph::FrameResult& frame) {
   std::vector<std::string> met;
   for (const auto& planned : plan.nodes) {
-    const std::string& node = plan.pipeline.nodes[size_t(planned.node)].name;
-    for (const auto& counter : plan.pipeline.passes[size_t(planned.pass)].counters) {
+    const std::string& node = plan.descOf(planned).name;
+    for (const auto& counter : plan.passOf(planned).counters) {
       uint64_t count = countOf(frame, node + "." + counter.name);
       if (count == 0 || counter.limit.empty()) continue;
       met.push_back(fmt::format("{}: {} {}; {}", node, count, counter.doc, counter.limit));

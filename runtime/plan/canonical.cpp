@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "plan/canonical.h"
 
-#include <map>
-
 #include "base/hash.h"
 #include "base/json.h"
 #include "plan/facts.h"
@@ -10,48 +8,24 @@
 namespace strobe::plan {
 namespace {
 
-const char* kindName(Step::Kind kind) {
-  switch (kind) {
-    case Step::Kind::ClearImage:
-      return "clear_image";
-    case Step::Kind::CopyOutside:
-      return "copy_outside";
-    case Step::Kind::ClearCounters:
-      return "clear_counters";
-    case Step::Kind::Pass:
-      return "pass";
-    case Step::Kind::Loop:
-      return "loop";
-    case Step::Kind::ReadImage:
-      return "read_image";
-    case Step::Kind::ReadCounters:
-      return "read_counters";
-  }
-  return "";
+// Names in the order of the enumerations.
+const char* const kStepKinds[] = {"clear_image", "copy_outside", "clear_counters", "pass",
+                                  "loop",        "read_image",   "read_counters"};
+const char* const kHazards[] = {"read after write", "write after read", "write after write"};
+
+const std::string& kindName(const PassDesc& pass) { return kPassKinds[size_t(pass.kind)]; }
+
+template <class Items, class Write>
+Json listOf(const Items& items, const Write& write) {
+  Json list = Json::array();
+  for (const auto& item : items) list.push_back(write(item));
+  return list;
 }
 
-const char* kindName(PassDesc::Kind kind) {
-  switch (kind) {
-    case PassDesc::Kind::Raster:
-      return "raster";
-    case PassDesc::Kind::Compute:
-      return "compute";
-    case PassDesc::Kind::Trace:
-      return "trace";
-  }
-  return "";
-}
-
-const char* hazardName(Hazard hazard) {
-  switch (hazard) {
-    case Hazard::ReadAfterWrite:
-      return "read after write";
-    case Hazard::WriteAfterRead:
-      return "write after read";
-    case Hazard::WriteAfterWrite:
-      return "write after write";
-  }
-  return "";
+Json valuesJson(const std::vector<std::pair<std::string, Value>>& values) {
+  Json json = Json::object();
+  for (const auto& [name, value] : values) json[name] = toJson(value);
+  return json;
 }
 
 Json bitNames(uint32_t bits, const std::vector<const char*>& names) {
@@ -76,17 +50,17 @@ Json usageNames(uint32_t usage) {
                   {"sampled", "storage", "color_attachment", "depth_attachment", "transfer_source", "transfer_target"});
 }
 
-const std::string& nodeName(const Plan& plan, int node) { return plan.pipeline.nodes[plan.nodes[node].node].name; }
+const std::string& nodeName(const Plan& plan, int node) { return plan.descOf(plan.nodes[size_t(node)]).name; }
 
-const PassDesc& passOf(const Plan& plan, int node) { return plan.pipeline.passes[plan.nodes[node].pass]; }
-
-const std::string& loopName(const Plan& plan, int loop) { return plan.pipeline.loops[plan.loops[loop].loop].name; }
+const std::string& loopName(const Plan& plan, const PlanLoop& loop) {
+  return plan.pipeline.loops[size_t(loop.loop)].name;
+}
 
 std::string stepName(const Plan& plan, const Step& step) {
   bool image =
       step.kind == Step::Kind::ClearImage || step.kind == Step::Kind::CopyOutside || step.kind == Step::Kind::ReadImage;
   if (image) return plan.images[step.index].name;
-  return step.kind == Step::Kind::Loop ? loopName(plan, step.index) : nodeName(plan, step.index);
+  return step.kind == Step::Kind::Loop ? loopName(plan, plan.loops[step.index]) : nodeName(plan, step.index);
 }
 
 Json portsJson(const Plan& plan, const std::vector<PortDesc>& ports, const std::vector<int>& images) {
@@ -97,19 +71,17 @@ Json portsJson(const Plan& plan, const std::vector<PortDesc>& ports, const std::
   return json;
 }
 
-Json plannedNodeJson(const Plan& plan, int index) {
-  const PlanNode& node = plan.nodes[index];
-  const PassDesc& pass = passOf(plan, index);
+Json plannedNodeJson(const Plan& plan, const PlanNode& node) {
+  const PassDesc& pass = plan.passOf(node);
   Json json;
-  json["name"] = nodeName(plan, index);
+  json["name"] = plan.descOf(node).name;
   json["pass"] = pass.name;
-  json["kind"] = kindName(pass.kind);
+  json["kind"] = kindName(pass);
   json["shader"] = pass.shader;
   json["size"] = {node.width, node.height};
-  json["time"] = plan.pipeline.nodes[node.node].time;
-  json["loop"] = node.loop < 0 ? "" : loopName(plan, node.loop);
-  json["params"] = Json::object();
-  for (const auto& [name, value] : node.params) json["params"][name] = toJson(value);
+  json["time"] = plan.descOf(node).time;
+  json["loop"] = node.loop < 0 ? "" : loopName(plan, plan.loops[node.loop]);
+  json["params"] = valuesJson(node.params);
   if (node.over >= 0) json["over"] = plan.images[node.over].name;
   if (pass.group) json["group"] = true;
   if (node.in_moving_rect) json["in_moving_rect"] = true;
@@ -119,10 +91,9 @@ Json plannedNodeJson(const Plan& plan, int index) {
   return json;
 }
 
-Json plannedLoopJson(const Plan& plan, int index) {
-  const PlanLoop& loop = plan.loops[index];
+Json plannedLoopJson(const Plan& plan, const PlanLoop& loop) {
   Json json;
-  json["name"] = loopName(plan, index);
+  json["name"] = loopName(plan, loop);
   json["count"] = loop.count;
   json["times"] = loop.times;
   json["slices"] = loop.slices;
@@ -161,30 +132,23 @@ Json barrierJson(const Plan& plan, const Barrier& barrier) {
   json[slot ? "image" : "counters"] = slot ? plan.images[barrier.image].name : nodeName(plan, barrier.resource.index);
   json["src"] = {stageNames(barrier.src_stages), accessNames(barrier.src_access)};
   json["dst"] = {stageNames(barrier.dst_stages), accessNames(barrier.dst_access)};
-  json["hazard"] = hazardName(barrier.hazard);
+  json["hazard"] = kHazards[size_t(barrier.hazard)];
   json["carried"] = barrier.carried;
   json["discard"] = barrier.discard;
   return json;
 }
 
-Json barriersJson(const Plan& plan, const std::vector<Barrier>& barriers) {
-  Json list = Json::array();
-  for (const Barrier& barrier : barriers) list.push_back(barrierJson(plan, barrier));
-  return list;
-}
-
 Json stepsJson(const Plan& plan, const std::vector<Step>& steps, bool in_loop) {
-  Json list = Json::array();
-  for (const Step& step : steps) {
+  auto barriers = [&](const Barrier& barrier) { return barrierJson(plan, barrier); };
+  return listOf(steps, [&](const Step& step) {
     Json json;
-    json["kind"] = kindName(step.kind);
+    json["kind"] = kStepKinds[size_t(step.kind)];
     json["of"] = stepName(plan, step);
-    json["barriers"] = barriersJson(plan, step.barriers);
-    if (in_loop) json["barriers_next"] = barriersJson(plan, step.barriers_next);
+    json["barriers"] = listOf(step.barriers, barriers);
+    if (in_loop) json["barriers_next"] = listOf(step.barriers_next, barriers);
     if (step.kind == Step::Kind::Loop) json["body"] = stepsJson(plan, step.body, true);
-    list.push_back(std::move(json));
-  }
-  return list;
+    return json;
+  });
 }
 
 Json namedImages(const Plan& plan, const std::vector<std::pair<std::string, int>>& named) {
@@ -206,12 +170,10 @@ std::string shownValue(const ParamDesc& param, const Value& value) {
   return param.has_auto && value == Value(kAuto) ? "auto" : toJson(value).dump();
 }
 
-std::string nodeText(const Plan& plan, int index, const std::string& indent) {
-  const PlanNode& node = plan.nodes[index];
-  const PassDesc& pass = passOf(plan, index);
-  const NodeDesc& desc = plan.pipeline.nodes[node.node];
-  std::string text =
-      fmt::format("{}{:<24} {:<8} {}x{}", indent, desc.name, kindName(pass.kind), node.width, node.height);
+std::string nodeText(const Plan& plan, const PlanNode& node, const std::string& indent) {
+  const PassDesc& pass = plan.passOf(node);
+  const NodeDesc& desc = plan.descOf(node);
+  std::string text = fmt::format("{}{:<24} {:<8} {}x{}", indent, desc.name, kindName(pass), node.width, node.height);
   if (desc.name != pass.name) text += "  pass " + pass.name;
   if (node.over >= 0) text += "  over " + plan.images[node.over].name;
   if (pass.group) text += "  a group for each pixel";
@@ -249,13 +211,13 @@ std::string timesText(const PlanLoop& loop) {
 std::string orderText(const Plan& plan) {
   std::string text;
   for (const Step& step : plan.steps) {
-    if (step.kind == Step::Kind::Pass) text += nodeText(plan, step.index, "  ");
+    if (step.kind == Step::Kind::Pass) text += nodeText(plan, plan.nodes[step.index], "  ");
     if (step.kind != Step::Kind::Loop) continue;
     const PlanLoop& loop = plan.loops[step.index];
-    text += fmt::format("  loop {}: {} times, {}{}{}\n", loopName(plan, step.index), loop.count, timesText(loop),
+    text += fmt::format("  loop {}: {} times, {}{}{}\n", loopName(plan, loop), loop.count, timesText(loop),
                         partsText(loop), loop.until < 0 ? "" : ", until " + plan.images[loop.until].name);
     for (const Step& inner : step.body) {
-      if (inner.kind == Step::Kind::Pass) text += nodeText(plan, inner.index, "    ");
+      if (inner.kind == Step::Kind::Pass) text += nodeText(plan, plan.nodes[inner.index], "    ");
     }
   }
   return text;
@@ -268,21 +230,16 @@ Json toJson(const Plan& plan) {
   json["pipeline"] = plan.pipeline.name;
   json["size"] = {plan.width, plan.height};
   if (!plan.pipeline.preset.empty()) json["preset"] = plan.pipeline.preset;
-  json["values"] = Json::object();
-  for (const auto& [name, value] : plan.pipeline.values) json["values"][name] = toJson(value);
-  json["nodes"] = Json::array();
-  for (size_t i = 0; i < plan.nodes.size(); ++i) json["nodes"].push_back(plannedNodeJson(plan, static_cast<int>(i)));
-  json["loops"] = Json::array();
-  for (size_t i = 0; i < plan.loops.size(); ++i) json["loops"].push_back(plannedLoopJson(plan, static_cast<int>(i)));
+  json["values"] = valuesJson(plan.pipeline.values);
+  json["nodes"] = listOf(plan.nodes, [&](const PlanNode& node) { return plannedNodeJson(plan, node); });
+  json["loops"] = listOf(plan.loops, [&](const PlanLoop& loop) { return plannedLoopJson(plan, loop); });
   json["outputs"] = namedImages(plan, plan.outputs);
   json["taps"] = namedImages(plan, plan.taps);
   json["culled"] = Json::object();
   for (const CulledNode& node : plan.culled) json["culled"][node.name] = node.reason;
   if (!plan.absent.empty()) json["absent"] = plan.absent;
-  json["images"] = Json::array();
-  for (const VirtualImage& image : plan.images) json["images"].push_back(imageJson(plan, image));
-  json["slots"] = Json::array();
-  for (const Slot& slot : plan.slots) json["slots"].push_back(slotJson(slot));
+  json["images"] = listOf(plan.images, [&](const VirtualImage& image) { return imageJson(plan, image); });
+  json["slots"] = listOf(plan.slots, slotJson);
   json["steps"] = stepsJson(plan, plan.steps, false);
   return json;
 }
@@ -296,9 +253,10 @@ std::string shapeOf(const Plan& plan) {
     if ((fact.compiled_in || fact.compiled_into_all) && lacks(plan, fact.name))
       json["compiled_without"].push_back(fact.name);
   for (size_t i = 0; i < plan.nodes.size(); ++i) {
-    for (const ParamDesc& param : passOf(plan, static_cast<int>(i)).params)
+    const PassDesc& pass = plan.passOf(plan.nodes[i]);
+    for (const ParamDesc& param : pass.params)
       if (!isCompiledIn(param)) json["nodes"][i]["params"].erase(param.name);
-    json["nodes"][i]["place"] = passOf(plan, static_cast<int>(i)).place.file;
+    json["nodes"][i]["place"] = pass.place.file;
   }
   return hashText(json.dump());
 }

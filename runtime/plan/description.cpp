@@ -6,20 +6,11 @@
 #include <cmath>
 
 #include "base/json.h"
-#include "plan/description_words.h"
+#include "base/lists.h"
 #include "plan/formats.h"
-#include "plan/without.h"
+#include "plan/named.h"
 
 namespace strobe::plan {
-
-const std::vector<std::string>& formatNames() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> list;
-    for (const Format& format : portFormats()) list.push_back(format.name);
-    return list;
-  }();
-  return names;
-}
 
 const std::vector<std::string>& invariantNames() {
   static const std::vector<std::string> names = {"constant",   "still",    "brief",   "mirrored", "shifted",
@@ -39,14 +30,10 @@ const std::vector<std::string>& pipelineKindNames() {
   return names;
 }
 
-std::string roleName(Role role) { return role == Role::None ? "" : roleNames()[static_cast<size_t>(role) - 1]; }
-
 // ---- look-up in a pipeline
 
 const ParamDesc* paramNamed(const PipelineDesc& pipeline, const std::string& name) {
-  auto found =
-      std::find_if(pipeline.params.begin(), pipeline.params.end(), [&](const auto& p) { return p.name == name; });
-  return found == pipeline.params.end() ? nullptr : &*found;
+  return find(pipeline.params, name);
 }
 
 const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role) {
@@ -55,21 +42,21 @@ const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role) {
   return found == pipeline.params.end() ? nullptr : &*found;
 }
 
-const Value* valueOf(const PipelineDesc& pipeline, const std::string& name) {
-  for (const auto& [other, value] : pipeline.values)
-    if (other == name) return &value;
-  return nullptr;
+const Value* valueOf(const PipelineDesc& pipeline, const std::string& name) { return valueIn(pipeline.values, name); }
+
+const Value* valueOf(const PipelineDesc& pipeline, const Binding& binding) {
+  return binding.value ? &*binding.value : valueOf(pipeline, binding.follows);
 }
 
 // The integer of a binding; `otherwise` if its value does not follow from the parameters of the pipeline.
 static int64_t wholeOf(const PipelineDesc& pipeline, const Binding& binding, int64_t otherwise) {
-  const Value* value = binding.value ? &*binding.value : valueOf(pipeline, binding.follows);
+  const Value* value = valueOf(pipeline, binding);
   const int64_t* number = value ? std::get_if<int64_t>(value) : nullptr;
   return number ? *number : otherwise;
 }
 
 static bool hasTimes(const PipelineDesc& pipeline, const LoopDesc& loop, const char* wanted) {
-  const Value* times = loop.times.value ? &*loop.times.value : valueOf(pipeline, loop.times.follows);
+  const Value* times = valueOf(pipeline, loop.times);
   return times && *times == Value(std::string(wanted));
 }
 
@@ -114,11 +101,11 @@ std::string textOf(const Value& value) {
   return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
 }
 
+// The value in a message.
 static std::string shown(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("'{}'", *text);
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-  if (const auto* whole = std::get_if<int64_t>(&value)) return fmt::format("{}", *whole);
-  return std::get<bool>(value) ? "true" : "false";
+  const auto* number = std::get_if<double>(&value);
+  return number ? fmt::format("{}", *number) : textOf(value);
 }
 
 template <class Number>
@@ -181,19 +168,14 @@ static void checkRange(const ParamDesc& param, double number, const Value& value
   }
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 static Value checkChoice(const ParamDesc& param, const Value& value, const Place& where) {
   // The name of a choice may be "2" or "true".
   std::string name = textOf(value);
-  if (std::find(param.choices.begin(), param.choices.end(), name) != param.choices.end()) return name;
+  if (contains(param.choices, name)) return name;
   std::string near = std::holds_alternative<std::string>(value) ? didYouMean(name, param.choices) : "";
-  std::string choices = listed(param.choices);
-  throw Error(fmt::format("'{}' = {} is not one of {}{}", param.name, shown(value), choices, near), where);
+  throw Error(
+      fmt::format("'{}' = {} is not one of {}{}", param.name, shown(value), fmt::join(param.choices, ", "), near),
+      where);
 }
 
 Value checkValue(const ParamDesc& param, const Value& value, const Place& where) {
@@ -219,189 +201,23 @@ Value checkValue(const ParamDesc& param, const Value& value, const Place& where)
   return *number;
 }
 
-// ---- formats
+// ---- ports
+
+std::vector<std::string> outputsOf(const PassDesc& pass) {
+  std::vector<std::string> names = namesOf(pass.writes), updates = namesOf(pass.updates);
+  names.insert(names.end(), updates.begin(), updates.end());
+  return names;
+}
 
 bool hasAbsent(const PortDesc& read) { return !read.absent.empty() || !read.absent_read.empty(); }
 
 bool isCleared(const PortDesc& port) { return port.cleared || isBuffer(port.format); }
 
 const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params) {
-  if (port.format_by.empty()) return port.format;
-  auto named = [](const auto& list, const std::string& name) {
-    return std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == name; });
-  };
-  auto param = named(params, port.format_by);
-  const std::string* choice = param == params.end() ? nullptr : std::get_if<std::string>(&param->second);
-  if (!choice) return port.format;
-  auto chosen = named(port.formats, *choice);
-  return chosen == port.formats.end() ? port.format : chosen->second;
-}
-
-// ---- writing
-
-template <class Item, class Write>
-static Json listOf(const std::vector<Item>& items, Write write) {
-  Json list = Json::array();
-  for (const Item& item : items) list.push_back(write(item));
-  return list;
-}
-
-static Json placeJson(const Place& place) { return {{"file", place.file}, {"line", place.line}}; }
-
-static Json breaksJson(const Breaks& breaks) {
-  Json json = Json::object();
-  for (const auto& [invariant, reason] : breaks) json[invariant] = reason;
-  return json;
-}
-
-// Bounds of an integer parameter are written as integers.
-static Json boundJson(const ParamDesc& param, double bound) {
-  if (param.type == ParamDesc::Type::Int) return static_cast<int64_t>(bound);
-  return bound;
-}
-
-static Json paramJson(const ParamDesc& param) {
-  Json json = {{"name", param.name}, {"type", kParamTypes[static_cast<size_t>(param.type)]}};
-  json["default"] = toJson(param.default_value);
-  if (param.min) json["min"] = boundJson(param, *param.min);
-  if (param.max) json["max"] = boundJson(param, *param.max);
-  if (param.has_auto) json["auto"] = true;
-  if (param.type == ParamDesc::Type::Choice) json["choices"] = param.choices;
-  for (const auto& [name, text] : param.values) json["values"][name] = text;
-  for (const auto& [value, breaks] : param.breaks) json["breaks"][value] = breaksJson(breaks);
-  if (param.role != Role::None) json["role"] = roleName(param.role);
-  json["unit"] = param.unit;
-  json["doc"] = param.doc;
-  if (param.wired) json["wired"] = true;
-  json["variant"] = param.variant;
-  json["place"] = placeJson(param.place);
-  return json;
-}
-
-static Json readJson(const PortDesc& port) {
-  Json json = {{"name", port.name},         {"doc", port.doc},       {"uint", port.uint},
-               {"optional", port.optional}, {"linear", port.linear}, {"place", placeJson(port.place)}};
-  if (port.buffer) json["buffer"] = true;
-  if (port.pointwise) json["pointwise"] = true;
-  if (!port.needs.empty()) json["needs"] = port.needs;
-  if (!port.absent.empty()) json["absent"] = port.absent;
-  if (!port.absent_read.empty()) json["absent"] = port.absent_read;
-  return json;
-}
-
-static Json writeJson(const PortDesc& port) {
-  Json json = {{"name", port.name}, {"doc", port.doc}, {"format", port.format}, {"place", placeJson(port.place)}};
-  if (!port.format_by.empty()) json["format_by"] = port.format_by;
-  for (const auto& [choice, format] : port.formats) json["formats"][choice] = format;
-  if (port.each != 1) json["each"] = port.each;
-  if (port.cleared) json["cleared"] = true;
-  if (port.history) json["history"] = true;
-  return json;
-}
-
-static Json sizeJson(const SizeDesc& size) {
-  Json json = {{"kind", kSizeKinds[static_cast<size_t>(size.kind)]}};
-  if (size.kind == SizeDesc::Kind::Port) json["port"] = size.port;
-  if (size.kind == SizeDesc::Kind::Port && !size.divide.empty()) json["divide"] = size.divide;
-  if (size.kind == SizeDesc::Kind::Fixed) json["width"] = size.width, json["height"] = size.height;
-  if (size.kind != SizeDesc::Kind::Frame) json["place"] = placeJson(size.place);
-  return json;
-}
-
-static Json counterJson(const CounterDesc& counter) {
-  Json json = {{"name", counter.name}, {"doc", counter.doc}};
-  if (!counter.limit.empty()) json["limit"] = counter.limit;
-  return json;
-}
-
-Json toJson(const PassDesc& pass) {
-  Json json = {{"name", pass.name}, {"kind", kPassKinds[static_cast<size_t>(pass.kind)]}, {"shader", pass.shader}};
-  json["doc"] = pass.doc;
-  json["fails"] = pass.fails;
-  if (!pass.breaks.empty()) json["breaks"] = breaksJson(pass.breaks);
-  json["size"] = sizeJson(pass.size);
-  if (!pass.over.empty()) json["over"] = pass.over;
-  if (pass.group) json["group"] = true;
-  json["scene"] = pass.scene;
-  json["reads"] = listOf(pass.reads, readJson);
-  json["writes"] = listOf(pass.writes, writeJson);
-  json["updates"] = listOf(pass.updates, writeJson);
-  json["params"] = listOf(pass.params, paramJson);
-  json["counters"] = listOf(pass.counters, counterJson);
-  if (!pass.without.empty()) json["without"] = listOf(pass.without, [](const auto& one) { return toJson(one); });
-  json["place"] = placeJson(pass.place);
-  return json;
-}
-
-static Json bindingJson(const Binding& binding) {
-  Json json;
-  if (binding.value) json["value"] = toJson(*binding.value);
-  if (!binding.value) json["follows"] = binding.follows;
-  json["place"] = placeJson(binding.place);
-  return json;
-}
-
-static Json nodeJson(const NodeDesc& node) {
-  Json json = {{"name", node.name}, {"pass", node.pass}};
-  json["inputs"] = Json::object();
-  for (const auto& [port, source] : node.inputs) json["inputs"][port] = source;
-  json["params"] = Json::object();
-  for (const auto& [name, binding] : node.params) json["params"][name] = bindingJson(binding);
-  json["time"] = node.time;
-  json["loop"] = node.loop;
-  if (node.runs != Runs::MovingRect) json["runs"] = kNodeRuns[static_cast<size_t>(node.runs)];
-  json["place"] = placeJson(node.place);
-  return json;
-}
-
-static Json loopJson(const LoopDesc& loop) {
-  Json json = {{"name", loop.name},
-               {"count", bindingJson(loop.count)},
-               {"times", bindingJson(loop.times)},
-               {"slices", bindingJson(loop.slices)},
-               {"until", loop.until},
-               {"place", placeJson(loop.place)}};
-  if (loop.parts > 0) json["first"] = loop.first, json["parts"] = loop.parts;
-  return json;
-}
-
-static Json valuesJson(const std::vector<std::pair<std::string, Value>>& values) {
-  Json json = Json::object();
-  for (const auto& [name, value] : values) json[name] = toJson(value);
-  return json;
-}
-
-static Json equalJson(const EqualDesc& equal) {
-  return {{"when", valuesJson(equal.when)}, {"pipeline", equal.pipeline}, {"set", valuesJson(equal.set)}};
-}
-
-static Json presetJson(const PresetDesc& preset) {
-  return {{"name", preset.name},
-          {"doc", preset.doc},
-          {"default", preset.is_default},
-          {"values", valuesJson(preset.values)}};
-}
-
-static Json regionJson(const RegionDesc& region) { return {{"name", region.name}, {"doc", region.doc}}; }
-
-Json toJson(const PipelineDesc& pipeline) {
-  Json json = {{"name", pipeline.name}, {"file", pipeline.file}, {"doc", pipeline.doc}};
-  json["kind"] = pipelineKindNames()[static_cast<size_t>(pipeline.kind)];
-  if (!pipeline.breaks.empty()) json["breaks"] = breaksJson(pipeline.breaks);
-  if (!pipeline.compare_with.empty()) json["compare_with"] = pipeline.compare_with;
-  if (!pipeline.equals.empty()) json["equals"] = listOf(pipeline.equals, equalJson);
-  json["params"] = listOf(pipeline.params, paramJson);
-  if (!pipeline.graph_params.empty()) json["graph_params"] = pipeline.graph_params;
-  if (!pipeline.presets.empty()) json["presets"] = listOf(pipeline.presets, presetJson);
-  if (!pipeline.preset.empty()) json["preset"] = pipeline.preset;
-  json["values"] = valuesJson(pipeline.values);
-  json["passes"] = listOf(pipeline.passes, [](const PassDesc& pass) { return toJson(pass); });
-  json["nodes"] = listOf(pipeline.nodes, nodeJson);
-  json["loops"] = listOf(pipeline.loops, loopJson);
-  json["outputs"] = Json::object();
-  for (const auto& [name, source] : pipeline.outputs) json["outputs"][name] = source;
-  if (!pipeline.regions.empty()) json["regions"] = listOf(pipeline.regions, regionJson);
-  return json;
+  const Value* by = port.format_by.empty() ? nullptr : valueIn(params, port.format_by);
+  const std::string* choice = by ? std::get_if<std::string>(by) : nullptr;
+  const std::string* format = choice ? valueIn(port.formats, *choice) : nullptr;
+  return format ? *format : port.format;
 }
 
 }  // namespace strobe::plan

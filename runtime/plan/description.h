@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Data that Lua returns: passes and a pipeline as plain data. Each field has the place where it was written.
-// `...FromJson` reads the canonical form (made by scripts/strobe/run.lua); `toJson` writes it back, key for key.
+// `...FromJson` reads the canonical form (made by scripts/strobe/run.lua).
 #pragma once
 
 #include <optional>
@@ -72,7 +72,11 @@ struct ParamDesc {
   bool wired = false;     // pass: describes the rest of the graph, so only the pipeline may set it
   bool variant = false;   // compiled into the shader instead of passed to it (always for Choice and Bool)
   Place place;
+  bool operator==(const ParamDesc&) const = default;
 };
+
+// Names of the values of an enumeration, in its order.
+inline const std::vector<std::string> kParamTypes = {"bool", "int", "float", "choice"};
 
 // True if the value is compiled into the shader.
 inline bool isCompiledIn(const ParamDesc& param) {
@@ -109,6 +113,7 @@ struct PortDesc {
   bool cleared = false;  // writes: zero when the pass begins, so the pass need not write every texel
   bool history = false;  // updates: kept from frame to frame; otherwise zero at the start of each frame
   Place place;
+  bool operator==(const PortDesc&) const = default;
 };
 
 // True if shaders can read the texels of an optional read that is not wired.
@@ -128,25 +133,30 @@ struct SizeDesc {
   std::string divide;         // Kind::Port: integer parameter that divides this size, rounding up; or ""
   int width = 0, height = 0;  // Kind::Fixed
   Place place;                // the field `size`; the pass if the field is missing
+  bool operator==(const SizeDesc&) const = default;
 };
+
+inline const std::vector<std::string> kSizeKinds = {"frame", "port", "fixed"};
 
 struct CounterDesc {
   std::string name;
   std::string doc;
   std::string limit;  // effect of the counted event on the picture, and the remedy; "" if the event has no effect
+  bool operator==(const CounterDesc&) const = default;
 };
 
 // Name in `WithoutDesc` of the condition "pixel outside of the moving rectangle".
-inline const char* const kReached = "moving_rect";
+inline const char* const kMovingRect = "moving_rect";
 
 // Stand-ins for the writes of a pass if a fact of the frame does not hold (plan/facts.h), or if a read is only zeros. A
-// stand-in equals the result of the pass bit for bit, so the pass does not run. With the name `kReached` the pass may
-// run within the moving rectangle only.
+// stand-in equals the result of the pass bit for bit, so the pass does not run. With the name `kMovingRect` the pass
+// may run within the moving rectangle only.
 struct WithoutDesc {
-  std::string name;  // a fact, a read or kReached
+  std::string name;  // a fact, a read or kMovingRect
   std::vector<std::pair<std::string, std::string>>
       writes;  // each write in order -> the read that stands in; "" for zeros
   Place place;
+  bool operator==(const WithoutDesc&) const = default;
 };
 
 struct PassDesc {
@@ -171,21 +181,31 @@ struct PassDesc {
   std::vector<CounterDesc> counters;  // 32-bit event counts for the run record
   std::vector<WithoutDesc> without;   // in the order of the tests
   Place place;
+  bool operator==(const PassDesc&) const = default;
 };
+
+inline const std::vector<std::string> kPassKinds = {"raster", "compute", "trace"};
+
+// Names of the writes, then of the updates.
+std::vector<std::string> outputsOf(const PassDesc& pass);
 
 // Value of a parameter of a node: either a constant, or the value of a parameter of the pipeline.
 struct Binding {
   std::optional<Value> value;
   std::string follows;  // name of a pipeline parameter, or ""
   Place place;
+  bool operator==(const Binding&) const = default;
 };
 
 // Pixels or instances that a node runs for.
 enum class Runs {
   Everywhere,       // all pixels, all instances
-  MovingRect,       // pixels of the moving rectangle; the other pixels get the stand-in kReached of the pass
+  MovingRect,       // pixels of the moving rectangle; the other pixels get the stand-in kMovingRect of the pass
   MovingInstances,  // raster: instances that move, if the camera is static
 };
+
+inline const std::vector<std::string> kNodeRuns = {"everywhere", "moving_rect", "moving_instances"};
+inline const std::vector<std::string> kNodeTimes = {"raster", "shutter_open", "shutter_close", "sample"};
 
 // One use of a pass.
 struct NodeDesc {
@@ -193,22 +213,24 @@ struct NodeDesc {
   std::string pass;
   std::vector<std::pair<std::string, std::string>> inputs;  // read port -> "node.port"
   std::vector<std::pair<std::string, Binding>> params;
-  // Pose of the scene: "raster", "shutter_open", "shutter_close" or "sample" (times of its loop).
+  // Pose of the scene, one of kNodeTimes; "sample": the times of its loop.
   std::string time = "raster";
   std::string loop;  // name of the loop that repeats the node, or ""
   Runs runs = Runs::MovingRect;
   Place place;
+  bool operator==(const NodeDesc&) const = default;
 };
 
 // Times of a loop whose iterations draw the parts of the frame's exposure, each as an exposure of its own.
 inline constexpr const char* kPartTimes = "parts";
+inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even", "frames", kPartTimes};
 
 // Nodes repeated for k = first .. first+count-1, with other scene times in each iteration.
 struct LoopDesc {
   std::string name;
   Binding count;
-  // Choice "midpoint" | "stratified" (parts of equal weight) | "even" (parts of equal length) | "frames" (raster times
-  // of earlier frames, the latest first) | kPartTimes.
+  // Choice of kSampleTimes: "stratified" (parts of equal weight), "even" (parts of equal length), "frames" (raster
+  // times of earlier frames, the latest first).
   Binding times;
   Binding slices;     // scene times per iteration; a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
@@ -216,12 +238,14 @@ struct LoopDesc {
   // numbers are spread over the whole exposure. If `parts` is 0, the loop takes all parts, one after another.
   int first = 0, parts = 0;
   Place place;
+  bool operator==(const LoopDesc&) const = default;
 };
 
 // With the values of `when`, the picture equals the picture of another pipeline with the values of `set`, bit for bit.
 struct EqualDesc {
   std::vector<std::pair<std::string, Value>> when, set;
   std::string pipeline;
+  bool operator==(const EqualDesc&) const = default;
 };
 
 // A named set of values: `--set preset=NAME`. Values that are set separately override the preset.
@@ -230,6 +254,7 @@ struct PresetDesc {
   std::string doc;
   std::vector<std::pair<std::string, Value>> values;
   bool is_default = false;  // used if no preset is named; exactly one preset is the default
+  bool operator==(const PresetDesc&) const = default;
 };
 
 // Name of the setting that selects a preset.
@@ -239,6 +264,7 @@ inline constexpr const char* kPresetSetting = "preset";
 struct RegionDesc {
   std::string name;  // name of the output
   std::string doc;   // description of the pixels in the region
+  bool operator==(const RegionDesc&) const = default;
 };
 
 struct PipelineDesc {
@@ -263,6 +289,7 @@ struct PipelineDesc {
   std::vector<LoopDesc> loops;
   std::vector<std::pair<std::string, std::string>> outputs;  // output -> "node.port"
   std::vector<RegionDesc> regions;                           // outputs that are regions
+  bool operator==(const PipelineDesc&) const = default;
 };
 
 // "method", "sharp", "truth", "list".
@@ -272,15 +299,16 @@ const std::vector<std::string>& pipelineKindNames();
 const ParamDesc* paramNamed(const PipelineDesc& pipeline, const std::string& name);
 const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role);
 
-// The value of a parameter of the pipeline; null if the parameter does not exist.
+// The value of a parameter of the pipeline, or of a binding; null if the parameter does not exist.
 const Value* valueOf(const PipelineDesc& pipeline, const std::string& name);
+const Value* valueOf(const PipelineDesc& pipeline, const Binding& binding);
 // Number of earlier frames that loops with the times "frames" read, at most 64.
 int earlierFrames(const PipelineDesc& pipeline);
 // True if a loop of the pipeline draws the parts of the exposure (kPartTimes).
 bool hasParts(const PipelineDesc& pipeline);
 
 // Readers of the canonical form. Its text comes from another process, so names, references, types and ranges are
-// checked. Throws `Error` at the place of the first mistake.
+// checked. Throws `Error` with the place of a mistake.
 PassDesc passFromJson(const Json& json);
 // Data that several descriptions of one pipeline have in common. These descriptions have a number n in place of the nth
 // pass of `passes`, counted from 1, and no field "params".
@@ -291,10 +319,7 @@ struct Known {
 Known knownFromJson(const Json& json);
 PipelineDesc pipelineFromJson(const Json& json, const Known& known = {});
 
-Json toJson(const PipelineDesc& pipeline);
-Json toJson(const PassDesc& pass);
-
-// Image formats that a pass may write.
-const std::vector<std::string>& formatNames();
+// The checks of `passFromJson` that concern several fields. Throws `Error` at the place of the first mistake.
+void checkPass(const PassDesc& pass);
 
 }  // namespace strobe::plan

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/json.h"
-#include "plan/description_words.h"
+#include "base/lists.h"
 
 namespace strobe::plan {
 
@@ -38,18 +38,18 @@ Breaks breaksOf(const Reader& reader, const Json& json) {
   Breaks breaks;
   for (const auto& [invariant, reason] : json.items()) {
     const auto& known = invariantNames();
-    bool is_known = std::find(known.begin(), known.end(), invariant) != known.end();
-    if (!is_known) reader.fail(fmt::format("unknown invariant '{}'{}", invariant, didYouMean(invariant, known)));
+    if (!contains(known, invariant))
+      reader.fail(fmt::format("unknown invariant '{}'{}", invariant, didYouMean(invariant, known)));
     if (!reason.is_string()) reader.fail(fmt::format("the reason that '{}' is broken is not a text", invariant));
     breaks.emplace_back(invariant, reason.get<std::string>());
   }
   return breaks;
 }
 
-std::vector<std::pair<std::string, std::string>> choiceTexts(Reader& reader, const char* key) {
+std::vector<std::pair<std::string, std::string>> textsByName(Reader& reader, const char* key) {
   std::vector<std::pair<std::string, std::string>> texts;
   for (const auto& [name, text] : reader.table(key).items()) {
-    if (!text.is_string()) reader.fail(fmt::format("'{}' has a choice with a value that is not a text", key));
+    if (!text.is_string()) reader.fail(fmt::format("'{}' of '{}' is not a text", name, key));
     texts.emplace_back(name, text.get<std::string>());
   }
   return texts;
@@ -81,7 +81,7 @@ ParamDesc readParam(const Json& json) {
   bool crossed = param.min && param.max && *param.min > *param.max;
   if (crossed) reader.fail(fmt::format("min of '{}' is above max", param.name));
   param.choices = reader.texts("choices");
-  param.values = choiceTexts(reader, "values");
+  param.values = textsByName(reader, "values");
   param.unit = reader.text("unit");
   param.doc = reader.text("doc");
   if (reader.has("role")) param.role = static_cast<Role>(reader.oneOf("role", roleNames()) + 1);

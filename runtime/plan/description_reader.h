@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "base/json.h"
 #include "base/strict.h"
 #include "plan/description.h"
+#include "plan/named.h"
 
 namespace strobe::plan {
 
@@ -47,27 +47,6 @@ bool isName(const std::string& name);
 bool isPath(const std::string& name);
 std::string nameOf(Reader& reader);
 
-template <class Item>
-std::vector<std::string> namesOf(const std::vector<Item>& items) {
-  std::vector<std::string> names;
-  for (const Item& item : items) names.push_back(item.name);
-  return names;
-}
-
-template <class Item>
-const Item* find(const std::vector<Item>& items, const std::string& name) {
-  auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
-  return found == items.end() ? nullptr : &*found;
-}
-
-template <class Item>
-void refuseTwins(const std::vector<Item>& items, const Reader& reader, const char* what) {
-  std::set<std::string> seen;
-  for (const Item& item : items) {
-    if (!seen.insert(item.name).second) reader.fail(fmt::format("two {} are named '{}'", what, item.name));
-  }
-}
-
 // Reads each entry of `json` with `read`. All entries must be of the kind that `read` accepts.
 template <class Read>
 auto itemsOf(const Json& json, Read read) {
@@ -76,8 +55,8 @@ auto itemsOf(const Json& json, Read read) {
   return items;
 }
 
-// Pairs of a choice and its text.
-std::vector<std::pair<std::string, std::string>> choiceTexts(Reader& reader, const char* key);
+// Entries of a table of texts, by name.
+std::vector<std::pair<std::string, std::string>> textsByName(Reader& reader, const char* key);
 
 // Broken invariants with their reasons.
 Breaks breaksOf(const Reader& reader, const Json& json);

@@ -25,25 +25,16 @@ std::string inQuotes(const std::string& text) {
   return result + "\"";
 }
 
-struct Kind {
-  const char *name, *fill;
-};
-
-Kind kindOf(const PassDesc& pass) {
-  if (pass.kind == PassDesc::Kind::Raster) return {"raster", "#f6e3c5"};
-  return pass.kind == PassDesc::Kind::Trace ? Kind{"trace", "#f3cfc6"} : Kind{"compute", "#dbe7f3"};
-}
-
-const NodeDesc& descOf(const Plan& plan, const PlanNode& node) { return plan.pipeline.nodes[size_t(node.node)]; }
+const char* const kFills[] = {"#f6e3c5", "#dbe7f3", "#f3cfc6"};  // in the order of kPassKinds
 
 std::string boxOf(const Plan& plan, const PlanNode& node) {
-  const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
-  const NodeDesc& desc = descOf(plan, node);
-  Kind kind = kindOf(pass);
+  const PassDesc& pass = plan.passOf(node);
+  const NodeDesc& desc = plan.descOf(node);
+  const size_t kind = size_t(pass.kind);
   std::string label = desc.name;
   if (desc.name != pass.name) label += "\\npass " + pass.name;
-  label += fmt::format("\\n{} {}x{}", kind.name, node.width, node.height);
-  return fmt::format("{} [label={}, fillcolor=\"{}\"];\n", inQuotes(desc.name), inQuotes(label), kind.fill);
+  label += fmt::format("\\n{} {}x{}", kPassKinds[kind], node.width, node.height);
+  return fmt::format("{} [label={}, fillcolor=\"{}\"];\n", inQuotes(desc.name), inQuotes(label), kFills[kind]);
 }
 
 void addBoxes(const Plan& plan, std::string& text) {
@@ -86,7 +77,7 @@ void addEdges(const Plan& plan, std::string& text) {
       label += (label.empty() ? "" : "\\n") + port;
     }
     for (const auto& [from, label] : ports)
-      text += fmt::format("  {} -> {} [label={}];\n", inQuotes(from), inQuotes(descOf(plan, node).name),
+      text += fmt::format("  {} -> {} [label={}];\n", inQuotes(from), inQuotes(plan.descOf(node).name),
                           inQuotes(" " + label));
   }
 }

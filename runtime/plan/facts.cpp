@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plan/facts.h"
 
-#include <algorithm>
+#include "plan/named.h"
 
 namespace strobe::plan {
 
@@ -21,16 +21,6 @@ const std::vector<Fact>& facts() {
   return facts;
 }
 
-std::vector<std::string> factNames() {
-  std::vector<std::string> names;
-  for (const Fact& fact : facts()) names.push_back(fact.name);
-  return names;
-}
-
-const Fact* findFact(const std::string& name) {
-  auto named = [&](const Fact& fact) { return fact.name == name; };
-  auto found = std::find_if(facts().begin(), facts().end(), named);
-  return found == facts().end() ? nullptr : &*found;
-}
+const Fact* findFact(const std::string& name) { return find(facts(), name); }
 
 }  // namespace strobe::plan

@@ -19,8 +19,6 @@ struct Fact {
 // All facts, in the order of lists in messages and documentation.
 const std::vector<Fact>& facts();
 
-std::vector<std::string> factNames();
-
 // The fact of that name, or null.
 const Fact* findFact(const std::string& name);
 

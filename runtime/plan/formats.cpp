@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plan/formats.h"
 
+#include "plan/named.h"
+
 namespace strobe::plan {
 
 const std::vector<Format>& portFormats() {
@@ -13,11 +15,7 @@ const std::vector<Format>& portFormats() {
 
 const Format* findFormat(const std::string& name) {
   static const Format depth{"d32f", 1, 4, false};
-  if (name == depth.name) return &depth;
-  for (const Format& format : portFormats()) {
-    if (format.name == name) return &format;
-  }
-  return nullptr;
+  return name == depth.name ? &depth : find(portFormats(), name);
 }
 
 uint64_t bytesOf(const std::string& format, int width, int height) {

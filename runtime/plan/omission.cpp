@@ -3,14 +3,21 @@
 
 #include <algorithm>
 
-#include "plan/without.h"
+#include "base/lists.h"
+#include "plan/facts.h"
+#include "plan/named.h"
 
 namespace strobe::plan {
 namespace {
 
-int indexOf(const std::vector<PortDesc>& ports, const std::string& name) {
-  auto found = std::find_if(ports.begin(), ports.end(), [&](const PortDesc& port) { return port.name == name; });
-  return found == ports.end() ? -1 : int(found - ports.begin());
+// The reason that a node does not run, and its stand-ins: "nothing moves in this frame: blurred = color".
+std::string reasonOf(const WithoutDesc& without) {
+  const Fact* fact = findFact(without.name);
+  std::vector<std::string> ports;
+  for (const auto& [write, read] : without.writes)
+    ports.push_back(fmt::format("{} = {}", write, read.empty() ? "0" : read));
+  std::string why = fact ? fact->absent : fmt::format("'{}' is 0 everywhere", without.name);
+  return fmt::format("{}: {}", why, fmt::join(ports, ", "));
 }
 
 class Omitter {
@@ -65,7 +72,7 @@ class Omitter {
   }
 
   bool lacks(int index, const std::string& name) const {
-    if (std::find(absent_.begin(), absent_.end(), name) != absent_.end()) return true;
+    if (contains(absent_, name)) return true;
     int read = indexOf(passOf(index).reads, name);
     return read >= 0 && isZero(readOf(index, read));
   }
@@ -74,7 +81,7 @@ class Omitter {
   bool isZero(const Source& source) const { return source.node >= 0 && chosen_[size_t(source.node)]; }
 
   bool readsBackAlike(int index, const WithoutDesc& without) {
-    if (std::find(stops_.begin(), stops_.end(), index) != stops_.end()) return false;
+    if (contains(stops_, index)) return false;
     return std::all_of(without.writes.begin(), without.writes.end(), [&](const auto& port) {
       if (port.second.empty()) return true;
       Source write = {index, indexOf(passOf(index).writes, port.first)};

@@ -3,17 +3,19 @@
 #include <algorithm>
 
 #include "base/json.h"
+#include "base/lists.h"
 #include "plan/description_reader.h"
-#include "plan/description_words.h"
+#include "plan/facts.h"
 #include "plan/formats.h"
-#include "plan/without.h"
 
 namespace strobe::plan {
 
-static constexpr int kMaxSide = 32768;
+static constexpr int kMaxSide = 16384;  // limit of every device with ray tracing
 static constexpr int kMostOfEach = 4096;
 
 namespace {
+
+// ---- reading
 
 PortDesc readRead(const Json& json) {
   Reader reader(json, "read");
@@ -33,62 +35,21 @@ PortDesc readRead(const Json& json) {
   return port;
 }
 
-void checkAbsent(const PortDesc& read, const PassDesc& pass, const Reader& reader) {
-  const bool is_given = !read.absent.empty() || !read.absent_read.empty();
-  if (is_given && (!read.optional || read.buffer))
-    reader.fail(fmt::format("read '{}' has 'absent', but is not an optional image", read.name));
-  if (!read.absent.empty() && read.absent.size() != 4)
-    reader.fail(fmt::format("'absent' of read '{}' is not four numbers", read.name));
-  const PortDesc* other = find(pass.reads, read.absent_read);
-  if (read.absent_read.empty()) return;
-  if (!other || other == &read || other->buffer || other->uint != read.uint || (other->optional && !hasAbsent(*other)))
-    reader.fail(
-        fmt::format("'absent' of read '{}' is '{}', which cannot stand in for it", read.name, read.absent_read));
-}
-
-void checkNeeds(const PortDesc& read, const PassDesc& pass, const Reader& reader) {
-  if (!read.needs.empty() && !read.optional)
-    reader.fail(fmt::format("read '{}' has 'needs', but is always wired", read.name));
-  for (const std::string& needed : read.needs)
-    if (!find(pass.reads, needed))
-      reader.fail(fmt::format("read '{}' needs '{}', which is not a read", read.name, needed));
-}
-
 PortDesc readWrite(const Json& json) {
+  const std::vector<std::string> formats = namesOf(portFormats());
   Reader reader(json, "write");
   PortDesc port;
   port.place = reader.place();
   port.name = nameOf(reader);
   port.doc = reader.text("doc");
-  port.format = formatNames()[reader.oneOf("format", formatNames())];
+  port.format = formats[reader.oneOf("format", formats)];
   port.format_by = reader.text("format_by");
-  port.formats = choiceTexts(reader, "formats");
+  port.formats = textsByName(reader, "formats");
   port.each = reader.integer("each", 1, 1, kMostOfEach);
   port.cleared = reader.boolean("cleared", false);
   port.history = reader.boolean("history", false);
   reader.finish();
   return port;
-}
-
-// Checks a port with `format_by`: it needs a format for each choice, all of the same kind of texels.
-void checkFormats(const Reader& reader, const PortDesc& port, const PassDesc& pass) {
-  if (port.format_by.empty() && port.formats.empty()) return;
-  auto wrong = [&](const std::string& reason) {
-    reader.fail(fmt::format("the format of '{}' is chosen by '{}', {}", port.name, port.format_by, reason));
-  };
-  const ParamDesc* by = find(pass.params, port.format_by);
-  if (!by || by->type != ParamDesc::Type::Choice) wrong("which is not a choice parameter of the pass");
-  if (by->choices.size() != port.formats.size()) wrong("but 'formats' does not have one format for each choice");
-  for (const auto& [choice, format] : port.formats) {
-    bool is_choice = std::find(by->choices.begin(), by->choices.end(), choice) != by->choices.end();
-    if (!is_choice) wrong(fmt::format("which has no choice '{}'{}", choice, didYouMean(choice, by->choices)));
-    bool known = std::find(formatNames().begin(), formatNames().end(), format) != formatNames().end();
-    if (!known) wrong(fmt::format("but format '{}' is unknown{}", format, didYouMean(format, formatNames())));
-    if (isUint(format) != isUint(port.format)) wrong("but the formats mix unsigned integers and numbers");
-    if (isBuffer(format)) wrong("but the format of a buffer cannot be chosen");
-    bool is_default = Value(choice) == by->default_value;
-    if (is_default && format != port.format) wrong(fmt::format("but the format of the default is not {}", port.format));
-  }
 }
 
 CounterDesc readCounter(const Json& json) {
@@ -100,76 +61,183 @@ CounterDesc readCounter(const Json& json) {
 
 SizeDesc readSize(const Json& json, const PassDesc& pass) {
   Reader reader(json, fmt::format("size of pass '{}'", pass.name), pass.place);
-  for (const char* key : {"kind", "port", "divide", "width", "height"}) reader.allow(key);  // keys depend on the kind
-  reader.finish();
   SizeDesc size;
   size.kind = static_cast<SizeDesc::Kind>(reader.oneOf("kind", kSizeKinds));
   size.place = reader.place();
-  if (size.kind == SizeDesc::Kind::Fixed) {
-    size.width = reader.integer("width", std::nullopt, 1, kMaxSide);
-    size.height = reader.integer("height", std::nullopt, 1, kMaxSide);
-  }
-  if (size.kind != SizeDesc::Kind::Port) return size;
-
-  size.port = reader.text("port", std::nullopt);
-  const PortDesc* port = find(pass.reads, size.port);
-  if (!port || port->optional) reader.fail(fmt::format("'{}' is not a read that is always wired", size.port));
+  size.port = reader.text("port");
   size.divide = reader.text("divide");
-  if (size.divide.empty()) return size;
-  const ParamDesc* divide = find(pass.params, size.divide);
-  bool positive = divide && divide->type == ParamDesc::Type::Int && divide->min && *divide->min >= 1;
-  if (!positive) reader.fail(fmt::format("'{}' is not an integer parameter of at least 1", size.divide));
+  const auto absent = size.kind == SizeDesc::Kind::Fixed ? std::nullopt : std::optional(0);
+  size.width = reader.integer("width", absent, 1, kMaxSide);
+  size.height = reader.integer("height", absent, 1, kMaxSide);
+  reader.finish();
   return size;
 }
 
+WithoutDesc readWithout(const Json& json, const PassDesc& pass) {
+  Reader reader(json, fmt::format("pass '{}' if_no", pass.name), pass.place);
+  WithoutDesc without;
+  without.place = reader.place();
+  without.name = reader.text("name", std::nullopt);
+  const Json& writes = reader.table("writes");
+  for (const PortDesc& write : pass.writes) {
+    if (!writes.contains(write.name)) reader.fail(fmt::format("'{}' is missing", write.name));
+    const Json& read = writes[write.name];
+    const bool zeros = read.is_number() && read == 0;
+    if (!zeros && !read.is_string()) reader.fail(fmt::format("'{}' is neither 0 nor a read", write.name));
+    without.writes.emplace_back(write.name, zeros ? "" : read.get<std::string>());
+  }
+  if (writes.size() != pass.writes.size()) reader.fail("'writes' has unknown writes");
+  reader.finish();
+  return without;
+}
+
+// ---- checks
+
+template <class... Args>
+[[noreturn]] void fail(const PassDesc& pass, const Place& place, fmt::format_string<Args...> format, Args&&... args) {
+  throw Error(fmt::format("pass '{}': {}", pass.name, fmt::format(format, std::forward<Args>(args)...)), place);
+}
+
+void refuseTwins(const PassDesc& pass, const std::vector<std::string>& names, const char* what) {
+  for (const std::string& name : names)
+    if (std::count(names.begin(), names.end(), name) > 1) fail(pass, pass.place, "two {} are named '{}'", what, name);
+}
+
+void checkRead(const PassDesc& pass, const PortDesc& read) {
+  auto wrong = [&](const std::string& mistake) { fail(pass, read.place, "read '{}' {}", read.name, mistake); };
+  if (!read.needs.empty() && !read.optional) wrong("has 'needs', but is always wired");
+  for (const std::string& needed : read.needs)
+    if (!find(pass.reads, needed)) wrong(fmt::format("needs '{}', which is not a read", needed));
+  if (hasAbsent(read) && (!read.optional || read.buffer)) wrong("has 'absent', but is not an optional image");
+  if (!read.absent.empty() && read.absent.size() != 4) wrong("has 'absent', which is not four numbers");
+  if (read.linear && (read.uint || read.pointwise))
+    wrong(fmt::format("is both {} and linear", read.uint ? "uint" : "pointwise"));
+  if (read.buffer && !read.uint) wrong("is a buffer, but not of unsigned integers");
+  if (read.absent_read.empty()) return;
+  const PortDesc* other = find(pass.reads, read.absent_read);
+  const bool fits = other && other != &read && !other->buffer && other->uint == read.uint;
+  if (!fits || (other->optional && !hasAbsent(*other)))
+    wrong(fmt::format("has 'absent' = '{}', which cannot stand in for it", read.absent_read));
+}
+
+// Checks a port with `format_by`: it needs a format for each choice, all of the same kind of texels.
+void checkFormats(const PassDesc& pass, const PortDesc& port) {
+  if (port.format_by.empty() && port.formats.empty()) return;
+  auto wrong = [&](const std::string& reason) {
+    fail(pass, port.place, "the format of '{}' is chosen by '{}', {}", port.name, port.format_by, reason);
+  };
+  const ParamDesc* by = find(pass.params, port.format_by);
+  if (!by) wrong("which is not a parameter of the pass" + didYouMean(port.format_by, namesOf(pass.params)));
+  if (by->type != ParamDesc::Type::Choice) wrong("which is not a choice parameter of the pass");
+  if (by->choices.size() != port.formats.size()) wrong("but 'formats' does not have one format for each choice");
+  const std::vector<std::string> known = namesOf(portFormats());
+  for (const auto& [choice, format] : port.formats) {
+    if (!contains(by->choices, choice))
+      wrong(fmt::format("which has no choice '{}'{}", choice, didYouMean(choice, by->choices)));
+    if (!contains(known, format)) wrong(fmt::format("but format '{}' is unknown{}", format, didYouMean(format, known)));
+    if (isUint(format) != isUint(port.format)) wrong("but the formats mix unsigned integers and numbers");
+    if (isBuffer(format)) wrong("but the format of a buffer cannot be chosen");
+    const bool is_default = Value(choice) == by->default_value;
+    if (is_default && format != port.format) wrong(fmt::format("but the format of the default is not {}", port.format));
+  }
+}
+
+// Checks a write or update. Compute and trace passes write buffers, and buffers are not kept from frame to frame.
+void checkOutput(const PassDesc& pass, const PortDesc& port) {
+  const bool raster = pass.kind == PassDesc::Kind::Raster;
+  checkFormats(pass, port);
+  if (port.cleared && raster)
+    fail(pass, port.place, "a raster pass writes all of its pixels, so '{}' cannot be 'cleared'", port.name);
+  if (isBuffer(port.format)) {
+    if (raster) fail(pass, port.place, "a raster pass writes images; '{}' is a buffer", port.name);
+    if (port.history) fail(pass, port.place, "'{}' is a buffer, which is not kept from frame to frame", port.name);
+  } else if (port.each != 1) {
+    fail(pass, port.place, "'{}' is an image, so 'each' must be 1", port.name);
+  }
+}
+
+void checkSize(const PassDesc& pass) {
+  const SizeDesc& size = pass.size;
+  if (size.kind != SizeDesc::Kind::Port) return;
+  const PortDesc* port = find(pass.reads, size.port);
+  if (!port || port->optional)
+    fail(pass, size.place, "its size is of '{}', which is not a read that is always wired", size.port);
+  if (size.divide.empty()) return;
+  const ParamDesc* divide = find(pass.params, size.divide);
+  const bool positive = divide && divide->type == ParamDesc::Type::Int && divide->min && *divide->min >= 1;
+  if (!positive)
+    fail(pass, size.place, "its size is divided by '{}', which is not an integer parameter of at least 1", size.divide);
+}
+
 // Checks the conditions on a pass that runs over the entries of a buffer.
-void checkOver(const Reader& reader, const PassDesc& pass) {
+void checkOver(const PassDesc& pass) {
   if (pass.over.empty()) return;
   const PortDesc* list = find(pass.reads, pass.over);
-  if (!list || !list->buffer)
-    reader.fail(fmt::format("it runs over '{}', which is not a read with a buffer", pass.over));
-  if (pass.kind == PassDesc::Kind::Raster) reader.fail("a raster pass runs over triangles, so it cannot have 'over'");
+  if (!list || !list->buffer) fail(pass, pass.place, "it runs over '{}', which is not a read with a buffer", pass.over);
+  if (pass.kind == PassDesc::Kind::Raster)
+    fail(pass, pass.place, "a raster pass runs over triangles, so it cannot have 'over'");
   for (const PortDesc& write : pass.writes)
     if (!isCleared(write))
-      reader.fail(fmt::format("it runs over '{}', but its write '{}' is not cleared", pass.over, write.name));
+      fail(pass, write.place, "it runs over '{}', but its write '{}' is not cleared", pass.over, write.name);
 }
 
 // Checks the conditions on a pass with one work group per pixel.
-void checkGroup(const Reader& reader, const PassDesc& pass) {
+void checkGroup(const PassDesc& pass) {
   if (!pass.group) return;
-  if (pass.kind != PassDesc::Kind::Compute) reader.fail("only compute passes can have a group for each pixel");
-  if (!pass.over.empty())
-    reader.fail(fmt::format("a pass with a group for each pixel cannot run over '{}'", pass.over));
+  if (pass.kind != PassDesc::Kind::Compute)
+    fail(pass, pass.place, "only compute passes can have a group for each pixel");
+  if (!pass.over.empty()) fail(pass, pass.place, "a pass with a group for each pixel cannot run over '{}'", pass.over);
   for (const ParamDesc& param : pass.params)
     if (param.role == Role::StillOnce)
-      reader.fail("a pass with a group for each pixel cannot have a parameter with the role 'static_once'");
+      fail(pass, param.place, "a pass with a group for each pixel cannot have a parameter with the role 'static_once'");
 }
 
-// Checks buffers: compute and trace passes write them, and their contents are not kept from frame to frame.
-void checkBuffers(const Reader& reader, const PassDesc& pass) {
-  for (const PortDesc& read : pass.reads)
-    if (read.buffer && !read.uint)
-      reader.fail(fmt::format("read '{}' is a buffer, but not of unsigned integers", read.name));
-  for (const auto* ports : {&pass.writes, &pass.updates})
-    for (const PortDesc& port : *ports) {
-      if (!isBuffer(port.format)) {
-        if (port.each != 1) reader.fail(fmt::format("'{}' is an image, so 'each' must be 1", port.name));
-        continue;
-      }
-      if (pass.kind == PassDesc::Kind::Raster)
-        reader.fail(fmt::format("a raster pass writes images; '{}' is a buffer", port.name));
-      if (port.history) reader.fail(fmt::format("'{}' is a buffer, which is not kept from frame to frame", port.name));
-    }
+void checkWithout(const PassDesc& pass, const WithoutDesc& without) {
+  auto wrong = [&](const std::string& mistake) {
+    throw Error(fmt::format("pass '{}' if_no: {}", pass.name, mistake), without.place);
+  };
+  if (!pass.updates.empty()) wrong("a pass with updates cannot have stand-ins");
+  const bool is_fact = findFact(without.name) || without.name == kMovingRect;
+  if (is_fact == (find(pass.reads, without.name) != nullptr))
+    wrong(fmt::format("'{}' must be either a fact or a read", without.name));
+  for (size_t i = 0; i < pass.writes.size(); ++i) {
+    const PortDesc& write = pass.writes[i];
+    if (i >= without.writes.size() || without.writes[i].first != write.name)
+      wrong(fmt::format("'{}' is missing", write.name));
+    const std::string& name = without.writes[i].second;
+    if (name.empty()) continue;
+    const PortDesc* read = find(pass.reads, name);
+    if (!read || read->optional) wrong(fmt::format("'{}' is not a read that is always wired", name));
+    if (read->uint != isUint(write.format) || read->buffer != isBuffer(write.format))
+      wrong(fmt::format("'{}' and '{}' hold different numbers", write.name, name));
+  }
 }
 
-void checkShaderPath(const Reader& reader, const std::string& shader) {
+bool isShaderPath(const std::string& shader) {
   const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
   bool plain = !shader.empty() && shader[0] != '/' && shader.find_first_not_of(allowed) == std::string::npos;
-  bool climbs = shader.find("..") != std::string::npos;
-  if (!plain || climbs) reader.fail(fmt::format("'{}' is not a path below shaders/", shader));
+  return plain && shader.find("..") == std::string::npos;
 }
 
 }  // namespace
+
+void checkPass(const PassDesc& pass) {
+  if (!isShaderPath(pass.shader)) fail(pass, pass.place, "'{}' is not a path below shaders/", pass.shader);
+  if (outputsOf(pass).empty()) fail(pass, pass.place, "it writes nothing");
+  if (!pass.updates.empty() && pass.kind == PassDesc::Kind::Raster)
+    fail(pass, pass.place, "a raster pass has updates; only compute and trace passes can");
+  refuseTwins(pass, outputsOf(pass), "writes");
+  refuseTwins(pass, namesOf(pass.reads), "reads");
+  refuseTwins(pass, namesOf(pass.params), "parameters");
+  refuseTwins(pass, namesOf(pass.counters), "counters");
+  for (const PortDesc& read : pass.reads) checkRead(pass, read);
+  checkOver(pass);
+  checkGroup(pass);
+  for (const auto* ports : {&pass.writes, &pass.updates})
+    for (const PortDesc& port : *ports) checkOutput(pass, port);
+  checkSize(pass);
+  for (const WithoutDesc& without : pass.without) checkWithout(pass, without);
+}
 
 PassDesc passFromJson(const Json& json) {
   Reader reader(json, "pass");
@@ -179,37 +247,21 @@ PassDesc passFromJson(const Json& json) {
   if (!isPath(pass.name)) reader.fail(fmt::format("'{}' is not the name of a pass", pass.name));
   pass.kind = static_cast<PassDesc::Kind>(reader.oneOf("kind", kPassKinds));
   pass.shader = reader.text("shader", std::nullopt);
-  checkShaderPath(reader, pass.shader);
   pass.doc = reader.text("doc");
   pass.fails = reader.text("fails");
   if (reader.has("breaks")) pass.breaks = breaksOf(reader, reader.table("breaks"));
-  pass.scene = reader.boolean("scene", false);
-  pass.reads = itemsOf(reader.list("reads"), readRead);
-  for (const PortDesc& read : pass.reads) checkNeeds(read, pass, reader), checkAbsent(read, pass, reader);
-  pass.writes = itemsOf(reader.list("writes"), readWrite);
-  pass.updates = itemsOf(reader.list("updates"), readWrite);
-  bool cleared = std::any_of(pass.writes.begin(), pass.writes.end(), [](const PortDesc& port) { return port.cleared; });
-  if (cleared && pass.kind == PassDesc::Kind::Raster)
-    reader.fail("a raster pass writes all of its pixels, so its writes cannot be 'cleared'");
-  pass.params = itemsOf(reader.list("params"), readParam);
-  pass.counters = itemsOf(reader.list("counters"), readCounter);
   pass.size = readSize(reader.at("size"), pass);
   pass.over = reader.text("over");
-  checkOver(reader, pass);
   pass.group = reader.boolean("group", false);
-  checkGroup(reader, pass);
-  checkBuffers(reader, pass);
-
-  std::vector<PortDesc> outputs = pass.writes;
-  outputs.insert(outputs.end(), pass.updates.begin(), pass.updates.end());
-  if (outputs.empty()) reader.fail(fmt::format("'{}' writes nothing", pass.name));
-  refuseTwins(outputs, reader, "writes");
-  for (const PortDesc& port : outputs) checkFormats(reader, port, pass);
-  refuseTwins(pass.reads, reader, "reads");
-  refuseTwins(pass.params, reader, "parameters");
-  refuseTwins(pass.counters, reader, "counters");
-  pass.without = withoutFromJson(reader.list("without"), pass);
+  pass.scene = reader.boolean("scene", false);
+  pass.reads = itemsOf(reader.list("reads"), readRead);
+  pass.writes = itemsOf(reader.list("writes"), readWrite);
+  pass.updates = itemsOf(reader.list("updates"), readWrite);
+  pass.params = itemsOf(reader.list("params"), readParam);
+  pass.counters = itemsOf(reader.list("counters"), readCounter);
+  pass.without = itemsOf(reader.list("without"), [&](const Json& without) { return readWithout(without, pass); });
   reader.finish();
+  checkPass(pass);
   return pass;
 }
 

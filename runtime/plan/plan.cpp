@@ -2,9 +2,12 @@
 #include "plan/plan.h"
 
 #include <algorithm>
+#include <map>
 
+#include "base/lists.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
+#include "plan/named.h"
 #include "plan/omission.h"
 #include "plan/order.h"
 #include "plan/slots.h"
@@ -23,11 +26,10 @@ class Compiler {
     plan_.width = options.width;
     plan_.height = options.height;
     for (const Fact& fact : facts())
-      if (std::count(options.absent.begin(), options.absent.end(), fact.name)) plan_.absent.push_back(fact.name);
+      if (contains(options.absent, fact.name)) plan_.absent.push_back(fact.name);
   }
 
   Plan compile() {
-    refuseCycles(plan_.pipeline, wiring_);
     std::vector<bool> with_all_facts = neededNodes(wiring_);
     std::vector<std::string> left_out = leaveOut(plan_.pipeline, plan_.absent, wiring_, sizes_);
     std::vector<bool> needed = neededNodes(wiring_);
@@ -57,18 +59,11 @@ class Compiler {
   void makeNodes(const std::vector<Unit>& units) {
     of_desc_.assign(wiring_.nodes.size(), -1);
     for (const Unit& unit : units) {
-      int loop = unit.loop < 0 ? -1 : addLoop(unit.loop);
-      for (int index : unit.nodes) addNode(index, loop);
-      if (loop >= 0 && wiring_.loops[unit.loop].until.node >= 0) {
-        plan_.loops[loop].until = untilImage(wiring_.loops[unit.loop].until, unit.loop);
-      }
+      if (unit.loop >= 0) plan_.loops.push_back(wiring_.loops[unit.loop].loop);
+      for (int index : unit.nodes) addNode(index, unit.loop < 0 ? -1 : static_cast<int>(plan_.loops.size()) - 1);
+      if (unit.loop >= 0 && wiring_.loops[unit.loop].until.node >= 0)
+        plan_.loops.back().until = untilImage(wiring_.loops[unit.loop].until, unit.loop);
     }
-  }
-
-  int addLoop(int index) {
-    const WiredLoop& wired = wiring_.loops[index];
-    plan_.loops.push_back({index, wired.count, wired.times, wired.slices, wired.first, wired.parts, -1});
-    return static_cast<int>(plan_.loops.size()) - 1;
   }
 
   int untilImage(const Source& source, int loop) {
@@ -82,9 +77,8 @@ class Compiler {
 
   // True if the pass has a bool parameter with that role and the value true.
   static bool isSet(Role role, const PassDesc& pass, const std::vector<std::pair<std::string, Value>>& params) {
-    for (size_t i = 0; i < pass.params.size(); ++i) {
+    for (size_t i = 0; i < pass.params.size(); ++i)
       if (pass.params[i].role == role) return std::get<bool>(params[i].second);
-    }
     return false;
   }
 
@@ -121,10 +115,9 @@ class Compiler {
       plan_.images[image].history = port.history;
       node.updates.push_back(image);
     }
-    for (size_t i = 0; i < pass.reads.size(); ++i)
-      if (pass.reads[i].name == pass.over) node.over = node.reads[i];
+    node.over = readNamed(node, pass, pass.over);
     if (node.over >= 0) node.static_once = false;
-    node.in_moving_rect = runs == Runs::MovingRect && !raster && !node.static_once && keepsWithinReach(node, pass);
+    node.in_moving_rect = runs == Runs::MovingRect && !raster && !node.static_once && mayRunInMovingRect(node, pass);
     if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
     for (int image : node.reads) markRead(image);
 
@@ -136,10 +129,8 @@ class Compiler {
   // stand-in for the pixels outside. The node runs on all pixels if a stand-in has another format or size, or if the
   // stand-in is an image that is itself computed outside of the rectangle although its pass has a stand-in for these
   // pixels.
-  bool keepsWithinReach(const PlanNode& node, const PassDesc& pass) {
-    const WithoutDesc* outside = nullptr;
-    for (const WithoutDesc& without : pass.without)
-      if (without.name == kReached) outside = &without;
+  bool mayRunInMovingRect(const PlanNode& node, const PassDesc& pass) {
+    const WithoutDesc* outside = find(pass.without, kMovingRect);
     if (!outside || node.over >= 0 || stopsLoop(node)) return false;
     std::vector<int> stand_ins;
     for (size_t i = 0; i < node.writes.size(); ++i) {
@@ -178,9 +169,7 @@ class Compiler {
   bool runsOutside(int image) const {
     for (const PlanNode& node : plan_.nodes) {
       if (std::find(node.writes.begin(), node.writes.end(), image) == node.writes.end()) continue;
-      const std::vector<WithoutDesc>& without = plan_.pipeline.passes[node.pass].without;
-      auto of_pixels = [](const WithoutDesc& one) { return one.name == kReached; };
-      return !node.in_moving_rect && std::any_of(without.begin(), without.end(), of_pixels);
+      return !node.in_moving_rect && find(plan_.passOf(node).without, kMovingRect);
     }
     return false;
   }
@@ -190,7 +179,7 @@ class Compiler {
     std::vector<bool> looked_at(plan_.images.size());
     auto is_whole = [&](const auto& one) { return one.width == plan_.width && one.height == plan_.height; };
     for (const PlanNode& node : plan_.nodes) {
-      const std::vector<PortDesc>& reads = plan_.pipeline.passes[node.pass].reads;
+      const std::vector<PortDesc>& reads = plan_.passOf(node).reads;
       for (size_t i = 0; i < reads.size(); ++i) {
         if (node.reads[i] < 0) continue;
         const bool same_pixel = reads[i].pointwise && is_whole(node) && is_whole(plan_.images[node.reads[i]]);
@@ -203,14 +192,13 @@ class Compiler {
 
   // The image of the read `name`; -1 for "" and unwired reads.
   static int readNamed(const PlanNode& node, const PassDesc& pass, const std::string& name) {
-    for (size_t i = 0; i < pass.reads.size(); ++i)
-      if (!name.empty() && pass.reads[i].name == name) return node.reads[i];
-    return -1;
+    const int read = indexOf(pass.reads, name);
+    return read < 0 ? -1 : node.reads[size_t(read)];
   }
 
   int addImage(const PlanNode& node, const std::string& port, const std::string& format, uint32_t usage) {
     VirtualImage image;
-    image.name = plan_.pipeline.nodes[node.node].name + "." + port;
+    image.name = plan_.descOf(node).name + "." + port;
     image.format = format;
     image.width = node.width;
     image.height = node.height;
@@ -312,7 +300,7 @@ class Compiler {
 
   void addPass(std::vector<Step>& steps, int index) {
     const PlanNode& node = plan_.nodes[index];
-    PassDesc::Kind kind = plan_.pipeline.passes[node.pass].kind;
+    PassDesc::Kind kind = plan_.passOf(node).kind;
     uint32_t shader = kStageCompute;
     if (kind == PassDesc::Kind::Raster) shader = kStageFragment;
     if (kind == PassDesc::Kind::Trace) shader = options_.trace_stage;
@@ -387,15 +375,11 @@ Plan compile(const PipelineDesc& pipeline, const CompileOptions& options) {
 
 // The pass that decides the size of "node.port". Passes that are as large as a read are followed to that read.
 static const PassDesc& sizingPass(const PipelineDesc& pipeline, std::string source) {
-  auto named = [](const auto& list, const std::string& name) {
-    return std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
-  };
   while (true) {
-    const NodeDesc& node = *named(pipeline.nodes, source.substr(0, source.find('.')));
-    const PassDesc& pass = *named(pipeline.passes, node.pass);
+    const NodeDesc& node = *find(pipeline.nodes, source.substr(0, source.find('.')));
+    const PassDesc& pass = *find(pipeline.passes, node.pass);
     if (pass.size.kind != SizeDesc::Kind::Port || !pass.size.divide.empty()) return pass;
-    for (const auto& [read, from] : node.inputs)
-      if (read == pass.size.port) source = from;
+    if (const std::string* from = valueIn(node.inputs, pass.size.port)) source = *from;
   }
 }
 
@@ -407,8 +391,7 @@ void requireWholeOutputs(const Plan& plan) {
   if (pipeline.kind == PipelineDesc::Kind::Truth) whole.push_back("error");
   for (const auto& [name, index] : plan.outputs) {
     const VirtualImage& image = plan.images[size_t(index)];
-    bool has_to_be = std::find(whole.begin(), whole.end(), name) != whole.end();
-    if (!has_to_be || image.divide == 1) continue;
+    if (!contains(whole, name) || image.divide == 1) continue;
     const PassDesc& pass = sizingPass(pipeline, image.name);
     throw Error(
         fmt::format("output '{}' of pipeline '{}' is '{}', which is {}x{} in a frame of {}x{}; it has to be as "
@@ -418,16 +401,9 @@ void requireWholeOutputs(const Plan& plan) {
   }
 }
 
-bool lacks(const Plan& plan, const std::string& fact) {
-  return std::find(plan.absent.begin(), plan.absent.end(), fact) != plan.absent.end();
-}
+bool lacks(const Plan& plan, const std::string& fact) { return contains(plan.absent, fact); }
 
-int findImage(const Plan& plan, const std::string& name) {
-  for (size_t i = 0; i < plan.images.size(); ++i) {
-    if (plan.images[i].name == name) return static_cast<int>(i);
-  }
-  return -1;
-}
+int findImage(const Plan& plan, const std::string& name) { return indexOf(plan.images, name); }
 
 uint64_t bytesAliased(const Plan& plan) {
   uint64_t bytes = 0;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -127,14 +126,14 @@ struct Plan {
   std::vector<std::pair<std::string, int>> taps;     // "node.port" -> image
   std::vector<CulledNode> culled;                    // in the order of the calls
   std::vector<std::string> absent;                   // facts that do not hold, in the order of plan::facts()
+
+  const NodeDesc& descOf(const PlanNode& node) const { return pipeline.nodes[size_t(node.node)]; }
+  const PassDesc& passOf(const PlanNode& node) const { return pipeline.passes[size_t(node.pass)]; }
 };
 
 struct CompileOptions {
-  int width = 0, height = 0;      // frame size, pixels
-  std::vector<std::string> taps;  // "node.port" of images that are also kept and read back
-  // Values that override values of the description, by "param" (of the pipeline) or "node.param". An override
-  // does not change the shape of the graph, because the description is already made.
-  std::map<std::string, Value> set;
+  int width = 0, height = 0;          // frame size, pixels
+  std::vector<std::string> taps;      // "node.port" of images that are also kept and read back
   Stage trace_stage = kStageCompute;  // stage of trace passes: kStageCompute (queries) or kStageTrace (pipelines)
   // Facts that do not hold in the frame. Passes with a stand-in for a missing fact do not run.
   std::vector<std::string> absent;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "plan/named.h"
+
 namespace strobe::plan {
 
 Sizes::Sizes(const PipelineDesc& pipeline, const Wiring& wiring, int width, int height)
@@ -23,9 +25,7 @@ NodeSize Sizes::found(int node) {
 NodeSize Sizes::dividedInput(int node) {
   const WiredNode& wired = wiring_.nodes[size_t(node)];
   const PassDesc& pass = pipeline_.passes[size_t(wired.pass)];
-  int input = -1;
-  for (size_t i = 0; i < pass.reads.size(); ++i)
-    if (pass.reads[i].name == pass.size.port) input = wired.reads[i].node;
+  const int input = wired.reads[size_t(indexOf(pass.reads, pass.size.port))].node;
   if (input < 0) {
     const NodeDesc& desc = pipeline_.nodes[size_t(node)];
     throw Error(fmt::format("node '{}' is as large as its input '{}', which is not wired", desc.name, pass.size.port),
@@ -38,14 +38,10 @@ NodeSize Sizes::dividedInput(int node) {
 
 int Sizes::divisor(int node, const std::string& param) const {
   constexpr int64_t kLargest = 1 << 20;  // keeps the sum of a side and a divisor in the range of int
-  for (const auto& [name, value] : wiring_.nodes[size_t(node)].params) {
-    if (name != param) continue;
-    int64_t number = std::get<int64_t>(value);
-    if (number >= 1) return int(std::min(number, kLargest));
-    const NodeDesc& desc = pipeline_.nodes[size_t(node)];
-    throw Error(fmt::format("node '{}' divides its size by {} = {}", desc.name, param, number), desc.place);
-  }
-  return 1;
+  const int64_t number = std::get<int64_t>(*valueIn(wiring_.nodes[size_t(node)].params, param));
+  if (number >= 1) return int(std::min(number, kLargest));
+  const NodeDesc& desc = pipeline_.nodes[size_t(node)];
+  throw Error(fmt::format("node '{}' divides its size by {} = {}", desc.name, param, number), desc.place);
 }
 
 }  // namespace strobe::plan

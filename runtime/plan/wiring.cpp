@@ -4,38 +4,14 @@
 #include <algorithm>
 #include <set>
 
-#include "plan/description_words.h"
+#include "base/lists.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
+#include "plan/named.h"
+#include "plan/order.h"
 
 namespace strobe::plan {
 namespace {
-
-template <class Items>
-int indexOf(const Items& items, const std::string& name) {
-  for (size_t i = 0; i < items.size(); ++i) {
-    if (items[i].name == name) return static_cast<int>(i);
-  }
-  return -1;
-}
-
-template <class Items>
-std::vector<std::string> namesOf(const Items& items) {
-  std::vector<std::string> names;
-  for (const auto& item : items) names.push_back(item.name);
-  return names;
-}
-
-template <class Pairs>
-auto findKey(Pairs& pairs, const std::string& key) {
-  return std::find_if(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.first == key; });
-}
-
-std::vector<std::string> producedPorts(const PassDesc& pass) {
-  std::vector<std::string> names = namesOf(pass.writes);
-  for (const PortDesc& port : pass.updates) names.push_back(port.name);
-  return names;
-}
 
 class Wirer {
  public:
@@ -43,16 +19,15 @@ class Wirer {
 
   Wiring wire() {
     checkFrame();
-    for (const PassDesc& pass : pipeline_.passes) checkPass(pass);
     checkUnique("pass", namesOf(pipeline_.passes));
     checkUnique("node", namesOf(pipeline_.nodes));
     checkUnique("loop", namesOf(pipeline_.loops));
-    throwIfAny(problems_);
-
+    checkUnique("parameter", namesOf(pipeline_.params));
+    checkUnique("preset", namesOf(pipeline_.presets));
+    checkUnique("region", namesOf(pipeline_.regions));
     findPasses();
     throwIfAny(problems_);  // the next steps look up ports in the passes
 
-    checkOverrides();
     resolveValues();
     for (size_t i = 0; i < pipeline_.nodes.size(); ++i) {
       resolveInputs(static_cast<int>(i));
@@ -65,6 +40,7 @@ class Wirer {
     for (const std::string& tap : options_.taps)
       wiring_.taps.push_back(sourceOf(tap, fmt::format("tap '{}'", tap), {}));
     throwIfAny(problems_, 2);
+    refuseCycles(pipeline_, wiring_);
     return std::move(wiring_);
   }
 
@@ -92,89 +68,6 @@ class Wirer {
 
   static const char* plural(std::string_view what) { return what.ends_with("s") ? "es" : "s"; }
 
-  void checkPass(const PassDesc& pass) {
-    checkPorts(pass, namesOf(pass.reads), "reads");
-    checkPorts(pass, producedPorts(pass), "writes");
-    if (pass.writes.empty() && pass.updates.empty()) problem(pass.place, "pass '{}' writes nothing", pass.name);
-    if (pass.kind == PassDesc::Kind::Raster && !pass.updates.empty()) {
-      problem(pass.place, "raster pass '{}' has updates; only compute and trace passes can", pass.name);
-    }
-    for (const auto* ports : {&pass.writes, &pass.updates}) {
-      for (const PortDesc& port : *ports) checkFormat(pass, port);
-    }
-    for (const PortDesc& port : pass.reads) {
-      if (!port.linear || !(port.uint || port.pointwise)) continue;
-      problem(port.place, "read '{}' of pass '{}' is both {} and linear", port.name, pass.name,
-              port.uint ? "uint" : "pointwise");
-    }
-    checkSize(pass);
-  }
-
-  // Names must be unique among reads and among writes. A read and a write may share a name.
-  void checkPorts(const PassDesc& pass, const std::vector<std::string>& names, const char* does) {
-    std::set<std::string> seen;
-    for (const std::string& name : names) {
-      if (!seen.insert(name).second) problem(pass.place, "pass '{}' {} '{}' twice", pass.name, does, name);
-    }
-  }
-
-  void checkFormat(const PassDesc& pass, const PortDesc& port) {
-    checkFormatName(pass, port, port.format);
-    if (!port.format_by.empty()) checkChosenFormats(pass, port);
-  }
-
-  void checkFormatName(const PassDesc& pass, const PortDesc& port, const std::string& format) {
-    if (indexOf(portFormats(), format) >= 0) return;
-    problem(port.place, "port '{}' of pass '{}' has unknown format '{}'{}", port.name, pass.name, format,
-            didYouMean(format, namesOf(portFormats())));
-  }
-
-  void checkChosenFormats(const PassDesc& pass, const PortDesc& port) {
-    int by = indexOf(pass.params, port.format_by);
-    if (by < 0) {
-      problem(port.place,
-              "the format of port '{}' of pass '{}' is chosen by '{}', which is not a parameter of the pass{}",
-              port.name, pass.name, port.format_by, didYouMean(port.format_by, namesOf(pass.params)));
-      return;
-    }
-    for (const std::string& choice : pass.params[by].choices) {
-      if (findKey(port.formats, choice) != port.formats.end()) continue;
-      problem(port.place, "port '{}' of pass '{}' has no format for '{}' = '{}'", port.name, pass.name, port.format_by,
-              choice);
-    }
-    for (const auto& [choice, format] : port.formats) {
-      checkFormatName(pass, port, format);
-      const Format* known = findFormat(format);
-      const Format* usual = findFormat(port.format);
-      if (!known || !usual || known->uint == usual->uint) continue;
-      problem(port.place, "the formats of port '{}' of pass '{}' mix unsigned integers and numbers: {} and {}",
-              port.name, pass.name, port.format, format);
-    }
-  }
-
-  void checkSize(const PassDesc& pass) {
-    const SizeDesc& size = pass.size;
-    if (size.kind == SizeDesc::Kind::Fixed) {
-      bool fits = size.width >= 1 && size.height >= 1 && size.width <= kMaxSide && size.height <= kMaxSide;
-      if (!fits)
-        problem(pass.place, "pass '{}' has size {}x{}; sides are 1 to {}", pass.name, size.width, size.height,
-                kMaxSide);
-    }
-    if (size.kind != SizeDesc::Kind::Port) return;
-    if (indexOf(pass.reads, size.port) < 0) {
-      problem(pass.place, "pass '{}' is as large as '{}', which it does not read{}", pass.name, size.port,
-              didYouMean(size.port, namesOf(pass.reads)));
-    }
-    if (size.divide.empty()) return;
-    int param = indexOf(pass.params, size.divide);
-    if (param < 0) {
-      problem(pass.place, "pass '{}' divides its size by '{}', which is not one of its parameters{}", pass.name,
-              size.divide, didYouMean(size.divide, namesOf(pass.params)));
-    } else if (pass.params[param].type != ParamDesc::Type::Int) {
-      problem(pass.place, "pass '{}' divides its size by '{}', which is not an int", pass.name, size.divide);
-    }
-  }
-
   void findPasses() {
     for (const NodeDesc& node : pipeline_.nodes) {
       WiredNode wired;
@@ -188,35 +81,18 @@ class Wirer {
         problem(node.place, "node '{}' is in unknown loop '{}'{}", node.name, node.loop,
                 didYouMean(node.loop, namesOf(pipeline_.loops)));
       }
-      static const std::vector<std::string> times = {"raster", "shutter_open", "shutter_close", "sample"};
-      if (std::find(times.begin(), times.end(), node.time) == times.end()) {
-        problem(node.place, "node '{}' has unknown time '{}'{}", node.name, node.time, didYouMean(node.time, times));
-      }
       if (node.time == "sample" && node.loop.empty()) {
         problem(node.place, "node '{}' has time 'sample' but is not in a loop", node.name);
       }
-      bool traces = wired.pass >= 0 && pipeline_.passes[wired.pass].kind == PassDesc::Kind::Trace;
-      if (traces && (node.time == "shutter_open" || node.time == "shutter_close")) {
+      auto is = [&](PassDesc::Kind kind) { return wired.pass >= 0 && pipeline_.passes[wired.pass].kind == kind; };
+      if (node.runs == Runs::MovingInstances && !is(PassDesc::Kind::Raster))
+        problem(node.place, "node '{}' runs for moving instances, but its pass is not a raster pass", node.name);
+      if (is(PassDesc::Kind::Trace) && (node.time == "shutter_open" || node.time == "shutter_close")) {
         problem(node.place,
                 "trace node '{}' has time '{}'; rays trace the scene at the raster time or, in a loop, at the sample",
                 node.name, node.time);
       }
       wiring_.nodes.push_back(std::move(wired));
-    }
-  }
-
-  // Checks that every key of `options.set` is a parameter of the pipeline or of a node.
-  void checkOverrides() {
-    std::vector<std::string> known = namesOf(pipeline_.params);
-    for (const auto& [name, value] : pipeline_.values) known.push_back(name);
-    for (size_t i = 0; i < pipeline_.nodes.size(); ++i) {
-      for (const ParamDesc& param : passOf(static_cast<int>(i)).params) {
-        known.push_back(pipeline_.nodes[i].name + "." + param.name);
-      }
-    }
-    for (const auto& [name, value] : options_.set) {
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      problem({}, "pipeline '{}' has no parameter '{}'{}", pipeline_.name, name, didYouMean(name, known));
     }
   }
 
@@ -232,25 +108,17 @@ class Wirer {
 
   void resolveValues() {
     wiring_.values = pipeline_.values;
-    for (const ParamDesc& param : pipeline_.params) {
-      if (findKey(wiring_.values, param.name) == wiring_.values.end()) {
-        wiring_.values.emplace_back(param.name, param.default_value);
-      }
-    }
-    for (auto& [name, value] : wiring_.values) {
-      auto set = options_.set.find(name);
-      if (set != options_.set.end()) value = set->second;
-      int param = indexOf(pipeline_.params, name);
-      if (param >= 0) value = checked(pipeline_.params[param], value, {});
-    }
+    for (const ParamDesc& param : pipeline_.params)
+      if (!valueIn(wiring_.values, param.name)) wiring_.values.emplace_back(param.name, param.default_value);
+    for (auto& [name, value] : wiring_.values)
+      if (const ParamDesc* param = find(pipeline_.params, name)) value = checked(*param, value, {});
   }
 
   // The value of a binding; `fallback` for an empty binding or an unknown parameter.
   Value valueOf(const Binding& binding, const Value& fallback) {
     if (binding.value) return *binding.value;
     if (binding.follows.empty()) return fallback;
-    auto found = findKey(wiring_.values, binding.follows);
-    if (found != wiring_.values.end()) return found->second;
+    if (const Value* found = valueIn(wiring_.values, binding.follows)) return *found;
     std::vector<std::string> names;
     for (const auto& [name, value] : wiring_.values) names.push_back(name);
     problem(binding.place, "pipeline '{}' has no parameter '{}'{}", pipeline_.name, binding.follows,
@@ -270,7 +138,7 @@ class Wirer {
       return {};
     }
     const PassDesc& pass = passOf(node);
-    std::vector<std::string> ports = producedPorts(pass);
+    std::vector<std::string> ports = outputsOf(pass);
     if (port_name.empty()) {
       problem(place, "{} reads '{}', which is a node and not an image; use '{}.NAME' with one of {}", reader, text,
               node_name, fmt::join(ports, ", "));
@@ -333,27 +201,22 @@ class Wirer {
               didYouMean(name, namesOf(pass.params)));
     }
     for (const ParamDesc& param : pass.params) {
-      auto binding = findKey(node.params, param.name);
-      Value value = param.default_value;
-      Place place = param.place;
-      if (binding != node.params.end()) {
-        value = valueOf(binding->second, value);
-        place = binding->second.place;
-      }
-      auto set = options_.set.find(node.name + "." + param.name);
-      if (set != options_.set.end()) value = set->second, place = {};
-      wiring_.nodes[index].params.emplace_back(param.name, checked(param, value, place));
+      const Binding* binding = valueIn(node.params, param.name);
+      const Value value = binding ? valueOf(*binding, param.default_value) : param.default_value;
+      wiring_.nodes[index].params.emplace_back(param.name,
+                                               checked(param, value, binding ? binding->place : param.place));
     }
   }
 
   void resolveLoop(const LoopDesc& loop) {
-    WiredLoop wired;
-    wired.count = positive(valueOf(loop.count, int64_t{0}), "count", loop, loop.count.place);
-    wired.slices = positive(valueOf(loop.slices, int64_t{1}), "slices", loop, loop.slices.place);
+    PlanLoop wired;
+    wired.loop = static_cast<int>(wiring_.loops.size());
+    wired.count = positive(valueOf(loop.count, int64_t{0}), kMaxIterations, "count", loop, loop.count.place);
+    wired.slices = positive(valueOf(loop.slices, int64_t{1}), kMaxSlices, "slices", loop, loop.slices.place);
     Value times = valueOf(loop.times, std::string("midpoint"));
     const std::string* text = std::get_if<std::string>(&times);
     if (text) wired.times = *text;
-    if (!text || std::find(kSampleTimes.begin(), kSampleTimes.end(), *text) == kSampleTimes.end()) {
+    if (!text || !contains(kSampleTimes, *text)) {
       problem(loop.times.place, "times of loop '{}' must be one of {}", loop.name, fmt::join(kSampleTimes, ", "));
     }
     if (wired.times == kPartTimes) checkParts(loop, wired);
@@ -362,12 +225,11 @@ class Wirer {
     if (wired.first < 0 || wired.count > wired.parts - wired.first)
       problem(loop.place, "loop '{}' takes {} parts of {} from number {} on, which is out of range", loop.name,
               wired.count, wired.parts, wired.first);
-    if (!loop.until.empty()) wired.until = untilOf(loop);
-    wiring_.loops.push_back(wired);
+    wiring_.loops.push_back({wired, loop.until.empty() ? Source() : untilOf(loop)});
   }
 
   // Checks a loop of parts: a part has the poses of a frame, so the loop has no sample times.
-  void checkParts(const LoopDesc& loop, const WiredLoop& wired) {
+  void checkParts(const LoopDesc& loop, const PlanLoop& wired) {
     if (wired.slices != 1) problem(loop.slices.place, "slices of loop '{}' must be 1: its times are parts", loop.name);
     for (const NodeDesc& node : pipeline_.nodes)
       if (node.loop == loop.name && node.time == "sample")
@@ -377,10 +239,10 @@ class Wirer {
                 node.name, loop.name);
   }
 
-  int positive(const Value& value, const char* what, const LoopDesc& loop, const Place& place) {
+  int positive(const Value& value, int most, const char* what, const LoopDesc& loop, const Place& place) {
     const int64_t* number = std::get_if<int64_t>(&value);
-    if (number && *number >= 1 && *number <= kMaxIterations) return static_cast<int>(*number);
-    problem(place, "{} of loop '{}' must be an integer from 1 to {}", what, loop.name, kMaxIterations);
+    if (number && *number >= 1 && *number <= most) return static_cast<int>(*number);
+    problem(place, "{} of loop '{}' must be an integer from 1 to {}", what, loop.name, most);
     return 1;
   }
 
@@ -406,14 +268,13 @@ class Wirer {
       bool asked_for = options_.outputs.empty() || options_.outputs.count(name);
       wiring_.outputs.push_back(asked_for ? source : Source());
     }
-    bool has_color = findKey(pipeline_.outputs, "color") != pipeline_.outputs.end();
-    if (!has_color) problem(place, "pipeline '{}' has no output 'color'", pipeline_.name);
+    if (!valueIn(pipeline_.outputs, "color")) problem(place, "pipeline '{}' has no output 'color'", pipeline_.name);
   }
 
   const PassDesc& passOf(int node) const { return pipeline_.passes[wiring_.nodes[node].pass]; }
 
   static constexpr int kMaxSide = 16384;  // limit of every device with ray tracing
-  static constexpr int kMaxIterations = 1 << 20;
+  static constexpr int kMaxIterations = 1 << 20, kMaxSlices = 1024;
 
   const PipelineDesc& pipeline_;
   const CompileOptions& options_;

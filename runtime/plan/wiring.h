@@ -24,10 +24,7 @@ struct WiredNode {
 };
 
 struct WiredLoop {
-  int count = 1;
-  std::string times = "midpoint";
-  int slices = 1;
-  int first = 0, parts = 1;
+  PlanLoop loop;  // without `until`
   Source until;
 };
 
@@ -42,7 +39,8 @@ struct Wiring {
 // The port of `source`.
 const PortDesc& portOf(const PipelineDesc& pipeline, const Wiring& wiring, const Source& source);
 
-// Throws `Error` with every unknown name, mismatch and value out of range.
+// Throws `Error` with every unknown name, mismatch and value out of range, or with the path of a cycle. The passes must
+// be valid (`checkPass`).
 Wiring wire(const PipelineDesc& pipeline, const CompileOptions& options);
 
 }  // namespace strobe::plan

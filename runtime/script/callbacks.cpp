@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "plan/facts.h"
+#include "plan/formats.h"
+#include "plan/named.h"
 #include "script/lua_json.h"
 #include "script/ordered_pairs.h"
 
@@ -210,17 +212,14 @@ struct Sandbox::Callbacks::Native {
       lua_pop(lua, 1);
       return value;
     };
-    static const std::map<std::string, plan::ParamDesc::Type> types = {{"bool", plan::ParamDesc::Type::Bool},
-                                                                       {"int", plan::ParamDesc::Type::Int},
-                                                                       {"float", plan::ParamDesc::Type::Float},
-                                                                       {"choice", plan::ParamDesc::Type::Choice}};
     plan::ParamDesc param;
     auto text = [&](const char* name) {
       Json value = field(name);
       return value.is_string() ? value.get<std::string>() : std::string();
     };
     param.name = text("name");
-    param.type = types.at(text("type"));
+    const auto& types = plan::kParamTypes;
+    param.type = plan::ParamDesc::Type(std::find(types.begin(), types.end(), text("type")) - types.begin());
     if (Json min = field("min"); !min.is_null()) param.min = min.get<double>();
     if (Json max = field("max"); !max.is_null()) param.max = max.get<double>();
     if (Json choices = field("choices"); !choices.is_null()) param.choices = choices.get<std::vector<std::string>>();
@@ -239,9 +238,9 @@ struct Sandbox::Callbacks::Native {
     return 1;
   }
 
-  static int formats(lua_State* lua) { return pushNames(lua, plan::formatNames()); }
+  static int formats(lua_State* lua) { return pushNames(lua, plan::namesOf(plan::portFormats())); }
 
-  static int facts(lua_State* lua) { return pushNames(lua, plan::factNames()); }
+  static int facts(lua_State* lua) { return pushNames(lua, plan::namesOf(plan::facts())); }
 
   static int invariants(lua_State* lua) { return pushNames(lua, plan::invariantNames()); }
 

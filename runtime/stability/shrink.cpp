@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "plan/named.h"
+
 namespace strobe::stability {
 
 // Values to try for a setting, simplest first; "" removes the setting.
@@ -25,10 +27,6 @@ static Simple simpleValues(const plan::PipelineDesc& pipeline) {
   return simple;
 }
 
-static bool contains(const script::Settings& sets, const std::string& name) {
-  return std::any_of(sets.begin(), sets.end(), [&](const auto& set) { return set.first == name; });
-}
-
 static lab::Shot without(lab::Shot shot, const std::string& name) {
   std::erase_if(shot.sets, [&](const auto& set) { return set.first == name; });
   return shot;
@@ -40,13 +38,13 @@ static std::vector<lab::Shot> simpler(const lab::Shot& shot, const plan::Pipelin
   std::vector<lab::Shot> list;
   if (shot.anchor != "end") list.push_back(shot), list.back().anchor = "end";
   for (const auto& [name, value] : shot.sets) {
-    bool drawn = !name.starts_with("scene.") && !contains(kept, name);
+    bool drawn = !name.starts_with("scene.") && !plan::valueIn(kept, name);
     const plan::ParamDesc* param = plan::paramNamed(pipeline, name);
     if (drawn && !(param && isChosen(param->role))) list.push_back(without(shot, name));
   }
   for (const auto& [name, values] : simpleValues(pipeline)) {
     bool of_scene = name.starts_with("scene.");
-    if (contains(kept, name) || (!of_scene && !contains(shot.sets, name))) continue;
+    if (plan::valueIn(kept, name) || (!of_scene && !plan::valueIn(shot.sets, name))) continue;
     for (const std::string& value : values) {
       lab::Shot one = value.empty() ? without(shot, name) : with(shot, name, plan::valueFromText(value));
       if (one.sets == shot.sets) break;  // later values are less simple than the current one

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "plan/canonical.h"
+#include "plan/named.h"
 
 namespace strobe::stability {
 
@@ -25,12 +26,7 @@ std::string Variant::name() const {
 }
 
 static const PassDesc& passOf(const PipelineDesc& pipeline, const plan::NodeDesc& node) {
-  return *std::find_if(pipeline.passes.begin(), pipeline.passes.end(),
-                       [&](const auto& p) { return p.name == node.pass; });
-}
-
-static const plan::Value& resolved(const PipelineDesc& pipeline, const plan::Binding& binding) {
-  return binding.value ? *binding.value : *plan::valueOf(pipeline, binding.follows);
+  return *plan::find(pipeline.passes, node.pass);
 }
 
 // ---- the walk
@@ -75,8 +71,7 @@ static std::vector<Try> triesIn(const PipelineDesc& pipeline, const std::set<std
     const PassDesc& pass = passOf(pipeline, node);
     for (const auto& [name, binding] : node.params) {
       if (!binding.follows.empty()) follow.insert(binding.follows);
-      auto is_it = [&name = name](const auto& p) { return p.name == name; };
-      const ParamDesc& param = *std::find_if(pass.params.begin(), pass.params.end(), is_it);
+      const ParamDesc& param = *plan::find(pass.params, name);
       if (binding.follows.empty()) add(triesOf(node.name + "." + name, param, *binding.value));
     }
   }
@@ -184,7 +179,7 @@ std::vector<Declared> declaredBreaks(const PipelineDesc& pipeline, const std::st
     addBreaks(found, pass.breaks, invariant, "pass " + pass.name, "pass " + pass.name);
     for (const auto& [name, binding] : node.params)
       for (const ParamDesc& param : pass.params)
-        if (param.name == name) addValueBreaks(found, param, resolved(pipeline, binding), invariant);
+        if (param.name == name) addValueBreaks(found, param, *plan::valueOf(pipeline, binding), invariant);
   }
   std::set<std::string> keys;
   std::erase_if(found, [&](const Declared& one) { return !keys.insert(one.key).second; });
@@ -209,7 +204,7 @@ int gridOf(const PipelineDesc& pipeline) {
   for (const auto& node : pipeline.nodes) {
     const plan::SizeDesc& size = passOf(pipeline, node).size;
     for (const auto& [name, binding] : node.params)
-      if (name == size.divide) grid = std::lcm(grid, int(std::get<int64_t>(resolved(pipeline, binding))));
+      if (name == size.divide) grid = std::lcm(grid, int(std::get<int64_t>(*plan::valueOf(pipeline, binding))));
   }
   return grid;
 }

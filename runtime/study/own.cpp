@@ -9,7 +9,7 @@ namespace strobe::study {
 static std::map<std::string, std::string> passesOf(const plan::Plan& plan) {
   std::map<std::string, std::string> passes;
   for (const plan::PlanNode& node : plan.nodes) {
-    const plan::NodeDesc& described = plan.pipeline.nodes[size_t(node.node)];
+    const plan::NodeDesc& described = plan.descOf(node);
     passes[described.name] = described.pass;
   }
   return passes;

@@ -40,7 +40,7 @@ TEST(Settings, PutInAsTheScriptsDo) {
     plan::PipelineDesc plain = evaluatePipeline(home(), {name, {}});
     Settings sets = others(plain);
     tried += sets.size();
-    EXPECT_EQ(plan::toJson(plan::withSettings(plain, sets)), plan::toJson(evaluatePipeline(home(), {name, sets})));
+    EXPECT_EQ(plan::withSettings(plain, sets), evaluatePipeline(home(), {name, sets}));
   }
   EXPECT_GT(tried, 50u);
 }

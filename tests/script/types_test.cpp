@@ -9,6 +9,8 @@
 #include "common/source.h"
 #include "home.h"
 #include "plan/facts.h"
+#include "plan/formats.h"
+#include "plan/named.h"
 #include "script/evaluate.h"
 
 namespace strobe::script {
@@ -66,7 +68,7 @@ TEST(Types, NameTheInvariants) {
 
 TEST(Types, NameTheFacts) {
   std::string types = readText(sourceFolder() / "scripts/types.lua");
-  for (const std::string& name : plan::factNames())
+  for (const std::string& name : plan::namesOf(plan::facts()))
     EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
 }
 
@@ -78,7 +80,7 @@ TEST(Types, NameTheRoles) {
 
 TEST(Types, NameTheFormats) {
   std::string types = readText(sourceFolder() / "scripts/types.lua");
-  for (const std::string& format : plan::formatNames()) {
+  for (const std::string& format : plan::namesOf(plan::portFormats())) {
     EXPECT_NE(types.find("\"" + format + "\""), std::string::npos) << format;
   }
 }

@@ -13,29 +13,32 @@ using script::Settings;
 
 const char* const kPass = "passes/gather/mcguire2012.lua";
 
-std::string textOf(const Evaluation& evaluation) {
-  std::string text = toJson(evaluation.pipeline).dump();
+// The description, and its files and texts; for a failure, the error.
+using Answered = std::pair<plan::PipelineDesc, std::string>;
+
+Answered answeredBy(const Evaluation& evaluation) {
+  std::string text;
   for (const script::Dependency& file : evaluation.scripts) text += fmt::format("\n{} {}", file.shown, file.hash);
   for (const auto& [path, source] : evaluation.texts) text += fmt::format("\n{} {}", path, source.size());
-  return text;
+  return {evaluation.pipeline, text};
 }
 
 template <class Evaluate>
-std::string textOrError(const Evaluate& evaluate) {
+Answered answerOf(const Evaluate& evaluate) {
   try {
-    return textOf(evaluate());
+    return answeredBy(evaluate());
   } catch (const Error& error) {
-    return error.what();
+    return {{}, error.what()};
   }
 }
 
 class EvaluatorTest : public SessionTest {
  protected:
-  std::string forked(const std::string& pipeline, const Settings& sets) {
-    return textOrError([&] { return evaluator_.evaluate(pipeline, sets); });
+  Answered forked(const std::string& pipeline, const Settings& sets) {
+    return answerOf([&] { return evaluator_.evaluate(pipeline, sets); });
   }
-  std::string alone(const std::string& pipeline, const Settings& sets) {
-    return textOrError([&] { return lab::evaluated(EditableHome::home(), pipeline, sets, limits_); });
+  Answered alone(const std::string& pipeline, const Settings& sets) {
+    return answerOf([&] { return lab::evaluated(EditableHome::home(), pipeline, sets, limits_); });
   }
 
   const Home the_home_ = EditableHome::home();
@@ -58,7 +61,7 @@ TEST_F(EvaluatorTest, AChangedFileCounts) {
   for (int i = 0; i < 3; ++i) {
     for (int64_t samples : {3, 4, 5})
       EXPECT_EQ(forked("mcguire2012", {{"samples", samples}}), alone("mcguire2012", {{"samples", samples}}));
-    const std::string before = forked("mcguire2012", {});
+    const Answered before = forked("mcguire2012", {});
     home_.edit(kPass, "doc    = \"", "doc    = \"edited ", i == 0 ? Save::InPlace : Save::Rename);
     EXPECT_NE(forked("mcguire2012", {}), before);
   }
@@ -68,13 +71,13 @@ TEST_F(EvaluatorTest, AChangedFileCounts) {
 
 TEST_F(EvaluatorTest, ServesLongerThanAScriptMayRun) {
   limits_.cpu_s = 0.1;
-  const std::string once = alone("mcguire2012", {});
+  const Answered once = alone("mcguire2012", {});
   for (int i = 0; i < 400 && !HasFailure(); ++i) EXPECT_EQ(forked("mcguire2012", {}), once) << i;
   // A limit is looked at when the kernel's clock ticks, every few milliseconds: of many forks some are seen.
   limits_.cpu_s = 0.001;
   bool is_stopped = false;
   for (int i = 0; i < 400 && !is_stopped; ++i)
-    is_stopped = forked("hybrid", {}).find("more than 0.001 s") != std::string::npos;
+    is_stopped = forked("hybrid", {}).second.find("more than 0.001 s") != std::string::npos;
   EXPECT_TRUE(is_stopped);
   limits_ = {};
   EXPECT_EQ(forked("mcguire2012", {}), once);
@@ -87,14 +90,14 @@ TEST_F(EvaluatorTest, AFileThatTakesAnothersPlaceCounts) {
   writeFileAtomically(project / Home::kProjectFile, std::string_view(""));
   const Home home(EditableHome::home(), {project, EditableHome::home().shipped()}, {});
   lab::Evaluator evaluator(home, limits_);
-  auto text = [&] { return textOrError([&] { return evaluator.evaluate("mcguire2012", {}); }); };
+  auto answer = [&] { return answerOf([&] { return evaluator.evaluate("mcguire2012", {}); }); };
   auto expectFresh = [&] {
-    EXPECT_EQ(text(), textOrError([&] { return lab::evaluated(home, "mcguire2012", {}, limits_); }));
+    EXPECT_EQ(answer(), answerOf([&] { return lab::evaluated(home, "mcguire2012", {}, limits_); }));
   };
   for (int i = 0; i < 2; ++i) expectFresh();
   for (const auto& [own, shipped] : {std::pair<std::string, std::string>("passes/gather/mcguire2012.lua", kPass),
                                      {"pipelines/mcguire2012.lua", "scripts/pipelines/mcguire2012.lua"}}) {
-    const std::string before = text();
+    const Answered before = answer();
     std::filesystem::create_directories((project / own).parent_path());
     for (const std::string edit : {"", "-- again\n"}) {
       writeFileAtomically(project / own, "-- replaces = true\n" + edit + home_.read(shipped));
@@ -102,14 +105,14 @@ TEST_F(EvaluatorTest, AFileThatTakesAnothersPlaceCounts) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
       for (int i = 0; i < 3; ++i) expectFresh();
     }
-    EXPECT_NE(text(), before);
+    EXPECT_NE(answer(), before);
   }
   std::filesystem::remove_all(project);
 }
 
 // What was loaded ends with the thread that asked first.
 TEST_F(EvaluatorTest, AnotherThreadMayGoOn) {
-  const std::string once = forked("mcguire2012", {});
+  const Answered once = forked("mcguire2012", {});
   std::thread([&] { EXPECT_EQ(forked("mcguire2012", {}), once); }).join();
   for (int i = 0; i < 3; ++i) EXPECT_EQ(forked("mcguire2012", {}), once);
 }
