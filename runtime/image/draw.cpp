@@ -77,10 +77,4 @@ void paste(Image& onto, const Image& what, int x, int y) {
       for (int c = 0; c < 3; ++c) onto.at(px, py, c) = what.at(px - x, py - y, what.channels == 1 ? 0 : c);
 }
 
-void blend(Image& onto, int x, int y, const Colour& colour, float coverage) {
-  if (x < 0 || y < 0 || x >= onto.width || y >= onto.height || !(coverage > 0)) return;
-  float* pixel = onto.pixel(x, y);
-  for (int c = 0; c < 3; ++c) pixel[c] += std::min(coverage, 1.0f) * (colour[size_t(c)] - pixel[c]);
-}
-
 }  // namespace strobe::image
