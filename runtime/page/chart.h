@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Charts as inline SVG (svg.h): two axes and series drawn between them. A series is a line with marks, a band,
-// scattered marks or bars; its points may have error bars. heat_map.h draws a value over two axes. Series differ
-// without colour: by dashes, marks or hatch, and by a label at the right.
+// scattered marks or bars; its points may have error bars. Series differ without colour: by dashes, marks or hatch, and
+// by a label at the right.
 //
 // To add a kind of series, add a value to `Series::Kind` and a row to `kDrawings` in chart.cpp.
 #pragma once

@@ -10,7 +10,6 @@
 #include <regex>
 #include <set>
 
-#include "page/heat_map.h"
 #include "page/standalone.h"
 #include "page/templates.h"
 
@@ -258,27 +257,16 @@ TEST(Chart, EveryClassHasAStyle) {
   for (Series::Kind kind : {Series::Kind::line, Series::Kind::band, Series::Kind::scatter, Series::Kind::bar})
     for (int style = kFrontStyle; style < kStyles; ++style)
       chart.series.push_back({"x", style, {point, {2, 2, "", false, true}, {3, 1}}, kind});
-  HeatMap map{"", "", "", "", {"a"}, {"b"}, {{1}}};
-  map.mark_smallest = true;
   std::string style(asset("chart.css"));
   std::set<std::string> missing;
-  for (const std::string& svg : {svgOf(chart), svgOf(map)})
-    for (const Element& element : elementsOf(svg)) {
-      std::string classes = element.kind();
-      size_t space = classes.find(' ');
-      for (const std::string& one : {classes.substr(0, space), space < classes.size() ? classes.substr(space + 1) : ""})
-        if (!one.empty() && style.find("." + one) == std::string::npos) missing.insert(one);
-    }
+  for (const Element& element : elementsOf(svgOf(chart))) {
+    std::string classes = element.kind();
+    size_t space = classes.find(' ');
+    for (const std::string& one : {classes.substr(0, space), space < classes.size() ? classes.substr(space + 1) : ""})
+      if (!one.empty() && style.find("." + one) == std::string::npos) missing.insert(one);
+  }
   missing.erase("label");
   EXPECT_TRUE(missing.empty()) << *missing.begin();
-}
-
-// ---- heat maps
-
-HeatMap heat() {
-  HeatMap map{"about", "columns", "rows", "value", {"x0", "x1", "x2"}, {"top", "low"}, {{1, 10, 100}, {5, kNone, 0.5}}};
-  map.scale = Scale::Kind::log;
-  return map;
 }
 
 // In a program that knows neither the page's style nor custom properties.
@@ -292,42 +280,6 @@ TEST(Standalone, IsAFileWithItsStyleAndSize) {
   EXPECT_EQ(file.find("var("), std::string::npos);
   EXPECT_EQ(file.find("@media"), std::string::npos);
   EXPECT_TRUE(file.ends_with(svg.substr(svg.find('\n') + 1))) << "the drawing as it was";
-}
-
-TEST(HeatMap, StepsFollowTheScale) {
-  Scale scale(Scale::Kind::log, {1, 1000});
-  EXPECT_EQ(stepOf(scale, 1), 0);
-  EXPECT_EQ(stepOf(scale, 1000), kSteps - 1);
-  EXPECT_EQ(stepOf(scale, std::pow(10, 3 * 4.5 / kSteps)), 4);
-}
-
-TEST(HeatMap, CellsLieByRowAndColumn) {
-  std::string svg = svgOf(heat());
-  std::vector<Element> cells;
-  for (const Element& cell : those(svg, "rect", "cell"))
-    if (cells.size() < 6) cells.push_back(cell);
-  ASSERT_EQ(cells.size(), 6u);
-  for (int i = 1; i < 3; ++i) {
-    EXPECT_NEAR(cells[size_t(i)].number("x") - cells[size_t(i - 1)].number("x"), cells[0].number("width") + 1.5, 0.21);
-    EXPECT_EQ(cells[size_t(i)].number("y"), cells[0].number("y"));
-  }
-  EXPECT_GT(cells[3].number("y"), cells[0].number("y")) << "the first row is at the top";
-  EXPECT_EQ(cells[2].group, "step8") << "the largest";
-  EXPECT_EQ(cells[5].group, "step0") << "the smallest";
-  EXPECT_EQ(cells[4].group, "nothing");
-  std::vector<Element> said = those(svg, "text", "inside");
-  ASSERT_EQ(said.size(), 6u);
-  EXPECT_EQ(said[1].text, "10");
-  EXPECT_EQ(said[4].text, "–");
-}
-
-TEST(HeatMap, TheSmallestIsFramed) {
-  HeatMap map = heat();
-  map.mark_smallest = true;
-  std::string svg = svgOf(map);
-  Element frame = those(svg, "rect", "smallest").at(0), cell = those(svg, "rect", "cell").at(5);
-  EXPECT_NEAR(frame.number("x") + frame.number("width") / 2, cell.number("x") + cell.number("width") / 2, 0.11);
-  EXPECT_NEAR(frame.number("y") + frame.number("height") / 2, cell.number("y") + cell.number("height") / 2, 0.11);
 }
 
 }  // namespace chart_test
