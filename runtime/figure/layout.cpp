@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-
 namespace strobe::figure {
 
 using image::Image;
