@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Canvas for figures, legends and arrows. The same calls draw pixels, or a page of a PDF file with text as text and lines
-// as lines. The result depends only on the calls and the font file, not on date, locale or font settings. Positions and
-// lengths in pixels of the canvas, x right, y down; colours are display values (sRGB-encoded) of 8 bits.
+// Canvas for figures, legends and arrows. The same calls draw pixels, or a page of a PDF file with text as text and
+// lines as lines. The result depends only on the calls and the font file, not on date, locale or font settings.
+// Positions and lengths in pixels of the canvas, x right, y down; colours are display values (sRGB-encoded) of 8 bits.
 #pragma once
 
 #include <memory>
@@ -35,8 +35,8 @@ class Canvas {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // Draws a display image of 1 or 3 channels with its top left corner at (x, y), pixel by pixel. `round`: draws only the
-  // disc in the middle, for an image with an odd number of pixels a side.
+  // Draws a display image of 1 or 3 channels with its top left corner at (x, y), pixel by pixel. `round`: draws only
+  // the disc in the middle, for an image with an odd number of pixels a side.
   void picture(const Image& display, int x, int y, bool round = false);
 
   // `radius`: of the corners.

@@ -30,42 +30,36 @@ static void requireFinite(const Image& image, const Path& file) {
     throw Error(fmt::format("pixel {},{} is not finite ({})", found.x, found.y, found.value), {file.string()});
 }
 
-static Window intersection(const Window& a, const Window& b) {
-  int x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
-  int x1 = std::min(a.x + a.width, b.x + b.width), y1 = std::min(a.y + a.height, b.y + b.height);
-  return {x0, y0, std::max(x1 - x0, 0), std::max(y1 - y0, 0)};
-}
-
-static Window boundsOf(const Window& a, const Window& b) {
+static Rectangle boundsOf(const Rectangle& a, const Rectangle& b) {
   int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
   return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
-static size_t areaOf(const Window& window) { return size_t(window.width) * size_t(window.height); }
+static size_t areaOf(const Rectangle& window) { return size_t(window.width) * size_t(window.height); }
 
 static std::string windowsOf(const Picture& picture) {
-  auto text = [](const Window& w) {
+  auto text = [](const Rectangle& w) {
     return fmt::format("{},{} to {},{}", w.x, w.y, w.x + w.width - 1, w.y + w.height - 1);
   };
   return fmt::format("data window {} in the display window {}", text(picture.data), text(picture.display));
 }
 
 static bool fillsDisplay(const Picture& picture) {
-  return areaOf(intersection(picture.data, picture.display)) == areaOf(picture.display) &&
+  return areaOf(overlap(picture.data, picture.display)) == areaOf(picture.display) &&
          areaOf(picture.data) == areaOf(picture.display);
 }
 
 // Copies `image` from the window `from` to the window `to`. Pixels outside of `from` are 0.
-static Image cutTo(const Image& image, const Window& from, const Window& to) {
+static Image cutTo(const Image& image, const Rectangle& from, const Rectangle& to) {
   Image cut(to.width, to.height, image.channels);
-  Window common = intersection(from, to);
+  Rectangle common = overlap(from, to);
   for (int y = common.y; y < common.y + common.height && common.width > 0; ++y)
     std::copy_n(image.pixel(common.x - from.x, y - from.y), size_t(common.width) * size_t(image.channels),
                 cut.pixel(common.x - to.x, y - to.y));
   return cut;
 }
 
-static Picture placed(Image image, const Window& data, const Window& display, bool hdr) {
+static Picture placed(Image image, const Rectangle& data, const Rectangle& display, bool hdr) {
   Picture picture;
   picture.linear = std::move(image);
   picture.hdr = hdr, picture.data = data, picture.display = display;
@@ -73,7 +67,7 @@ static Picture placed(Image image, const Window& data, const Window& display, bo
 }
 
 static Picture pngPicture(Image image) {
-  Window whole{0, 0, image.width, image.height};
+  Rectangle whole{0, 0, image.width, image.height};
   return placed(std::move(image), whole, whole, false);
 }
 
@@ -116,8 +110,8 @@ static std::string sizeOf(const Picture& picture) {
 }
 
 // Crops or extends a picture to `area`, a part of the display window.
-static void placeIn(const Window& area, Picture& picture) {
-  size_t shown = areaOf(intersection(picture.data, picture.display)), hidden = areaOf(picture.data) - shown;
+static void placeIn(const Rectangle& area, Picture& picture) {
+  size_t shown = areaOf(overlap(picture.data, picture.display)), hidden = areaOf(picture.data) - shown;
   if (hidden > 0)
     picture.notes.push_back(
         fmt::format("{} pixels outside of the display window are not compared: {}", hidden, windowsOf(picture)));
@@ -132,14 +126,13 @@ void alignPictures(Picture& test, Picture& reference, Picture& mask) {
   auto refuse = [&](const char* what, const Picture& other) {
     throw Error(fmt::format("the {} has {}, but the test image has {}", what, sizeOf(other), sizeOf(test)));
   };
-  auto sameSize = [](const Window& a, const Window& b) { return a.width == b.width && a.height == b.height; };
-  auto same = [&](const Window& a, const Window& b) { return sameSize(a, b) && a.x == b.x && a.y == b.y; };
+  auto sameSize = [](const Rectangle& a, const Rectangle& b) { return a.width == b.width && a.height == b.height; };
   if (!sameSize(test.display, reference.display)) refuse("reference", reference);
-  Window area = test.data;
-  if (!same(test.data, reference.data)) {
-    area = boundsOf(intersection(test.data, test.display), intersection(reference.data, reference.display));
+  Rectangle area = test.data;
+  if (test.data != reference.data) {
+    area = boundsOf(overlap(test.data, test.display), overlap(reference.data, reference.display));
     for (const Picture* one : {&test, &reference})
-      if (areaOf(intersection(one->data, one->display)) == 0) refuse("reference", reference);
+      if (areaOf(overlap(one->data, one->display)) == 0) refuse("reference", reference);
     placeIn(area, test), placeIn(area, reference);
   }
   bool covers = mask.linear.empty() || (fillsDisplay(mask) && sameSize(mask.display, area));

@@ -8,22 +8,17 @@
 
 #include "base/files.h"
 #include "base/json_fwd.h"
+#include "image/draw.h"
 #include "image/flip.h"
-#include "image/image.h"
 
 namespace strobe::image {
-
-// A rectangle of pixels; x and y point right and down.
-struct Window {
-  int x = 0, y = 0, width = 0, height = 0;
-};
 
 // Picture from a file. The first bytes of the file decide its format, not its name.
 struct Picture {
   Image linear;                    // RGB, Rec. 709: the pixels of the data window
   bool hdr = false;                // true for an OpenEXR file
-  Window data;                     // relative to the display window, which it may exceed
-  Window display;                  // begins at 0,0
+  Rectangle data;                  // relative to the display window, which it may exceed
+  Rectangle display;               // begins at 0,0
   std::vector<std::string> notes;  // colour and windows stated by the file, and their treatment
 };
 

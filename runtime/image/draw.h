@@ -7,12 +7,14 @@
 
 namespace strobe::image {
 
+// Rectangle of pixels, x right, y down.
 struct Rectangle {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
+  int x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const Rectangle&) const = default;
 };
+
+// Common part of two rectangles; without pixels if there is none.
+Rectangle overlap(const Rectangle& a, const Rectangle& b);
 
 // Display image of three channels.
 Image filled(int width, int height, const Colour& colour);

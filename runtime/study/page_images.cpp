@@ -2,13 +2,9 @@
 #include "study/page_images.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <functional>
-#include <mutex>
-#include <thread>
 
+#include "base/cores.h"
 #include "base/hash.h"
 #include "image/crops.h"
 #include "image/draw.h"
@@ -23,27 +19,6 @@ namespace strobe::study {
 namespace {
 
 using image::Image;
-
-// Calls `work` with 0 to count - 1 on up to eight threads. Stops at the first exception and rethrows it.
-void inParallel(size_t count, const std::function<void(size_t)>& work) {
-  std::atomic<size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  auto run = [&] {
-    for (size_t i = next++; i < count; i = next++) try {
-        work(i);
-      } catch (...) {
-        std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::min(8u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
 
 // Size and quality of written pictures; quality 0 is PNG.
 struct Level {
@@ -153,7 +128,7 @@ PageImages Collection::collected() {
       pairs.back().push_back(pair);
     }
   }
-  inParallel(pairs_.size(), [this](size_t i) { map(pairs_[i]); });
+  forEachOnAllCores(pairs_.size(), [this](size_t i) { map(pairs_[i]); });
   std::vector<int> flips;
   for (Pair& pair : pairs_) {
     flips.push_back(pair.png.empty() ? -1 : int(sources_.size()));
@@ -180,7 +155,7 @@ WrittenImages written(const std::vector<ImageSource>& sources, size_t most_bytes
   for (const Level& level : kLevels) {
     if (&level != &last && !mayFit(sources, level, most_bytes)) continue;
     images.urls.assign(sources.size(), "");
-    inParallel(sources.size(), [&](size_t i) { images.urls[i] = urlOf(sources[i], level); });
+    forEachOnAllCores(sources.size(), [&](size_t i) { images.urls[i] = urlOf(sources[i], level); });
     images.reduced = describe(level);
     size_t bytes = 0;
     for (const std::string& url : images.urls) bytes += url.size();
