@@ -135,18 +135,15 @@ TEST(Chart, AFrontIsAStair) {
   }
 }
 
-TEST(Chart, ErrorBarsReachWhereTheyShouldInBothDirections) {
+TEST(Chart, ErrorBarsReachWhereTheyShould) {
   Chart chart;
   Point point{2, 3};
-  point.x_range = {1, 4};
   point.y_range = {2, 6};
   chart.series = {{"one", 1, {point}, Series::Kind::scatter}};
   std::string svg = svgOf(chart);
   Frame frame = frameOf(chart);
   EXPECT_DOUBLE_EQ(frame.y().at(2), 0) << "the axis reaches to the ends of error bars";
   EXPECT_DOUBLE_EQ(frame.y().at(6), 1);
-  EXPECT_DOUBLE_EQ(frame.x().at(1), 0);
-  EXPECT_DOUBLE_EQ(frame.x().at(4), 1);
   auto places = visited(those(svg, "path", "error").at(0).attributes["d"]);
   auto reached = [&](double x, double y) {
     return std::any_of(places.begin(), places.end(), [&](const auto& place) {
@@ -155,8 +152,6 @@ TEST(Chart, ErrorBarsReachWhereTheyShouldInBothDirections) {
   };
   EXPECT_TRUE(reached(2, 2));
   EXPECT_TRUE(reached(2, 6));
-  EXPECT_TRUE(reached(1, 3));
-  EXPECT_TRUE(reached(4, 3));
 }
 
 TEST(Chart, ABandFillsWhatItsPointsEnclose) {
@@ -175,66 +170,14 @@ TEST(Chart, ABandFillsWhatItsPointsEnclose) {
   EXPECT_NEAR(places[3][1], frame.bottom(), 0.06) << "-infinity is the border";
 }
 
-Chart bars(Scale::Kind y) {
-  Chart chart;
-  chart.x.kind = Scale::Kind::slots;
-  chart.x.names = {"a", "b", "c"};
-  chart.y.kind = y;
-  chart.series = {{"one", 1, {{0, 2}, {1, 4}, {2, 8}}, Series::Kind::bar},
-                  {"two", 2, {{0, 1}, {1, kNone}, {2, 3}}, Series::Kind::bar}};
-  return chart;
-}
-
-TEST(Chart, BarsStandOnZeroBesideEachOther) {
-  Chart chart = bars(Scale::Kind::linear);
-  Frame frame = frameOf(chart);
-  std::vector<Element> drawn;
-  for (const Element& bar : those(svgOf(chart), "rect", "bar"))
-    if (bar.number("x") < frame.right()) drawn.push_back(bar);
-  ASSERT_EQ(drawn.size(), 5u) << "a bar per number";
-  for (const Element& bar : drawn) EXPECT_NEAR(bar.number("y") + bar.number("height"), frame.py(0), 0.11);
-  EXPECT_NEAR(drawn[2].number("height"), 4 * drawn[0].number("height"), 0.3) << "8 is 4 times 2";
-  EXPECT_GE(drawn[3].number("x"), drawn[0].number("x") + drawn[0].number("width")) << "side by side";
-  double middle = (drawn[0].number("x") + drawn[3].number("x") + drawn[3].number("width")) / 2;
-  EXPECT_NEAR(middle, frame.px(0), 0.2) << "about the middle of their slot";
-}
-
-TEST(Chart, BarsOfALogarithmicAxisStandOnItsBorder) {
-  Chart chart = bars(Scale::Kind::log);
-  Frame frame = frameOf(chart);
-  for (const Element& bar : those(svgOf(chart), "rect", "bar")) {
-    if (bar.number("x") > frame.right()) continue;
-    EXPECT_NEAR(bar.number("y") + bar.number("height"), frame.bottom(), 0.11);
-  }
-}
-
-TEST(Chart, NamesDoNotCoverEachOther) {
-  Chart chart;
-  Series series{"", 1, {}, Series::Kind::scatter};
-  for (double x : {1.0, 1.01, 5.0}) {
-    series.points.push_back({x, 2});
-    series.points.back().name = "a long name";
-  }
-  chart.series = {series, {"", 0, {{-4, 2}}}};
-  std::vector<Element> names = those(svgOf(chart), "text", "name s1");
-  ASSERT_EQ(names.size(), 3u);
-  bool other_side = names[0].attributes.count("text-anchor") != names[1].attributes.count("text-anchor");
-  EXPECT_TRUE(other_side || std::abs(names[0].number("y") - names[1].number("y")) >= 15);
-}
-
-TEST(Chart, MarksAndHatchesDifferByStyle) {
-  std::set<std::string> shapes, hatches;
+TEST(Chart, MarksDifferByStyle) {
+  std::set<std::string> shapes;
   for (int style = 0; style < kStyles; ++style) {
     Svg svg(10, 10, "");
     svg.mark(style, 5, 5);
-    std::string shape = svg.finished();
-    shapes.insert(shape);
-    Svg hatched(10, 10, "");
-    hatched.hatch(style, 0, 0, 40, 40);
-    hatches.insert(hatched.finished());
+    shapes.insert(svg.finished());
   }
   EXPECT_EQ(shapes.size(), size_t(kStyles));
-  EXPECT_EQ(hatches.size(), size_t(kStyles));
 }
 
 // Colours come again, with other marks.
@@ -254,7 +197,7 @@ TEST(Chart, EveryClassHasAStyle) {
   Point point{1, 0, "", true};
   point.y_range = {0.5, 2};
   chart.guides = {{3, ""}};
-  for (Series::Kind kind : {Series::Kind::line, Series::Kind::band, Series::Kind::scatter, Series::Kind::bar})
+  for (Series::Kind kind : {Series::Kind::line, Series::Kind::band, Series::Kind::scatter})
     for (int style = kFrontStyle; style < kStyles; ++style)
       chart.series.push_back({"x", style, {point, {2, 2, "", false, true}, {3, 1}}, kind});
   std::string style(asset("chart.css"));
