@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "image/tone.h"
 #include "math/constants.h"
 
 namespace strobe::image {
@@ -61,8 +62,6 @@ void useFont(cairo_t* cairo, double size_px) {
   cairo_set_font_size(cairo, size_px);
 }
 
-uint32_t level(float value) { return uint32_t(std::lround(255 * (value > 0 ? std::min(value, 1.0f) : 0.0f))); }
-
 cairo_surface_t* surfaceOf(const Image& display) {
   STROBE_ASSERT(display.channels == 1 || display.channels >= 3, "{} channels", display.channels);
   cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, display.width, display.height);
@@ -74,7 +73,7 @@ cairo_surface_t* surfaceOf(const Image& display) {
     for (int x = 0; x < display.width; ++x) {
       const float* pixel = display.pixel(x, y);
       bool grey = display.channels == 1;
-      row[x] = level(pixel[0]) << 16 | level(pixel[grey ? 0 : 1]) << 8 | level(pixel[grey ? 0 : 2]);
+      row[x] = uint32_t(levelOf(pixel[0])) << 16 | levelOf(pixel[grey ? 0 : 1]) << 8 | levelOf(pixel[grey ? 0 : 2]);
     }
   }
   cairo_surface_mark_dirty(surface);
@@ -155,7 +154,7 @@ void Canvas::check() const {
 
 void Canvas::ink(const Colour& colour, double alpha) {
   // Colours have 8 bits, as in pictures.
-  auto channel = [&](size_t c) { return level(colour[c]) / 255.0; };
+  auto channel = [&](size_t c) { return levelOf(colour[c]) / 255.0; };
   cairo_set_source_rgba(cairo_.get(), channel(0), channel(1), channel(2), alpha);
 }
 
