@@ -165,11 +165,11 @@ Comparison compareImages(const Image& test, const Image& reference, const Image&
   result.ssim = ssim(test, reference, mask);
   if (mask.empty()) result.ms_ssim = multiScaleSsim(test, reference);
 
-  result.ldr_map = ldrFlip(test, reference, options.flip.pixels_per_degree);
+  result.ldr_map = ldrFlip(test, reference, options.pixels_per_degree);
   result.ldr_flip = meanOf(result.ldr_map, mask);
   result.ldr_flip_max = largestOf(result.ldr_map, mask);
   if (!options.hdr) return result;
-  HdrFlip hdr = hdrFlip(test, reference, options.flip);
+  HdrFlip hdr = hdrFlip(test, reference, options.exposures, options.pixels_per_degree);
   result.hdr_flip = meanOf(hdr.map, mask);
   result.hdr_flip_max = largestOf(hdr.map, mask);
   result.exposures = hdr.exposures;

@@ -36,8 +36,9 @@ Picture readMask(const Path& file);
 void alignPictures(Picture& test, Picture& reference, Picture& mask);
 
 struct CompareOptions {
-  bool hdr = true;  // also compute HDR-FLIP
-  HdrFlipOptions flip;
+  bool hdr = true;                     // also compute HDR-FLIP
+  std::optional<Exposures> exposures;  // of HDR-FLIP; empty: automatic
+  double pixels_per_degree = kPixelsPerDegree;
 };
 
 // Absent values were not measured: SSIM of an image smaller than its window, HDR-FLIP if it was not requested.

@@ -228,9 +228,7 @@ const Image& Sight::flip() const {
 }
 
 const Image& Sight::hdrFlip() const {
-  image::HdrFlipOptions options;
-  options.exposures = truth->exposures;
-  if (hdr_flip_.empty()) hdr_flip_ = image::hdrFlip(color, truth->color, options).map;
+  if (hdr_flip_.empty()) hdr_flip_ = image::hdrFlip(color, truth->color, truth->exposures).map;
   return hdr_flip_;
 }
 
