@@ -57,15 +57,15 @@ void writeMap(const Path& file, const image::Comparison& result) {
   image::writeExr(file, content);
 }
 
-void warnOf(const std::string& file, const image::Picture& picture) {
+void warnOf(const std::string& file, const image::ComparedPicture& picture) {
   for (const std::string& note : picture.notes) warn(file + ": " + note);
 }
 
 void compare(const Request& request) {
   if (request.exposures.start > request.exposures.stop) throw Error("--start is above --stop", {}, 2);
-  image::Picture test = image::readPicture(request.test, request.layer);
-  image::Picture reference = image::readPicture(request.reference, request.layer);
-  image::Picture mask = request.mask.empty() ? image::Picture() : image::readMask(request.mask);
+  image::ComparedPicture test = image::readPicture(request.test, request.layer);
+  image::ComparedPicture reference = image::readPicture(request.reference, request.layer);
+  image::ComparedPicture mask = request.mask.empty() ? image::ComparedPicture() : image::readMask(request.mask);
   image::alignPictures(test, reference, mask);
   warnOf(request.test, test), warnOf(request.reference, reference), warnOf(request.mask, mask);
   image::CompareOptions options;

@@ -37,14 +37,14 @@ static Rectangle boundsOf(const Rectangle& a, const Rectangle& b) {
 
 static size_t areaOf(const Rectangle& window) { return size_t(window.width) * size_t(window.height); }
 
-static std::string windowsOf(const Picture& picture) {
+static std::string windowsOf(const ComparedPicture& picture) {
   auto text = [](const Rectangle& w) {
     return fmt::format("{},{} to {},{}", w.x, w.y, w.x + w.width - 1, w.y + w.height - 1);
   };
   return fmt::format("data window {} in the display window {}", text(picture.data), text(picture.display));
 }
 
-static bool fillsDisplay(const Picture& picture) {
+static bool fillsDisplay(const ComparedPicture& picture) {
   return areaOf(overlap(picture.data, picture.display)) == areaOf(picture.display) &&
          areaOf(picture.data) == areaOf(picture.display);
 }
@@ -59,27 +59,27 @@ static Image cutTo(const Image& image, const Rectangle& from, const Rectangle& t
   return cut;
 }
 
-static Picture placed(Image image, const Rectangle& data, const Rectangle& display, bool hdr) {
-  Picture picture;
+static ComparedPicture placed(Image image, const Rectangle& data, const Rectangle& display, bool hdr) {
+  ComparedPicture picture;
   picture.linear = std::move(image);
   picture.hdr = hdr, picture.data = data, picture.display = display;
   return picture;
 }
 
-static Picture pngPicture(Image image) {
+static ComparedPicture pngPicture(Image image) {
   Rectangle whole{0, 0, image.width, image.height};
   return placed(std::move(image), whole, whole, false);
 }
 
-static Picture exrPicture(const ExrFile& content, Image image) {
+static ComparedPicture exrPicture(const ExrFile& content, Image image) {
   return placed(std::move(image), {content.x, content.y, content.width, content.height},
                 {0, 0, content.display_width, content.display_height}, true);
 }
 
-Picture readPicture(const Path& file, const std::string& layer) {
+ComparedPicture readPicture(const Path& file, const std::string& layer) {
   if (kindOf(file) == FileKind::exr) {
     ExrFile content = readExrLayer(file, layer);
-    Picture picture = exrPicture(content, colourOf(content, layer, file));
+    ComparedPicture picture = exrPicture(content, colourOf(content, layer, file));
     requireFinite(picture.linear, file);
     bool converts = content.primaries && !content.primaries->areRec709();
     if (converts) picture.notes.push_back(convertStated(picture.linear, *content.primaries));
@@ -87,7 +87,7 @@ Picture readPicture(const Path& file, const std::string& layer) {
   }
   if (!layer.empty()) throw Error(fmt::format("is a PNG and has no layer '{}'", layer), {file.string()});
   LinearPng png = readLinearPng(file);
-  Picture picture = pngPicture(std::move(png.linear));
+  ComparedPicture picture = pngPicture(std::move(png.linear));
   picture.notes = std::move(png.notes);
   return picture;
 }
@@ -98,19 +98,19 @@ static Image firstChannel(const Image& image) {
   return first;
 }
 
-Picture readMask(const Path& file) {
+ComparedPicture readMask(const Path& file) {
   if (kindOf(file) == FileKind::png) return pngPicture(firstChannel(readPng(file)));
   ExrFile content = readExrLayer(file, "");
   return exrPicture(content, firstChannel(colourOf(content, "", file)));
 }
 
-static std::string sizeOf(const Picture& picture) {
+static std::string sizeOf(const ComparedPicture& picture) {
   std::string windows = fillsDisplay(picture) ? "" : fmt::format(" ({})", windowsOf(picture));
   return fmt::format("{}x{} pixels{}", picture.display.width, picture.display.height, windows);
 }
 
 // Crops or extends a picture to `area`, a part of the display window.
-static void placeIn(const Rectangle& area, Picture& picture) {
+static void placeIn(const Rectangle& area, ComparedPicture& picture) {
   size_t shown = areaOf(overlap(picture.data, picture.display)), hidden = areaOf(picture.data) - shown;
   if (hidden > 0)
     picture.notes.push_back(
@@ -122,8 +122,8 @@ static void placeIn(const Rectangle& area, Picture& picture) {
   picture.linear = cutTo(picture.linear, picture.data, area);
 }
 
-void alignPictures(Picture& test, Picture& reference, Picture& mask) {
-  auto refuse = [&](const char* what, const Picture& other) {
+void alignPictures(ComparedPicture& test, ComparedPicture& reference, ComparedPicture& mask) {
+  auto refuse = [&](const char* what, const ComparedPicture& other) {
     throw Error(fmt::format("the {} has {}, but the test image has {}", what, sizeOf(other), sizeOf(test)));
   };
   auto sameSize = [](const Rectangle& a, const Rectangle& b) { return a.width == b.width && a.height == b.height; };
@@ -131,7 +131,7 @@ void alignPictures(Picture& test, Picture& reference, Picture& mask) {
   Rectangle area = test.data;
   if (test.data != reference.data) {
     area = boundsOf(overlap(test.data, test.display), overlap(reference.data, reference.display));
-    for (const Picture* one : {&test, &reference})
+    for (const ComparedPicture* one : {&test, &reference})
       if (areaOf(overlap(one->data, one->display)) == 0) refuse("reference", reference);
     placeIn(area, test), placeIn(area, reference);
   }
