@@ -111,21 +111,18 @@ void Collection::map(Pair& pair) const {
 PageImages Collection::collected() {
   PageImages images;
   std::map<std::pair<int, int>, int> pair_of;
-  std::vector<std::vector<int>> pairs;
   for (const PointGroup& group : results_.groups) {
-    images.points.emplace_back();
-    pairs.emplace_back();
+    std::vector<PointImages>& points = images.points.emplace_back();
     for (const Point& point : group.points) {
       PointImages one;
       one.picture = pictureOf(point);
-      int truth = images.points.back().empty() ? -1 : images.points.back().front().picture, pair = -1;
+      int truth = points.empty() ? -1 : points.front().picture;
       if (one.picture >= 0 && truth >= 0) {
         auto [found, added] = pair_of.emplace(std::pair(one.picture, truth), int(pairs_.size()));
         if (added) pairs_.push_back({one.picture, truth, "", {}});
-        pair = found->second;
+        one.flip = found->second;  // index of the pair, until the maps are made
       }
-      images.points.back().push_back(one);
-      pairs.back().push_back(pair);
+      points.push_back(one);
     }
   }
   forEachOnAllCores(pairs_.size(), [this](size_t i) { map(pairs_[i]); });
@@ -134,12 +131,11 @@ PageImages Collection::collected() {
     flips.push_back(pair.png.empty() ? -1 : int(sources_.size()));
     if (!pair.png.empty()) sources_.push_back({std::move(pair.png), "a FLIP map", true});
   }
-  for (size_t g = 0; g < pairs.size(); ++g)
-    for (size_t i = 0; i < pairs[g].size(); ++i) {
-      if (pairs[g][i] < 0) continue;
-      size_t pair = size_t(pairs[g][i]);
-      images.points[g][i].flip = flips[pair];
-      images.points[g][i].worst = pairs_[pair].worst;
+  for (std::vector<PointImages>& points : images.points)
+    for (PointImages& one : points) {
+      if (one.flip < 0) continue;
+      one.worst = pairs_[size_t(one.flip)].worst;
+      one.flip = flips[size_t(one.flip)];
     }
   images.sources = std::move(sources_);
   return images;
