@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "app/compare.h"
-
 #include <fmt/core.h>
 
-#include <map>
 #include <memory>
 #include <string>
 
+#include "app/commands.h"
 #include "base/error.h"
 #include "base/json.h"
 #include "base/log.h"
@@ -23,13 +21,9 @@ struct Request {
   std::string test, reference, mask, layer, flip_map;
   bool json = false;
   double pixels_per_degree = image::kPixelsPerDegree;
-  std::string curve = "aces";
   image::Exposures exposures;
   bool given_exposures = false;
 };
-
-const std::map<std::string, image::FlipCurve> kCurves = {
-    {"aces", image::FlipCurve::aces}, {"hable", image::FlipCurve::hable}, {"reinhard", image::FlipCurve::reinhard}};
 
 std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
 
@@ -63,22 +57,21 @@ void writeMap(const Path& file, const image::Comparison& result) {
   image::writeExr(file, content);
 }
 
-void warnOf(const std::string& file, const image::Picture& picture) {
+void warnOf(const std::string& file, const image::ComparedPicture& picture) {
   for (const std::string& note : picture.notes) warn(file + ": " + note);
 }
 
 void compare(const Request& request) {
   if (request.exposures.start > request.exposures.stop) throw Error("--start is above --stop", {}, 2);
-  image::Picture test = image::readPicture(request.test, request.layer);
-  image::Picture reference = image::readPicture(request.reference, request.layer);
-  image::Picture mask = request.mask.empty() ? image::Picture() : image::readMask(request.mask);
+  image::ComparedPicture test = image::readPicture(request.test, request.layer);
+  image::ComparedPicture reference = image::readPicture(request.reference, request.layer);
+  image::ComparedPicture mask = request.mask.empty() ? image::ComparedPicture() : image::readMask(request.mask);
   image::alignPictures(test, reference, mask);
   warnOf(request.test, test), warnOf(request.reference, reference), warnOf(request.mask, mask);
   image::CompareOptions options;
   options.hdr = test.hdr && reference.hdr;
-  options.flip.curve = kCurves.at(request.curve);
-  options.flip.pixels_per_degree = request.pixels_per_degree;
-  if (request.given_exposures) options.flip.exposures = request.exposures;
+  options.pixels_per_degree = request.pixels_per_degree;
+  if (request.given_exposures) options.exposures = request.exposures;
   image::Comparison result = image::compareImages(test.linear, reference.linear, mask.linear, options);
   if (!request.flip_map.empty()) writeMap(request.flip_map, result);
   if (!request.json) return printTable(result);
@@ -103,10 +96,6 @@ void registerCompare(CLI::App& program) {
   command->add_flag("--json", request->json, "print JSON");
   command->add_option("--ppd", request->pixels_per_degree, "pixels per degree of visual angle")
       ->check(CLI::Range(1.0, 1000.0))
-      ->capture_default_str();
-  command->add_option("--flip-curve", request->curve, "tone curve of HDR-FLIP")
-      ->check(CLI::IsMember(kCurves).description(""))
-      ->type_name("aces|hable|reinhard")
       ->capture_default_str();
   CLI::Option* start = command->add_option("--start", request->exposures.start, "first exposure of HDR-FLIP, in stops");
   CLI::Option* stop = command->add_option("--stop", request->exposures.stop, "last exposure of HDR-FLIP, in stops");

@@ -7,7 +7,8 @@
 
 namespace strobe {
 
-// Calls `work(0)` to `work(count - 1)`, several at a time, in no order. `work` must not throw.
+// Calls `work(0)` to `work(count - 1)`, several at a time, in no order. The first exception of `work` ends the loop and
+// is thrown again.
 void forEachOnAllCores(size_t count, const std::function<void(size_t)>& work);
 
 }  // namespace strobe

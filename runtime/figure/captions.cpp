@@ -14,11 +14,6 @@ namespace {
 
 using image::Image;
 
-// Thrown for a part that cannot be filled in. `captionOf` adds the caption's place.
-struct Unknown {
-  std::string what;
-};
-
 std::string written(double value, const CaptionPart& part, const std::string& otherwise) {
   if (std::isnan(value)) return page::kNotMeasured;
   if (part.style == 'f') return fmt::format("{:.{}f}", value, part.digits);
@@ -51,12 +46,12 @@ constexpr Measure kMeasures[] = {
 Image colorOf(const Taken& taken) {
   auto found = taken.picture->frame.outputs.find("color");
   if (found == taken.picture->frame.outputs.end())
-    throw Unknown{fmt::format("shot '{}' drawn by '{}' has no colour to measure", taken.shot, taken.arm)};
+    throw Error(fmt::format("shot '{}' drawn by '{}' has no colour to measure", taken.shot, taken.arm));
   return image::threeChannels(found->second.floats);
 }
 
 std::string measured(const CaptionPart& part, const Taken& taken, const Taken* truth) {
-  if (!truth) throw Unknown{fmt::format("'{}' is measured against truth, but the capture has no truth", part.measure)};
+  if (!truth) throw Error(fmt::format("'{}' is measured against truth, but the capture has no truth", part.measure));
   Image mask = regionOf(*truth, part.region);
   if (!mask.empty() && image::countedPixels(mask, mask) == 0) return page::kNotMeasured;
   if (part.measure == "standard_error") {
@@ -71,11 +66,11 @@ std::string measured(const CaptionPart& part, const Taken& taken, const Taken* t
     if (part.measure != measure.name) continue;
     Image color = colorOf(taken), reference = colorOf(*truth);
     if (!image::sameSize(color, reference))
-      throw Unknown{fmt::format("'{}' and '{}' differ in size", taken.arm, truth->arm)};
+      throw Error(fmt::format("'{}' and '{}' differ in size", taken.arm, truth->arm));
     double value = measure.of(color, reference, mask);
     return written(value, part, std::isnan(value) ? page::kNotMeasured : measure.written(value));
   }
-  throw Unknown{fmt::format("unknown measure '{}'", part.measure)};
+  throw Error(fmt::format("unknown measure '{}'", part.measure));
 }
 
 std::string textOf(const Json& value, const CaptionPart& part) {
@@ -110,12 +105,12 @@ std::string filledIn(const CaptionPart& part, const Taken& taken, const std::fun
   const Json& record = taken.picture->record;
   if (!part.option.empty()) {
     const Json* value = memberOf(memberOf(&record, "shot"), part.option);
-    if (!value) throw Unknown{fmt::format("shot '{}' has no '{}' in its record", taken.shot, part.option)};
+    if (!value) throw Error(fmt::format("shot '{}' has no '{}' in its record", taken.shot, part.option));
     return textOf(*value, part);
   }
   if (!part.setting.empty()) {
     const Json* value = settingOf(record, part.setting);
-    if (!value) throw Unknown{fmt::format("the picture of '{}' has no '{}'", taken.arm, part.setting)};
+    if (!value) throw Error(fmt::format("the picture of '{}' has no '{}'", taken.arm, part.setting));
     return textOf(*value, part);
   }
   if (part.word == "shot") return taken.shot;
@@ -140,9 +135,7 @@ std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,
   for (const CaptionPart& part : parts) {
     try {
       caption += filledIn(part, taken, truth);
-    } catch (const Unknown& unknown) {
-      problems.add(place, "caption: " + unknown.what);
-    } catch (const Error& error) {  // for a region that the ground truth lacks
+    } catch (const Error& error) {
       problems.add(place, fmt::format("caption: {}", error.message()));
     }
   }

@@ -10,11 +10,6 @@ namespace strobe::figure {
 
 namespace {
 
-template <class Value>
-void take(const Json& from, const char* name, Value& into) {
-  if (from.contains(name)) into = from.at(name).get<Value>();
-}
-
 dvec2 pointOf(const Json& json) {
   auto n = json.get<std::array<double, 2>>();
   return {n[0], n[1]};
@@ -26,45 +21,42 @@ Area areaOf(const Json& json) {
   return {n[0], n[1], n[2], n[3], ""};
 }
 
-void takeColour(const Json& from, const char* name, Colour& into) {
-  if (from.contains(name)) into = from.at(name).get<Colour>();
+void read(const Json& json, dvec2& into) { into = pointOf(json); }
+void read(const Json& json, Area& into) { into = areaOf(json); }
+void read(const Json& json, char& into) { into = json.get<std::string>().at(0); }
+template <class Value>
+void read(const Json& json, Value& into) {
+  json.get_to(into);
+}
+template <class Value>
+void read(const Json& json, std::optional<Value>& into) {
+  read(json, into.emplace());
 }
 
-Spot spotOf(const Json& json, const char* key) {
-  Spot spot;
-  take(json, "on", spot.node);
-  if (json.contains(key)) spot.pixel = pointOf(json[key]);
-  return spot;
+// Reads members into variables: name, variable, name, variable ... Members that are missing leave their variables.
+template <class Value, class... More>
+void take(const Json& from, const char* name, Value& into, More&&... more) {
+  if (from.contains(name)) read(from.at(name), into);
+  if constexpr (sizeof...(more) > 0) take(from, more...);
 }
 
 void takeCommon(const Json& json, Mark& mark) {
+  take(json, "color", mark.colour, "width", mark.width, "text", mark.text);
   mark.place = placeOf(json, {});
-  takeColour(json, "color", mark.colour);
-  take(json, "width", mark.width);
-  take(json, "text", mark.text);
 }
 
 void takeOwn(const Json& json, Arrow& arrow) {
-  arrow.to = spotOf(json, "to");
-  if (json.contains("from")) arrow.from = pointOf(json["from"]);
-  if (json.contains("by")) arrow.by = pointOf(json["by"]);
+  take(json, "on", arrow.to.node, "to", arrow.to.pixel, "from", arrow.from, "by", arrow.by);
 }
-
 void takeOwn(const Json& json, Circle& circle) {
-  circle.at = spotOf(json, "at");
-  take(json, "radius", circle.radius);
+  take(json, "on", circle.at.node, "at", circle.at.pixel, "radius", circle.radius);
 }
-
 void takeOwn(const Json& json, Box& box) { box.area = areaOf(json.at("area")); }
-
 void takeOwn(const Json& json, Range& range) {
   range.at = pointOf(json.at("at"));
-  take(json, "anchor", range.anchor);
-  take(json, "along", range.along);
-  take(json, "samples", range.samples);
-  take(json, "displacement", range.displacement);
+  take(json, "anchor", range.anchor, "along", range.along, "samples", range.samples, "displacement",
+       range.displacement);
 }
-
 void takeOwn(const Json& json, Words& words) { words.at = pointOf(json.at("at")); }
 
 template <class Kind>
@@ -90,30 +82,19 @@ Inset insetOf(const Json& json) {
   Inset inset;
   inset.place = placeOf(json, {});
   inset.crop = areaOf(json.at("crop"));
-  take(json, "zoom", inset.zoom);
-  take(json, "at", inset.at);
-  takeColour(json, "frame", inset.frame);
+  take(json, "zoom", inset.zoom, "at", inset.at, "frame", inset.frame);
   inset.marks = marksOf(json);
   return inset;
-}
-
-CaptionPart partOf(const Json& json) {
-  CaptionPart part;
-  take(json, "text", part.text);
-  take(json, "measure", part.measure);
-  take(json, "region", part.region);
-  take(json, "option", part.option);
-  take(json, "setting", part.setting);
-  take(json, "word", part.word);
-  take(json, "digits", part.digits);
-  if (json.contains("style")) part.style = json["style"].get<std::string>().at(0);
-  return part;
 }
 
 std::vector<CaptionPart> partsOf(const Json& json, const char* name) {
   std::vector<CaptionPart> parts;
   if (!json.contains(name)) return parts;
-  for (const Json& part : json.at(name)) parts.push_back(partOf(part));
+  for (const Json& one : json.at(name)) {
+    CaptionPart& part = parts.emplace_back();
+    take(one, "text", part.text, "measure", part.measure, "region", part.region, "option", part.option, "setting",
+         part.setting, "word", part.word, "digits", part.digits, "style", part.style);
+  }
   return parts;
 }
 
@@ -121,22 +102,9 @@ Cell cellOf(const Json& json, const Place& otherwise) {
   Cell cell;
   cell.place = placeOf(json, otherwise);
   cell.row = json.at("row").get<int>() - 1, cell.column = json.at("column").get<int>() - 1;
-  take(json, "shot", cell.shot);
-  take(json, "arm", cell.arm);
-  if (json.contains("step")) cell.step = json["step"].get<int>();
-  take(json, "view", cell.view);
-  take(json, "kind", cell.kind);
-  take(json, "low", cell.low);
-  take(json, "high", cell.high);
-  if (json.contains("stops")) cell.stops = json["stops"].get<double>();
-  take(json, "against", cell.against);
-  take(json, "difference", cell.difference);
-  take(json, "gain", cell.gain);
-  if (json.contains("crop")) cell.crop = areaOf(json["crop"]);
-  take(json, "zoom", cell.zoom);
-  take(json, "shrink", cell.shrink);
-  take(json, "key", cell.key);
-  if (json.contains("frame")) cell.frame = json["frame"].get<Colour>();
+  take(json, "shot", cell.shot, "arm", cell.arm, "step", cell.step, "view", cell.view, "kind", cell.kind, "low",
+       cell.low, "high", cell.high, "stops", cell.stops, "against", cell.against, "difference", cell.difference, "gain",
+       cell.gain, "crop", cell.crop, "zoom", cell.zoom, "shrink", cell.shrink, "key", cell.key, "frame", cell.frame);
   cell.caption = partsOf(json, "caption");
   if (json.contains("insets"))
     for (const Json& inset : json["insets"]) cell.insets.push_back(insetOf(inset));
@@ -150,28 +118,16 @@ std::vector<std::string> labelsOf(const Json& lines) {
   return labels;
 }
 
-FigureData read(const Json& data) {
+FigureData figureIn(const Json& data) {
   FigureData figure;
   figure.place = placeOf(data, {});
-  take(data, "name", figure.name);
-  take(data, "title", figure.title);
-  take(data, "note", figure.note);
-  take(data, "letters", figure.letters);
-  take(data, "attribution", figure.attribution);
-  take(data, "gap", figure.gap);
-  take(data, "margin", figure.margin);
-  take(data, "border", figure.border);
-  take(data, "text_size", figure.text_size);
-  take(data, "width_mm", figure.width_mm);
-  take(data, "cell_width", figure.cell_width);
-  take(data, "fps", figure.fps);
-  take(data, "format", figure.format);
-  auto size = data.at("size").get<std::array<double, 2>>();
-  figure.width = int(size[0]), figure.height = int(size[1]);
-  if (data.contains("drawn")) {
-    auto drawn = data["drawn"].get<std::array<double, 2>>();
-    figure.drawn_width = int(drawn[0]), figure.drawn_height = int(drawn[1]);
-  }
+  dvec2 size = pointOf(data.at("size")), drawn(0);
+  take(data, "name", figure.name, "title", figure.title, "note", figure.note, "letters", figure.letters, "attribution",
+       figure.attribution, "gap", figure.gap, "margin", figure.margin, "border", figure.border, "text_size",
+       figure.text_size, "width_mm", figure.width_mm, "cell_width", figure.cell_width, "fps", figure.fps, "format",
+       figure.format, "drawn", drawn);
+  figure.width = int(size.x), figure.height = int(size.y);
+  figure.drawn_width = int(drawn.x), figure.drawn_height = int(drawn.y);
   figure.rows = labelsOf(data.at("rows")), figure.columns = labelsOf(data.at("columns"));
   for (const Json& row : data["rows"]) {
     figure.headings.push_back({"", partsOf(row, "note")});
@@ -190,7 +146,7 @@ dvec2 FigureData::scale() const {
 
 FigureData figureFrom(const Json& data) {
   try {
-    return read(data);
+    return figureIn(data);
   } catch (const Json::exception& error) {
     throw Error(fmt::format("the data of a figure cannot be read: {}", error.what()), placeOf(data, {}));
   }

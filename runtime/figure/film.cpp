@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figure/film.h"
 
-#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -13,12 +12,6 @@ namespace strobe::figure {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string rgbOf(const image::Image& display) {
-  std::string bytes(display.values.size(), '\0');
-  for (size_t i = 0; i < bytes.size(); ++i) bytes[i] = char(std::lround(255 * display.values[i]));
-  return bytes;
-}
 
 std::vector<std::string> encodingOf(const std::string& format) {
   if (format == "mkv")
@@ -88,7 +81,7 @@ class Frames {
     Canvas canvas(Canvas::Kind::pixels, width, height);
     layout.draw(canvas);
     ++step_;
-    return rgbOf(canvas.pixels());
+    return image::levelsOf(canvas.pixels());
   }
 
  private:

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <set>
 
-#include "image/false_colour.h"
-
 namespace strobe::figure {
 
 using image::Image;
 using image::Rectangle;
-using LegendKind = lab::Legend::Kind;
+using LegendKind = image::Legend::Kind;
 
 namespace {
 
@@ -64,39 +62,6 @@ void fit(std::string& text, double& size, double width) {
 std::string letterOf(size_t i) {
   std::string letters(1, char('a' + i % 26));
   return i < 26 ? letters : letterOf(i / 26 - 1) + letters;
-}
-
-// Wheel of colours on white: hue for the direction, brightness for the length.
-Image wheelOf(int radius) {
-  int side = 2 * radius + 1;
-  Image vectors(side, side, 2);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) vectors.at(x, y, 0) = float(x - radius), vectors.at(x, y, 1) = float(y - radius);
-  Image colours = image::velocityColours(vectors, float(radius));
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      float outside = std::clamp(float(std::hypot(x - radius, y - radius)) - radius + 0.5f, 0.0f, 1.0f);
-      for (int c = 0; c < 3; ++c) colours.at(x, y, c) += outside * (1 - colours.at(x, y, c));
-    }
-  return colours;
-}
-
-Image barOf(const lab::Legend& legend, int width, int height) {
-  Image bar(width, height, 3);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      Colour colour = lab::barColour(legend.kind, (x + 0.5f) / width);
-      std::copy_n(colour.begin(), 3, bar.pixel(x, y));
-    }
-  return bar;
-}
-
-// Texts below the left end, the middle and the right end of a bar.
-std::array<std::string, 3> barTexts(const lab::Legend& legend) {
-  if (legend.kind != LegendKind::depth)
-    return {fmt::format("{:.3g}", legend.low), legend.text, fmt::format("{:.3g}", legend.high)};
-  auto metres = [](double value) { return fmt::format("{:.3g} m", value); };
-  return {metres(legend.low), metres(std::sqrt(legend.low * legend.high)), metres(legend.high)};
 }
 
 }  // namespace
@@ -169,7 +134,7 @@ int Layout::outerWidth(const Block& block) const {
   return std::max(block.main.display.width + 2 * rim_, belowOf(block).width);
 }
 
-int Layout::keyHeight(const lab::Legend& legend) const {
+int Layout::keyHeight(const image::Legend& legend) const {
   double small = 0.8 * text_;
   switch (legend.kind) {
     case LegendKind::none:
@@ -368,15 +333,15 @@ void Layout::drawKey(Canvas& canvas, const Key& key) const {
   };
   if (key.legend.kind == LegendKind::words) return line(area.x, area.y, area.width, key.legend.text, 0);
   if (key.legend.kind == LegendKind::wheel) {
-    Image wheel = wheelOf((area.height - 1) / 2);
-    canvas.picture(wheel, area.x, area.y);
+    Image wheel = image::wheelOf((area.height - 1) / 2);
+    canvas.picture(wheel, area.x, area.y, true);
     double x = area.x + wheel.width + 0.5 * small;
     return line(x, area.y + (area.height - lineHeight(small)) / 2, area.x + area.width - x,
                 fmt::format("direction and length, up to {:g} px", key.legend.high), 0);
   }
   int height = std::max(2, int(std::lround(0.7 * text_)));
-  canvas.picture(barOf(key.legend, area.width, height), area.x, area.y);
-  std::array<std::string, 3> texts = barTexts(key.legend);
+  canvas.picture(image::barOf(key.legend, area.width, height), area.x, area.y);
+  std::array<std::string, 3> texts = image::textsOf(key.legend);
   double y = area.y + height + 0.1 * text_, ends = std::max(textWidth(texts[0], small), textWidth(texts[2], small));
   line(area.x, y, area.width, texts[0], 0);
   line(area.x, y, area.width, texts[2], 1);

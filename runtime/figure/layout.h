@@ -3,10 +3,14 @@
 // Computed once, drawn on any canvas.
 #pragma once
 
-#include "figure/canvas.h"
 #include "figure/panel.h"
+#include "image/canvas.h"
 
 namespace strobe::figure {
+
+using image::Canvas;
+using image::lineHeight;
+using image::textWidth;
 
 // `one_line` shrinks a long caption, so that all frames of a film have the same height.
 enum class Captions { wrapped, one_line };
@@ -40,12 +44,12 @@ class Layout {
     bool turned;
   };
   struct Key {
-    lab::Legend legend;
+    image::Legend legend;
     image::Rectangle area;
   };
 
   int heightOf(const Block& block, int width) const;
-  int keyHeight(const lab::Legend& legend) const;
+  int keyHeight(const image::Legend& legend) const;
   std::vector<std::string> captionLines(const std::string& caption, int width) const;
   image::Rectangle belowOf(const Block& block) const;  // only the size is set
   int outerWidth(const Block& block) const;

@@ -16,13 +16,13 @@ namespace {
 
 using image::Image;
 using image::Rectangle;
-using LegendKind = lab::Legend::Kind;
+using LegendKind = image::Legend::Kind;
 
 // Content of a cell in full size: linear colour with a tone map, or a display image.
 struct Source {
   Image pixels;
   std::optional<image::ToneMap> tone;
-  lab::Legend legend;
+  image::Legend legend;
 
   // Part of the content, reduced to 1 / shrink of its size.
   Image cut(const Rectangle& area, double shrink = 1) const {
@@ -78,7 +78,7 @@ std::optional<Source> differenceOf(const Cell& cell, const Taken& taken, const T
     return Source{image::absoluteDifference(first, second, float(cell.gain)),
                   {},
                   {LegendKind::words, 0, 0, fmt::format("|difference from {}| × {:g}", other.arm, cell.gain)}};
-  lab::Legend legend{LegendKind::bar, 0, 1 / cell.gain, fmt::format("|difference from {}|", other.arm)};
+  image::Legend legend{LegendKind::bar, 0, 1 / cell.gain, fmt::format("|difference from {}|", other.arm)};
   return Source{image::differenceHeat(first, second, float(cell.gain)), {}, legend};
 }
 

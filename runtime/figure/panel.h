@@ -18,7 +18,7 @@ struct Block {
   int row = 0, column = 0;
   Panel main;
   std::vector<Panel> insets;
-  lab::Legend legend;
+  image::Legend legend;
   std::string caption;
   std::string above;        // note above the row, if this is the row's first cell
   std::string attribution;  // of the scene

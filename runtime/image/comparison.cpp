@@ -30,62 +30,56 @@ static void requireFinite(const Image& image, const Path& file) {
     throw Error(fmt::format("pixel {},{} is not finite ({})", found.x, found.y, found.value), {file.string()});
 }
 
-static Window intersection(const Window& a, const Window& b) {
-  int x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
-  int x1 = std::min(a.x + a.width, b.x + b.width), y1 = std::min(a.y + a.height, b.y + b.height);
-  return {x0, y0, std::max(x1 - x0, 0), std::max(y1 - y0, 0)};
-}
-
-static Window boundsOf(const Window& a, const Window& b) {
+static Rectangle boundsOf(const Rectangle& a, const Rectangle& b) {
   int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
   return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
-static size_t areaOf(const Window& window) { return size_t(window.width) * size_t(window.height); }
+static size_t areaOf(const Rectangle& window) { return size_t(window.width) * size_t(window.height); }
 
-static std::string windowsOf(const Picture& picture) {
-  auto text = [](const Window& w) {
+static std::string windowsOf(const ComparedPicture& picture) {
+  auto text = [](const Rectangle& w) {
     return fmt::format("{},{} to {},{}", w.x, w.y, w.x + w.width - 1, w.y + w.height - 1);
   };
   return fmt::format("data window {} in the display window {}", text(picture.data), text(picture.display));
 }
 
-static bool fillsDisplay(const Picture& picture) {
-  return areaOf(intersection(picture.data, picture.display)) == areaOf(picture.display) &&
+static bool fillsDisplay(const ComparedPicture& picture) {
+  return areaOf(overlap(picture.data, picture.display)) == areaOf(picture.display) &&
          areaOf(picture.data) == areaOf(picture.display);
 }
 
 // Copies `image` from the window `from` to the window `to`. Pixels outside of `from` are 0.
-static Image cutTo(const Image& image, const Window& from, const Window& to) {
+static Image cutTo(const Image& image, const Rectangle& from, const Rectangle& to) {
   Image cut(to.width, to.height, image.channels);
-  Window common = intersection(from, to);
+  Rectangle common = overlap(from, to);
   for (int y = common.y; y < common.y + common.height && common.width > 0; ++y)
     std::copy_n(image.pixel(common.x - from.x, y - from.y), size_t(common.width) * size_t(image.channels),
                 cut.pixel(common.x - to.x, y - to.y));
   return cut;
 }
 
-static Picture placed(Image image, const Window& data, const Window& display, bool hdr) {
-  Picture picture;
+static ComparedPicture placed(Image image, const Rectangle& data, const Rectangle& display, bool hdr) {
+  ComparedPicture picture;
   picture.linear = std::move(image);
   picture.hdr = hdr, picture.data = data, picture.display = display;
   return picture;
 }
 
-static Picture pngPicture(Image image) {
-  Window whole{0, 0, image.width, image.height};
+static ComparedPicture pngPicture(Image image) {
+  Rectangle whole{0, 0, image.width, image.height};
   return placed(std::move(image), whole, whole, false);
 }
 
-static Picture exrPicture(const ExrFile& content, Image image) {
+static ComparedPicture exrPicture(const ExrFile& content, Image image) {
   return placed(std::move(image), {content.x, content.y, content.width, content.height},
                 {0, 0, content.display_width, content.display_height}, true);
 }
 
-Picture readPicture(const Path& file, const std::string& layer) {
+ComparedPicture readPicture(const Path& file, const std::string& layer) {
   if (kindOf(file) == FileKind::exr) {
     ExrFile content = readExrLayer(file, layer);
-    Picture picture = exrPicture(content, colourOf(content, layer, file));
+    ComparedPicture picture = exrPicture(content, colourOf(content, layer, file));
     requireFinite(picture.linear, file);
     bool converts = content.primaries && !content.primaries->areRec709();
     if (converts) picture.notes.push_back(convertStated(picture.linear, *content.primaries));
@@ -93,7 +87,7 @@ Picture readPicture(const Path& file, const std::string& layer) {
   }
   if (!layer.empty()) throw Error(fmt::format("is a PNG and has no layer '{}'", layer), {file.string()});
   LinearPng png = readLinearPng(file);
-  Picture picture = pngPicture(std::move(png.linear));
+  ComparedPicture picture = pngPicture(std::move(png.linear));
   picture.notes = std::move(png.notes);
   return picture;
 }
@@ -104,20 +98,20 @@ static Image firstChannel(const Image& image) {
   return first;
 }
 
-Picture readMask(const Path& file) {
+ComparedPicture readMask(const Path& file) {
   if (kindOf(file) == FileKind::png) return pngPicture(firstChannel(readPng(file)));
   ExrFile content = readExrLayer(file, "");
   return exrPicture(content, firstChannel(colourOf(content, "", file)));
 }
 
-static std::string sizeOf(const Picture& picture) {
+static std::string sizeOf(const ComparedPicture& picture) {
   std::string windows = fillsDisplay(picture) ? "" : fmt::format(" ({})", windowsOf(picture));
   return fmt::format("{}x{} pixels{}", picture.display.width, picture.display.height, windows);
 }
 
 // Crops or extends a picture to `area`, a part of the display window.
-static void placeIn(const Window& area, Picture& picture) {
-  size_t shown = areaOf(intersection(picture.data, picture.display)), hidden = areaOf(picture.data) - shown;
+static void placeIn(const Rectangle& area, ComparedPicture& picture) {
+  size_t shown = areaOf(overlap(picture.data, picture.display)), hidden = areaOf(picture.data) - shown;
   if (hidden > 0)
     picture.notes.push_back(
         fmt::format("{} pixels outside of the display window are not compared: {}", hidden, windowsOf(picture)));
@@ -128,18 +122,17 @@ static void placeIn(const Window& area, Picture& picture) {
   picture.linear = cutTo(picture.linear, picture.data, area);
 }
 
-void alignPictures(Picture& test, Picture& reference, Picture& mask) {
-  auto refuse = [&](const char* what, const Picture& other) {
+void alignPictures(ComparedPicture& test, ComparedPicture& reference, ComparedPicture& mask) {
+  auto refuse = [&](const char* what, const ComparedPicture& other) {
     throw Error(fmt::format("the {} has {}, but the test image has {}", what, sizeOf(other), sizeOf(test)));
   };
-  auto sameSize = [](const Window& a, const Window& b) { return a.width == b.width && a.height == b.height; };
-  auto same = [&](const Window& a, const Window& b) { return sameSize(a, b) && a.x == b.x && a.y == b.y; };
+  auto sameSize = [](const Rectangle& a, const Rectangle& b) { return a.width == b.width && a.height == b.height; };
   if (!sameSize(test.display, reference.display)) refuse("reference", reference);
-  Window area = test.data;
-  if (!same(test.data, reference.data)) {
-    area = boundsOf(intersection(test.data, test.display), intersection(reference.data, reference.display));
-    for (const Picture* one : {&test, &reference})
-      if (areaOf(intersection(one->data, one->display)) == 0) refuse("reference", reference);
+  Rectangle area = test.data;
+  if (test.data != reference.data) {
+    area = boundsOf(overlap(test.data, test.display), overlap(reference.data, reference.display));
+    for (const ComparedPicture* one : {&test, &reference})
+      if (areaOf(overlap(one->data, one->display)) == 0) refuse("reference", reference);
     placeIn(area, test), placeIn(area, reference);
   }
   bool covers = mask.linear.empty() || (fillsDisplay(mask) && sameSize(mask.display, area));
@@ -172,11 +165,11 @@ Comparison compareImages(const Image& test, const Image& reference, const Image&
   result.ssim = ssim(test, reference, mask);
   if (mask.empty()) result.ms_ssim = multiScaleSsim(test, reference);
 
-  result.ldr_map = ldrFlip(test, reference, options.flip.pixels_per_degree);
+  result.ldr_map = ldrFlip(test, reference, options.pixels_per_degree);
   result.ldr_flip = meanOf(result.ldr_map, mask);
   result.ldr_flip_max = largestOf(result.ldr_map, mask);
   if (!options.hdr) return result;
-  HdrFlip hdr = hdrFlip(test, reference, options.flip);
+  HdrFlip hdr = hdrFlip(test, reference, options.exposures, options.pixels_per_degree);
   result.hdr_flip = meanOf(hdr.map, mask);
   result.hdr_flip_max = largestOf(hdr.map, mask);
   result.exposures = hdr.exposures;

@@ -8,41 +8,37 @@
 
 #include "base/files.h"
 #include "base/json_fwd.h"
+#include "image/draw.h"
 #include "image/flip.h"
-#include "image/image.h"
 
 namespace strobe::image {
 
-// A rectangle of pixels; x and y point right and down.
-struct Window {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
 // Picture from a file. The first bytes of the file decide its format, not its name.
-struct Picture {
+struct ComparedPicture {
   Image linear;                    // RGB, Rec. 709: the pixels of the data window
   bool hdr = false;                // true for an OpenEXR file
-  Window data;                     // relative to the display window, which it may exceed
-  Window display;                  // begins at 0,0
+  Rectangle data;                  // relative to the display window, which it may exceed
+  Rectangle display;               // begins at 0,0
   std::vector<std::string> notes;  // colour and windows stated by the file, and their treatment
 };
 
 // Reads a PNG or OpenEXR file. `layer` selects the colour of an OpenEXR layer; a PNG refuses a layer. Throws `Error`
 // naming the file, also for a value that is not finite (with its pixel).
-Picture readPicture(const Path& file, const std::string& layer = "");
+ComparedPicture readPicture(const Path& file, const std::string& layer = "");
 
 // Reads a mask for metrics.h: red, or the only channel, of a PNG or OpenEXR file. PNG values are not decoded from sRGB.
-Picture readMask(const Path& file);
+ComparedPicture readMask(const Path& file);
 
 // Aligns pictures by their display windows. If the data windows of `test` and `reference` differ, both pictures get the
 // area that contains the visible pixels of both. Pixels outside of a picture's data window are black, and the notes of
 // the picture state this. An empty mask selects all pixels. A mask of the compared size is not aligned. Throws `Error`
 // with the windows if display windows differ in size, or if a picture has no visible pixel.
-void alignPictures(Picture& test, Picture& reference, Picture& mask);
+void alignPictures(ComparedPicture& test, ComparedPicture& reference, ComparedPicture& mask);
 
 struct CompareOptions {
-  bool hdr = true;  // also compute HDR-FLIP
-  HdrFlipOptions flip;
+  bool hdr = true;                     // also compute HDR-FLIP
+  std::optional<Exposures> exposures;  // of HDR-FLIP; empty: automatic
+  double pixels_per_degree = kPixelsPerDegree;
 };
 
 // Absent values were not measured: SSIM of an image smaller than its window, HDR-FLIP if it was not requested.

@@ -7,10 +7,15 @@
 
 namespace strobe::image {
 
-static Rectangle cutTo(const Image& image, Rectangle area) {
-  int left = std::clamp(area.x, 0, image.width), right = std::clamp(area.x + area.width, left, image.width);
-  int top = std::clamp(area.y, 0, image.height), bottom = std::clamp(area.y + area.height, top, image.height);
-  return {left, top, right - left, bottom - top};
+Rectangle overlap(const Rectangle& a, const Rectangle& b) {
+  int x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
+  int x1 = std::min(a.x + a.width, b.x + b.width), y1 = std::min(a.y + a.height, b.y + b.height);
+  return {x0, y0, std::max(x1 - x0, 0), std::max(y1 - y0, 0)};
+}
+
+// Part of a rectangle in an image.
+static Rectangle inside(const Image& image, const Rectangle& area) {
+  return overlap(area, {0, 0, image.width, image.height});
 }
 
 Image filled(int width, int height, const Colour& colour) {
@@ -20,13 +25,13 @@ Image filled(int width, int height, const Colour& colour) {
 }
 
 Image crop(const Image& image, Rectangle area) {
-  Rectangle inside = cutTo(image, area);
-  if (inside.width == 0 || inside.height == 0)
+  Rectangle part = inside(image, area);
+  if (part.width == 0 || part.height == 0)
     throw Error(fmt::format("the crop {}x{} at {},{} is outside of the image of {}x{}", area.width, area.height, area.x,
                             area.y, image.width, image.height));
-  Image result(inside.width, inside.height, image.channels);
-  for (int y = 0; y < inside.height; ++y)
-    std::copy_n(image.pixel(inside.x, inside.y + y), size_t(inside.width) * image.channels, result.pixel(0, y));
+  Image result(part.width, part.height, image.channels);
+  for (int y = 0; y < part.height; ++y)
+    std::copy_n(image.pixel(part.x, part.y + y), size_t(part.width) * image.channels, result.pixel(0, y));
   return result;
 }
 
@@ -63,24 +68,18 @@ Image shrunk(const Image& linear, int width, int height) {
 
 void fill(Image& onto, Rectangle area, const Colour& colour) {
   STROBE_ASSERT(onto.channels == 3, "{} channels", onto.channels);
-  Rectangle inside = cutTo(onto, area);
-  for (int y = inside.y; y < inside.y + inside.height; ++y)
-    for (int x = inside.x; x < inside.x + inside.width; ++x) std::copy_n(colour.begin(), 3, onto.pixel(x, y));
+  Rectangle part = inside(onto, area);
+  for (int y = part.y; y < part.y + part.height; ++y)
+    for (int x = part.x; x < part.x + part.width; ++x) std::copy_n(colour.begin(), 3, onto.pixel(x, y));
 }
 
 void paste(Image& onto, const Image& what, int x, int y) {
   STROBE_ASSERT(onto.channels == 3 && (what.channels == 1 || what.channels >= 3), "{} onto {} channels", what.channels,
                 onto.channels);
-  Rectangle inside = cutTo(onto, {x, y, what.width, what.height});
-  for (int py = inside.y; py < inside.y + inside.height; ++py)
-    for (int px = inside.x; px < inside.x + inside.width; ++px)
+  Rectangle part = inside(onto, {x, y, what.width, what.height});
+  for (int py = part.y; py < part.y + part.height; ++py)
+    for (int px = part.x; px < part.x + part.width; ++px)
       for (int c = 0; c < 3; ++c) onto.at(px, py, c) = what.at(px - x, py - y, what.channels == 1 ? 0 : c);
-}
-
-void blend(Image& onto, int x, int y, const Colour& colour, float coverage) {
-  if (x < 0 || y < 0 || x >= onto.width || y >= onto.height || !(coverage > 0)) return;
-  float* pixel = onto.pixel(x, y);
-  for (int c = 0; c < 3; ++c) pixel[c] += std::min(coverage, 1.0f) * (colour[size_t(c)] - pixel[c]);
 }
 
 }  // namespace strobe::image

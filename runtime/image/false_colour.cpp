@@ -54,16 +54,16 @@ uint32_t scatter(uint32_t id) {
 
 }  // namespace
 
-void markNotFinite(Image& display, const Image& data) {
+void markNotFinite(Image& display, const Image& data, int channels, bool sky) {
   STROBE_ASSERT(sameSize(display, data) && display.channels == 3, "{} channels", display.channels);
   for (size_t i = 0; i < display.values.size() / 3; ++i) {
-    bool nan = false, finite = true;
-    for (int c = 0; c < 3; ++c) {
-      float value = colourOf(data, i, c);
-      nan = nan || std::isnan(value), finite = finite && std::isfinite(value);
+    const float* value = &data.values[i * size_t(data.channels)];
+    bool nan = false, infinite = false;
+    for (int c = 0; c < std::min(channels, data.channels); ++c) {
+      nan = nan || std::isnan(value[c]);
+      infinite = infinite || (std::isinf(value[c]) && !(sky && value[c] > 0));
     }
-    const Colour& colour = nan ? kNanColour : kInfiniteColour;
-    if (!finite) std::copy(colour.begin(), colour.end(), &display.values[3 * i]);
+    if (nan || infinite) std::copy_n((nan ? kNanColour : kInfiniteColour).begin(), 3, &display.values[3 * i]);
   }
 }
 

@@ -10,10 +10,10 @@ namespace strobe::image {
 // |a - b| * gain per colour channel, not encoded. Equal pixels are black.
 Image absoluteDifference(const Image& a, const Image& b, float gain = 1);
 
-// Marks pixels of `display` (three channels) with a colour of `data` that is not finite: magenta for NaN, yellow for
-// infinity.
+// Marks pixels of `display` (three channels) if one of the first `channels` channels of `data` is not finite: magenta
+// for NaN, yellow for infinity. `sky`: +infinity is background and is not marked.
 inline constexpr Colour kNanColour = {1, 0, 1}, kInfiniteColour = {1, 1, 0};
-void markNotFinite(Image& display, const Image& data);
+void markNotFinite(Image& display, const Image& data, int channels = 3, bool sky = false);
 
 // Mean of |a - b| over the colour channels in magma, from 0 to 1/gain.
 Image differenceHeat(const Image& a, const Image& b, float gain = 1);

@@ -238,47 +238,26 @@ Image flipOfDisplayable(const Image& test, const Image& reference, double ppd) {
 
 // ---- exposures ----------------------------------------------------------------------------------------------------
 
-// (k0 x^2 + k1 x + k2) / (k3 x^2 + k4 x + k5)
-using Rational = std::array<double, 6>;
-
-// ACES: Narkowicz's fit with its input scaled by 0.6.
-Rational coefficients(FlipCurve curve) {
-  if (curve == FlipCurve::aces) return {0.36 * 2.51, 0.6 * 0.03, 0, 0.36 * 2.43, 0.6 * 0.59, 0.14};
-  if (curve == FlipCurve::hable) return {0.231683, 0.013791, 0, 0.18, 0.3, 0.018};
-  return {0, 1, 0, 0, 1, 1};
-}
+// Tone curve: Narkowicz's fit of ACES, (k0 x^2 + k1 x) / (k2 x^2 + k3 x + k4), with its input scaled by 0.6.
+constexpr double kAces[] = {0.36 * 2.51, 0.6 * 0.03, 0.36 * 2.43, 0.6 * 0.59, 0.14};
 
 // Input of the curve for the output `level`: the larger root of a quadratic.
-double inputFor(const Rational& k, double level) {
-  double a = k[0] - level * k[3], b = k[1] - level * k[4], c = k[2] - level * k[5];
-  if (a == 0) return -c / b;
+double inputFor(double level) {
+  double a = kAces[0] - level * kAces[2], b = kAces[1] - level * kAces[3], c = -level * kAces[4];
   double middle = -0.5 * b / a;
   return middle + std::sqrt(middle * middle - c / a);
 }
 
 float luminanceOf(const float* rgb) { return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]; }
 
-Vec3 bend(const float* rgb, float scale, const Rational& k, FlipCurve curve) {
-  Vec3 in = {rgb[0] * scale, rgb[1] * scale, rgb[2] * scale}, out;
-  float divisor = 1 + luminanceOf(in.data());
-  for (int c = 0; c < 3; ++c) {
-    double x = in[c];
-    double bent = (x * (k[0] * x + k[1]) + k[2]) / (x * (k[3] * x + k[4]) + k[5]);
-    float value = curve == FlipCurve::reinhard ? in[c] / divisor : static_cast<float>(bent);
-    out[c] = std::min(std::max(value, 0.0f), 1.0f);
-  }
-  return out;
-}
-
-Image exposed(const Image& image, double stops, FlipCurve curve) {
-  Rational k = coefficients(curve);
+Image exposed(Image image, double stops) {
   float scale = static_cast<float>(std::exp2(stops));
-  Image out(image.width, image.height, 3);
-  for (size_t i = 0; i < out.values.size(); i += 3) {
-    Vec3 bent = bend(&image.values[i], scale, k, curve);
-    std::copy(bent.begin(), bent.end(), &out.values[i]);
+  for (float& value : image.values) {
+    double x = value * scale;
+    double bent = x * (kAces[0] * x + kAces[1]) / (x * (kAces[2] * x + kAces[3]) + kAces[4]);
+    value = std::min(std::max(static_cast<float>(bent), 0.0f), 1.0f);
   }
-  return out;
+  return image;
 }
 
 void assertComparable(const Image& test, const Image& reference) {
@@ -312,7 +291,7 @@ const char* exposureSourceName(Exposures::Source source) {
   return names[int(source)];
 }
 
-Exposures automaticExposures(const Image& test, const Image& reference, FlipCurve curve) {
+Exposures automaticExposures(const Image& test, const Image& reference) {
   Exposures result{0, 0, 2, Exposures::Source::reference};
   std::vector<float> values = luminances(reference);
   auto black = [&] { return *std::max_element(values.begin(), values.end()) <= 0; };
@@ -325,18 +304,19 @@ Exposures automaticExposures(const Image& test, const Image& reference, FlipCurv
     median = *std::upper_bound(values.begin(), values.end(), 0.0f);
     if (result.source == Exposures::Source::reference) result.source = Exposures::Source::positive;
   }
-  double target = inputFor(coefficients(curve), 0.85);
+  double target = inputFor(0.85);
   result.start = std::log2(target / largest);
   result.stop = std::log2(target / median);
   result.count = std::max(2, static_cast<int>(std::ceil(result.stop - result.start)));
   return result;
 }
 
-HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions& options) {
+HdrFlip hdrFlip(const Image& test, const Image& reference, const std::optional<Exposures>& exposures,
+                double pixels_per_degree) {
   assertComparable(test, reference);
   Image x = threeChannels(test), r = threeChannels(reference);
   HdrFlip result;
-  result.exposures = options.exposures ? *options.exposures : automaticExposures(x, r, options.curve);
+  result.exposures = exposures ? *exposures : automaticExposures(x, r);
   const Exposures& range = result.exposures;
   STROBE_ASSERT(range.count >= 1 && range.start <= range.stop, "{} to {} in {}", range.start, range.stop, range.count);
   double step = range.count > 1 ? (range.stop - range.start) / (range.count - 1) : 0;
@@ -344,8 +324,7 @@ HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions&
   int looks = step > 0 ? range.count : 1;
   for (int i = 0; i < looks; ++i) {
     double stops = range.start + i * step;
-    Image map = flipOfDisplayable(exposed(x, stops, options.curve), exposed(r, stops, options.curve),
-                                  options.pixels_per_degree);
+    Image map = flipOfDisplayable(exposed(x, stops), exposed(r, stops), pixels_per_degree);
     if (i == 0) result.map = map;
     for (size_t p = 0; p < map.values.size(); ++p) result.map.values[p] = std::max(result.map.values[p], map.values[p]);
   }

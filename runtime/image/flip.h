@@ -19,8 +19,6 @@ constexpr double kPixelsPerDegree = 0.7 * 3840 / 0.7 * kPi / 180;
 // LDR-FLIP of the values clamped to [0,1].
 Image ldrFlip(const Image& test, const Image& reference, double pixels_per_degree = kPixelsPerDegree);
 
-enum class FlipCurve { aces, hable, reinhard };
-
 // Exposures of HDR-FLIP: `count` stops, evenly spaced from `start` to `stop`, both included.
 struct Exposures {
   enum class Source {
@@ -40,17 +38,15 @@ const char* exposureSourceName(Exposures::Source source);
 // start = log2(x/Ymax), stop = log2(x/Ymedian), count = max(2, ceil(stop - start)). The curve reaches 0.85 at x. A
 // median of 0 is replaced, see `Exposures::Source`. The published program does not replace the median; it returns no
 // error for any test image if at least half of the reference is black.
-Exposures automaticExposures(const Image& test, const Image& reference, FlipCurve curve = FlipCurve::aces);
+Exposures automaticExposures(const Image& test, const Image& reference);
 
-struct HdrFlipOptions {
-  FlipCurve curve = FlipCurve::aces;
-  std::optional<Exposures> exposures;  // set these to compare numbers across images of one scene
-  double pixels_per_degree = kPixelsPerDegree;
-};
 struct HdrFlip {
   Image map;  // per pixel, the largest LDR-FLIP of all exposures
   Exposures exposures;
 };
-HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions& options = {});
+// HDR-FLIP with the ACES tone curve. With `exposures`, numbers are comparable across images of one scene; without, the
+// exposures are automatic.
+HdrFlip hdrFlip(const Image& test, const Image& reference, const std::optional<Exposures>& exposures = {},
+                double pixels_per_degree = kPixelsPerDegree);
 
 }  // namespace strobe::image

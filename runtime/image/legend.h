@@ -1,38 +1,40 @@
 // SPDX-License-Identifier: MIT
-// Legends on display images: scales, wheels, captions, arrows.
+// Legends of display images: the meaning of their colours.
 #pragma once
 
-#include <functional>
+#include <array>
 #include <string>
-#include <vector>
 
 #include "image/draw.h"
-#include "math/geometry.h"
 
 namespace strobe::image {
 
-// Text size of a legend, px. 0 for a picture that is too small for a legend; then no legend is drawn.
-float legendTextSize(const Image& onto);
+// A bar of scalars or of depths (m) from low to high, a wheel of displacements up to `high` px, or text only.
+struct Legend {
+  enum class Kind { none, bar, depth, wheel, words };
+  Kind kind = Kind::none;
+  double low = 0, high = 0;
+  std::string text;  // text, or the label in the middle of a bar
+  bool operator==(const Legend&) const = default;
+};
 
 // Smallest number of the form 1, 2 or 5 times a power of ten that is at least `value`. 1 if `value` is not positive and
 // finite.
 double niceCeiling(double value);
 
-// Draws a colour bar in the lower right corner. `colourAt` takes 0 (left) to 1 (right).
-void drawBar(Image& onto, const std::function<Colour(float)>& colourAt, const std::string& left,
-             const std::string& middle, const std::string& right);
+// Colours of a bar, from its low end to its high end.
+Image barOf(const Legend& legend, int width, int height);
+// Square around a wheel of the velocity colours of image/false_colour.h, with 2 * radius + 1 pixels a side.
+Image wheelOf(int radius);
+// Texts at the left, in the middle and at the right of a legend.
+std::array<std::string, 3> textsOf(const Legend& legend);
 
-// Wheel of the velocity colours of image/false_colour.h. The velocity at its rim is `full_px`.
-struct Wheel {
-  int x = 0, y = 0, radius = 0;  // centre, px of the picture; radius 0: the picture is too small
-};
-Wheel wheelOf(const Image& onto);
-void drawWheel(Image& onto, double full_px);
-
-// Draws one line of text on a dark plate in the lower right corner.
-void drawCaption(Image& onto, const std::string& text);
-
-// Draws an antialiased arrow with a dark border. `to` is its tip.
-void drawArrow(Image& onto, vec2 from, vec2 to, float thickness, const Colour& colour);
+// Rectangle of a legend in the lower right corner of a picture, without the border of its plate. A wheel is at the top
+// of the rectangle. Empty if the picture is too small for a legend.
+Rectangle placeOf(const Legend& legend, const Image& picture);
+// Draws the legend there, on a dark plate. Returns the rectangle of the plate.
+Rectangle drawLegend(Image& onto, const Legend& legend);
+// Image of a legend alone, to show beside or on a picture. Empty without a legend.
+Image pictureOf(const Legend& legend);
 
 }  // namespace strobe::image

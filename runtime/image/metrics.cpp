@@ -28,17 +28,14 @@ void assertAlike(const Image& test, const Image& reference) {
 template <class ErrorOf>
 std::vector<double> pixelErrors(const Image& test, const Image& reference, const Image& mask, ErrorOf errorOf) {
   assertAlike(test, reference);
-  STROBE_ASSERT(mask.empty() || sameSize(mask, test), "mask {}x{}", mask.width, mask.height);
   std::vector<double> errors;
   errors.reserve(size_t(test.width) * test.height);
   int colours = colourCount(test);
-  for (int y = 0; y < test.height; ++y)
-    for (int x = 0; x < test.width; ++x) {
-      if (!isIn(mask, x, y)) continue;
-      double sum = 0;
-      for (int c = 0; c < colours; ++c) sum += errorOf(double(test.at(x, y, c)), double(reference.at(x, y, c)));
-      errors.push_back(sum / colours);
-    }
+  forPixels(test, mask, [&](int x, int y) {
+    double sum = 0;
+    for (int c = 0; c < colours; ++c) sum += errorOf(double(test.at(x, y, c)), double(reference.at(x, y, c)));
+    errors.push_back(sum / colours);
+  });
   return errors;
 }
 
@@ -204,8 +201,7 @@ double temporalError(const Image& test0, const Image& test1, const Image& refere
 
 size_t countedPixels(const Image& image, const Image& mask) {
   size_t count = 0;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) count += isIn(mask, x, y);
+  forPixels(image, mask, [&](int, int) { ++count; });
   return count;
 }
 

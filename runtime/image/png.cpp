@@ -19,15 +19,6 @@ static png_uint_32 formatFor(int channels) {
   return channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
 }
 
-static std::vector<png_byte> quantise(const Image& display) {
-  std::vector<png_byte> bytes(display.values.size());
-  for (size_t i = 0; i < bytes.size(); ++i) {
-    float v = display.values[i];
-    bytes[i] = v > 0 ? static_cast<png_byte>(std::fmin(v, 1.0f) * 255 + 0.5f) : 0;
-  }
-  return bytes;
-}
-
 std::string encodePng(const Image& display, PngEffort effort) {
   STROBE_ASSERT(display.width > 0 && display.height > 0, "{}x{}", display.width, display.height);
   STROBE_ASSERT(display.channels == 1 || display.channels == 3 || display.channels == 4, "{}", display.channels);
@@ -37,7 +28,7 @@ std::string encodePng(const Image& display, PngEffort effort) {
   png.height = static_cast<png_uint_32>(display.height);
   png.format = formatFor(display.channels);
   if (effort == PngEffort::fast) png.flags |= PNG_IMAGE_FLAG_FAST;
-  std::vector<png_byte> pixels = quantise(display);
+  const std::string pixels = levelsOf(display);
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
   std::string bytes(size, '\0');
   int written = png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, nullptr);

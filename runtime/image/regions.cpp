@@ -14,16 +14,6 @@ namespace {
 
 int coloursOf(const Image& image) { return std::min(image.channels, 3); }
 
-// Calls `visit(x, y)` for each selected pixel, in reading order.
-template <class Visit>
-void forPixels(const Image& image, const Image& mask, Visit visit) {
-  bool fits = mask.empty() || sameSize(mask, image);
-  STROBE_ASSERT(fits, "{}x{} and {}x{}", image.width, image.height, mask.width, mask.height);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      if (isIn(mask, x, y)) visit(x, y);
-}
-
 // Calls `visit(x, y, difference)` for each selected pixel with the largest difference of its channels.
 template <class Visit>
 void forDifferences(const Image& a, const Image& b, const Image& mask, Visit visit) {

@@ -4,11 +4,22 @@
 // least 0.5; an empty mask selects all pixels.
 #pragma once
 
+#include "base/error.h"
 #include "image/image.h"
 
 namespace strobe::image {
 
 bool isIn(const Image& mask, int x, int y);
+
+// Calls `visit(x, y)` for each selected pixel, in reading order.
+template <class Visit>
+void forPixels(const Image& image, const Image& mask, Visit visit) {
+  bool fits = mask.empty() || sameSize(mask, image);
+  STROBE_ASSERT(fits, "{}x{} and {}x{}", image.width, image.height, mask.width, mask.height);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (isIn(mask, x, y)) visit(x, y);
+}
 
 // Root mean square of the channels' standard deviations; NaN if no pixel is selected.
 double contrast(const Image& image, const Image& mask = {});

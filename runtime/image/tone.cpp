@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/tone.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace strobe::image {
@@ -16,6 +17,14 @@ float encodeSrgb(float linear) {
 float decodeSrgb(float encoded) {
   float v = clampUnit(encoded);
   return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+uint8_t levelOf(float display) { return uint8_t(clampUnit(display) * 255 + 0.5f); }
+
+std::string levelsOf(const Image& display) {
+  std::string levels(display.values.size(), '\0');
+  std::transform(display.values.begin(), display.values.end(), levels.begin(), levelOf);
+  return levels;
 }
 
 template <class Transform>

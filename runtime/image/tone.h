@@ -10,6 +10,10 @@ namespace strobe::image {
 float encodeSrgb(float linear);
 float decodeSrgb(float encoded);
 
+// Level of a display value in a file of 8 bits, clamped; NaN becomes 0. Levels of all values of a display image.
+uint8_t levelOf(float display);
+std::string levelsOf(const Image& display);
+
 // Conversion of the colour channels of an image; a fourth channel is alpha and is only clamped. `encodeSrgb` is the
 // transform for PSNR and SSIM: clamp to [0,1], then encode.
 Image encodeSrgb(const Image& linear);

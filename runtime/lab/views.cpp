@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "image/draw.h"
+#include "image/canvas.h"
 #include "image/false_colour.h"
-#include "image/legend.h"
 #include "image/tone.h"
 
 namespace strobe::lab {
@@ -15,6 +14,7 @@ namespace strobe::lab {
 using graph::ReadImage;
 using image::Colour;
 using image::Image;
+using image::Legend;
 
 namespace {
 
@@ -71,21 +71,6 @@ Image placed(const Image& image, int divide, int width, int height) {
   return result;
 }
 
-// Paints non-finite pixels. Tests the first `channels` channels of the data. `sky`: +infinity is background and is not
-// painted.
-void shout(Image& display, const Image& data, int channels, bool sky = false) {
-  for (size_t i = 0; i < display.values.size() / 3; ++i) {
-    const float* value = &data.values[i * size_t(data.channels)];
-    bool nan = false, infinite = false;
-    for (int c = 0; c < std::min(channels, data.channels); ++c) {
-      nan = nan || std::isnan(value[c]);
-      infinite = infinite || (std::isinf(value[c]) && !(sky && value[c] > 0));
-    }
-    if (nan || infinite)
-      std::copy_n((nan ? image::kNanColour : image::kInfiniteColour).begin(), 3, &display.values[3 * i]);
-  }
-}
-
 // RGB of an image with any number of channels. `sum`: the image is a sum of samples, divided by alpha, the number of
 // samples.
 Image threeChannels(const Image& image, bool sum) {
@@ -112,7 +97,7 @@ Image colourView(const Image& image, bool sum, double stops) {
   Image display = threeChannels(image, sum);
   float scale = float(std::exp2(stops));
   for (float& value : display.values) value = encodeFast(value * scale);
-  shout(display, image, 3);
+  image::markNotFinite(display, image);
   return display;
 }
 
@@ -123,7 +108,7 @@ Image normalView(const Image& image) {
     if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;
     for (int c = 0; c < 3; ++c) display.values[3 * i + size_t(c)] = std::clamp(n[c] * 0.5f + 0.5f, 0.0f, 1.0f);
   }
-  shout(display, image, 3);
+  image::markNotFinite(display, image);
   return display;
 }
 
@@ -160,7 +145,7 @@ Image scalarView(const Image& image, Range range) {
   for (size_t i = 0; i < values.values.size(); ++i)
     values.values[i] = scalarOf(&image.values[i * size_t(image.channels)], image.channels);
   Image display = image::heatMap(values, range.low, range.high);
-  shout(display, image, 3);
+  image::markNotFinite(display, image);
   return display;
 }
 
@@ -173,7 +158,7 @@ Range depthScale(const Image& image, const ViewOptions& options) {
 Image depthView(const Image& image, Range range) {
   float far_m = std::max(range.high, range.low * 1.0001f);
   Image display = image::depthColours(image, range.low, far_m);
-  shout(display, image, 1, true);
+  image::markNotFinite(display, image, 1, true);
   return display;
 }
 
@@ -197,7 +182,7 @@ Image maskView(const Image& mask, Image display, bool over) {
       pixel[c] = over ? dim + m * (tint - dim) : m;
     }
   }
-  shout(display, mask, 1);
+  image::markNotFinite(display, mask, 1);
   return display;
 }
 
@@ -223,6 +208,7 @@ std::string scaleText(double scale) {
 
 Image arrowView(const Image& vectors, Image display, const ViewOptions& options, Legend& legend) {
   for (float& value : display.values) value *= 0.55f;
+  image::Canvas canvas(display);
   double full = fullLength(vectors, options.high);
   double fine = std::clamp(display.width / 40, 10, 40), scale = arrowScale(full, fine);
   // Grid wide enough that an arrow ends before the next begins. Rows are staggered, so that the grid also hits thin
@@ -233,35 +219,16 @@ Image arrowView(const Image& vectors, Image display, const ViewOptions& options,
       vec2 v(vectors.at(x, y, 0), vectors.at(x, y, 1));
       float length = glm::length(v);
       if (!std::isfinite(length) || length * scale < 1) continue;
-      vec2 from(x + 0.5f, y + 0.5f), to = from + v * float(std::min(scale, 4096.0 / length));
-      image::drawArrow(display, from, to, std::max(1.5f, float(fine) / 12), hueOf(v / length));
+      dvec2 from(x + 0.5, y + 0.5), to = from + dvec2(v) * std::min(scale, 4096.0 / length);
+      canvas.arrow(from, to, std::max(1.5, fine / 12), hueOf(v / length));
     }
-  shout(display, vectors, 2);
+  display = canvas.pixels();
+  image::markNotFinite(display, vectors, 2);
   legend = {Legend::Kind::words, 0, 0, scaleText(scale)};
   return display;
 }
 
-std::string metres(float value) { return fmt::format("{:.3g} m", value); }
-
 std::string middleOf(int channels) { return channels == 1 ? "" : channels == 2 ? "length" : "mean of channels"; }
-
-void draw(Image& display, const Legend& legend) {
-  auto colour = [&](float t) { return barColour(legend.kind, t); };
-  switch (legend.kind) {
-    case Legend::Kind::none:
-      return;
-    case Legend::Kind::words:
-      return image::drawCaption(display, legend.text);
-    case Legend::Kind::wheel:
-      return image::drawWheel(display, legend.high);
-    case Legend::Kind::bar:
-      return image::drawBar(display, colour, fmt::format("{:.3g}", legend.low), legend.text,
-                            fmt::format("{:.3g}", legend.high));
-    case Legend::Kind::depth:
-      return image::drawBar(display, colour, metres(float(legend.low)),
-                            metres(std::sqrt(float(legend.low) * float(legend.high))), metres(float(legend.high)));
-  }
-}
 
 Image floatsShown(const Image& data, const std::string& kind, const std::string& name, int divide, int width,
                   int height, const ViewOptions& options, const Image* under, Legend& legend) {
@@ -273,7 +240,7 @@ Image floatsShown(const Image& data, const std::string& kind, const std::string&
   if (kind == "velocity") {
     double full = fullLength(data, options.high);
     Image display = image::velocityColours(data, float(full));
-    shout(display, data, 2);
+    image::markNotFinite(display, data, 2);
     legend = {Legend::Kind::wheel, 0, full, ""};
     return placed(display, divide, width, height);
   }
@@ -291,8 +258,6 @@ Image floatsShown(const Image& data, const std::string& kind, const std::string&
 }
 
 }  // namespace
-
-Colour barColour(Legend::Kind kind, float t) { return image::magma(kind == Legend::Kind::depth ? 1 - 0.9f * t : t); }
 
 std::string automaticKind(const ReadImage& image, const std::string& port) {
   std::string name = nameOf(port);
@@ -333,24 +298,8 @@ Image shown(const ReadImage& image, const std::string& port, int divide, int wid
   Legend made;
   Image display = floatsShown(image.floats, kind, nameOf(port), divide, width, height, options, under, made);
   if (legend) *legend = made;
-  else draw(display, made);
+  else image::drawLegend(display, made);
   return display;
-}
-
-Image pictureOf(const Legend& legend) {
-  if (legend.kind == Legend::Kind::none) return {};
-  // Text on a canvas of this size is 13 px high. The canvas is then cropped to the legend.
-  Image canvas(728, 442, 3);
-  draw(canvas, legend);
-  int left = canvas.width, top = canvas.height, right = 0, bottom = 0;
-  for (int y = 0; y < canvas.height; ++y)
-    for (int x = 0; x < canvas.width; ++x) {
-      const float* pixel = canvas.pixel(x, y);
-      if (pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0) continue;
-      left = std::min(left, x), right = std::max(right, x + 1);
-      top = std::min(top, y), bottom = std::max(bottom, y + 1);
-    }
-  return right > left ? image::crop(canvas, {left, top, right - left, bottom - top}) : Image();
 }
 
 int wipedFrom(double at, int width) { return int(std::lround(std::clamp(at, 0.0, 1.0) * width)); }
@@ -372,11 +321,11 @@ Image wiped(const Image& a, const Image& b, double at) {
 Image difference(const Image& linear_a, const Image& linear_b, double gain, const std::string& title, Legend* legend) {
   STROBE_ASSERT(gain > 0, "{}", gain);
   Image display = image::differenceHeat(linear_a, linear_b, float(gain));
-  shout(display, linear_a, 3);
-  shout(display, linear_b, 3);
+  image::markNotFinite(display, linear_a);
+  image::markNotFinite(display, linear_b);
   Legend made{Legend::Kind::bar, 0, 1 / gain, title};
   if (legend) *legend = made;
-  else draw(display, made);
+  else image::drawLegend(display, made);
   return display;
 }
 

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "graph/graph.h"
-#include "image/image.h"
-#include "image/magma.h"
+#include "image/legend.h"
 
 namespace strobe::lab {
 
@@ -40,27 +39,11 @@ std::vector<std::string> viewKinds(const graph::ReadImage& image);
 // Frame pixels per texel and axis of an output or a "node.port". 0: does not map to the frame. 1 for an unknown name.
 int divideOf(const plan::Plan& plan, const std::string& port);
 
-// Meaning of the colours of a view: without legend, a bar of scalars or of depths (m) from low to high, a wheel of
-// displacements up to `high` px, or text only.
-struct Legend {
-  enum class Kind { none, bar, depth, wheel, words };
-  Kind kind = Kind::none;
-  double low = 0, high = 0;
-  std::string text;  // text, or the label in the middle of a bar
-  bool operator==(const Legend&) const = default;
-};
-
-// Image of a legend alone, to show beside or on a picture. Empty without a legend.
-image::Image pictureOf(const Legend& legend);
-
-// Colour of a bar at `t`, from 0 (low) to 1 (high).
-image::Colour barColour(Legend::Kind kind, float t);
-
 // View of an image at the size of the frame. `divide`: frame pixels per texel and axis; 0: an image of fixed size,
 // fitted into the frame. `under` (may be null): linear colour beneath masks and arrows, at frame size. The legend is
 // returned in `legend`; if null, it is drawn into the lower right corner.
 image::Image shown(const graph::ReadImage& image, const std::string& port, int divide, int width, int height,
-                   const ViewOptions& options, const image::Image* under, Legend* legend = nullptr);
+                   const ViewOptions& options, const image::Image* under, image::Legend* legend = nullptr);
 
 // `a` left of the fraction `at` of the width, `b` to the right, and a line between.
 image::Image wiped(const image::Image& a, const image::Image& b, double at);
@@ -69,6 +52,6 @@ int wipedFrom(double at, int width);
 
 // Mean absolute difference of the colours in magma, with 1 / gain at the upper end. Legend as for `shown`.
 image::Image difference(const image::Image& linear_a, const image::Image& linear_b, double gain,
-                        const std::string& title = "mean |A - B|", Legend* legend = nullptr);
+                        const std::string& title = "mean |A - B|", image::Legend* legend = nullptr);
 
 }  // namespace strobe::lab

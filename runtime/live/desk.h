@@ -61,7 +61,7 @@ class Desk {
   // Returns the displayed picture; cached until anything changes. `window_frame` selects the side in flicker mode.
   const image::Image& picture(int window_frame);
   // Legends of the picture. In a divided picture, the first is A's and the second is B's, or empty if both are equal.
-  const std::array<lab::Legend, 2>& legends() const { return legends_; }
+  const std::array<image::Legend, 2>& legends() const { return legends_; }
   bool pictureChanged(int window_frame) const;
 
   // Requests ground truth with this many samples in every mode. There are two requests, the sweep's and the other one;
@@ -89,7 +89,7 @@ class Desk {
   PinnedPixel pixel_;
   Look look_, shown_look_;
   image::Image picture_;
-  std::array<lab::Legend, 2> legends_;
+  std::array<image::Legend, 2> legends_;
   bool picture_stale_ = true, picture_of_b_ = false;
 };
 

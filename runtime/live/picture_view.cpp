@@ -58,7 +58,7 @@ void PictureView::prepare(Surface& surface, const Desk& desk) {
   for (size_t i = 0; i < legends_.size(); ++i) {
     if (legends_[i] == desk.legends()[i]) continue;
     legends_[i] = desk.legends()[i];
-    image::Image picture = lab::pictureOf(legends_[i]);
+    image::Image picture = image::pictureOf(legends_[i]);
     if (picture.empty()) legend_pictures_[i].reset();
     else surface.upload(legend_pictures_[i], "legend", picture, false);
   }

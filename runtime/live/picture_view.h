@@ -33,7 +33,7 @@ class PictureView {
 
   Placement placement_;
   int width_ = 1, height_ = 1;
-  std::array<lab::Legend, 2> legends_;  // legends in the textures
+  std::array<image::Legend, 2> legends_;  // legends in the textures
   std::array<std::unique_ptr<Texture>, 2> legend_pictures_;
   Grip grip_ = Grip::None;
   dvec3 pivot_ = dvec3(0);  // of an orbit, world space

@@ -106,7 +106,7 @@ std::vector<PixelValue> Shown::valuesAt(int x, int y) const {
 
 // ---- the picture
 
-image::Image Shown::shown(const Side& side, lab::Legend& legend) const {
+image::Image Shown::shown(const Side& side, image::Legend& legend) const {
   if (hasError(side)) return lab::difference(side.color, truth_.mean(), look_.gain, kErrorName, &legend);
   const lab::Shot& of = side.session->shot();
   const graph::ReadImage* read = side.image();
@@ -115,7 +115,7 @@ image::Image Shown::shown(const Side& side, lab::Legend& legend) const {
                     look_.view, side.color.empty() ? nullptr : &side.color, &legend);
 }
 
-image::Image Shown::compose(std::array<lab::Legend, 2>& legends) const {
+image::Image Shown::compose(std::array<image::Legend, 2>& legends) const {
   legends = {};
   if (isDifference()) return lab::difference(a_.color, b_->color, look_.gain, kDifferenceName, &legends[0]);
   if (!isDivided()) return shown(side(), legends[0]);

@@ -51,7 +51,7 @@ class Shown {
   std::vector<PixelValue> valuesAt(int x, int y) const;
   // Returns the picture. `legends`: A's and B's in a divided picture, the second one empty if both are equal; otherwise
   // only the first one is set.
-  image::Image compose(std::array<lab::Legend, 2>& legends) const;
+  image::Image compose(std::array<image::Legend, 2>& legends) const;
 
  private:
   bool isDivided() const;
@@ -60,7 +60,7 @@ class Shown {
   const Side& sideAt(int x) const;
   PixelValue colourAt(const Side& side, int x, int y) const;
   std::optional<PixelValue> imageAt(const Side& side, int x, int y) const;
-  image::Image shown(const Side& side, lab::Legend& legend) const;
+  image::Image shown(const Side& side, image::Legend& legend) const;
 
   const Side& a_;
   const Side* b_;

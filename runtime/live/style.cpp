@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "live/style.h"
 
-#include "image/draw.h"
+#include "image/canvas.h"
 
 namespace strobe::live {
 

@@ -13,9 +13,8 @@ namespace {
 // Pixels: from the plot to a label's swatch, width of the swatch, from the swatch's start to the text, distance of
 // labels.
 constexpr double kSwatchAt = 30, kSwatch = 26, kTextAt = 31, kLabelStep = 17;
-constexpr double kNear = 30;        // pixels; a line with its end nearer to the right border has its label there
-constexpr double kWhisker = 4;      // half the width of an error bar's ends, pixels
-constexpr double kBarsShare = 0.7;  // share of a slot for its bars
+constexpr double kNear = 30;    // pixels; a line with its end nearer to the right border has its label there
+constexpr double kWhisker = 4;  // half the width of an error bar's ends, pixels
 
 class Drawing {
  public:
@@ -25,8 +24,7 @@ class Drawing {
   std::string text();
   void line(const Series& series);
   void band(const Series& series);
-  void scatter(const Series& series);
-  void bars(const Series& series);
+  void marks(const Series& series);
 
  private:
   struct Label {
@@ -34,20 +32,10 @@ class Drawing {
     double wanted, y;
     bool leads;  // draws a connection from the line's end
   };
-  struct Box {
-    double left, top, right, bottom;
-    bool overlaps(const Box& other) const {
-      return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
-    }
-  };
 
   double lowest(double value) const { return value == -INFINITY ? frame_.bottom() : frame_.py(value); }
   void guide(const Guide& guide);
-  void errorBars(const Point& point, double x);
-  void marks(const Series& series);
-  void take(const Point& point);
-  void names();
-  void name(const Series& series, const Point& point);
+  void errorBar(const Point& point);
   std::vector<Label> placedLabels() const;
   void labels();
   void swatch(const Series& series, double x, double y);
@@ -55,7 +43,6 @@ class Drawing {
   const Chart& chart_;
   Frame frame_;
   Svg svg_;
-  std::vector<Box> taken_;  // boxes of names and marks
 };
 
 // Draw function of each kind, in drawing order.
@@ -64,38 +51,27 @@ struct DrawnAs {
   void (Drawing::*draw)(const Series&);
 };
 constexpr DrawnAs kDrawings[] = {{Series::Kind::band, &Drawing::band},
-                                 {Series::Kind::bar, &Drawing::bars},
                                  {Series::Kind::line, &Drawing::line},
-                                 {Series::Kind::scatter, &Drawing::scatter}};
+                                 {Series::Kind::scatter, &Drawing::marks}};
 
 std::string at(double x, double y) { return fmt::format("{:.1f} {:.1f}", x, y); }
 
 void Drawing::guide(const Guide& guide) {
-  std::string d = guide.horizontal ? fmt::format("M{} {:.1f}H{}", frame_.left(), frame_.py(guide.at), frame_.right())
-                                   : fmt::format("M{:.1f} {}V{}", frame_.px(guide.at), frame_.top(), frame_.bottom());
-  svg_.path("guide", d, guide.tip);
+  svg_.path("guide", fmt::format("M{:.1f} {}V{}", frame_.px(guide.at), frame_.top(), frame_.bottom()), guide.tip);
 }
 
-void Drawing::errorBars(const Point& point, double x) {
-  double y = frame_.py(point.y);
-  std::string d;
-  if (point.y_range.given()) {
-    double low = lowest(point.y_range.low), high = frame_.py(point.y_range.high);
-    d += fmt::format("M{} V{:.1f}", at(x, low), high);
-    for (double end : {low, high}) d += fmt::format("M{}h{}", at(x - kWhisker, end), 2 * kWhisker);
-  }
-  if (point.x_range.given()) {
-    double low = frame_.px(point.x_range.low), high = frame_.px(point.x_range.high);
-    d += fmt::format("M{} H{:.1f}", at(low, y), high);
-    for (double end : {low, high}) d += fmt::format("M{}v{}", at(end, y - kWhisker), 2 * kWhisker);
-  }
+void Drawing::errorBar(const Point& point) {
+  if (!point.y_range.given()) return;
+  double x = frame_.px(point.x), low = lowest(point.y_range.low), high = frame_.py(point.y_range.high);
+  std::string d = fmt::format("M{} V{:.1f}", at(x, low), high);
+  for (double end : {low, high}) d += fmt::format("M{}h{}", at(x - kWhisker, end), 2 * kWhisker);
   svg_.path("error", d);
 }
 
 void Drawing::marks(const Series& series) {
   for (const Point& point : series.points) {
     if (std::isnan(point.y)) continue;
-    errorBars(point, frame_.px(point.x));
+    errorBar(point);
     svg_.mark(series.style, frame_.px(point.x), frame_.py(point.y), point.hollow, point.tip);
   }
 }
@@ -128,75 +104,6 @@ void Drawing::band(const Series& series) {
   if (!there.empty()) svg_.path("band", there + back + "Z");
 }
 
-// Writes a name beside its mark: at the right, above, below or at the left, in the first place without overlap; at the
-// right if all overlap.
-void Drawing::name(const Series& series, const Point& point) {
-  if (point.name.empty()) return;
-  double x = frame_.px(point.x), y = frame_.py(point.y), wide = estimatedWidth(point.name);
-  struct Place {
-    double dx, dy;
-    Svg::Anchor anchor;
-  };
-  using Anchor = Svg::Anchor;
-  const Place places[] = {{9, 4, Anchor::start},    {8, -8, Anchor::start},  {8, 17, Anchor::start},
-                          {0, -10, Anchor::middle}, {0, 19, Anchor::middle}, {-9, 4, Anchor::end},
-                          {-8, -8, Anchor::end},    {-8, 17, Anchor::end}};
-  auto boxOf = [&](const Place& place) {
-    double left = x + place.dx - (place.anchor == Svg::Anchor::end ? wide : 0) -
-                  (place.anchor == Svg::Anchor::middle ? wide / 2 : 0);
-    return Box{left, y + place.dy - 12, left + wide, y + place.dy + 3};
-  };
-  auto free = [&](const Place& place) {
-    Box box = boxOf(place);
-    bool inside = box.left > frame_.left() && box.right < frame_.right() && box.top > frame_.top();
-    return inside && std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.overlaps(other); });
-  };
-  const Place* place = std::find_if(std::begin(places), std::end(places), free);
-  if (place == std::end(places)) place = places;
-  taken_.push_back(boxOf(*place));
-  svg_.text("name " + classOf(series.style), x + place->dx, y + place->dy, point.name, place->anchor);
-}
-
-// Adds the boxes of a mark and its error bars to `taken_`.
-void Drawing::take(const Point& point) {
-  double x = frame_.px(point.x), y = frame_.py(point.y);
-  taken_.push_back({x - 5, y - 5, x + 5, y + 5});
-  if (point.x_range.given())
-    taken_.push_back({frame_.px(point.x_range.low), y - 2, frame_.px(point.x_range.high), y + 2});
-  if (point.y_range.given()) taken_.push_back({x - 2, frame_.py(point.y_range.high), x + 2, lowest(point.y_range.low)});
-}
-
-void Drawing::names() {
-  for (bool marks_first : {true, false})
-    for (const Series& series : chart_.series)
-      for (const Point& point : series.points) {
-        if (series.kind != Series::Kind::scatter || std::isnan(point.y)) continue;
-        if (marks_first) take(point);
-        else name(series, point);
-      }
-}
-
-void Drawing::scatter(const Series& series) { marks(series); }
-
-// Bars side by side in their slots, from 0 or from the lower border.
-void Drawing::bars(const Series& series) {
-  size_t index = 0, count = 0;
-  for (const Series& other : chart_.series) {
-    if (&other == &series) index = count;
-    count += other.kind == Series::Kind::bar;
-  }
-  double wide = frame_.x().slot() * (frame_.right() - frame_.left()) * kBarsShare / double(count);
-  double base = chart_.y.kind == Scale::Kind::log ? frame_.bottom() : frame_.py(0);
-  for (const Point& point : series.points) {
-    if (std::isnan(point.y)) continue;
-    double middle = frame_.px(point.x) + (double(index) - double(count - 1) / 2) * wide, y = frame_.py(point.y);
-    double top = std::min(y, base), tall = std::abs(y - base);
-    svg_.rectangle(point.hollow ? "bar hollow" : "bar", middle - wide * 0.46, top, wide * 0.92, tall, point.tip);
-    svg_.hatch(series.style, middle - wide * 0.46, top, wide * 0.92, tall);
-    errorBars(point, middle);
-  }
-}
-
 // Labels from top to bottom, moved apart. A line that reaches the right border has its label at the height of its last
 // value; other labels start at the top.
 std::vector<Drawing::Label> Drawing::placedLabels() const {
@@ -221,10 +128,6 @@ std::vector<Drawing::Label> Drawing::placedLabels() const {
 
 void Drawing::swatch(const Series& series, double x, double y) {
   if (series.kind == Series::Kind::band) return svg_.rectangle("band", x, y - 6, kSwatch, 12);
-  if (series.kind == Series::Kind::bar) {
-    svg_.rectangle("bar", x, y - 6, kSwatch, 12);
-    return svg_.hatch(series.style, x, y - 6, kSwatch, 12);
-  }
   if (series.kind == Series::Kind::line) svg_.path("", "M" + at(x, y) + fmt::format("h{}", kSwatch));
   svg_.mark(series.style, x + kSwatch / 2, y);
 }
@@ -250,24 +153,15 @@ std::string Drawing::text() {
       (this->*drawn.draw)(series);
       svg_.close();
     }
-  names();
   labels();
   return svg_.finished();
-}
-
-void addEnds(const Interval& interval, std::vector<double>& values) {
-  if (interval.given()) values.insert(values.end(), {interval.low, interval.high});
 }
 
 std::vector<double> xValues(const Chart& chart) {
   std::vector<double> values;
   for (const Series& series : chart.series)
-    for (const Point& point : series.points) {
-      values.push_back(point.x);
-      addEnds(point.x_range, values);
-    }
-  for (const Guide& guide : chart.guides)
-    if (!guide.horizontal) values.push_back(guide.at);
+    for (const Point& point : series.points) values.push_back(point.x);
+  for (const Guide& guide : chart.guides) values.push_back(guide.at);
   return values;
 }
 
@@ -278,11 +172,9 @@ std::vector<double> yValues(const Chart& chart) {
     for (const Point& point : series.points) {
       bool band = series.kind == Series::Kind::band;
       if (!band) values.push_back(point.y);
-      if (series.kind == Series::Kind::bar && chart.y.kind == Scale::Kind::linear) values.push_back(0);
-      addEnds(point.y_range, band ? of_bands : values);
+      if (point.y_range.given())
+        for (double end : {point.y_range.low, point.y_range.high}) (band ? of_bands : values).push_back(end);
     }
-  for (const Guide& guide : chart.guides)
-    if (guide.horizontal) values.push_back(guide.at);
   bool any = std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   return any ? values : of_bands;
 }

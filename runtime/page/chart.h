@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Charts as inline SVG (svg.h): two axes and series drawn between them. A series is a line with marks, a band,
-// scattered marks or bars; its points may have error bars. heat_map.h draws a value over two axes. Series differ
-// without colour: by dashes, marks or hatch, and by a label at the right.
+// Charts as inline SVG (svg.h): two axes and series drawn between them. A series is a line with marks, a band or
+// scattered marks; its points may have error bars. Series differ without colour: by dashes and marks, and by a label at
+// the right.
 //
 // To add a kind of series, add a value to `Series::Kind` and a row to `kDrawings` in chart.cpp.
 #pragma once
@@ -23,16 +23,15 @@ struct Interval {
 };
 
 struct Point {
-  double x = 0, y = 0;        // y: NaN leaves a gap
-  std::string tip;            // tooltip
-  bool hollow = false;        // mark without filling, for example if a limit was met
-  bool faint = false;         // unreliable; the line segments at both sides are drawn faint
-  Interval y_range, x_range;  // error bars; extent of a band; -infinity: lower border of the chart
-  std::string name;           // label beside the mark; scattered points only
+  double x = 0, y = 0;  // y: NaN leaves a gap
+  std::string tip;      // tooltip
+  bool hollow = false;  // mark without filling, for example if a limit was met
+  bool faint = false;   // unreliable; the line segments at both sides are drawn faint
+  Interval y_range;     // error bar; extent of a band; -infinity: lower border of the chart
 };
 
 struct Series {
-  enum class Kind { line, band, scatter, bar };
+  enum class Kind { line, band, scatter };
   std::string label;  // "": no label
   int style = 0;      // style of svg.h
   std::vector<Point> points;
@@ -40,15 +39,12 @@ struct Series {
   bool stepped = false;  // line as a staircase, first along x, then along y (Pareto front)
 };
 
-// Line across the chart at one value of an axis, for example a budget.
+// Upright line across the chart at a value of x.
 struct Guide {
   double at = 0;
   std::string tip;
-  bool horizontal = false;  // at a value of y, not of x
 };
 
-// Bars need slots along x; bars of one slot stand side by side in the order of their series. Bars start at 0, or at the
-// lower border of a logarithmic axis.
 struct Chart {
   std::string about;  // alternative text
   Axis x, y;

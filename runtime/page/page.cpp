@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.h"
 
+#include <openssl/evp.h>
+
 #include <algorithm>
 #include <map>
 
@@ -11,15 +13,9 @@
 namespace strobe::page {
 
 std::string base64(std::string_view bytes) {
-  static const char* const kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    uint32_t word = 0;
-    size_t count = std::min<size_t>(3, bytes.size() - i);
-    for (size_t k = 0; k < 3; ++k) word = word << 8 | (k < count ? uint8_t(bytes[i + k]) : 0);
-    for (size_t k = 0; k < 4; ++k) text += k <= count ? kLetters[word >> (18 - 6 * k) & 63] : '=';
-  }
+  std::string text((bytes.size() + 2) / 3 * 4, '\0');
+  auto* letters = reinterpret_cast<unsigned char*>(text.data());  // OpenSSL writes the final zero too
+  EVP_EncodeBlock(letters, reinterpret_cast<const unsigned char*>(bytes.data()), int(bytes.size()));
   return text;
 }
 

@@ -22,13 +22,6 @@ struct Shape {
 constexpr Shape kShapes[kStyles] = {{0, 4.2, 0},   {4, 5, 45}, {3, 5.4, 0}, {4, 5.2, 0},
                                     {3, 5.4, 180}, {5, 5, 0},  {6, 5, 0},   {3, 5.4, 90}};
 
-// Lines of a hatch: direction in degrees, distance in pixels, direction of crossing lines. Distance 0: no lines.
-struct Hatch {
-  double angle, distance, second_angle;
-};
-constexpr Hatch kHatches[kStyles] = {{0, 0, 0},   {45, 7, 45},  {135, 7, 135}, {0, 6, 0},
-                                     {90, 6, 90}, {45, 9, 135}, {0, 8, 90},    {45, 4, 45}};
-
 std::string titled(const std::string& tip) { return tip.empty() ? "" : "<title>" + escaped(tip) + "</title>"; }
 
 std::string classed(const std::string& classes) { return classes.empty() ? "" : fmt::format(" class=\"{}\"", classes); }
@@ -41,27 +34,6 @@ std::string cornersOf(const Shape& shape, double x, double y) {
                           y - shape.radius * std::cos(angle));
   }
   return points;
-}
-
-// Path of parallel lines at `angle` (degrees) and `distance` (pixels), clipped to a rectangle.
-std::string linesAcross(double angle, double distance, double x, double y, double width, double height) {
-  double dx = std::cos(angle * kPi / 180), dy = -std::sin(angle * kPi / 180);
-  double reach = (std::abs(dy) * width + std::abs(dx) * height) / 2;
-  std::string d;
-  for (double offset = -reach + distance / 2; offset < reach; offset += distance) {
-    double cx = x + width / 2 - dy * offset, cy = y + height / 2 + dx * offset;
-    double from = -1e9, to = 1e9;
-    auto cut = [&](double middle, double step, double low, double high) {
-      if (std::abs(step) < 1e-9) return;
-      double a = (low - middle) / step, b = (high - middle) / step;
-      from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
-    };
-    cut(cx, dx, x, x + width);
-    cut(cy, dy, y, y + height);
-    if (to - from > 0.5)
-      d += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", cx + from * dx, cy + from * dy, cx + to * dx, cy + to * dy);
-  }
-  return d;
 }
 
 }  // namespace
@@ -114,14 +86,6 @@ void Svg::mark(int style, double x, double y, bool hollow, const std::string& ti
     text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}>{}</circle>", x, y, shape.radius, classes,
                          titled(tip));
   else text_ += fmt::format("<polygon points=\"{}\"{}>{}</polygon>", cornersOf(shape, x, y), classes, titled(tip));
-}
-
-void Svg::hatch(int style, double x, double y, double width, double height) {
-  if (style < 0 || kHatches[style % kStyles].distance == 0) return;
-  const Hatch& hatch = kHatches[style % kStyles];
-  std::string d = linesAcross(hatch.angle, hatch.distance, x, y, width, height);
-  if (hatch.second_angle != hatch.angle) d += linesAcross(hatch.second_angle, hatch.distance, x, y, width, height);
-  path("hatch", d);
 }
 
 }  // namespace strobe::page

@@ -7,7 +7,7 @@
 
 namespace strobe::page {
 
-// Number of styles with different colours, dashes and hatches. Later styles repeat them, with the mark of the next
+// Number of styles with different colours and dashes. Later styles repeat them, with the mark of the next
 // colour for each repetition. Styles below 0 have no marks.
 inline constexpr int kStyles = 8;
 inline constexpr int kReferenceStyle = -1;    // thin, text colour: reference of the other series
@@ -34,8 +34,6 @@ class Svg {
   void upwardText(const std::string& classes, double x, double y, const std::string& text);  // centred at (x, y)
   // Mark of `style`, centred at (x, y).
   void mark(int style, double x, double y, bool hollow = false, const std::string& tip = "");
-  // Hatch lines of `style` in a rectangle, so that styles differ without colour. Style 0 is not hatched.
-  void hatch(int style, double x, double y, double width, double height);
 
   std::string finished() const { return text_ + "</svg>\n"; }
 

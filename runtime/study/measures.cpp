@@ -68,18 +68,10 @@ double ssim(const Sight& sight, const std::string&, const Image& mask) {
   return image::ssim(sight.color, sight.truth->color, mask).value_or(kNothing);
 }
 
-// Calls `of(x, y)` for each pixel of `mask`; an empty mask has every pixel.
-template <typename Of>
-void forEachPixel(const Image& color, const Image& mask, Of of) {
-  for (int y = 0; y < color.height; ++y)
-    for (int x = 0; x < color.width; ++x)
-      if (mask.empty() || mask.at(x, y, 0) >= 0.5f) of(x, y);
-}
-
 // Error of each pixel of `mask`: the root mean square over its channels of the difference from truth.
 std::vector<double> errorsOf(const Sight& sight, const Image& mask) {
   std::vector<double> errors;
-  forEachPixel(sight.color, mask, [&](int x, int y) {
+  image::forPixels(sight.color, mask, [&](int x, int y) {
     double squares = 0;
     for (int c = 0; c < 3; ++c)
       squares += std::pow(double(sight.color.at(x, y, c)) - sight.truth->color.at(x, y, c), 2);
@@ -93,7 +85,7 @@ std::vector<double> estimatesOf(const Sight& sight, const Image& mask) {
   std::vector<double> estimates;
   auto output = sight.picture->frame.outputs.find("error");
   if (output == sight.picture->frame.outputs.end()) return estimates;
-  forEachPixel(sight.color, mask, [&](int x, int y) { estimates.push_back(output->second.floats.at(x, y, 0)); });
+  image::forPixels(sight.color, mask, [&](int x, int y) { estimates.push_back(output->second.floats.at(x, y, 0)); });
   return estimates;
 }
 
@@ -236,9 +228,7 @@ const Image& Sight::flip() const {
 }
 
 const Image& Sight::hdrFlip() const {
-  image::HdrFlipOptions options;
-  options.exposures = truth->exposures;
-  if (hdr_flip_.empty()) hdr_flip_ = image::hdrFlip(color, truth->color, options).map;
+  if (hdr_flip_.empty()) hdr_flip_ = image::hdrFlip(color, truth->color, truth->exposures).map;
   return hdr_flip_;
 }
 

@@ -2,13 +2,9 @@
 #include "study/page_images.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <functional>
-#include <mutex>
-#include <thread>
 
+#include "base/cores.h"
 #include "base/hash.h"
 #include "image/crops.h"
 #include "image/draw.h"
@@ -23,27 +19,6 @@ namespace strobe::study {
 namespace {
 
 using image::Image;
-
-// Calls `work` with 0 to count - 1 on up to eight threads. Stops at the first exception and rethrows it.
-void inParallel(size_t count, const std::function<void(size_t)>& work) {
-  std::atomic<size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  auto run = [&] {
-    for (size_t i = next++; i < count; i = next++) try {
-        work(i);
-      } catch (...) {
-        std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::min(8u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
 
 // Size and quality of written pictures; quality 0 is PNG.
 struct Level {
@@ -136,35 +111,31 @@ void Collection::map(Pair& pair) const {
 PageImages Collection::collected() {
   PageImages images;
   std::map<std::pair<int, int>, int> pair_of;
-  std::vector<std::vector<int>> pairs;
   for (const PointGroup& group : results_.groups) {
-    images.points.emplace_back();
-    pairs.emplace_back();
+    std::vector<PointImages>& points = images.points.emplace_back();
     for (const Point& point : group.points) {
       PointImages one;
       one.picture = pictureOf(point);
-      int truth = images.points.back().empty() ? -1 : images.points.back().front().picture, pair = -1;
+      int truth = points.empty() ? -1 : points.front().picture;
       if (one.picture >= 0 && truth >= 0) {
         auto [found, added] = pair_of.emplace(std::pair(one.picture, truth), int(pairs_.size()));
         if (added) pairs_.push_back({one.picture, truth, "", {}});
-        pair = found->second;
+        one.flip = found->second;  // index of the pair, until the maps are made
       }
-      images.points.back().push_back(one);
-      pairs.back().push_back(pair);
+      points.push_back(one);
     }
   }
-  inParallel(pairs_.size(), [this](size_t i) { map(pairs_[i]); });
+  forEachOnAllCores(pairs_.size(), [this](size_t i) { map(pairs_[i]); });
   std::vector<int> flips;
   for (Pair& pair : pairs_) {
     flips.push_back(pair.png.empty() ? -1 : int(sources_.size()));
     if (!pair.png.empty()) sources_.push_back({std::move(pair.png), "a FLIP map", true});
   }
-  for (size_t g = 0; g < pairs.size(); ++g)
-    for (size_t i = 0; i < pairs[g].size(); ++i) {
-      if (pairs[g][i] < 0) continue;
-      size_t pair = size_t(pairs[g][i]);
-      images.points[g][i].flip = flips[pair];
-      images.points[g][i].worst = pairs_[pair].worst;
+  for (std::vector<PointImages>& points : images.points)
+    for (PointImages& one : points) {
+      if (one.flip < 0) continue;
+      one.worst = pairs_[size_t(one.flip)].worst;
+      one.flip = flips[size_t(one.flip)];
     }
   images.sources = std::move(sources_);
   return images;
@@ -180,7 +151,7 @@ WrittenImages written(const std::vector<ImageSource>& sources, size_t most_bytes
   for (const Level& level : kLevels) {
     if (&level != &last && !mayFit(sources, level, most_bytes)) continue;
     images.urls.assign(sources.size(), "");
-    inParallel(sources.size(), [&](size_t i) { images.urls[i] = urlOf(sources[i], level); });
+    forEachOnAllCores(sources.size(), [&](size_t i) { images.urls[i] = urlOf(sources[i], level); });
     images.reduced = describe(level);
     size_t bytes = 0;
     for (const std::string& url : images.urls) bytes += url.size();

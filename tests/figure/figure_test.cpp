@@ -165,7 +165,7 @@ TEST(Figure, DifferencesHaveABarThatStatesTheirScale) {
   Problems problems;
   for (const Cell& cell : figure.cells) blocks.push_back(blockOf(figure, cell, findTaken, "truth", 0, problems));
   problems.throwIfAny();
-  EXPECT_EQ(blocks[0].legend.kind, lab::Legend::Kind::bar);
+  EXPECT_EQ(blocks[0].legend.kind, image::Legend::Kind::bar);
   EXPECT_EQ(blocks[0].legend.high, 0.25);
   EXPECT_EQ(levelsApart(colourAt(blocks[0].main.display, 40, 5), image::magma(4 * 0.0625f / 3)), 0);
   EXPECT_EQ(levelsApart(colourAt(blocks[0].main.display, 10, 5), image::magma(0)), 0);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "image/canvas.h"
 #include "image/false_colour.h"
 
 using namespace strobe;
@@ -71,19 +72,20 @@ TEST(Draw, MagnifiedPixelsAreSquares) {
 }
 
 TEST(Draw, TextStaysInItsBox) {
-  Image image(200, 60, 3);
-  drawText(image, 10, 20, "Strobe µ", 20, kWhite);
-  int width = textWidth("Strobe µ", 20);
+  Canvas canvas(Image(200, 60, 3));
+  canvas.text(10, 20, "Strobe µ", 20, kWhite);
+  canvas.text(-80, -30, "outside", 20, kWhite);
+  Image image = canvas.pixels();
+  double width = textWidth("Strobe µ", 20);
   EXPECT_GT(width, 40);
   EXPECT_LT(width, 180);
   EXPECT_GT(sum(image), 100);
   for (int y = 0; y < 60; ++y)
     for (int x = 0; x < 200; ++x) {
-      bool inside = y >= 20 && y <= 40 && x >= 9 && x <= 11 + width;
+      bool inside = y >= 20 && y <= 20 + lineHeight(20) && x >= 9 && x <= 11 + width;
       EXPECT_TRUE(inside || image.at(x, y, 0) == 0) << x << "," << y;
     }
   EXPECT_EQ(textWidth("", 20), 0);
-  drawText(image, -30, -10, "outside", 20, kWhite);  // must not write outside
 }
 
 TEST(FalseColour, Differences) {

@@ -41,18 +41,18 @@ Image bordered(const Image& image, int border) {
 
 class ExrWindows : public ::testing::Test {
  protected:
-  Picture read(const ExrFile& content) const {
+  ComparedPicture read(const ExrFile& content) const {
     Path file = folder_.path() / "a.exr";
     writeExr(file, content);
     return readPicture(file);
   }
 
-  static Comparison compared(Picture test, Picture reference, Picture mask = {}) {
+  static Comparison compared(ComparedPicture test, ComparedPicture reference, ComparedPicture mask = {}) {
     alignPictures(test, reference, mask);
     return compareImages(test.linear, reference.linear, mask.linear);
   }
 
-  static std::string refusal(const Picture& test, const Picture& reference) {
+  static std::string refusal(const ComparedPicture& test, const ComparedPicture& reference) {
     try {
       compared(test, reference);
     } catch (const Error& error) {
@@ -63,11 +63,11 @@ class ExrWindows : public ::testing::Test {
 
   const strobe::testing::TemporaryFolder folder_;
   const Image image_ = squareOnRamp(40, 30);
-  const Picture plain_ = read(fileOf(image_));
+  const ComparedPicture plain_ = read(fileOf(image_));
 };
 
 TEST_F(ExrWindows, OverscanIsNotCompared) {
-  Picture overscan = read(fileOf(bordered(image_, 5), -5, -5, 40, 30)), plain = plain_, none;
+  ComparedPicture overscan = read(fileOf(bordered(image_, 5), -5, -5, 40, 30)), plain = plain_, none;
   EXPECT_EQ(compared(plain_, overscan).mse, 0);
   EXPECT_EQ(compared(overscan, plain_).pixels, size_t(40 * 30));
   alignPictures(plain, overscan, none);
@@ -86,7 +86,7 @@ TEST_F(ExrWindows, MovedPixelsAreComparedWhereTheyLie) {
     for (int x = 0; x < 40; ++x)
       for (int c = 0; c < 3; ++c)
         sum += std::pow(image_.at(x, y, c) - (x < kShift ? 0 : image_.at(x - kShift, y, c)), 2);
-  Picture moved = read(fileOf(image_, kShift, 0, 40, 30)), plain = plain_, none;
+  ComparedPicture moved = read(fileOf(image_, kShift, 0, 40, 30)), plain = plain_, none;
   EXPECT_NEAR(compared(plain_, moved).mse, sum / (40 * 30 * 3), 1e-6);
   alignPictures(plain, moved, none);
   EXPECT_EQ(moved.notes.size(), 2u) << "pixels outside, pixels lacking";
@@ -100,7 +100,7 @@ TEST_F(ExrWindows, APartOfThePictureIsNotStretched) {
   Image mask(40, 30, 1);
   for (int y = 0; y < 30; ++y)
     for (int x = 20; x < 40; ++x) mask.at(x, y, 0) = 1;
-  Picture part = read(fileOf(half, 20, 0, 40, 30)), mask_picture;
+  ComparedPicture part = read(fileOf(half, 20, 0, 40, 30)), mask_picture;
   mask_picture.linear = mask, mask_picture.data = mask_picture.display = {0, 0, 40, 30};
   EXPECT_GT(compared(plain_, part).mse, 0.01);
   EXPECT_EQ(compared(plain_, part, mask_picture).mse, 0);
@@ -133,7 +133,7 @@ TEST_F(ExrWindows, StatedPrimariesAreConverted) {
   EXPECT_EQ(read(content).linear.values, image_.values) << "Rec. 709";
   EXPECT_TRUE(read(content).notes.empty());
   content.primaries = Primaries{{0.713, 0.293}, {0.165, 0.83}, {0.128, 0.044}, {0.32168, 0.33767}};
-  Picture acescg = read(content);
+  ComparedPicture acescg = read(content);
   ASSERT_EQ(acescg.notes.size(), 1u);
   EXPECT_NE(acescg.notes[0].find("converted to Rec. 709 from its primaries: red 0.713 0.293"), std::string::npos);
   EXPECT_GT(compared(plain_, acescg).mse, 0);
@@ -143,19 +143,19 @@ TEST_F(ExrWindows, StatedPrimariesAreConverted) {
 // Windows as another program writes them.
 TEST_F(ExrWindows, AreThoseOfOpenImageIO) {
   writeExr(folder_.path() / "a.exr", fileOf(image_));
-  auto written = [&](const std::vector<std::string>& how) -> std::optional<Picture> {
+  auto written = [&](const std::vector<std::string>& how) -> std::optional<ComparedPicture> {
     std::vector<std::string> line = {"oiiotool", folder_ / "a.exr"};
     line.insert(line.end(), how.begin(), how.end());
     line.insert(line.end(), {"-o", folder_ / "b.exr"});
     if (!run({.arguments = line}).succeeded()) return std::nullopt;
     return readPicture(folder_.path() / "b.exr");
   };
-  std::optional<Picture> moved = written({"--origin", "+10+0"});
+  std::optional<ComparedPicture> moved = written({"--origin", "+10+0"});
   if (!moved) GTEST_SKIP() << "no oiiotool (the package openimageio-tools)";
   EXPECT_GT(compared(plain_, *moved).mse, 0.1);
-  Picture both = *written({"--origin", "+100+50", "--fullsize", "40x30+100+50"});
+  ComparedPicture both = *written({"--origin", "+100+50", "--fullsize", "40x30+100+50"});
   EXPECT_EQ(compared(plain_, both).mse, 0);
-  Picture cropped = *written({"--crop", "20x10+5+5"}), shown = plain_, none;
+  ComparedPicture cropped = *written({"--crop", "20x10+5+5"}), shown = plain_, none;
   alignPictures(shown, cropped, none);
   EXPECT_EQ(cropped.linear.at(5, 5, 1), image_.at(5, 5, 1));
   EXPECT_EQ(cropped.linear.at(4, 5, 1), 0);

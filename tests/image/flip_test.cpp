@@ -158,21 +158,13 @@ TEST(LdrFlip, ClampsAndIgnoresAlpha) {
 }
 
 TEST(HdrFlip, BrightBarAtGivenExposures) {
-  auto expect = [](FlipCurve curve, double mean, double largest) {
-    HdrFlipOptions options{curve, Exposures{-2, 2, 5}};
-    expectMap(hdrFlip(bar(16, 4), bar(0, 4), options).map, mean, largest);
-  };
-  expect(FlipCurve::aces, 0.178883, 0.935013);
-  expect(FlipCurve::hable, 0.163805, 0.869789);
-  expect(FlipCurve::reinhard, 0.191267, 0.965439);
+  expectMap(hdrFlip(bar(16, 4), bar(0, 4), Exposures{-2, 2, 5}).map, 0.178883, 0.935013);
 }
 
 TEST(HdrFlip, BarAtAutomaticExposures) {
   HdrFlip aces = hdrFlip(bar(16), bar(0));
   expectExposures(aces.exposures, 2.0638, 3.0901, 2);
   expectMap(aces.map, 0.161504, 0.855612);
-  expectMap(hdrFlip(bar(16), bar(0), {FlipCurve::hable}).map, 0.162427, 0.866412);
-  expectMap(hdrFlip(bar(16), bar(0), {FlipCurve::reinhard}).map, 0.185175, 0.907512);
 }
 
 TEST(HdrFlip, WideRange) {
@@ -198,8 +190,7 @@ TEST(HdrFlip, StepAndConstant) {
 }
 
 TEST(HdrFlip, BlackReferenceAtGivenExposures) {
-  HdrFlipOptions options{FlipCurve::aces, Exposures{-1, 1, 2}};
-  expectMap(hdrFlip(constant(16, grey(1)), constant(16, grey(0)), options).map, 0.965037, 0.965037);
+  expectMap(hdrFlip(constant(16, grey(1)), constant(16, grey(0)), Exposures{-1, 1, 2}).map, 0.965037, 0.965037);
 }
 
 // The published program finds no error in these: half of the reference is black.
@@ -221,8 +212,8 @@ TEST(HdrFlip, MostlyBlackReferenceStillShowsErrors) {
 }
 
 TEST(HdrFlip, IsSymmetricAtGivenExposures) {
-  HdrFlipOptions options{FlipCurve::aces, Exposures{-2, 2, 5}};
-  EXPECT_EQ(hdrFlip(bar(16), bar(0), options).map.values, hdrFlip(bar(0), bar(16), options).map.values);
+  const Exposures exposures{-2, 2, 5};
+  EXPECT_EQ(hdrFlip(bar(16), bar(0), exposures).map.values, hdrFlip(bar(0), bar(16), exposures).map.values);
 }
 
 TEST(Flip, MapCountsOnlyMaskedPixels) {

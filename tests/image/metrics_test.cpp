@@ -199,7 +199,7 @@ TEST(Comparison, FilesAreKnownByContent) {
   Folder folder;
   Image display = pattern(32, 24, 0);
   writePng(folder.path / "picture.exr", display);
-  Picture png = readPicture(folder.path / "picture.exr");
+  ComparedPicture png = readPicture(folder.path / "picture.exr");
   EXPECT_FALSE(png.hdr);
   EXPECT_EQ(png.linear.values, decodeSrgb(display).values);
   EXPECT_THROW(readPicture(folder.path / "picture.exr", "layer"), Error);

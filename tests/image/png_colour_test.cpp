@@ -72,13 +72,13 @@ std::string chromaticities(const std::array<uint32_t, 8>& times_100000) {
 const std::array<uint32_t, 8> kSrgb = {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000};
 const std::array<uint32_t, 8> kDisplayP3 = {31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000};
 
-Picture read(const std::string& bytes) {
+ComparedPicture read(const std::string& bytes) {
   testing::TemporaryFolder folder;
   writeFileAtomically(folder.path() / "a.png", bytes);
   return readPicture(folder.path() / "a.png");
 }
 
-std::string notesOf(const Picture& picture) { return fmt::format("{}", fmt::join(picture.notes, "; ")); }
+std::string notesOf(const ComparedPicture& picture) { return fmt::format("{}", fmt::join(picture.notes, "; ")); }
 
 TEST(PngColour, IsTheSameInEveryDepth) {
   Levels eight, sixteen;
@@ -86,7 +86,7 @@ TEST(PngColour, IsTheSameInEveryDepth) {
     eight.push_back({level, 255 - level, 7});
     sixteen.push_back({257 * level, 257 * (255 - level), 257 * 7});
   }
-  Picture coarse = read(png(8, eight)), fine = read(png(16, sixteen));
+  ComparedPicture coarse = read(png(8, eight)), fine = read(png(16, sixteen));
   for (size_t i = 0; i < coarse.linear.values.size(); ++i)
     EXPECT_NEAR(fine.linear.values[i], coarse.linear.values[i], 1e-7) << i;
   EXPECT_FLOAT_EQ(fine.linear.at(128, 0, 0), decodeSrgb(128 / 255.0f));
@@ -94,7 +94,7 @@ TEST(PngColour, IsTheSameInEveryDepth) {
 }
 
 TEST(PngColour, SixteenBitsAreNotRoundedToEight) {
-  Picture picture = read(png(16, grey({30000, 30001})));
+  ComparedPicture picture = read(png(16, grey({30000, 30001})));
   EXPECT_NE(picture.linear.at(0, 0, 0), picture.linear.at(1, 0, 0));
 }
 
@@ -103,7 +103,7 @@ TEST(PngColour, StatedAsSrgbNeedsNoWord) {
   std::string srgb = chunk("sRGB", std::string(1, '\0'));
   for (const std::string& chunks : {srgb, gamma(45455), gamma(45455) + chromaticities(kSrgb) + srgb,
                                     chunk("cICP", {1, 13, 0, 1}), chromaticities(kSrgb)}) {
-    Picture picture = read(png(8, grey({128}), chunks));
+    ComparedPicture picture = read(png(8, grey({128}), chunks));
     EXPECT_FLOAT_EQ(picture.linear.at(0, 0, 0), decodeSrgb(128 / 255.0f));
     EXPECT_EQ(notesOf(picture), "");
   }
@@ -112,7 +112,7 @@ TEST(PngColour, StatedAsSrgbNeedsNoWord) {
 TEST(PngColour, FollowsAGamma) {
   for (int bits : {8, 16}) {
     int half = bits == 8 ? 128 : 128 * 257;
-    Picture linear = read(png(bits, grey({half}), gamma(100000)));
+    ComparedPicture linear = read(png(bits, grey({half}), gamma(100000)));
     EXPECT_NEAR(linear.linear.at(0, 0, 0), 128 / 255.0, 1e-6);
     EXPECT_EQ(notesOf(linear), "its values are decoded with its gamma of 1, not as sRGB");
     EXPECT_NEAR(read(png(bits, grey({half}), gamma(55556))).linear.at(0, 0, 0), std::pow(128 / 255.0, 1.8), 1e-5);
@@ -121,7 +121,7 @@ TEST(PngColour, FollowsAGamma) {
 
 // The columns of CSS Color 4's matrix from linear Display P3 to linear sRGB.
 TEST(PngColour, ConvertsPrimaries) {
-  Picture picture = read(png(8, {{255, 0, 0}, {0, 255, 0}, {255, 255, 255}}, chromaticities(kDisplayP3)));
+  ComparedPicture picture = read(png(8, {{255, 0, 0}, {0, 255, 0}, {255, 255, 255}}, chromaticities(kDisplayP3)));
   const float kRed[] = {1.2249402f, -0.0420570f, -0.0196376f}, kGreen[] = {-0.2249402f, 1.0420570f, -0.0786360f};
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(picture.linear.at(0, 0, c), kRed[c], 1e-5) << c;

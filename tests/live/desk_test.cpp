@@ -89,18 +89,18 @@ TEST_F(DeskTest, LegendsAreThoseOfThePicture) {
   Desk desk(bench(), options);
   while (desk.busy()) desk.turn();
   desk.picture(0);
-  EXPECT_EQ(desk.legends()[0].kind, lab::Legend::Kind::none) << "of colours";
+  EXPECT_EQ(desk.legends()[0].kind, image::Legend::Kind::none) << "of colours";
   desk.viewPort("velocity");
   while (desk.busy()) desk.turn();
   desk.picture(0);
-  EXPECT_EQ(desk.legends()[0].kind, lab::Legend::Kind::wheel);
+  EXPECT_EQ(desk.legends()[0].kind, image::Legend::Kind::wheel);
   EXPECT_EQ(desk.legends()[0].high, 20);
-  EXPECT_EQ(desk.legends()[1].kind, lab::Legend::Kind::none);
+  EXPECT_EQ(desk.legends()[1].kind, image::Legend::Kind::none);
   desk.setMode(Mode::Difference);
   desk.look().gain = 8;
   desk.picture(0);
-  EXPECT_EQ(desk.legends()[0], (lab::Legend{lab::Legend::Kind::bar, 0, 0.125, "mean |A - B|"}));
-  EXPECT_GT(lab::pictureOf(desk.legends()[0]).width, 100);
+  EXPECT_EQ(desk.legends()[0], (image::Legend{image::Legend::Kind::bar, 0, 0.125, "mean |A - B|"}));
+  EXPECT_GT(image::pictureOf(desk.legends()[0]).width, 100);
 }
 
 // Frames are drawn until the value has settled, without any change of the shot. A value set by hand ends the budget.

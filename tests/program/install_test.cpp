@@ -130,7 +130,7 @@ TEST_F(Completion, KnowsCommandsOptionsAndChoices) {
   EXPECT_EQ(of("strobe bench "), "reload frames slopes ");
   EXPECT_EQ(of("strobe render --an"), "--anchor --animation ");
   EXPECT_EQ(of("strobe render none --anchor c"), "centre ");
-  EXPECT_EQ(of("strobe compare --flip-curve a"), "aces ");
+  EXPECT_EQ(of("strobe tune --cost f"), "frame ");
   EXPECT_EQ(of("strobe render none --anchor end -o "), " ") << "a file";
   EXPECT_EQ(of("strobe stability --invariant stil"), "still ");
 }

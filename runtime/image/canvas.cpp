@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include "figure/canvas.h"
+#include "image/canvas.h"
 
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include "base/error.h"
+#include "image/tone.h"
 #include "math/constants.h"
 
-namespace strobe::figure {
+namespace strobe::image {
 
-using image::Image;
-using image::Rectangle;
+Path fontFile() {
+  for (const char* candidate : {STROBE_FONT_FILE, "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                "/usr/share/fonts/dejavu/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf"})
+    if (*candidate && std::filesystem::is_regular_file(candidate)) return candidate;
+  throw Error("the font DejaVuSans.ttf is not installed (Debian package fonts-dejavu-core)");
+}
 
 namespace {
 
@@ -27,12 +33,12 @@ constexpr const char* kDate = "2000-01-01T00:00:00Z";
 // the face.
 cairo_font_face_t* fontFace() {
   static cairo_font_face_t* const made = [] {
-    static std::vector<uint8_t> bytes = readBytes(image::fontFile());
+    static std::vector<uint8_t> bytes = readBytes(fontFile());
     FT_Library library = nullptr;
     FT_Face face = nullptr;
     bool good = FT_Init_FreeType(&library) == 0 &&
                 FT_New_Memory_Face(library, bytes.data(), FT_Long(bytes.size()), 0, &face) == 0;
-    if (!good) throw Error("is not a readable font", {image::fontFile().string()});
+    if (!good) throw Error("is not a readable font", {fontFile().string()});
     return cairo_ft_font_face_create_for_ft_face(face, FT_LOAD_NO_HINTING);
   }();
   return made;
@@ -56,8 +62,6 @@ void useFont(cairo_t* cairo, double size_px) {
   cairo_set_font_size(cairo, size_px);
 }
 
-uint32_t level(float value) { return uint32_t(std::lround(255 * (value > 0 ? std::min(value, 1.0f) : 0.0f))); }
-
 cairo_surface_t* surfaceOf(const Image& display) {
   STROBE_ASSERT(display.channels == 1 || display.channels >= 3, "{} channels", display.channels);
   cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, display.width, display.height);
@@ -69,7 +73,7 @@ cairo_surface_t* surfaceOf(const Image& display) {
     for (int x = 0; x < display.width; ++x) {
       const float* pixel = display.pixel(x, y);
       bool grey = display.channels == 1;
-      row[x] = level(pixel[0]) << 16 | level(pixel[grey ? 0 : 1]) << 8 | level(pixel[grey ? 0 : 2]);
+      row[x] = uint32_t(levelOf(pixel[0])) << 16 | levelOf(pixel[grey ? 0 : 1]) << 8 | levelOf(pixel[grey ? 0 : 2]);
     }
   }
   cairo_surface_mark_dirty(surface);
@@ -140,6 +144,8 @@ Canvas::Canvas(Kind kind, int width, int height, double points_per_px, const std
   check();
 }
 
+Canvas::Canvas(const Image& display) : Canvas(Kind::pixels, display.width, display.height) { picture(display, 0, 0); }
+
 void Canvas::check() const {
   cairo_status_t status = cairo_status(cairo_.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface_.get());
@@ -148,23 +154,33 @@ void Canvas::check() const {
 
 void Canvas::ink(const Colour& colour, double alpha) {
   // Colours have 8 bits, as in pictures.
-  auto channel = [&](size_t c) { return level(colour[c]) / 255.0; };
+  auto channel = [&](size_t c) { return levelOf(colour[c]) / 255.0; };
   cairo_set_source_rgba(cairo_.get(), channel(0), channel(1), channel(2), alpha);
 }
 
-void Canvas::picture(const Image& display, int x, int y) {
+void Canvas::circle(dvec2 centre, double radius) {
+  cairo_new_sub_path(cairo_.get());
+  cairo_arc(cairo_.get(), centre.x, centre.y, radius, 0, 2 * kPi);
+  cairo_close_path(cairo_.get());
+}
+
+void Canvas::picture(const Image& display, int x, int y, bool round) {
   std::unique_ptr<cairo_surface_t, Destroy> surface(surfaceOf(display));
   cairo_save(cairo_.get());
   cairo_set_source_surface(cairo_.get(), surface.get(), x, y);
   cairo_pattern_set_filter(cairo_get_source(cairo_.get()), CAIRO_FILTER_NEAREST);
-  cairo_rectangle(cairo_.get(), x, y, display.width, display.height);
+  if (round) circle(dvec2(x, y) + dvec2(display.width, display.height) / 2.0, (display.width - 1) / 2);
+  else cairo_rectangle(cairo_.get(), x, y, display.width, display.height);
   cairo_fill(cairo_.get());
   cairo_restore(cairo_.get());
 }
 
-void Canvas::fill(const Rectangle& area, const Colour& colour, double alpha) {
+void Canvas::fill(const Rectangle& area, const Colour& colour, double alpha, double radius) {
   ink(colour, alpha);
-  cairo_rectangle(cairo_.get(), area.x, area.y, area.width, area.height);
+  for (int corner = 0; radius > 0 && corner < 4; ++corner)  // clockwise from the upper right
+    cairo_arc(cairo_.get(), area.x + (corner < 2 ? area.width - radius : radius),
+              area.y + (corner % 3 ? area.height - radius : radius), radius, (corner - 1) * kPi / 2, corner * kPi / 2);
+  if (!(radius > 0)) cairo_rectangle(cairo_.get(), area.x, area.y, area.width, area.height);
   cairo_fill(cairo_.get());
 }
 
@@ -221,23 +237,16 @@ void Canvas::arrow(dvec2 from, dvec2 to, double width, const Colour& colour) {
 }
 
 void Canvas::ring(dvec2 centre, double radius, double width, const Colour& colour) {
-  cairo_new_sub_path(cairo_.get());
-  cairo_arc(cairo_.get(), centre.x, centre.y, radius, 0, 2 * kPi);
-  cairo_close_path(cairo_.get());
+  circle(centre, radius);
   outlined(width, colour);
 }
 
 void Canvas::disc(dvec2 centre, double radius, const Colour& colour) {
-  auto circle = [&](double r) {
-    cairo_new_sub_path(cairo_.get());
-    cairo_arc(cairo_.get(), centre.x, centre.y, r, 0, 2 * kPi);
-    cairo_close_path(cairo_.get());
-  };
   ink(kBorder, kBorderAlpha);
-  circle(radius + std::clamp(0.35 * radius, 0.5, 1.5));
+  circle(centre, radius + std::clamp(0.35 * radius, 0.5, 1.5));
   cairo_fill(cairo_.get());
   ink(colour);
-  circle(radius);
+  circle(centre, radius);
   cairo_fill(cairo_.get());
 }
 
@@ -290,4 +299,4 @@ std::string Canvas::page() {
   return std::move(*bytes_);
 }
 
-}  // namespace strobe::figure
+}  // namespace strobe::image

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Canvas for figures. The same calls draw pixels, or a page of a PDF file with text as text and lines as lines. The
-// result depends only on the calls and the font file (image::fontFile), not on date, locale or font settings. Positions
-// and lengths in pixels of the figure, x right, y down; colours are display values (sRGB-encoded).
+// Canvas for figures, legends and arrows. The same calls draw pixels, or a page of a PDF file with text as text and
+// lines as lines. The result depends only on the calls and the font file, not on date, locale or font settings.
+// Positions and lengths in pixels of the canvas, x right, y down; colours are display values (sRGB-encoded) of 8 bits.
 #pragma once
 
 #include <memory>
 #include <string>
 
+#include "base/files.h"
 #include "image/draw.h"
 #include "math/geometry.h"
 
 typedef struct _cairo cairo_t;
 typedef struct _cairo_surface cairo_surface_t;
 
-namespace strobe::figure {
+namespace strobe::image {
 
-using image::Colour;
+// File of DejaVu Sans, the font of all drawn text. Throws `Error` with the package to install if the file is missing.
+Path fontFile();
 
 // Width and height of a line of text in DejaVu Sans, pixels. Throws `Error` without the font.
 double textWidth(const std::string& text, double size_px);
@@ -27,16 +29,20 @@ class Canvas {
   // White canvas. A page has `points_per_px` points (1/72 inch) per pixel, and a title. Throws `Error` if a side has
   // more than 32767 pixels.
   Canvas(Kind kind, int width, int height, double points_per_px = 0.75, const std::string& title = "");
+  // Canvas of pixels that begins with a display image.
+  explicit Canvas(const Image& display);
 
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // Draws a display image of 1 or 3 channels with its top left corner at (x, y), pixel by pixel.
-  void picture(const image::Image& display, int x, int y);
+  // Draws a display image of 1 or 3 channels with its top left corner at (x, y), pixel by pixel. `round`: draws only
+  // the disc in the middle, for an image with an odd number of pixels a side.
+  void picture(const Image& display, int x, int y, bool round = false);
 
-  void fill(const image::Rectangle& area, const Colour& colour, double alpha = 1);
+  // `radius`: of the corners.
+  void fill(const Rectangle& area, const Colour& colour, double alpha = 1, double radius = 0);
   // Draws a frame along the inner border of `area`.
-  void frame(const image::Rectangle& area, int thickness, const Colour& colour);
+  void frame(const Rectangle& area, int thickness, const Colour& colour);
 
   // These shapes have a thin dark border, so that they are visible on any picture. The tip of an arrow is at `to`.
   void line(dvec2 from, dvec2 to, double width, const Colour& colour);
@@ -50,11 +56,11 @@ class Canvas {
   void turnedText(double x, double y, const std::string& text, double size_px, const Colour& colour);
 
   // Limits drawing to `area` until `unclip`.
-  void clip(const image::Rectangle& area);
+  void clip(const Rectangle& area);
   void unclip();
 
   // Ends drawing; the canvas cannot be used afterwards. `pixels` returns a display image, `page` returns a PDF file.
-  image::Image pixels();
+  Image pixels();
   std::string page();
 
  private:
@@ -62,6 +68,7 @@ class Canvas {
     void operator()(cairo_t* cairo) const;
     void operator()(cairo_surface_t* surface) const;
   };
+  void circle(dvec2 centre, double radius);  // adds a path
   void outlined(double width, const Colour& colour);
   void ink(const Colour& colour, double alpha = 1);
   void check() const;
@@ -73,4 +80,4 @@ class Canvas {
   std::unique_ptr<cairo_t, Destroy> cairo_;
 };
 
-}  // namespace strobe::figure
+}  // namespace strobe::image
