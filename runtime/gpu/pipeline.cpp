@@ -219,17 +219,26 @@ void Pipeline::recordTrace(VkCommandBuffer commands, uint32_t width, uint32_t he
   device_->vk().CmdTraceRaysKHR(commands, &raygen_, &miss_, &hit_, &callable_, width, height, 1);
 }
 
-Timer::Timer(const Device& device, uint32_t capacity) : device_(&device), capacity_(capacity) {
+std::vector<uint64_t> ticksSinceFirst(const std::vector<uint64_t>& stamps, uint32_t bits) {
+  const uint64_t mask = bits < 64 ? (uint64_t{1} << bits) - 1 : UINT64_MAX;
+  std::vector<uint64_t> ticks(stamps.size());
+  for (size_t i = 1; i < stamps.size(); ++i) ticks[i] = ticks[i - 1] + ((stamps[i] - stamps[i - 1]) & mask);
+  return ticks;
+}
+
+Timer::Timer(const Device& device, uint32_t capacity)
+    : device_(&device), capacity_(device.timestampBits() > 0 ? capacity : 0) {
+  if (capacity_ == 0) return;
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-  info.queryCount = capacity;
+  info.queryCount = capacity_;
   const Dispatch& vk = device.vk();
   pool_ = create(device, VK_OBJECT_TYPE_QUERY_POOL, vk.CreateQueryPool, vk.DestroyQueryPool, info, "the", "timer");
 }
 
 void Timer::recordReset(VkCommandBuffer commands) {
   used_ = 0;
-  device_->vk().CmdResetQueryPool(commands, pool_.get(), 0, capacity_);
+  if (capacity_ > 0) device_->vk().CmdResetQueryPool(commands, pool_.get(), 0, capacity_);
 }
 
 int Timer::recordStamp(VkCommandBuffer commands) {
@@ -245,7 +254,8 @@ std::vector<double> Timer::readMs() const {
                                           VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "reading the timer");
   std::vector<double> ms;
-  for (uint64_t stamp : stamps) ms.push_back(double(stamp - stamps[0]) * device_->timestampPeriodNs() * 1e-6);
+  for (uint64_t ticks : ticksSinceFirst(stamps, device_->timestampBits()))
+    ms.push_back(double(ticks) * device_->timestampPeriodNs() * 1e-6);
   return ms;
 }
 

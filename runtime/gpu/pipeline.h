@@ -68,13 +68,17 @@ class Pipeline {
   VkStridedDeviceAddressRegionKHR raygen_{}, miss_{}, hit_{}, callable_{};
 };
 
-// GPU time stamps of the steps of a frame.
+// Clock ticks since the first of `stamps`, for a counter of `bits` bits that begins again at 0 after its last value.
+// The time between two stamps must be shorter than the period of the counter.
+std::vector<uint64_t> ticksSinceFirst(const std::vector<uint64_t>& stamps, uint32_t bits);
+
+// GPU time stamps of the steps of a frame; none on a device without time stamps.
 class Timer {
  public:
   Timer() = default;
   Timer(const Device& device, uint32_t capacity);
   void recordReset(VkCommandBuffer commands);
-  // Returns the index of the stamp, or -1 if the capacity is exhausted.
+  // Returns the index of the stamp; -1 if the capacity is exhausted or the device has no time stamps.
   int recordStamp(VkCommandBuffer commands);
   // Milliseconds since the first stamp, one per stamp recorded since the reset.
   std::vector<double> readMs() const;

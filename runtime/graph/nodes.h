@@ -67,7 +67,7 @@ class PlanNodes {
   const gpu::Device& device_;
   const plan::Plan* plan_;
   std::vector<Node> nodes_;
-  // Parameters and counters of all nodes and frames, in one buffer: drivers are slow at allocation.
+  // Parameters and counters of all nodes and frames.
   gpu::Buffer numbers_;
   std::vector<bool> has_params_;  // by frame: holds the plan's parameters
   gpu::Owned<VkSampler> nearest_, linear_;

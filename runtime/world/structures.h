@@ -39,10 +39,10 @@ std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, cons
                                                  SceneMeshes& meshes, BentInstances& bent, uint32_t slices);
 
 // The runtime's own trees (shaders/shared/bvh.h). `triangles` holds the triangles of `trees` on the device; `triangles`
-// and `bent` must outlive the result.
+// and `bent` must outlive the result. The structures are on the device when `uploads` has finished.
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
                                               const MeshTrees& trees, const gpu::Buffer& triangles, BentInstances& bent,
-                                              uint32_t slices);
+                                              uint32_t slices, gpu::Uploads& uploads);
 
 // Level of a traced slice. Slices between the raster time and the samples are never traced.
 inline bool isTraced(uint32_t slice) { return slice == SLICE_RASTER || slice >= SLICE_SAMPLE; }
