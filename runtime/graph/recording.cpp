@@ -61,7 +61,7 @@ void Recording::barriers(VkCommandBuffer commands, const std::vector<plan::Barri
   device_.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
-void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, PassStamps* stamps) const {
+void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, PassStamps& stamps) const {
   barriers(commands, iteration == 0 ? step.barriers : step.barriers_next);
   switch (step.kind) {
     case Step::Kind::ClearImage:
@@ -162,7 +162,7 @@ void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width,
 }
 
 // Dispatches over the texels that cover the moving rectangle; the shader adds the first texel (shader/interface.cpp).
-void Recording::workWithinReach(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
+void Recording::workInMovingRect(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
   auto texels = [](int from_px, int to_px, int texels, int pixels) {
     if (texels == pixels) return uint32_t(to_px - from_px);
     return uint32_t((to_px * texels + pixels - 1) / pixels - from_px * (texels - 1) / pixels);
@@ -172,7 +172,7 @@ void Recording::workWithinReach(VkCommandBuffer commands, const Node& node, cons
        texels(reach_.y0, reach_.y1, planned.height, plan_->height));
 }
 
-void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps* stamps) const {
+void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps& stamps) const {
   const auto& vk = device_.vk();
   const PlanNode& planned = nodes_.planned(node_index);
   const Node& node = nodes_[node_index];
@@ -181,17 +181,15 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
     label.pLabelName = nodes_.name(node_index).c_str();
     vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
   }
-  int begin = stamps ? stamps->timer.recordStamp(commands) : -1;
+  const int begin = stamps.timer.recordStamp(commands);
   bind(commands, node);
   const bool in_stages = hasStages(node.pipeline->interface);
+  const bool is_repeated = planned.static_once && plan_->loops[size_t(planned.loop)].first + iteration > 0;
   if (node.pipeline->interface.raster) raster(commands, node, planned, iteration);
   else if (planned.over >= 0 && !in_stages) vk.CmdDispatchIndirect(commands, images_.buffer(planned.over).handle(), 0);
-  else if (planned.in_moving_rect) workWithinReach(commands, node, planned);
-  else if (planned.static_once && plan_->loops[size_t(planned.loop)].first + iteration > 0)
-    work(commands, node, widthOf(reach_), heightOf(reach_));
+  else if (planned.in_moving_rect || is_repeated) workInMovingRect(commands, node, planned);
   else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
-  int end = stamps ? stamps->timer.recordStamp(commands) : -1;
-  if (begin >= 0 && end >= 0) stamps->pending.push_back({node_index, begin, end});
+  stamps.pending.push_back({node_index, begin, stamps.timer.recordStamp(commands)});
   if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
