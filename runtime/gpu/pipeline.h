@@ -15,10 +15,27 @@ using Spirv = std::vector<uint32_t>;
 Owned<VkDescriptorSetLayout> makeSetLayout(const Device& device, const std::string& name,
                                            const std::vector<VkDescriptorSetLayoutBinding>& bindings);
 
-// A pool for exactly `sets` sets of `bindings`, freed together.
-Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::string& name,
-                                           const std::vector<VkDescriptorSetLayoutBinding>& bindings, uint32_t sets);
-VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout);
+// A descriptor set with a pool of its own.
+class DescriptorSet {
+ public:
+  DescriptorSet() = default;
+  // `layout` was made from `bindings`.
+  DescriptorSet(const Device& device, const std::string& name, VkDescriptorSetLayout layout,
+                const std::vector<VkDescriptorSetLayoutBinding>& bindings);
+  VkDescriptorSet handle() const { return set_; }
+  // Writes all descriptors of binding `number`. No command in execution may use the set.
+  void write(uint32_t number, const VkDescriptorBufferInfo& buffer) const;
+  void write(uint32_t number, const Buffer& buffer) const { write(number, {buffer.handle(), 0, VK_WHOLE_SIZE}); }
+  void write(uint32_t number, const std::vector<VkDescriptorImageInfo>& images) const;
+  void write(uint32_t number, const std::vector<VkAccelerationStructureKHR>& structures) const;
+
+ private:
+  void update(uint32_t number, VkWriteDescriptorSet write) const;
+  const Device* device_ = nullptr;
+  std::vector<VkDescriptorSetLayoutBinding> bindings_;
+  Owned<VkDescriptorPool> pool_;
+  VkDescriptorSet set_ = VK_NULL_HANDLE;
+};
 
 struct RasterShaders {
   Spirv vertex, fragment;

@@ -113,6 +113,11 @@ class Image {
   Owned<VkImageView> view_;
 };
 
+// Descriptor of an image in the GENERAL layout.
+inline VkDescriptorImageInfo inGeneral(VkImageView view, VkSampler sampler = VK_NULL_HANDLE) {
+  return {sampler, view, VK_IMAGE_LAYOUT_GENERAL};
+}
+
 // Transition from UNDEFINED to GENERAL, for a new image.
 void recordFirstLayout(const Device& device, VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect);
 

@@ -14,7 +14,7 @@ struct BufferPart {
 
 // Data of a node for one of the frames in flight.
 struct NodeInFrame {
-  VkDescriptorSet set = VK_NULL_HANDLE;
+  gpu::DescriptorSet set;
   BufferPart params, counters;
   uint32_t* counted = nullptr;  // counters that the device increments, in `counters`
   std::vector<uint64_t> counts;
@@ -28,7 +28,6 @@ struct NodeInFrame {
 
 struct Node {
   std::shared_ptr<const NodePipeline> pipeline;
-  gpu::Owned<VkDescriptorPool> pool;
   std::vector<NodeInFrame> frames;
 };
 

@@ -149,7 +149,7 @@ void Recording::read(VkCommandBuffer commands, int image) const {
 
 void Recording::bind(VkCommandBuffer commands, const Node& node) const {
   const gpu::Pipeline& pipeline = node.pipeline->driver->pipeline;
-  VkDescriptorSet sets[] = {scene_.set(), node.frames[frame_].set};
+  VkDescriptorSet sets[] = {scene_.set(), node.frames[frame_].set.handle()};
   device_.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
   device_.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
 }

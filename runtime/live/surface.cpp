@@ -66,15 +66,8 @@ std::unique_ptr<Texture> Surface::makeTexture(const std::string& name, uint32_t 
   VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   texture->image_ = gpu::Image(device_, name, {VK_FORMAT_R8G8B8A8_UNORM, width, height, 1, usage});
   texture->staging_ = gpu::Buffer(device_, name + ".staging", size_t(width) * height * 4, 0, gpu::Buffer::Memory::Host);
-  texture->pool_ = gpu::makeDescriptorPool(device_, name, kBindings, 1);
-  texture->set_ = gpu::allocateSet(device_, texture->pool_.get(), set_layout_.get());
-  VkDescriptorImageInfo image{sampler, texture->image_.view(), VK_IMAGE_LAYOUT_GENERAL};
-  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-  write.dstSet = texture->set_;
-  write.descriptorCount = 1;
-  write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-  write.pImageInfo = &image;
-  device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+  texture->set_ = gpu::DescriptorSet(device_, name, set_layout_.get(), kBindings);
+  texture->set_.write(0, std::vector{gpu::inGeneral(texture->image_.view(), sampler)});
   return texture;
 }
 
@@ -143,9 +136,8 @@ void Surface::recordCommand(VkCommandBuffer commands, const ImDrawData& frame, c
   VkRect2D scissor{{int32_t(x0), int32_t(y0)}, {uint32_t(x1 - x0), uint32_t(y1 - y0)}};
   const gpu::Dispatch& vk = device_.vk();
   vk.CmdSetScissor(commands, 0, 1, &scissor);
-  const auto* texture = (const Texture*)(intptr_t)command.GetTexID();
-  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1, &texture->set_, 0,
-                           nullptr);
+  const VkDescriptorSet set = ((const Texture*)(intptr_t)command.GetTexID())->set_.handle();
+  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1, &set, 0, nullptr);
   vk.CmdDrawIndexed(commands, command.ElemCount, 1, first_index + command.IdxOffset,
                     first_vertex + int32_t(command.VtxOffset), 0);
 }

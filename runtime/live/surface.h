@@ -31,8 +31,7 @@ class Texture {
   gpu::Image image_;
   gpu::Buffer staging_;
   VkSampler sampler_ = VK_NULL_HANDLE;  // owned by the surface
-  gpu::Owned<VkDescriptorPool> pool_;
-  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  gpu::DescriptorSet set_;
 };
 
 class Surface {

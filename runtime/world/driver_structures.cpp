@@ -37,19 +37,10 @@ class DriverStructures : public Structures {
     return {number, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, slices_, VK_SHADER_STAGE_ALL, nullptr};
   }
 
-  void write(VkDescriptorSet set, uint32_t number) const override {
+  void write(const gpu::DescriptorSet& set, uint32_t number) const override {
     std::vector<VkAccelerationStructureKHR> structures;
     for (uint32_t slice = 0; slice < slices_; ++slice) structures.push_back(top_levels_[levelOf(slice)].handle());
-    VkWriteDescriptorSetAccelerationStructureKHR info{
-        VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
-    info.accelerationStructureCount = slices_;
-    info.pAccelerationStructures = structures.data();
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, &info};
-    write.dstSet = set;
-    write.dstBinding = number;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
-    write.descriptorCount = slices_;
-    device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+    set.write(number, structures);
   }
 
   void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,

@@ -86,36 +86,21 @@ void GpuScene::uploadGeometry(const Scene& scene, gpu::Uploads& uploads) {
 }
 
 void GpuScene::makeSet() {
+  constexpr uint32_t kFrame = 0, kArrays = 1, kTextures = 2, kStructures = 3;  // shaders/shared/bindings.glsl
   const VkShaderStageFlags all = VK_SHADER_STAGE_ALL;
-  const SceneSurfaces& surfaces = unposed_->surfaces;
-  const Buffer* buffers[] = {&frame_, &addresses_};
-  for (uint32_t i = 0; i < std::size(buffers); ++i)
-    bindings_.push_back({i, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr});
-  uint32_t texture_count = uint32_t(surfaces.textures().size());
-  const uint32_t textures = uint32_t(bindings_.size());
-  bindings_.push_back({textures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});
-  const uint32_t count = uint32_t(bindings_.size());
-  bindings_.push_back(structures_->binding(count));
+  const std::vector<VkDescriptorImageInfo>& textures = unposed_->surfaces.textures();
+  bindings_ = {
+      {kFrame, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr},
+      {kArrays, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr},
+      {kTextures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, uint32_t(textures.size()), all, nullptr},
+      structures_->binding(kStructures),
+  };
   set_layout_ = gpu::makeSetLayout(device_, "scene", bindings_);
-  pool_ = gpu::makeDescriptorPool(device_, "scene", bindings_, 1);
-  set_ = gpu::allocateSet(device_, pool_.get(), set_layout_.get());
-
-  std::vector<VkDescriptorBufferInfo> written;
-  for (const Buffer* buffer : buffers) written.push_back({buffer->handle(), 0, VK_WHOLE_SIZE});
-  std::vector<VkWriteDescriptorSet> writes;
-  for (uint32_t i = 0; i < count; ++i) {
-    const VkDescriptorSetLayoutBinding& binding = bindings_[i];
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = set_;
-    write.dstBinding = binding.binding;
-    write.descriptorType = binding.descriptorType;
-    write.descriptorCount = binding.descriptorCount;
-    if (binding.binding < textures) write.pBufferInfo = &written[binding.binding];
-    else write.pImageInfo = surfaces.textures().data();
-    writes.push_back(write);
-  }
-  device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
-  structures_->write(set_, count);
+  set_ = gpu::DescriptorSet(device_, "scene", set_layout_.get(), bindings_);
+  set_.write(kFrame, frame_);
+  set_.write(kArrays, addresses_);
+  set_.write(kTextures, textures);
+  structures_->write(set_, kStructures);
 }
 
 void GpuScene::setFrame(gpu::Staging& staging, const FrameData& frame) const { staging.write(frame_, 0, &frame, 1); }

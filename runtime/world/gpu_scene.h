@@ -46,7 +46,7 @@ class GpuScene {
   const std::vector<VkDescriptorSetLayoutBinding>& bindings() const { return bindings_; }
   // Text that identifies the layout of the set: equal texts, compatible layouts.
   std::string layoutText() const;
-  VkDescriptorSet set() const { return set_; }
+  VkDescriptorSet set() const { return set_.handle(); }
   uint32_t slices() const { return slices_; }
   uint32_t instanceCount() const { return uint32_t(instances_.size()); }
   uint32_t lightCount() const { return uint32_t(light_nodes_.size()); }
@@ -97,8 +97,7 @@ class GpuScene {
   std::unique_ptr<Structures> structures_;
   std::vector<VkDescriptorSetLayoutBinding> bindings_;
   gpu::Owned<VkDescriptorSetLayout> set_layout_;
-  gpu::Owned<VkDescriptorPool> pool_;
-  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  gpu::DescriptorSet set_;
 };
 
 }  // namespace strobe::world

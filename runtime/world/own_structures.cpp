@@ -101,16 +101,7 @@ class OwnStructures : public Structures {
     return {number, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_ALL, nullptr};
   }
 
-  void write(VkDescriptorSet set, uint32_t number) const override {
-    VkDescriptorBufferInfo info{addresses_.handle(), 0, VK_WHOLE_SIZE};
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = set;
-    write.dstBinding = number;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    write.descriptorCount = 1;
-    write.pBufferInfo = &info;
-    device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
-  }
+  void write(const gpu::DescriptorSet& set, uint32_t number) const override { set.write(number, addresses_); }
 
   void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,
             const std::vector<bool>& moves) override {

@@ -109,7 +109,7 @@ void SceneSurfaces::uploadTextures(const gpu::Device& device, const Scene& scene
     textures_.push_back(uploads.image("scene.texture." + source->name, desc, levels));
     gpu::Owned<VkSampler>& sampler = samplers_[samplerOf(*source)];
     if (!sampler.get()) sampler = gpu::makeSampler(device, "scene.sampler", samplerOf(*source));
-    infos_.push_back({sampler.get(), textures_.back().view(), VK_IMAGE_LAYOUT_GENERAL});
+    infos_.push_back(gpu::inGeneral(textures_.back().view(), sampler.get()));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/acceleration.h"
+#include "gpu/pipeline.h"
 #include "scene/scene.h"
 #include "shader/backends.h"
 #include "shared/scene.h"
@@ -21,7 +22,7 @@ class Structures {
   virtual ~Structures() = default;
   // Binding of the structures in set 0, and the write of its descriptors.
   virtual VkDescriptorSetLayoutBinding binding(uint32_t number) const = 0;
-  virtual void write(VkDescriptorSet set, uint32_t number) const = 0;
+  virtual void write(const gpu::DescriptorSet& set, uint32_t number) const = 0;
   // Poses the instances at a level: level 0 is the raster time, level 1 + i is sample i. By instance: transform from
   // object to world space, and true if the instance moves (rays may be limited to moving instances). Deformed instances
   // must be posed before.
