@@ -73,20 +73,11 @@ static std::shared_ptr<const gpu::Buffer> share(gpu::Buffer&& buffer) {
   return std::make_shared<const gpu::Buffer>(std::move(buffer));
 }
 
-// Size of `PlanImages::zeros`; 0 if no slot needs zeros.
-static uint64_t zeroBytes(const Plan& plan) {
-  uint64_t most = 0;
-  for (const plan::Slot& slot : plan.slots)
-    if (slot.zero_outside) most = std::max(most, slot.bytes);
-  return (most / 4 + 3) / 4 * 4;
-}
-
 PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, size_t frames, PlanImages* previous)
     : device_(device), plan_(&plan) {
   try {
     requireImages(device_, *plan_);
     const std::vector<size_t> fresh = makeSlots(previous);
-    if (zeroBytes(*plan_) > 0) zeros_ = madeBuffer(device_, "zeros", zeroBytes(*plan_));
     makeUnwired();
     keepReadBack(frames, previous);
     initialize(fresh);
@@ -137,7 +128,6 @@ void PlanImages::initialize(const std::vector<size_t>& fresh) {
     }
     for (const gpu::Image* image : {&unwired_.image, &unwired_.uint_image})
       gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
-    if (zeros_.handle()) device_.vk().CmdFillBuffer(commands, zeros_.handle(), 0, VK_WHOLE_SIZE, 0);
   });
 }
 
@@ -156,7 +146,7 @@ static size_t readBackBytes(const plan::VirtualImage& image) {
 }
 
 ImageBytes imageBytes(const Plan& plan, size_t frames) {
-  ImageBytes bytes{plan::bytesAliased(plan) + zeroBytes(plan), 0, 0};
+  ImageBytes bytes{plan::bytesAliased(plan), 0, 0};
   for (int index : imagesKept(plan)) bytes.read_back += frames * readBackBytes(plan.images[size_t(index)]);
   for (const auto* named : {&plan.outputs, &plan.taps})
     for (const auto& [name, index] : *named) {
@@ -164,11 +154,6 @@ ImageBytes imageBytes(const Plan& plan, size_t frames) {
       bytes.pictures += uint64_t(image.width) * image.height * gpu::formatInfo(image.format).channels * sizeof(float);
     }
   return bytes;
-}
-
-const scene::PixelArea* PlanImages::touched(int image) const {
-  auto found = touched_.find(slotOf(image));
-  return found == touched_.end() ? nullptr : &found->second;
 }
 
 void PlanImages::makeUnwired() {

@@ -7,7 +7,7 @@
 
 namespace strobe::graph {
 
-// Bytes of a plan's images, computed before any allocation: slots and zeros on the device, read-back buffers, and host
+// Bytes of a plan's images, computed before any allocation: slots on the device, read-back buffers, and host
 // images of the results.
 struct ImageBytes {
   uint64_t on_device = 0, read_back = 0, pictures = 0;
@@ -36,14 +36,6 @@ class PlanImages {
   const gpu::Buffer& readBack(int image, size_t frame) const { return *read_back_.at(image)[frame]; }
   ReadImage fetch(int image, size_t frame) const;
 
-  // Area that may be non-zero in an image that is zero outside of the moving rectangle; null: any pixel. `touch` sets
-  // the area.
-  const scene::PixelArea* touched(int image) const;
-  void touch(int image, const scene::PixelArea& area) { touched_[slotOf(image)] = area; }
-  void forgetTouched() { touched_.clear(); }
-  // Buffer of zeros, a quarter of the size of the largest slot that is zero outside of the moving rectangle.
-  const gpu::Buffer& zeros() const { return zeros_; }
-
   bool holdsEarlierFrame(int image) const;
   void frameIsRecorded();
   void forgetHistories();
@@ -57,7 +49,6 @@ class PlanImages {
     gpu::Buffer buffer;
   };
 
-  int slotOf(int image) const { return plan_->images[size_t(image)].slot; }
   std::vector<size_t> makeSlots(PlanImages* previous);
   void makeUnwired();
   void initialize(const std::vector<size_t>& fresh);
@@ -70,8 +61,6 @@ class PlanImages {
   std::vector<gpu::Image> slots_;
   std::map<int, SharedBuffer> buffers_;  // by slot; the slot's image is then empty
   Unwired unwired_;
-  std::map<int, scene::PixelArea> touched_;  // by slot
-  gpu::Buffer zeros_;
   std::map<int, std::vector<SharedBuffer>> read_back_;  // by virtual image, then frame
   std::map<int, bool> history_;                         // by virtual image: holds the previous frame
   std::set<std::string> taken_over_;                    // histories taken from the previous graph

@@ -93,32 +93,10 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
     device_.vk().CmdFillBuffer(commands, images_.buffer(image).handle(), 0, VK_WHOLE_SIZE, 0);
     return;
   }
-  if (plan_->images[size_t(image)].zero_outside && clearTouched(commands, image)) return;
   if (clears_.has(image)) return clears_.record(commands, image);
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
-}
-
-// Clears the union of this frame's moving rectangle and the previous one, for an image that is zero elsewhere. Returns
-// false if the previous rectangle is unknown or the area is larger than the buffer of zeros.
-bool Recording::clearTouched(VkCommandBuffer commands, int image) const {
-  const plan::VirtualImage& target = plan_->images[size_t(image)];
-  const bool of_pixels = target.width == plan_->width && target.height == plan_->height;
-  const scene::PixelArea* touched = images_.touched(image);
-  scene::PixelArea area = reach_;
-  if (of_pixels && touched) include(area, *touched);
-  const bool fits = of_pixels && touched &&
-                    plan::bytesOf(target.format, int(widthOf(area)), int(heightOf(area))) <= images_.zeros().size();
-  if (of_pixels) images_.touch(image, reach_);
-  if (!fits || area.empty()) return fits;
-  VkBufferImageCopy zeros{};
-  zeros.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-  zeros.imageOffset = {area.x0, area.y0, 0};
-  zeros.imageExtent = {widthOf(area), heightOf(area), 1};
-  device_.vk().CmdCopyBufferToImage(commands, images_.zeros().handle(), images_.of(image).handle(),
-                                    VK_IMAGE_LAYOUT_GENERAL, 1, &zeros);
-  return true;
 }
 
 void Recording::copyOutside(VkCommandBuffer commands, int image) const {

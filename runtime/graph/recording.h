@@ -51,7 +51,6 @@ class Recording {
   VkRect2D drawnArea(const plan::PlanNode& planned, int iteration) const;
   void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned, int iteration) const;
   void clear(VkCommandBuffer commands, int image) const;
-  bool clearTouched(VkCommandBuffer commands, int image) const;
   void copyOutside(VkCommandBuffer commands, int image) const;
   void read(VkCommandBuffer commands, int image) const;
   bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
