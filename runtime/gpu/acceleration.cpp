@@ -27,10 +27,11 @@ Acceleration makeAcceleration(const Device& device, const std::string& name, VkA
 
 static VkAccelerationStructureBuildGeometryInfoKHR buildInfo(VkAccelerationStructureTypeKHR type,
                                                              const VkAccelerationStructureGeometryKHR* geometries,
-                                                             size_t count) {
+                                                             size_t count,
+                                                             VkBuildAccelerationStructureFlagsKHR flags = 0) {
   VkAccelerationStructureBuildGeometryInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR};
   info.type = type;
-  info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
+  info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR | flags;
   info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
   info.geometryCount = uint32_t(count);
   info.pGeometries = geometries;
@@ -71,11 +72,13 @@ static VkAccelerationStructureGeometryKHR described(const TriangleGeometry& sour
 }
 
 VkAccelerationStructureBuildGeometryInfoKHR BottomLevel::buildInfo() const {
-  return gpu::buildInfo(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometries_.data(), geometries_.size());
+  return gpu::buildInfo(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometries_.data(), geometries_.size(),
+                        flags_);
 }
 
-BottomLevel::BottomLevel(const Device& device, const std::string& name, const std::vector<TriangleGeometry>& geometries)
-    : device_(&device) {
+BottomLevel::BottomLevel(const Device& device, const std::string& name, const std::vector<TriangleGeometry>& geometries,
+                         bool compactable)
+    : device_(&device), flags_(compactable ? VK_BUILD_ACCELERATION_STRUCTURE_ALLOW_COMPACTION_BIT_KHR : 0) {
   std::vector<uint32_t> counts;
   for (const TriangleGeometry& source : geometries) {
     geometries_.push_back(described(source));
@@ -98,11 +101,75 @@ void BottomLevel::recordBuild(VkCommandBuffer commands) const {
   device_->vk().CmdBuildAccelerationStructuresKHR(commands, 1, &info, &ranges);
 }
 
-Acceleration buildBottomLevel(const Device& device, const std::string& name,
-                              const std::vector<TriangleGeometry>& geometries) {
-  BottomLevel level(device, name, geometries);
-  device.submit([&](VkCommandBuffer commands) { level.recordBuild(commands); });
-  return std::move(level).finish();
+void recordBuilt(const Device& device, VkCommandBuffer commands) {
+  recordBarrier(
+      device, commands,
+      {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR, VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR},
+      {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR});
+}
+
+// Builds the structures and returns the size of each one after compaction.
+static std::vector<VkDeviceSize> buildTogether(const Device& device, const std::vector<BottomLevel>& levels) {
+  const Dispatch& vk = device.vk();
+  const uint32_t count = uint32_t(levels.size());
+  VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+  info.queryType = VK_QUERY_TYPE_ACCELERATION_STRUCTURE_COMPACTED_SIZE_KHR;
+  info.queryCount = count;
+  const Owned<VkQueryPool> pool = create(device, VK_OBJECT_TYPE_QUERY_POOL, vk.CreateQueryPool, vk.DestroyQueryPool,
+                                         info, "query pool", "compacted sizes");
+  std::vector<VkAccelerationStructureKHR> handles;
+  for (const BottomLevel& level : levels) handles.push_back(level.handle());
+  device.submit([&](VkCommandBuffer commands) {
+    vk.CmdResetQueryPool(commands, pool.get(), 0, count);
+    for (const BottomLevel& level : levels) level.recordBuild(commands);
+    recordBuilt(device, commands);
+    vk.CmdWriteAccelerationStructuresPropertiesKHR(commands, count, handles.data(), info.queryType, pool.get(), 0);
+  });
+  std::vector<VkDeviceSize> sizes(count);
+  check(vk.GetQueryPoolResults(device.handle(), pool.get(), 0, count, count * sizeof(VkDeviceSize), sizes.data(),
+                               sizeof(VkDeviceSize), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "reading the sizes of acceleration structures");
+  return sizes;
+}
+
+// Builds the meshes from `first` on until they take `kMost` bytes, and returns the mesh after them.
+static size_t buildSome(const Device& device, const std::vector<MeshGeometry>& meshes, size_t first,
+                        std::vector<Acceleration>& built) {
+  constexpr VkDeviceSize kMost = VkDeviceSize{128} << 20;
+  std::vector<BottomLevel> levels;
+  std::vector<size_t> of;  // mesh of each level
+  VkDeviceSize bytes = 0;
+  size_t mesh = first;
+  for (; mesh < meshes.size() && bytes < kMost; ++mesh) {
+    const auto& [name, geometries] = meshes[mesh];
+    if (std::all_of(geometries.begin(), geometries.end(), [](const auto& one) { return one.triangle_count == 0; }))
+      continue;
+    levels.emplace_back(device, name, geometries, true);
+    of.push_back(mesh);
+    bytes += levels.back().bytes();
+  }
+  if (levels.empty()) return mesh;
+  const std::vector<VkDeviceSize> sizes = buildTogether(device, levels);
+  for (size_t i = 0; i < of.size(); ++i)
+    built[of[i]] =
+        makeAcceleration(device, meshes[of[i]].name, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, sizes[i]);
+  device.submit([&](VkCommandBuffer commands) {
+    for (size_t i = 0; i < of.size(); ++i) {
+      VkCopyAccelerationStructureInfoKHR copy{VK_STRUCTURE_TYPE_COPY_ACCELERATION_STRUCTURE_INFO_KHR};
+      copy.src = levels[i].handle();
+      copy.dst = built[of[i]].handle();
+      copy.mode = VK_COPY_ACCELERATION_STRUCTURE_MODE_COMPACT_KHR;
+      device.vk().CmdCopyAccelerationStructureKHR(commands, &copy);
+    }
+    recordBuilt(device, commands);
+  });
+  return mesh;
+}
+
+std::vector<Acceleration> buildBottomLevels(const Device& device, const std::vector<MeshGeometry>& meshes) {
+  std::vector<Acceleration> built(meshes.size());
+  for (size_t mesh = 0; mesh < meshes.size();) mesh = buildSome(device, meshes, mesh, built);
+  return built;
 }
 
 VkAccelerationStructureBuildGeometryInfoKHR TopLevel::buildInfo(VkAccelerationStructureGeometryKHR& geometry) const {

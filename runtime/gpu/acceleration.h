@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Acceleration structures. One bottom level per mesh, one per pose of a deformed mesh; top levels are rebuilt for every
-// pose of a frame.
+// Acceleration structures of the driver. One bottom level per mesh, one per pose of a deformed mesh; top levels are
+// rebuilt for every pose of a frame.
 #pragma once
 
 #include <span>
@@ -25,6 +25,7 @@ class Acceleration {
   Acceleration() = default;
   VkAccelerationStructureKHR handle() const { return structure_.get(); }
   VkDeviceAddress address() const { return address_; }
+  VkDeviceSize bytes() const { return storage_.size(); }
 
  private:
   friend Acceleration makeAcceleration(const Device&, const std::string&, VkAccelerationStructureTypeKHR, VkDeviceSize);
@@ -33,31 +34,42 @@ class Acceleration {
   VkDeviceAddress address_ = 0;
 };
 
-// Builds and waits. Requires at least one triangle in total.
-Acceleration buildBottomLevel(const Device& device, const std::string& name,
-                              const std::vector<TriangleGeometry>& geometries);
-
 // A bottom level over changing vertices, rebuilt in place by `recordBuild`.
 class BottomLevel {
  public:
   BottomLevel() = default;
-  // Requires at least one triangle in total.
-  BottomLevel(const Device& device, const std::string& name, const std::vector<TriangleGeometry>& geometries);
+  // Requires at least one triangle in total. `compactable`: the structure can be copied to a smaller one.
+  BottomLevel(const Device& device, const std::string& name, const std::vector<TriangleGeometry>& geometries,
+              bool compactable = false);
   VkAccelerationStructureKHR handle() const { return structure_.handle(); }
   VkDeviceAddress address() const { return structure_.address(); }
   // Records the build without a barrier. The caller records a barrier before tracing the structure or building over it.
   void recordBuild(VkCommandBuffer commands) const;
-  // Returns the structure after its last build.
-  Acceleration finish() && { return std::move(structure_); }
+  // Bytes of the structure and of the memory for its build.
+  VkDeviceSize bytes() const { return structure_.bytes() + scratch_.size(); }
 
  private:
   VkAccelerationStructureBuildGeometryInfoKHR buildInfo() const;
   const Device* device_ = nullptr;
   std::vector<VkAccelerationStructureGeometryKHR> geometries_;
   std::vector<VkAccelerationStructureBuildRangeInfoKHR> ranges_;
+  VkBuildAccelerationStructureFlagsKHR flags_ = 0;
   Acceleration structure_;
   Buffer scratch_;
 };
+
+// Records a barrier between builds or copies of structures and later reads.
+void recordBuilt(const Device& device, VkCommandBuffer commands);
+
+// A mesh to build a structure for.
+struct MeshGeometry {
+  std::string name;
+  std::vector<TriangleGeometry> geometries;
+};
+
+// Builds and compacts the structures of many meshes in few submissions, and waits. The structure of a mesh without
+// triangles is empty.
+std::vector<Acceleration> buildBottomLevels(const Device& device, const std::vector<MeshGeometry>& meshes);
 
 // A top level over `capacity` instances, rebuilt in place by `recordBuild`.
 class TopLevel {

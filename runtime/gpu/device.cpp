@@ -17,6 +17,7 @@
 #include "base/json.h"
 #include "gpu/commands.h"
 #include "gpu/features.h"
+#include "gpu/memory.h"
 
 namespace strobe::gpu {
 
@@ -35,6 +36,13 @@ void check(VkResult result, const std::string& what) {
                                                         {VK_ERROR_FEATURE_NOT_PRESENT, "a feature is not present"},
                                                         {VK_ERROR_INCOMPATIBLE_DRIVER, "no compatible driver"},
                                                         {VK_ERROR_FORMAT_NOT_SUPPORTED, "the format is not supported"},
+                                                        {VK_ERROR_MEMORY_MAP_FAILED, "the memory cannot be mapped"},
+                                                        {VK_ERROR_TOO_MANY_OBJECTS, "too many objects of this kind"},
+                                                        {VK_ERROR_OUT_OF_POOL_MEMORY, "out of pool memory"},
+                                                        {VK_ERROR_FRAGMENTED_POOL, "the pool is fragmented"},
+                                                        {VK_ERROR_FRAGMENTATION, "out of address space"},
+                                                        {VK_ERROR_SURFACE_LOST_KHR, "the window was lost"},
+                                                        {VK_ERROR_UNKNOWN, "an unknown error of the driver"},
                                                         {VK_TIMEOUT, "timed out"}};
   if (result == VK_SUCCESS) return;
   auto name = names.find(result);
@@ -73,6 +81,7 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
     createInstance(options);
     choosePhysicalDevice(options.device);
     createDevice(options.device_extensions);
+    memory_ = std::make_unique<DeviceMemory>(*this);
     commands_ = std::make_unique<Commands>(*this, "commands");
   } catch (...) {
     destroy();
@@ -86,6 +95,7 @@ void Device::destroy() {
   if (device_) {
     vk_.DeviceWaitIdle(device_);
     commands_.reset();
+    memory_.reset();
     vk_.DestroyDevice(device_, nullptr);
   }
   if (messenger_) vk_.DestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
@@ -368,6 +378,7 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   auto family = std::find_if(families.begin(), families.end(), draws_and_computes);
   queue_family_ = uint32_t(family - families.begin());
   if (family == families.end()) throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
+  timestamp_bits_ = family->timestampValidBits;
 
   // Query the available extensions, then enable only the listed ones.
   std::vector<std::string> available = deviceExtensions(vk_, physical_);
@@ -396,7 +407,6 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   check(vk_.CreateDevice(physical_, &info, nullptr, &device_), fmt::format("creating device '{}'", info_.name));
   loadDeviceCalls(vk_, device_);
   vk_.GetDeviceQueue(device_, queue_family_, 0, &queue_);
-  vk_.GetPhysicalDeviceMemoryProperties(physical_, &memory_);
 
   VkPhysicalDeviceAccelerationStructurePropertiesKHR acceleration{
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
@@ -407,16 +417,6 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   vk_.GetPhysicalDeviceProperties2(physical_, &properties);
   scratch_alignment_ = std::max(1u, acceleration.minAccelerationStructureScratchOffsetAlignment);
   timestamp_period_ns_ = properties.properties.limits.timestampPeriod;
-}
-
-uint32_t Device::memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const {
-  for (VkMemoryPropertyFlags flags : {wanted | preferred, wanted}) {
-    for (uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
-      bool fits = (type_bits >> i & 1) && (memory_.memoryTypes[i].propertyFlags & flags) == flags;
-      if (fits) return i;
-    }
-  }
-  throw Error(fmt::format("device '{}' has no memory of the required kind", info_.name));
 }
 
 void Device::setName(VkObjectType type, uint64_t handle, const std::string& name) const {

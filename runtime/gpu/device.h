@@ -61,6 +61,7 @@ struct DeviceLost : std::runtime_error {
 
 struct MessageSink;
 class Commands;
+class DeviceMemory;
 
 // Owns instance, device and queue. Everything made from a Device must be destroyed before it.
 class Device {
@@ -82,10 +83,14 @@ class Device {
   const VkPhysicalDeviceRayTracingPipelinePropertiesKHR& rayProperties() const { return ray_properties_; }
   uint32_t scratchAlignment() const { return scratch_alignment_; }
   double timestampPeriodNs() const { return timestamp_period_ns_; }
+  // Valid low bits of a time stamp; 0: the queue has no time stamps.
+  uint32_t timestampBits() const { return timestamp_bits_; }
+  // True if time stamps measure passes. A software device executes commands only when the host waits, so its time
+  // stamps are not usable.
+  bool measuresTimes() const { return timestamp_bits_ > 0 && !info_.software; }
   bool debugLabels() const { return vk_.CmdBeginDebugUtilsLabelEXT != nullptr; }
 
-  // A memory type with all of `wanted` among `type_bits`, if possible with `preferred` too; throws `Error` without one.
-  uint32_t memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const;
+  DeviceMemory& memory() const { return *memory_; }
 
   void setName(VkObjectType type, uint64_t handle, const std::string& name) const;
 
@@ -128,11 +133,12 @@ class Device {
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   uint32_t queue_family_ = 0;
+  std::unique_ptr<DeviceMemory> memory_;
   std::unique_ptr<Commands> commands_;  // for `submit`
-  VkPhysicalDeviceMemoryProperties memory_{};
   VkPhysicalDeviceRayTracingPipelinePropertiesKHR ray_properties_{};
   uint32_t scratch_alignment_ = 256;
   double timestamp_period_ns_ = 1;
+  uint32_t timestamp_bits_ = 0;
   double time_limit_s_ = kTimeLimit_s;
   OnOverrun on_overrun_;
   std::string subject_;

@@ -42,6 +42,7 @@ namespace strobe::gpu {
 #define STROBE_RAY_CALLS(X)                                                                                    \
   X(CreateAccelerationStructureKHR) X(DestroyAccelerationStructureKHR) X(GetAccelerationStructureBuildSizesKHR) \
   X(GetAccelerationStructureDeviceAddressKHR) X(CmdBuildAccelerationStructuresKHR)                             \
+  X(CmdCopyAccelerationStructureKHR) X(CmdWriteAccelerationStructuresPropertiesKHR)                            \
   X(CreateRayTracingPipelinesKHR) X(GetRayTracingShaderGroupHandlesKHR) X(CmdTraceRaysKHR)
 
 // Null on a device created without a window.

@@ -2,6 +2,7 @@
 #include "gpu/limits.h"
 
 #include <algorithm>
+#include <map>
 
 #include "base/memory.h"
 
@@ -24,6 +25,17 @@ static uint64_t freeMemory(const Device& device) {
   return most;
 }
 
+// Descriptors of a kind: of a stage and of all sets of a pipeline. All stages use the same descriptors.
+static void takeDescriptors(const VkPhysicalDeviceLimits& limits, DeviceLimits& result) {
+  auto least = [](std::initializer_list<uint32_t> counts) { return uint64_t(std::min(counts)); };
+  result.textures = least({limits.maxPerStageDescriptorSamplers, limits.maxPerStageDescriptorSampledImages,
+                           limits.maxDescriptorSetSamplers, limits.maxDescriptorSetSampledImages});
+  result.storage_images = least({limits.maxPerStageDescriptorStorageImages, limits.maxDescriptorSetStorageImages});
+  result.storage_buffers = least({limits.maxPerStageDescriptorStorageBuffers, limits.maxDescriptorSetStorageBuffers});
+  result.uniform_buffers = least({limits.maxPerStageDescriptorUniformBuffers, limits.maxDescriptorSetUniformBuffers});
+  result.descriptors = limits.maxPerStageResources;
+}
+
 DeviceLimits limitsOf(const Device& device) {
   VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
@@ -40,11 +52,38 @@ DeviceLimits limitsOf(const Device& device) {
   result.host_bytes = availableMemory();
   result.memory_bytes = freeMemory(device);
   if (device.info().shares_memory) result.memory_bytes = std::min(result.memory_bytes, result.host_bytes);
+  result.allocations = limits.maxMemoryAllocationCount;
+  takeDescriptors(limits, result);
   if (!has_structures) return result;
   result.instances = structures.maxInstanceCount;
   result.geometries = structures.maxGeometryCount;
   result.triangles = structures.maxPrimitiveCount;
+  result.structures = std::min(structures.maxPerStageDescriptorAccelerationStructures,
+                               structures.maxDescriptorSetAccelerationStructures);
   return result;
+}
+
+void requireDescriptors(const Device& device, const std::string& pass,
+                        const std::vector<std::vector<VkDescriptorSetLayoutBinding>>& sets) {
+  std::map<VkDescriptorType, uint64_t> counts;
+  uint64_t all = 0;
+  for (const auto& bindings : sets)
+    for (const VkDescriptorSetLayoutBinding& binding : bindings)
+      counts[binding.descriptorType] += binding.descriptorCount, all += binding.descriptorCount;
+  const DeviceLimits limits = limitsOf(device);
+  std::vector<std::string> beyond;
+  auto require = [&](uint64_t count, const char* unit, uint64_t most) {
+    if (count <= most) return;
+    beyond.push_back(kDescriptorLimit.text(fmt::format("'{}' and the scene use {} {}, of at most {} on device '{}'",
+                                                       pass, count, unit, most, device.info().name)));
+  };
+  require(counts[VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER], "textures and images read", limits.textures);
+  require(counts[VK_DESCRIPTOR_TYPE_STORAGE_IMAGE], "images written", limits.storage_images);
+  require(counts[VK_DESCRIPTOR_TYPE_STORAGE_BUFFER], "storage buffers", limits.storage_buffers);
+  require(counts[VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER], "uniform buffers", limits.uniform_buffers);
+  require(counts[VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR], "acceleration structures", limits.structures);
+  require(all, "descriptors", limits.descriptors);
+  throwIfAny(beyond);
 }
 
 }  // namespace strobe::gpu

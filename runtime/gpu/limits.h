@@ -21,9 +21,17 @@ struct DeviceLimits {
   uint64_t instances = UINT64_MAX;   // per acceleration structure; unlimited without hardware structures
   uint64_t geometries = UINT64_MAX;  // per mesh
   uint64_t triangles = UINT64_MAX;   // per mesh
+  uint64_t allocations = UINT64_MAX;
+  // Descriptors that one stage of a shader can use, and their sum.
+  uint64_t textures = UINT64_MAX, storage_images = UINT64_MAX, storage_buffers = UINT64_MAX,
+           uniform_buffers = UINT64_MAX, structures = UINT64_MAX, descriptors = UINT64_MAX;
 };
 
 DeviceLimits limitsOf(const Device& device);
+
+// Throws `Error` if the shaders of a pass use more descriptors than the device allows. `sets`: bindings of each set.
+void requireDescriptors(const Device& device, const std::string& pass,
+                        const std::vector<std::vector<VkDescriptorSetLayoutBinding>>& sets);
 
 inline constexpr Limit kInstanceLimit{
     "instances", Limit::Kind::Refused,
@@ -46,8 +54,26 @@ inline constexpr Limit kMemoryLimit{
 inline constexpr Limit kImageLimit{"images", Limit::Kind::Refused,
                                    "a picture or texture is larger than the largest image of the device",
                                    "nothing is drawn; use a smaller picture or texture"};
+inline constexpr Limit kAllocationLimit{"allocations", Limit::Kind::Refused,
+                                        "all memory allocations that the device allows are in use",
+                                        "nothing is drawn; close other windows and scenes of the program, use fewer or "
+                                        "smaller textures, or another device"};
+inline constexpr Limit kTextureLimit{"textures", Limit::Kind::Refused,
+                                     "a scene has more textures than a shader of the device can use",
+                                     "nothing is drawn; join textures, remove unused ones, or use another device"};
+inline constexpr Limit kDescriptorLimit{
+    "descriptors", Limit::Kind::Refused,
+    "a pass and the scene use more images, buffers or structures than a shader of the device can",
+    "nothing is drawn; use fewer inputs and outputs of the pass, fewer textures, fewer `slices` of truth, or another "
+    "device"};
+inline constexpr Limit kTimestampLimit{"timestamps", Limit::Kind::Known,
+                                       "the device has no time stamps, or one pass takes longer than they count",
+                                       "Without time stamps each pass is timed with the clock of the host, its start "
+                                       "included. A longer pass than the period of the time stamps appears too short; "
+                                       "the period is at least a minute on common devices."};
 
-inline constexpr std::array kLimits = {kInstanceLimit, kTriangleLimit, kGeometryLimit,
-                                       kBufferLimit,   kMemoryLimit,   kImageLimit};
+inline constexpr std::array kLimits = {kInstanceLimit,   kTriangleLimit, kGeometryLimit,   kBufferLimit,
+                                       kMemoryLimit,     kImageLimit,    kAllocationLimit, kTextureLimit,
+                                       kDescriptorLimit, kTimestampLimit};
 
 }  // namespace strobe::gpu

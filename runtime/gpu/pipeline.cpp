@@ -15,28 +15,57 @@ Owned<VkDescriptorSetLayout> makeSetLayout(const Device& device, const std::stri
                 vk.DestroyDescriptorSetLayout, info, "set layout", name);
 }
 
-Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::string& name,
-                                           const std::vector<VkDescriptorSetLayoutBinding>& bindings, uint32_t sets) {
+DescriptorSet::DescriptorSet(const Device& device, const std::string& name, VkDescriptorSetLayout layout,
+                             const std::vector<VkDescriptorSetLayoutBinding>& bindings)
+    : device_(&device), bindings_(bindings) {
   std::vector<VkDescriptorPoolSize> sizes;
-  for (const auto& binding : bindings) sizes.push_back({binding.descriptorType, binding.descriptorCount * sets});
+  for (const auto& binding : bindings) sizes.push_back({binding.descriptorType, binding.descriptorCount});
   if (sizes.empty()) sizes.push_back({VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1});
-  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  info.maxSets = sets;
-  info.poolSizeCount = uint32_t(sizes.size());
-  info.pPoolSizes = sizes.data();
+  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  pool.maxSets = 1;
+  pool.poolSizeCount = uint32_t(sizes.size());
+  pool.pPoolSizes = sizes.data();
   const Dispatch& vk = device.vk();
-  return create(device, VK_OBJECT_TYPE_DESCRIPTOR_POOL, vk.CreateDescriptorPool, vk.DestroyDescriptorPool, info,
-                "descriptor pool", name);
-}
-
-VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout) {
+  pool_ = create(device, VK_OBJECT_TYPE_DESCRIPTOR_POOL, vk.CreateDescriptorPool, vk.DestroyDescriptorPool, pool,
+                 "descriptor pool", name);
   VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-  info.descriptorPool = pool;
+  info.descriptorPool = pool_.get();
   info.descriptorSetCount = 1;
   info.pSetLayouts = &layout;
-  VkDescriptorSet set = VK_NULL_HANDLE;
-  check(device.vk().AllocateDescriptorSets(device.handle(), &info, &set), "allocating a descriptor set");
-  return set;
+  check(vk.AllocateDescriptorSets(device.handle(), &info, &set_), "allocating the descriptor set " + name);
+}
+
+void DescriptorSet::update(uint32_t number, VkWriteDescriptorSet write) const {
+  auto of_number = [&](const VkDescriptorSetLayoutBinding& binding) { return binding.binding == number; };
+  const auto binding = std::find_if(bindings_.begin(), bindings_.end(), of_number);
+  STROBE_ASSERT(binding != bindings_.end(), "binding {}", number);
+  write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+  write.dstSet = set_;
+  write.dstBinding = number;
+  write.descriptorCount = binding->descriptorCount;
+  write.descriptorType = binding->descriptorType;
+  device_->vk().UpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+}
+
+void DescriptorSet::write(uint32_t number, const VkDescriptorBufferInfo& buffer) const {
+  VkWriteDescriptorSet write{};
+  write.pBufferInfo = &buffer;
+  update(number, write);
+}
+
+void DescriptorSet::write(uint32_t number, const std::vector<VkDescriptorImageInfo>& images) const {
+  VkWriteDescriptorSet write{};
+  write.pImageInfo = images.data();
+  update(number, write);
+}
+
+void DescriptorSet::write(uint32_t number, const std::vector<VkAccelerationStructureKHR>& structures) const {
+  VkWriteDescriptorSetAccelerationStructureKHR info{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
+  info.accelerationStructureCount = uint32_t(structures.size());
+  info.pAccelerationStructures = structures.data();
+  VkWriteDescriptorSet write{};
+  write.pNext = &info;
+  update(number, write);
 }
 
 static Owned<VkShaderModule> makeModule(const Device& device, const std::string& name, const Spirv& code) {
@@ -219,17 +248,26 @@ void Pipeline::recordTrace(VkCommandBuffer commands, uint32_t width, uint32_t he
   device_->vk().CmdTraceRaysKHR(commands, &raygen_, &miss_, &hit_, &callable_, width, height, 1);
 }
 
-Timer::Timer(const Device& device, uint32_t capacity) : device_(&device), capacity_(capacity) {
+std::vector<uint64_t> ticksSinceFirst(const std::vector<uint64_t>& stamps, uint32_t bits) {
+  const uint64_t mask = bits < 64 ? (uint64_t{1} << bits) - 1 : UINT64_MAX;
+  std::vector<uint64_t> ticks(stamps.size());
+  for (size_t i = 1; i < stamps.size(); ++i) ticks[i] = ticks[i - 1] + ((stamps[i] - stamps[i - 1]) & mask);
+  return ticks;
+}
+
+Timer::Timer(const Device& device, uint32_t capacity)
+    : device_(&device), capacity_(device.timestampBits() > 0 ? capacity : 0) {
+  if (capacity_ == 0) return;
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-  info.queryCount = capacity;
+  info.queryCount = capacity_;
   const Dispatch& vk = device.vk();
   pool_ = create(device, VK_OBJECT_TYPE_QUERY_POOL, vk.CreateQueryPool, vk.DestroyQueryPool, info, "the", "timer");
 }
 
 void Timer::recordReset(VkCommandBuffer commands) {
   used_ = 0;
-  device_->vk().CmdResetQueryPool(commands, pool_.get(), 0, capacity_);
+  if (capacity_ > 0) device_->vk().CmdResetQueryPool(commands, pool_.get(), 0, capacity_);
 }
 
 int Timer::recordStamp(VkCommandBuffer commands) {
@@ -245,7 +283,8 @@ std::vector<double> Timer::readMs() const {
                                           VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "reading the timer");
   std::vector<double> ms;
-  for (uint64_t stamp : stamps) ms.push_back(double(stamp - stamps[0]) * device_->timestampPeriodNs() * 1e-6);
+  for (uint64_t ticks : ticksSinceFirst(stamps, device_->timestampBits()))
+    ms.push_back(double(ticks) * device_->timestampPeriodNs() * 1e-6);
   return ms;
 }
 

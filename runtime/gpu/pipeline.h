@@ -15,10 +15,27 @@ using Spirv = std::vector<uint32_t>;
 Owned<VkDescriptorSetLayout> makeSetLayout(const Device& device, const std::string& name,
                                            const std::vector<VkDescriptorSetLayoutBinding>& bindings);
 
-// A pool for exactly `sets` sets of `bindings`, freed together.
-Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::string& name,
-                                           const std::vector<VkDescriptorSetLayoutBinding>& bindings, uint32_t sets);
-VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout);
+// A descriptor set with a pool of its own.
+class DescriptorSet {
+ public:
+  DescriptorSet() = default;
+  // `layout` was made from `bindings`.
+  DescriptorSet(const Device& device, const std::string& name, VkDescriptorSetLayout layout,
+                const std::vector<VkDescriptorSetLayoutBinding>& bindings);
+  VkDescriptorSet handle() const { return set_; }
+  // Writes all descriptors of binding `number`. No command in execution may use the set.
+  void write(uint32_t number, const VkDescriptorBufferInfo& buffer) const;
+  void write(uint32_t number, const Buffer& buffer) const { write(number, {buffer.handle(), 0, VK_WHOLE_SIZE}); }
+  void write(uint32_t number, const std::vector<VkDescriptorImageInfo>& images) const;
+  void write(uint32_t number, const std::vector<VkAccelerationStructureKHR>& structures) const;
+
+ private:
+  void update(uint32_t number, VkWriteDescriptorSet write) const;
+  const Device* device_ = nullptr;
+  std::vector<VkDescriptorSetLayoutBinding> bindings_;
+  Owned<VkDescriptorPool> pool_;
+  VkDescriptorSet set_ = VK_NULL_HANDLE;
+};
 
 struct RasterShaders {
   Spirv vertex, fragment;
@@ -68,13 +85,17 @@ class Pipeline {
   VkStridedDeviceAddressRegionKHR raygen_{}, miss_{}, hit_{}, callable_{};
 };
 
-// GPU time stamps of the steps of a frame.
+// Clock ticks since the first of `stamps`, for a counter of `bits` bits that begins again at 0 after its last value.
+// The time between two stamps must be shorter than the period of the counter.
+std::vector<uint64_t> ticksSinceFirst(const std::vector<uint64_t>& stamps, uint32_t bits);
+
+// GPU time stamps of the steps of a frame; none on a device without time stamps.
 class Timer {
  public:
   Timer() = default;
   Timer(const Device& device, uint32_t capacity);
   void recordReset(VkCommandBuffer commands);
-  // Returns the index of the stamp, or -1 if the capacity is exhausted.
+  // Returns the index of the stamp; -1 if the capacity is exhausted or the device has no time stamps.
   int recordStamp(VkCommandBuffer commands);
   // Milliseconds since the first stamp, one per stamp recorded since the reset.
   std::vector<double> readMs() const;

@@ -6,20 +6,6 @@
 
 namespace strobe::gpu {
 
-static Owned<VkDeviceMemory> allocate(const Device& device, const VkMemoryRequirements& needs,
-                                      VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred, bool address) {
-  VkMemoryAllocateFlagsInfo flags{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO};
-  flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
-  VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-  info.pNext = address ? &flags : nullptr;
-  info.allocationSize = needs.size;
-  info.memoryTypeIndex = device.memoryType(needs.memoryTypeBits, wanted, preferred);
-  VkDeviceMemory memory = VK_NULL_HANDLE;
-  check(device.vk().AllocateMemory(device.handle(), &info, nullptr, &memory),
-        fmt::format("allocating {} MiB", needs.size >> 20));
-  return {device.handle(), memory, device.vk().FreeMemory};
-}
-
 void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& before, const Touch& after) {
   VkMemoryBarrier2 barrier{
       VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, before.stages, before.access, after.stages, after.access};
@@ -53,56 +39,14 @@ Buffer::Buffer(const Device& device, const std::string& name, size_t size, VkBuf
       create(device, VK_OBJECT_TYPE_BUFFER, device.vk().CreateBuffer, device.vk().DestroyBuffer, info, "buffer", name);
   VkMemoryRequirements needs;
   device.vk().GetBufferMemoryRequirements(device.handle(), handle(), &needs);
-  bool with_address = usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
-  bool host = memory == Memory::Host;
-  memory_ =
-      allocate(device, needs, host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : 0,
-               host ? 0 : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, with_address);
-  check(device.vk().BindBufferMemory(device.handle(), handle(), memory_.get(), 0), "binding buffer " + name);
-  if (host)
-    check(device.vk().MapMemory(device.handle(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping " + name);
-  if (!with_address) return;
+  memory_ = device.memory().take(needs, memory == Memory::Host, name);
+  mapped_ = memory_.mapped();
+  check(device.vk().BindBufferMemory(device.handle(), handle(), memory_.memory(), memory_.offset()),
+        "binding buffer " + name);
+  if (!(usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT)) return;
   VkBufferDeviceAddressInfo address{VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO};
   address.buffer = handle();
   address_ = device.vk().GetBufferDeviceAddress(device.handle(), &address);
-}
-
-static constexpr size_t kUploadPart = size_t{16} << 20;
-
-Upload::Upload(const Device& device, const std::string& name, size_t size, VkBufferUsageFlags usage)
-    : device_(device),
-      buffer_(device, name, size, usage, Buffer::Memory::Device),
-      staging_(device, name + ".staging", std::min(size, kUploadPart), 0, Buffer::Memory::Host) {}
-
-void Upload::append(const void* data, size_t size) {
-  for (size_t at = 0; at < size;) {
-    if (held_ == staging_.size()) flush();
-    const size_t part = std::min(size - at, staging_.size() - held_);
-    std::memcpy(static_cast<char*>(staging_.mapped()) + held_, static_cast<const char*>(data) + at, part);
-    held_ += part, at += part;
-  }
-}
-
-void Upload::flush() {
-  STROBE_ASSERT(done_ + held_ <= buffer_.size(), "{} bytes into {}", done_ + held_, buffer_.size());
-  if (held_ == 0) return;
-  device_.submit([this](VkCommandBuffer commands) {
-    VkBufferCopy copy{0, done_, held_};
-    device_.vk().CmdCopyBuffer(commands, staging_.handle(), buffer_.handle(), 1, &copy);
-  });
-  done_ += std::exchange(held_, 0);
-}
-
-Buffer Upload::finish() {
-  flush();
-  return std::move(buffer_);
-}
-
-Buffer uploadBuffer(const Device& device, const std::string& name, const void* data, size_t size,
-                    VkBufferUsageFlags usage) {
-  Upload upload(device, name, size, usage);
-  upload.append(data, size);
-  return upload.finish();
 }
 
 Image::Image(const Device& device, const std::string& name, const ImageDesc& desc) : desc_(desc) {
@@ -118,8 +62,8 @@ Image::Image(const Device& device, const std::string& name, const ImageDesc& des
   image_ = create(device, VK_OBJECT_TYPE_IMAGE, vk.CreateImage, vk.DestroyImage, info, "image", name);
   VkMemoryRequirements needs;
   vk.GetImageMemoryRequirements(device.handle(), handle(), &needs);
-  memory_ = allocate(device, needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false);
-  check(vk.BindImageMemory(device.handle(), handle(), memory_.get(), 0), "binding image " + name);
+  memory_ = device.memory().take(needs, false, name);
+  check(vk.BindImageMemory(device.handle(), handle(), memory_.memory(), memory_.offset()), "binding image " + name);
 
   bool depth = desc.format == VK_FORMAT_D32_SFLOAT;
   VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
@@ -135,34 +79,6 @@ void recordFirstLayout(const Device& device, VkCommandBuffer commands, VkImage i
   recordBarrier(device, commands, {},
                 {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT},
                 {image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL, aspect});
-}
-
-Image uploadImage(const Device& device, const std::string& name, ImageDesc desc,
-                  const std::vector<std::vector<uint8_t>>& levels) {
-  STROBE_ASSERT(levels.size() == desc.levels, "{} levels of {}", levels.size(), desc.levels);
-  size_t total = 0;
-  for (const auto& level : levels) total += (level.size() + 15) & ~size_t(15);
-  Buffer staging(device, name + ".staging", total, 0, Buffer::Memory::Host);
-  std::vector<VkBufferImageCopy> copies;
-  size_t offset = 0;
-  for (uint32_t l = 0; l < desc.levels; ++l) {
-    std::memcpy(static_cast<char*>(staging.mapped()) + offset, levels[l].data(), levels[l].size());
-    VkBufferImageCopy copy{};
-    copy.bufferOffset = offset;
-    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, l, 0, 1};
-    copy.imageExtent = {std::max(1u, desc.width >> l), std::max(1u, desc.height >> l), 1};
-    copies.push_back(copy);
-    offset += (levels[l].size() + 15) & ~size_t(15);
-  }
-  desc.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-  Image image(device, name, desc);
-  device.submit([&](VkCommandBuffer commands) {
-    recordBarrier(device, commands, {}, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                  {image.handle(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL});
-    device.vk().CmdCopyBufferToImage(commands, staging.handle(), image.handle(), VK_IMAGE_LAYOUT_GENERAL,
-                                     uint32_t(copies.size()), copies.data());
-  });
-  return image;
 }
 
 Owned<VkSampler> makeSampler(const Device& device, const std::string& name, const SamplerDesc& desc) {

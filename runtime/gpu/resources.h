@@ -2,12 +2,12 @@
 // Buffers, images and samplers as move-only types; each has a name, which validation messages show.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "gpu/device.h"
+#include "gpu/memory.h"
 
 namespace strobe::gpu {
 
@@ -68,7 +68,8 @@ void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& 
 inline constexpr VkBufferUsageFlags kReadByAddress =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
 
-// A storage buffer. Host memory is coherent and always mapped; device memory is filled by an upload.
+// A storage buffer. Host memory is coherent and always mapped; device memory is written by copies
+// (gpu/staging.h).
 class Buffer {
  public:
   enum class Memory { Host, Device };
@@ -82,49 +83,12 @@ class Buffer {
   void* mapped() const { return mapped_; }
 
  private:
-  Owned<VkDeviceMemory> memory_;
+  MemoryRange memory_;
   Owned<VkBuffer> buffer_;
   size_t size_ = 0;
   VkDeviceAddress address_ = 0;
   void* mapped_ = nullptr;
 };
-
-// Fills a device-local buffer from its beginning in pieces, with little host memory.
-class Upload {
- public:
-  // `size` of the whole buffer, bytes.
-  Upload(const Device& device, const std::string& name, size_t size, VkBufferUsageFlags usage);
-
-  void append(const void* data, size_t size);
-  // Appends `count` items; `item(i)` returns item i.
-  template <class T, class Item>
-  void append(size_t count, const Item& item) {
-    for (size_t i = 0; i < count;) {
-      if (staging_.size() - held_ < sizeof(T)) flush();
-      T* to = reinterpret_cast<T*>(static_cast<char*>(staging_.mapped()) + held_);
-      const size_t most = std::min(count - i, (staging_.size() - held_) / sizeof(T));
-      held_ += most * sizeof(T);
-      for (size_t end = i + most; i < end; ++i, ++to) *to = item(i);
-    }
-  }
-  // Returns the buffer after all copies; bytes that were not appended are undefined.
-  Buffer finish();
-
- private:
-  void flush();
-  const Device& device_;
-  Buffer buffer_, staging_;
-  size_t done_ = 0, held_ = 0;  // bytes copied; bytes in the staging buffer
-};
-
-// A device-local buffer with `size` bytes from `data`; waits for the copy.
-Buffer uploadBuffer(const Device& device, const std::string& name, const void* data, size_t size,
-                    VkBufferUsageFlags usage);
-template <class T>
-Buffer uploadArray(const Device& device, const std::string& name, const std::vector<T>& values,
-                   VkBufferUsageFlags usage) {
-  return uploadBuffer(device, name, values.data(), values.size() * sizeof(T), usage);
-}
 
 struct ImageDesc {
   VkFormat format = VK_FORMAT_UNDEFINED;
@@ -144,17 +108,18 @@ class Image {
 
  private:
   ImageDesc desc_;
-  Owned<VkDeviceMemory> memory_;
+  MemoryRange memory_;
   Owned<VkImage> image_;
   Owned<VkImageView> view_;
 };
 
+// Descriptor of an image in the GENERAL layout.
+inline VkDescriptorImageInfo inGeneral(VkImageView view, VkSampler sampler = VK_NULL_HANDLE) {
+  return {sampler, view, VK_IMAGE_LAYOUT_GENERAL};
+}
+
 // Transition from UNDEFINED to GENERAL, for a new image.
 void recordFirstLayout(const Device& device, VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect);
-
-// An image with all `levels` filled (size of level l: max(1, size >> l)); waits for the copies.
-Image uploadImage(const Device& device, const std::string& name, ImageDesc desc,
-                  const std::vector<std::vector<uint8_t>>& levels);
 
 struct SamplerDesc {
   VkFilter magnify = VK_FILTER_NEAREST, minify = VK_FILTER_NEAREST;
@@ -162,6 +127,7 @@ struct SamplerDesc {
   bool first_level_only = false;
   VkSamplerAddressMode wrap_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   VkSamplerAddressMode wrap_v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  auto operator<=>(const SamplerDesc&) const = default;
 };
 inline constexpr SamplerDesc kLinear = {VK_FILTER_LINEAR, VK_FILTER_LINEAR, VK_SAMPLER_MIPMAP_MODE_LINEAR};
 Owned<VkSampler> makeSampler(const Device& device, const std::string& name, const SamplerDesc& desc);

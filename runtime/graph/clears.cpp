@@ -16,15 +16,8 @@ void Clears::make(PipelineCache& cache, const plan::Plan& plan, const PlanImages
     VkDescriptorSetLayoutBinding binding{};
     binding.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     binding.descriptorCount = 1;
-    cleared.pool = gpu::makeDescriptorPool(device_, image.name + ".clear", {binding}, 1);
-    cleared.set = gpu::allocateSet(device_, cleared.pool.get(), clear.set_layout.get());
-    const VkDescriptorImageInfo view{VK_NULL_HANDLE, images.of(int(i)).view(), VK_IMAGE_LAYOUT_GENERAL};
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = cleared.set;
-    write.descriptorCount = 1;
-    write.descriptorType = binding.descriptorType;
-    write.pImageInfo = &view;
-    device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+    cleared.set = gpu::DescriptorSet(device_, image.name + ".clear", clear.set_layout.get(), {binding});
+    cleared.set.write(0, std::vector{gpu::inGeneral(images.of(int(i)).view())});
   }
 }
 
@@ -32,7 +25,8 @@ void Clears::record(VkCommandBuffer commands, int image) const {
   const Cleared& cleared = cleared_.at(image);
   const auto& vk = device_.vk();
   vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, cleared.pipeline->handle());
-  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, cleared.pipeline->layout(), 0, 1, &cleared.set, 0,
+  const VkDescriptorSet set = cleared.set.handle();
+  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, cleared.pipeline->layout(), 0, 1, &set, 0,
                            nullptr);
   const uint32_t group = shader::kGroupSize;
   vk.CmdDispatch(commands, (cleared.width + group - 1) / group, (cleared.height + group - 1) / group, 1);

@@ -23,8 +23,7 @@ class Clears {
  private:
   struct Cleared {
     const gpu::Pipeline* pipeline = nullptr;
-    gpu::Owned<VkDescriptorPool> pool;
-    VkDescriptorSet set = VK_NULL_HANDLE;
+    gpu::DescriptorSet set;
     uint32_t width = 0, height = 0;
   };
   const gpu::Device& device_;

@@ -137,9 +137,7 @@ void Graph::begin(const FrameSetup& setup, const OnIteration& on_iteration) {
   try {
     draw(setup, frame, on_iteration);
   } catch (...) {
-    // The scene has marked staged data as written, and the images have marked areas as cleared. Submit the staged data
-    // and forget the areas.
-    images_.forgetTouched();
+    // The scene has marked staged data as written.
     submission_.submit(frame.index, {});
     submission_.wait(frame.index);
     throw;

@@ -26,20 +26,6 @@ static VkFormat vulkanFormat(const std::string& format) {
   return format == "d32f" ? VK_FORMAT_D32_SFLOAT : gpu::formatInfo(format).vk;
 }
 
-PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, size_t frames, PlanImages* previous)
-    : device_(device), plan_(&plan) {
-  try {
-    make(previous);
-    makeZeros();
-    if (previous) unwired_ = previous->unwired_;
-    else makeUnwired();
-    keepReadBack(frames, previous);
-  } catch (...) {
-    if (previous) giveBack(*previous);
-    throw;
-  }
-}
-
 // Moves the image with an equal description out of `previous`; empty if no image matches.
 gpu::Image PlanImages::takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous) {
   for (size_t i = 0; i < previous.plan_->images.size(); ++i) {
@@ -87,8 +73,22 @@ static std::shared_ptr<const gpu::Buffer> share(gpu::Buffer&& buffer) {
   return std::make_shared<const gpu::Buffer>(std::move(buffer));
 }
 
-void PlanImages::make(PlanImages* previous) {
-  requireImages(device_, *plan_);
+PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, size_t frames, PlanImages* previous)
+    : device_(device), plan_(&plan) {
+  try {
+    requireImages(device_, *plan_);
+    const std::vector<size_t> fresh = makeSlots(previous);
+    makeUnwired();
+    keepReadBack(frames, previous);
+    initialize(fresh);
+  } catch (...) {
+    if (previous) giveBack(*previous);
+    throw;
+  }
+}
+
+// Takes or creates the image or buffer of each slot, and returns the slots with new images.
+std::vector<size_t> PlanImages::makeSlots(PlanImages* previous) {
   std::vector<size_t> fresh;
   for (size_t i = 0; i < plan_->slots.size(); ++i) {
     const plan::Slot& slot = plan_->slots[i];
@@ -115,21 +115,20 @@ void PlanImages::make(PlanImages* previous) {
   }
   for (size_t i = 0; i < plan_->images.size(); ++i)
     if (plan_->images[i].history) history_[int(i)] = taken_over_.count(plan_->images[i].name) > 0;
+  return fresh;
+}
+
+// Gives the new images their layout and the zeros their value.
+void PlanImages::initialize(const std::vector<size_t>& fresh) {
   device_.submit([&](VkCommandBuffer commands) {
     for (size_t i : fresh) {
       bool depth = slots_[i].desc().format == VK_FORMAT_D32_SFLOAT;
       VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
       gpu::recordFirstLayout(device_, commands, slots_[i].handle(), aspect);
     }
+    for (const gpu::Image* image : {&unwired_.image, &unwired_.uint_image})
+      gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
   });
-}
-
-// Size of `PlanImages::zeros`; 0 if no slot needs zeros.
-static uint64_t zeroBytes(const Plan& plan) {
-  uint64_t most = 0;
-  for (const plan::Slot& slot : plan.slots)
-    if (slot.zero_outside) most = std::max(most, slot.bytes);
-  return (most / 4 + 3) / 4 * 4;
 }
 
 // Images that are read back: outputs, taps, stop conditions of loops.
@@ -147,7 +146,7 @@ static size_t readBackBytes(const plan::VirtualImage& image) {
 }
 
 ImageBytes imageBytes(const Plan& plan, size_t frames) {
-  ImageBytes bytes{plan::bytesAliased(plan) + zeroBytes(plan), 0, 0};
+  ImageBytes bytes{plan::bytesAliased(plan), 0, 0};
   for (int index : imagesKept(plan)) bytes.read_back += frames * readBackBytes(plan.images[size_t(index)]);
   for (const auto* named : {&plan.outputs, &plan.taps})
     for (const auto& [name, index] : *named) {
@@ -157,33 +156,14 @@ ImageBytes imageBytes(const Plan& plan, size_t frames) {
   return bytes;
 }
 
-void PlanImages::makeZeros() {
-  const uint64_t bytes = zeroBytes(*plan_);
-  if (bytes == 0) return;
-  zeros_ = madeBuffer(device_, "zeros", bytes);
-  device_.submit(
-      [&](VkCommandBuffer commands) { device_.vk().CmdFillBuffer(commands, zeros_.handle(), 0, VK_WHOLE_SIZE, 0); });
-}
-
-const scene::PixelArea* PlanImages::touched(int image) const {
-  auto found = touched_.find(slotOf(image));
-  return found == touched_.end() ? nullptr : &found->second;
-}
-
 void PlanImages::makeUnwired() {
-  auto made = std::make_shared<Unwired>();
   gpu::ImageDesc one;
   one.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
   one.format = VK_FORMAT_R32_SFLOAT;
-  made->image = gpu::Image(device_, "unwired", one);
+  unwired_.image = gpu::Image(device_, "unwired", one);
   one.format = VK_FORMAT_R32_UINT;
-  made->uint_image = gpu::Image(device_, "unwired uint", one);
-  made->buffer = madeBuffer(device_, "unwired buffer", plan::kBufferHead);
-  device_.submit([&](VkCommandBuffer commands) {
-    for (const gpu::Image* image : {&made->image, &made->uint_image})
-      gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
-  });
-  unwired_ = std::move(made);
+  unwired_.uint_image = gpu::Image(device_, "unwired uint", one);
+  unwired_.buffer = madeBuffer(device_, "unwired buffer", plan::kBufferHead);
 }
 
 // Read-back buffers of an image of this name and size; empty if no image matches.

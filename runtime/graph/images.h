@@ -7,7 +7,7 @@
 
 namespace strobe::graph {
 
-// Bytes of a plan's images, computed before any allocation: slots and zeros on the device, read-back buffers, and host
+// Bytes of a plan's images, computed before any allocation: slots on the device, read-back buffers, and host
 // images of the results.
 struct ImageBytes {
   uint64_t on_device = 0, read_back = 0, pictures = 0;
@@ -17,9 +17,9 @@ ImageBytes imageBytes(const plan::Plan& plan, size_t frames);
 // Owns the images and buffers of a plan. The plan and the device must outlive it.
 class PlanImages {
  public:
-  // Moves images and histories with equal descriptions out of `previous` (may be null), and shares buffers with it,
-  // because drivers are slow at allocation. Each image that is read back has one buffer per frame in flight (`frames`).
-  // Throws `Error` if memory runs out or an image is too large; `previous` is then unchanged.
+  // Moves images and histories with equal descriptions out of `previous` (may be null), and shares buffers with it, so
+  // that both plans together need little more memory than one. Each image that is read back has one buffer per frame in
+  // flight (`frames`). Throws `Error` if memory runs out or an image is too large; `previous` is then unchanged.
   PlanImages(const gpu::Device& device, const plan::Plan& plan, size_t frames, PlanImages* previous);
 
   // Continues with a plan of the same shape.
@@ -31,18 +31,10 @@ class PlanImages {
   const gpu::Image& of(int image) const;
   const gpu::Buffer& buffer(int image) const;
   // Placeholders bound to optional reads that are not wired.
-  const gpu::Image& unwired(bool uint) const { return uint ? unwired_->uint_image : unwired_->image; }
-  const gpu::Buffer& unwiredBuffer() const { return unwired_->buffer; }
+  const gpu::Image& unwired(bool uint) const { return uint ? unwired_.uint_image : unwired_.image; }
+  const gpu::Buffer& unwiredBuffer() const { return unwired_.buffer; }
   const gpu::Buffer& readBack(int image, size_t frame) const { return *read_back_.at(image)[frame]; }
   ReadImage fetch(int image, size_t frame) const;
-
-  // Area that may be non-zero in an image that is zero outside of the moving rectangle; null: any pixel. `touch` sets
-  // the area.
-  const scene::PixelArea* touched(int image) const;
-  void touch(int image, const scene::PixelArea& area) { touched_[slotOf(image)] = area; }
-  void forgetTouched() { touched_.clear(); }
-  // Buffer of zeros, a quarter of the size of the largest slot that is zero outside of the moving rectangle.
-  const gpu::Buffer& zeros() const { return zeros_; }
 
   bool holdsEarlierFrame(int image) const;
   void frameIsRecorded();
@@ -57,10 +49,9 @@ class PlanImages {
     gpu::Buffer buffer;
   };
 
-  int slotOf(int image) const { return plan_->images[size_t(image)].slot; }
-  void make(PlanImages* previous);
-  void makeZeros();
+  std::vector<size_t> makeSlots(PlanImages* previous);
   void makeUnwired();
+  void initialize(const std::vector<size_t>& fresh);
   void keepReadBack(size_t frames, const PlanImages* previous);
   std::vector<SharedBuffer> readBackOf(const std::string& name, size_t bytes) const;
   gpu::Image takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous);
@@ -69,9 +60,7 @@ class PlanImages {
   const plan::Plan* plan_;
   std::vector<gpu::Image> slots_;
   std::map<int, SharedBuffer> buffers_;  // by slot; the slot's image is then empty
-  std::shared_ptr<const Unwired> unwired_;
-  std::map<int, scene::PixelArea> touched_;  // by slot
-  gpu::Buffer zeros_;
+  Unwired unwired_;
   std::map<int, std::vector<SharedBuffer>> read_back_;  // by virtual image, then frame
   std::map<int, bool> history_;                         // by virtual image: holds the previous frame
   std::set<std::string> taken_over_;                    // histories taken from the previous graph

@@ -101,9 +101,9 @@ void PlanNodes::make(const PlanImages& images, size_t frames) {
   layOut(frames);
   for (size_t i = 0; i < nodes_.size(); ++i) {
     Node& node = nodes_[i];
-    node.pool = gpu::makeDescriptorPool(device_, name(i), node.pipeline->bindings, uint32_t(frames));
     for (size_t frame = 0; frame < frames; ++frame) {
-      node.frames[frame].set = gpu::allocateSet(device_, node.pool.get(), node.pipeline->driver->set_layout.get());
+      node.frames[frame].set =
+          gpu::DescriptorSet(device_, name(i), node.pipeline->driver->set_layout.get(), node.pipeline->bindings);
       fillSet(i, frame, images);
     }
   }
@@ -147,56 +147,29 @@ void PlanNodes::writeParams(size_t i, size_t frame) {
   if (!words.empty()) std::memcpy(static_cast<char*>(numbers_.mapped()) + part.offset, words.data(), part.bytes);
 }
 
-void PlanNodes::fillSet(size_t i, size_t frame, const PlanImages& plan_images) {
-  const Node& node = nodes_[i];
-  const NodeInFrame& own = node.frames[frame];
-  const shader::Interface& in = node.pipeline->interface;
-  std::vector<VkDescriptorBufferInfo> buffers(2 + in.reads.size() + in.writes.size());
-  std::vector<VkDescriptorImageInfo> images;
-  images.reserve(in.reads.size() + in.writes.size());
-  std::vector<VkWriteDescriptorSet> writes;
-  auto add = [&](uint32_t binding, VkDescriptorType type) -> VkWriteDescriptorSet& {
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = own.set;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = type;
-    writes.push_back(write);
-    return writes.back();
+void PlanNodes::fillSet(size_t i, size_t frame, const PlanImages& images) {
+  const NodeInFrame& own = nodes_[i].frames[frame];
+  const shader::Interface& in = nodes_[i].pipeline->interface;
+  auto write_part = [&](uint32_t binding, const BufferPart& part) {
+    own.set.write(binding, {numbers_.handle(), part.offset, part.bytes});
   };
-  auto add_buffer = [&](size_t at, uint32_t binding, const gpu::Buffer& buffer) {
-    buffers[at] = {buffer.handle(), 0, VK_WHOLE_SIZE};
-    add(binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[at];
+  auto write_image = [&](uint32_t binding, const gpu::Image& image, VkSampler sampler) {
+    own.set.write(binding, std::vector{gpu::inGeneral(image.view(), sampler)});
   };
-  if (in.hasParams()) {
-    buffers[0] = {numbers_.handle(), own.params.offset, own.params.bytes};
-    add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER).pBufferInfo = &buffers[0];
-  }
-  if (!in.counters.empty()) {
-    buffers[1] = {numbers_.handle(), own.counters.offset, own.counters.bytes};
-    add(shader::Interface::kCountersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[1];
-  }
+  if (in.hasParams()) write_part(shader::Interface::kParamsBinding, own.params);
+  if (!in.counters.empty()) write_part(shader::Interface::kCountersBinding, own.counters);
   for (size_t r = 0; r < in.reads.size(); ++r) {
     const int read = planned(i).reads[r];
-    if (in.reads[r].buffer) {
-      add_buffer(2 + r, in.readBinding(r), read >= 0 ? plan_images.buffer(read) : plan_images.unwiredBuffer());
-      continue;
-    }
-    VkImageView view = read >= 0 ? plan_images.of(read).view() : plan_images.unwired(in.reads[r].uint).view();
-    images.push_back({pass(i).reads[r].linear ? linear_.get() : nearest_.get(), view, VK_IMAGE_LAYOUT_GENERAL});
-    add(in.readBinding(r), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER).pImageInfo = &images.back();
+    const VkSampler sampler = pass(i).reads[r].linear ? linear_.get() : nearest_.get();
+    if (in.reads[r].buffer) own.set.write(in.readBinding(r), read >= 0 ? images.buffer(read) : images.unwiredBuffer());
+    else write_image(in.readBinding(r), read >= 0 ? images.of(read) : images.unwired(in.reads[r].uint), sampler);
   }
   std::vector<int> written = planned(i).writes;
   written.insert(written.end(), planned(i).updates.begin(), planned(i).updates.end());
   for (size_t w = 0; w < in.writes.size() && !in.raster; ++w) {
-    if (in.writes[w].buffer) {
-      add_buffer(2 + in.reads.size() + w, in.writeBinding(w), plan_images.buffer(written[w]));
-      continue;
-    }
-    images.push_back({VK_NULL_HANDLE, plan_images.of(written[w]).view(), VK_IMAGE_LAYOUT_GENERAL});
-    add(in.writeBinding(w), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE).pImageInfo = &images.back();
+    if (in.writes[w].buffer) own.set.write(in.writeBinding(w), images.buffer(written[w]));
+    else write_image(in.writeBinding(w), images.of(written[w]), VK_NULL_HANDLE);
   }
-  device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
 }
 
 }  // namespace strobe::graph

@@ -14,7 +14,7 @@ struct BufferPart {
 
 // Data of a node for one of the frames in flight.
 struct NodeInFrame {
-  VkDescriptorSet set = VK_NULL_HANDLE;
+  gpu::DescriptorSet set;
   BufferPart params, counters;
   uint32_t* counted = nullptr;  // counters that the device increments, in `counters`
   std::vector<uint64_t> counts;
@@ -28,7 +28,6 @@ struct NodeInFrame {
 
 struct Node {
   std::shared_ptr<const NodePipeline> pipeline;
-  gpu::Owned<VkDescriptorPool> pool;
   std::vector<NodeInFrame> frames;
 };
 
@@ -67,7 +66,7 @@ class PlanNodes {
   const gpu::Device& device_;
   const plan::Plan* plan_;
   std::vector<Node> nodes_;
-  // Parameters and counters of all nodes and frames, in one buffer: drivers are slow at allocation.
+  // Parameters and counters of all nodes and frames.
   gpu::Buffer numbers_;
   std::vector<bool> has_params_;  // by frame: holds the plan's parameters
   gpu::Owned<VkSampler> nearest_, linear_;

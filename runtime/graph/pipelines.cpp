@@ -8,6 +8,7 @@
 #include "base/cores.h"
 #include "base/hash.h"
 #include "base/project.h"
+#include "gpu/limits.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
 #include "shared/scene.h"
@@ -474,6 +475,7 @@ static std::shared_ptr<const DriverPipeline> makeDriver(const gpu::Device& devic
                                                         const std::vector<shader::Compiled>& stages,
                                                         const world::GpuScene& scene) {
   const shader::Interface& in = node.interface;
+  gpu::requireDescriptors(device, pass.name, {scene.bindings(), node.bindings});
   auto driver = std::make_shared<DriverPipeline>();
   driver->set_layout = gpu::makeSetLayout(device, pass.name, node.bindings);
   std::vector<VkDescriptorSetLayout> sets = {scene.setLayout(), driver->set_layout.get()};

@@ -61,7 +61,7 @@ void Recording::barriers(VkCommandBuffer commands, const std::vector<plan::Barri
   device_.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
-void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, PassStamps* stamps) const {
+void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, PassStamps& stamps) const {
   barriers(commands, iteration == 0 ? step.barriers : step.barriers_next);
   switch (step.kind) {
     case Step::Kind::ClearImage:
@@ -93,32 +93,10 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
     device_.vk().CmdFillBuffer(commands, images_.buffer(image).handle(), 0, VK_WHOLE_SIZE, 0);
     return;
   }
-  if (plan_->images[size_t(image)].zero_outside && clearTouched(commands, image)) return;
   if (clears_.has(image)) return clears_.record(commands, image);
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
-}
-
-// Clears the union of this frame's moving rectangle and the previous one, for an image that is zero elsewhere. Returns
-// false if the previous rectangle is unknown or the area is larger than the buffer of zeros.
-bool Recording::clearTouched(VkCommandBuffer commands, int image) const {
-  const plan::VirtualImage& target = plan_->images[size_t(image)];
-  const bool of_pixels = target.width == plan_->width && target.height == plan_->height;
-  const scene::PixelArea* touched = images_.touched(image);
-  scene::PixelArea area = reach_;
-  if (of_pixels && touched) include(area, *touched);
-  const bool fits = of_pixels && touched &&
-                    plan::bytesOf(target.format, int(widthOf(area)), int(heightOf(area))) <= images_.zeros().size();
-  if (of_pixels) images_.touch(image, reach_);
-  if (!fits || area.empty()) return fits;
-  VkBufferImageCopy zeros{};
-  zeros.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-  zeros.imageOffset = {area.x0, area.y0, 0};
-  zeros.imageExtent = {widthOf(area), heightOf(area), 1};
-  device_.vk().CmdCopyBufferToImage(commands, images_.zeros().handle(), images_.of(image).handle(),
-                                    VK_IMAGE_LAYOUT_GENERAL, 1, &zeros);
-  return true;
 }
 
 void Recording::copyOutside(VkCommandBuffer commands, int image) const {
@@ -149,7 +127,7 @@ void Recording::read(VkCommandBuffer commands, int image) const {
 
 void Recording::bind(VkCommandBuffer commands, const Node& node) const {
   const gpu::Pipeline& pipeline = node.pipeline->driver->pipeline;
-  VkDescriptorSet sets[] = {scene_.set(), node.frames[frame_].set};
+  VkDescriptorSet sets[] = {scene_.set(), node.frames[frame_].set.handle()};
   device_.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
   device_.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
 }
@@ -162,7 +140,7 @@ void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width,
 }
 
 // Dispatches over the texels that cover the moving rectangle; the shader adds the first texel (shader/interface.cpp).
-void Recording::workWithinReach(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
+void Recording::workInMovingRect(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
   auto texels = [](int from_px, int to_px, int texels, int pixels) {
     if (texels == pixels) return uint32_t(to_px - from_px);
     return uint32_t((to_px * texels + pixels - 1) / pixels - from_px * (texels - 1) / pixels);
@@ -172,7 +150,7 @@ void Recording::workWithinReach(VkCommandBuffer commands, const Node& node, cons
        texels(reach_.y0, reach_.y1, planned.height, plan_->height));
 }
 
-void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps* stamps) const {
+void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps& stamps) const {
   const auto& vk = device_.vk();
   const PlanNode& planned = nodes_.planned(node_index);
   const Node& node = nodes_[node_index];
@@ -181,17 +159,15 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
     label.pLabelName = nodes_.name(node_index).c_str();
     vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
   }
-  int begin = stamps ? stamps->timer.recordStamp(commands) : -1;
+  const int begin = stamps.timer.recordStamp(commands);
   bind(commands, node);
   const bool in_stages = hasStages(node.pipeline->interface);
+  const bool is_repeated = planned.static_once && plan_->loops[size_t(planned.loop)].first + iteration > 0;
   if (node.pipeline->interface.raster) raster(commands, node, planned, iteration);
   else if (planned.over >= 0 && !in_stages) vk.CmdDispatchIndirect(commands, images_.buffer(planned.over).handle(), 0);
-  else if (planned.in_moving_rect) workWithinReach(commands, node, planned);
-  else if (planned.static_once && plan_->loops[size_t(planned.loop)].first + iteration > 0)
-    work(commands, node, widthOf(reach_), heightOf(reach_));
+  else if (planned.in_moving_rect || is_repeated) workInMovingRect(commands, node, planned);
   else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
-  int end = stamps ? stamps->timer.recordStamp(commands) : -1;
-  if (begin >= 0 && end >= 0) stamps->pending.push_back({node_index, begin, end});
+  stamps.pending.push_back({node_index, begin, stamps.timer.recordStamp(commands)});
   if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 

@@ -7,7 +7,7 @@
 
 namespace strobe::graph {
 
-// Time stamps of passes, for a device that measures them.
+// Time stamps of passes; indices are -1 without time stamps.
 struct PassStamps {
   struct Pending {
     size_t node;
@@ -32,8 +32,8 @@ class Recording {
     reaches_all_ = reach.x0 <= 0 && reach.y0 <= 0 && reach.x1 >= plan.width && reach.y1 >= plan.height;
   }
 
-  // Records any step except a loop. `stamps` may be null.
-  void step(VkCommandBuffer commands, const plan::Step& step, int iteration, PassStamps* stamps) const;
+  // Records any step except a loop, and adds the stamps of a pass to `stamps`.
+  void step(VkCommandBuffer commands, const plan::Step& step, int iteration, PassStamps& stamps) const;
   // Records a compute or trace pass over zero pixels.
   void emptyPass(VkCommandBuffer commands, const Node& node) const;
   // Makes the writes of earlier frames available to the commands that follow.
@@ -43,15 +43,14 @@ class Recording {
 
  private:
   void barriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) const;
-  void pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps* stamps) const;
+  void pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps& stamps) const;
   void bind(VkCommandBuffer commands, const Node& node) const;
   void work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const;
   bool isOfMoving(const plan::PlanNode& planned) const { return planned.moving_only && camera_rests_; }
-  void workWithinReach(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned) const;
+  void workInMovingRect(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned) const;
   VkRect2D drawnArea(const plan::PlanNode& planned, int iteration) const;
   void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned, int iteration) const;
   void clear(VkCommandBuffer commands, int image) const;
-  bool clearTouched(VkCommandBuffer commands, int image) const;
   void copyOutside(VkCommandBuffer commands, int image) const;
   void read(VkCommandBuffer commands, int image) const;
   bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }

@@ -13,9 +13,17 @@ Submission::Submission(const gpu::Device& device, const world::GpuScene& scene, 
   for (Frame& frame : frames_) frame.staging = gpu::Staging(device);
 }
 
-void Submission::submit(size_t frame, const Part& part) {
-  if (isStepwise()) runStepwise(frame, part);
-  else submitStamped(frames_[frame], part);
+void Submission::submit(size_t index, const Part& part) {
+  Frame& frame = frames_[index];
+  if (!isStepwise()) return submitPart(frame, part);
+  if (!frame.staging.isEmpty() || part.slice_count > 0) {
+    submitPart(frame, {{}, part.iteration, part.first_slice, part.slice_count});
+    wait(index);
+  }
+  for (const Step* step : part.steps) {
+    submitPart(frame, {{step}, part.iteration});
+    wait(index);
+  }
 }
 
 // Records the copies of host writes, then the builds of acceleration structures.
@@ -44,37 +52,10 @@ double Submission::compileBeforeUse(const Step& step) {
   return 0;
 }
 
-// A software device executes commands only when the host waits, so its time stamps are not usable. Each step is one
-// submission, timed with the host clock.
-void Submission::runStepwise(size_t index, const Part& part) {
-  Frame& frame = frames_[index];
-  double start_s = clockSeconds();
-  if (!frame.staging.isEmpty() || part.slice_count > 0)
-    device_.submit([&](VkCommandBuffer commands) { recordScene(commands, frame, part); });
-  frame.staging.reset();
-  frame.gpu_ms += 1000 * (clockSeconds() - start_s);
-  for (const Step* step : part.steps) {
-    double allowance_s = compileBeforeUse(*step);
-    start_s = clockSeconds();
-    auto record_step = [&](VkCommandBuffer commands) {
-      recording_.step(commands, *step, part.iteration, nullptr);
-      recording_.hostBarrier(commands);
-    };
-    device_.submit(record_step, nameOf(*step), allowance_s);
-    double ms = 1000 * (clockSeconds() - start_s);
-    frame.gpu_ms += ms;
-    if (step->kind != Step::Kind::Pass) continue;
-    NodeInFrame& node = nodes_[size_t(step->index)].frames[index];
-    node.gpu_ms += ms;
-    ++node.executions;
-  }
-  for (Node& node : nodes_) node.frames[index].takeCounts();
-}
-
-void Submission::submitStamped(Frame& frame, const Part& part) {
+void Submission::submitPart(Frame& frame, const Part& part) {
+  const uint32_t stamps = isStepwise() ? 0 : uint32_t(2 * nodes_.size() + 2);
   if (frame.pending == frame.parts.size())
-    frame.parts.push_back(
-        {gpu::Commands(device_, "frame"), {gpu::Timer(device_, uint32_t(2 * nodes_.size() + 2)), {}}});
+    frame.parts.push_back({gpu::Commands(device_, "frame"), {gpu::Timer(device_, stamps), {}}});
   Submitted& submitted = frame.parts[frame.pending];
   submitted.stamps.pending.clear();
   submitted.names.clear();
@@ -84,12 +65,13 @@ void Submission::submitStamped(Frame& frame, const Part& part) {
     submitted.names += (submitted.names.empty() ? "" : ", ") + nameOf(*step);
     if (device_.info().software) submitted.allowance_s += compileBeforeUse(*step);
   }
+  submitted.start_s = clockSeconds();
   submitted.commands.submit([&](VkCommandBuffer commands) {
     submitted.stamps.timer.recordReset(commands);
     recording_.frameBarrier(commands);
     submitted.stamps.timer.recordStamp(commands);
     recordScene(commands, frame, part);
-    for (const Step* step : part.steps) recording_.step(commands, *step, part.iteration, &submitted.stamps);
+    for (const Step* step : part.steps) recording_.step(commands, *step, part.iteration, submitted.stamps);
     submitted.stamps.timer.recordStamp(commands);
     recording_.hostBarrier(commands);
   });
@@ -101,11 +83,12 @@ void Submission::wait(size_t index) {
   for (size_t i = 0; i < frame.pending; ++i) {
     Submitted& part = frame.parts[i];
     part.commands.wait(part.names, part.allowance_s);
-    std::vector<double> ms = part.stamps.timer.readMs();
-    frame.gpu_ms += ms.back();
+    const double part_ms = 1000 * (clockSeconds() - part.start_s);
+    const std::vector<double> ms = part.stamps.timer.readMs();  // empty if stepwise: the part has one step
+    frame.gpu_ms += ms.empty() ? part_ms : ms.back();
     for (const PassStamps::Pending& stamp : part.stamps.pending) {
       NodeInFrame& node = nodes_[stamp.node].frames[index];
-      node.gpu_ms += ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
+      node.gpu_ms += ms.empty() ? part_ms : ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
       ++node.executions;
     }
   }

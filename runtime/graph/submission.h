@@ -21,8 +21,9 @@ class Submission {
     int iteration = 0;
     uint32_t first_slice = 0, slice_count = 0;  // slices to build acceleration structures for, before the steps
   };
-  // True if each step is submitted alone and waited for: one frame in flight on a software device.
-  bool isStepwise() const { return device_.info().software && frames_.size() == 1; }
+  // True if each step is submitted alone and timed with the host clock: one frame in flight on a device without usable
+  // time stamps.
+  bool isStepwise() const { return !device_.measuresTimes() && frames_.size() == 1; }
   // Begins frame `frame`, which must not be in flight.
   void begin(size_t frame) { frames_[frame].gpu_ms = 0; }
   // Host writes for the next part that is submitted.
@@ -41,6 +42,7 @@ class Submission {
     PassStamps stamps;
     std::string names;  // of its passes, for messages
     double allowance_s = 0;
+    double start_s = 0;
   };
   struct Frame {
     gpu::Staging staging;
@@ -48,8 +50,7 @@ class Submission {
     size_t pending = 0;            // parts not waited for, from the first
     double gpu_ms = 0;
   };
-  void runStepwise(size_t frame, const Part& part);
-  void submitStamped(Frame& frame, const Part& part);
+  void submitPart(Frame& frame, const Part& part);
   void recordScene(VkCommandBuffer commands, Frame& frame, const Part& part) const;
   double compileBeforeUse(const plan::Step& step);
   std::string nameOf(const plan::Step& step) const;

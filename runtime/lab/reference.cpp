@@ -379,7 +379,7 @@ std::string limitsPage(const std::vector<PassDesc>& passes) {
   std::string text =
       "# Limits\n\nWithin these limits, no scene and no parameter gives a wrong picture without a message. If a limit "
       "is exceeded, Strobe reports it: in `warnings` of the run record and on the terminal, or with an error before "
-      "the first allocation. Ground truth has only the limits of the program. The last table has the limits that are "
+      "anything is drawn. Ground truth has only the limits of the program. The last table has the limits that are "
       "not reported.\n\n";
   text +=
       "## Of passes\n\nCounted per pixel (or as said) while the picture is made. Declared in the pass, beside its "
@@ -389,7 +389,7 @@ std::string limitsPage(const std::vector<PassDesc>& passes) {
       "## Of the program\n\nDeclared in `limits.h` of `runtime/gpu`, `runtime/scene`, `runtime/world` and "
       "`runtime/lab`.\n\n";
   text += "### With a warning\n\n" + limitsOfProgram(Limit::Kind::Warned);
-  text += "### Refused, before anything is allocated\n\n" + limitsOfProgram(Limit::Kind::Refused);
+  text += "### Refused: nothing is drawn\n\n" + limitsOfProgram(Limit::Kind::Refused);
   text += "### Not reported, since nearly every picture meets them or they cannot be detected\n\n" +
           limitsOfProgram(Limit::Kind::Known);
   text.pop_back();

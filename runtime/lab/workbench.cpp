@@ -174,7 +174,7 @@ plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::B
 
 Workbench::Workbench(const Home& home, const gpu::DeviceOptions& device)
     : home_(home), device_(std::make_shared<gpu::Device>(device)), cache_(home, *device_) {
-  if (device_->info().software) frames_in_flight = 1;
+  if (!device_->measuresTimes()) frames_in_flight = 1;
 }
 
 Workbench::Workbench(const Home& home, const Workbench& other)

@@ -102,8 +102,8 @@ class Workbench {
 
   // Resource limits of scripts.
   script::Limits limits;
-  // Number of frames in flight when several are drawn in sequence, at least 1. Initially 1 on a software device, which
-  // has no clock for its passes (graph/submission.cpp).
+  // Number of frames in flight when several are drawn in sequence, at least 1. Initially 1 on a device without usable
+  // time stamps, such as a software device: the host then times each pass (graph/submission.h).
   size_t frames_in_flight = 2;
 
   // Limit for the bytes of a frame and its scene, in addition to the free memory.

@@ -36,7 +36,7 @@ std::vector<uint8_t> toRgba8(const image::Image& display) {
 }  // namespace
 
 Surface::Surface(const Home& home, const gpu::Device& device, VkSurfaceKHR surface, int width, int height)
-    : device_(device), swapchain_(device, surface) {
+    : device_(device), staging_(device), swapchain_(device, surface) {
   swapchain_.resize(uint32_t(width), uint32_t(height));
   set_layout_ = gpu::makeSetLayout(device, "panels", kBindings);
   nearest_ = gpu::makeSampler(device, "panels.nearest", {});
@@ -65,33 +65,15 @@ std::unique_ptr<Texture> Surface::makeTexture(const std::string& name, uint32_t 
   texture->sampler_ = sampler;
   VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   texture->image_ = gpu::Image(device_, name, {VK_FORMAT_R8G8B8A8_UNORM, width, height, 1, usage});
-  texture->staging_ = gpu::Buffer(device_, name + ".staging", size_t(width) * height * 4, 0, gpu::Buffer::Memory::Host);
-  texture->pool_ = gpu::makeDescriptorPool(device_, name, kBindings, 1);
-  texture->set_ = gpu::allocateSet(device_, texture->pool_.get(), set_layout_.get());
-  VkDescriptorImageInfo image{sampler, texture->image_.view(), VK_IMAGE_LAYOUT_GENERAL};
-  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-  write.dstSet = texture->set_;
-  write.descriptorCount = 1;
-  write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-  write.pImageInfo = &image;
-  device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+  texture->set_ = gpu::DescriptorSet(device_, name, set_layout_.get(), kBindings);
+  texture->set_.write(0, std::vector{gpu::inGeneral(texture->image_.view(), sampler)});
   return texture;
 }
 
-void Surface::fill(Texture& texture, const void* rgba) {
-  std::memcpy(texture.staging_.mapped(), rgba, texture.staging_.size());
-  device_.submit([&](VkCommandBuffer commands) {
-    const gpu::Touch copied{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
-    recordBarrier(device_, commands, {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, 0}, copied,
-                  {texture.image_.handle(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL});
-    VkBufferImageCopy copy{};
-    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    copy.imageExtent = {texture.image_.desc().width, texture.image_.desc().height, 1};
-    device_.vk().CmdCopyBufferToImage(commands, texture.staging_.handle(), texture.image_.handle(),
-                                      VK_IMAGE_LAYOUT_GENERAL, 1, &copy);
-    recordBarrier(device_, commands, copied,
-                  {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT});
-  });
+void Surface::fill(Texture& texture, std::vector<uint8_t> rgba) {
+  staging_.write(texture.image_, {std::move(rgba)});
+  device_.submit([&](VkCommandBuffer commands) { staging_.recordCopies(commands); });
+  staging_.reset();
 }
 
 void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display,
@@ -100,7 +82,7 @@ void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name,
   bool fits = texture && texture->width() == display.width && texture->height() == display.height &&
               texture->sampler_ == sampler;
   if (!fits) texture = makeTexture(name, uint32_t(display.width), uint32_t(display.height), sampler);
-  fill(*texture, toRgba8(display).data());
+  fill(*texture, toRgba8(display));
 }
 
 // Makes the texture of ImGui's font and registers it with ImGui.
@@ -109,7 +91,7 @@ void Surface::makeFont() {
   int width = 0, height = 0;
   ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
   font_ = makeTexture("panels.font", uint32_t(width), uint32_t(height), linear_.get());
-  fill(*font_, pixels);
+  fill(*font_, std::vector<uint8_t>(pixels, pixels + size_t(width) * size_t(height) * 4));
   ImGui::GetIO().Fonts->SetTexID(font_->id());
 }
 
@@ -143,9 +125,8 @@ void Surface::recordCommand(VkCommandBuffer commands, const ImDrawData& frame, c
   VkRect2D scissor{{int32_t(x0), int32_t(y0)}, {uint32_t(x1 - x0), uint32_t(y1 - y0)}};
   const gpu::Dispatch& vk = device_.vk();
   vk.CmdSetScissor(commands, 0, 1, &scissor);
-  const auto* texture = (const Texture*)(intptr_t)command.GetTexID();
-  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1, &texture->set_, 0,
-                           nullptr);
+  const VkDescriptorSet set = ((const Texture*)(intptr_t)command.GetTexID())->set_.handle();
+  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1, &set, 0, nullptr);
   vk.CmdDrawIndexed(commands, command.ElemCount, 1, first_index + command.IdxOffset,
                     first_vertex + int32_t(command.VtxOffset), 0);
 }

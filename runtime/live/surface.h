@@ -13,6 +13,7 @@
 
 #include "base/home.h"
 #include "gpu/pipeline.h"
+#include "gpu/staging.h"
 #include "gpu/swapchain.h"
 #include "image/image.h"
 
@@ -29,10 +30,8 @@ class Texture {
  private:
   friend class Surface;
   gpu::Image image_;
-  gpu::Buffer staging_;
   VkSampler sampler_ = VK_NULL_HANDLE;  // owned by the surface
-  gpu::Owned<VkDescriptorPool> pool_;
-  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  gpu::DescriptorSet set_;
 };
 
 class Surface {
@@ -52,7 +51,7 @@ class Surface {
   void makePipeline(const Home& home);
   void makeFont();
   std::unique_ptr<Texture> makeTexture(const std::string& name, uint32_t width, uint32_t height, VkSampler sampler);
-  void fill(Texture& texture, const void* rgba);
+  void fill(Texture& texture, std::vector<uint8_t> rgba);
   void takeGeometry(const ImDrawData& frame);
   void record(VkCommandBuffer commands, const ImDrawData& frame, const gpu::Swapchain::Target& target,
               const gpu::Buffer* shot) const;
@@ -62,6 +61,7 @@ class Surface {
   image::Image imageFrom(const gpu::Buffer& pixels) const;
 
   const gpu::Device& device_;
+  gpu::Staging staging_;
   gpu::Swapchain swapchain_;
   gpu::Owned<VkDescriptorSetLayout> set_layout_;
   gpu::Pipeline pipeline_;

@@ -149,7 +149,7 @@ class Compiler {
       if (isBuffer(image.format)) continue;  // cleared before the pass, and its stand-in is zero
       image.outside = stand_ins[i];
       if (image.outside < 0) {
-        image.cleared = image.zero_outside = true;
+        image.cleared = true;
         image.usage |= kUsageTransferTarget;
         continue;
       }

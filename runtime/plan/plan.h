@@ -32,9 +32,8 @@ struct VirtualImage {
   int divide = 1;        // pixels of the frame per texel along an axis (tiles); 0: texels are not pixels of the frame
   bool cleared = false;  // cleared to zero before each execution of the node that writes it
   // Node within the moving rectangle: the image that this image equals outside of the rectangle. -1: zero outside
-  // (`zero_outside`), or not read outside and undefined there.
+  // (`cleared`), or not read outside and undefined there.
   int outside = -1;
-  bool zero_outside = false;
   bool zero = false;        // cleared to zero at the start of the frame and written by no node
   bool update = false;      // cleared to zero at the start of the frame, then read and written
   bool history = false;     // an update that is cleared before its first frame only
@@ -50,7 +49,6 @@ struct Slot {
   int width = 0, height = 0;
   uint32_t usage = 0;
   uint64_t bytes = 0;
-  bool zero_outside = false;  // equal in all images that share the slot
 };
 
 // A node that runs. Ports are in the order of the pass's declaration.

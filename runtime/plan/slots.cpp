@@ -31,13 +31,12 @@ void findLifetimes(Plan& plan) {
 bool alone(const VirtualImage& image) { return image.kept || image.update; }
 
 bool sameKind(const Slot& slot, const VirtualImage& image) {
-  return slot.format == image.format && slot.width == image.width && slot.height == image.height &&
-         slot.zero_outside == image.zero_outside;
+  return slot.format == image.format && slot.width == image.width && slot.height == image.height;
 }
 
 Slot slotFor(const VirtualImage& image) {
   const uint64_t bytes = bytesOf(image.format, image.width, image.height);
-  return {image.format, image.width, image.height, 0, bytes, image.zero_outside};
+  return {image.format, image.width, image.height, 0, bytes};
 }
 
 }  // namespace

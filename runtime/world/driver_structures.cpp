@@ -9,9 +9,6 @@ namespace strobe::world {
 
 namespace {
 
-constexpr gpu::Touch kBuilt = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
-                               VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR};
-
 // True if the transform has an inverse, as Vulkan requires of instances.
 bool isInvertible(const shared::SceneTransform& transform) {
   const dvec3 x(transform.row_x), y(transform.row_y), z(transform.row_z);
@@ -27,32 +24,23 @@ class DriverStructures : public Structures {
         bent_(bent),
         slices_(slices),
         bottom_levels_(meshes.bottomLevels()) {
-    const std::vector<std::vector<gpu::TriangleGeometry>> triangles = meshes.triangles();
+    const std::vector<gpu::MeshGeometry> triangles = meshes.triangles();
     for (const scene::Mesh& mesh : scene.meshes)
       flags_.push_back(isOneSided(scene, mesh) ? 0 : VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR);
     for (uint32_t level = 0; level <= levelOf(slices - 1); ++level)
       top_levels_.emplace_back(device, fmt::format("scene.top_level.{}", level), uint32_t(instances_.size()));
     for (uint32_t level = 0; level < top_levels_.size(); ++level)
-      for (size_t item = 0; item < bent.items().size(); ++item) addBent(scene, triangles, level, item);
+      for (size_t item = 0; item < bent.items().size(); ++item) addBent(triangles, level, item);
   }
 
   VkDescriptorSetLayoutBinding binding(uint32_t number) const override {
     return {number, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, slices_, VK_SHADER_STAGE_ALL, nullptr};
   }
 
-  void write(VkDescriptorSet set, uint32_t number) const override {
+  void write(const gpu::DescriptorSet& set, uint32_t number) const override {
     std::vector<VkAccelerationStructureKHR> structures;
     for (uint32_t slice = 0; slice < slices_; ++slice) structures.push_back(top_levels_[levelOf(slice)].handle());
-    VkWriteDescriptorSetAccelerationStructureKHR info{
-        VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
-    info.accelerationStructureCount = slices_;
-    info.pAccelerationStructures = structures.data();
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, &info};
-    write.dstSet = set;
-    write.dstBinding = number;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
-    write.descriptorCount = slices_;
-    device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+    set.write(number, structures);
   }
 
   void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,
@@ -77,10 +65,10 @@ class DriverStructures : public Structures {
   void recordBuild(VkCommandBuffer commands, uint32_t first_level, uint32_t count) override {
     bool any = false;
     for (uint32_t level = first_level; level < first_level + count; ++level) any |= recordBents(commands, level);
-    if (any) recordBuilt(commands);
+    if (any) gpu::recordBuilt(device_, commands);
     const std::span<const gpu::TopLevel> built(&top_levels_.at(first_level), count);
     gpu::TopLevel::recordBuilds(commands, built, uint32_t(instances_.size()));
-    recordBuilt(commands);
+    gpu::recordBuilt(device_, commands);
   }
 
  private:
@@ -97,11 +85,6 @@ class DriverStructures : public Structures {
     return any;
   }
 
-  void recordBuilt(VkCommandBuffer commands) const {
-    recordBarrier(device_, commands, kBuilt,
-                  {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR});
-  }
-
   // A deformed instance at one level.
   struct Bent {
     gpu::BottomLevel structure;  // empty without triangles
@@ -109,10 +92,9 @@ class DriverStructures : public Structures {
   };
   Bent& bentAt(uint32_t level, size_t item) { return bents_[level * bent_.items().size() + item]; }
 
-  void addBent(const scene::Scene& scene, const std::vector<std::vector<gpu::TriangleGeometry>>& meshes, uint32_t level,
-               size_t item) {
+  void addBent(const std::vector<gpu::MeshGeometry>& meshes, uint32_t level, size_t item) {
     const size_t mesh = size_t(instances_[bent_.items()[item].instance].mesh);
-    std::vector<gpu::TriangleGeometry> geometries = meshes[mesh];
+    std::vector<gpu::TriangleGeometry> geometries = meshes[mesh].geometries;
     VkDeviceAddress at = bent_.address(sliceOf(level), item);
     uint64_t triangles = 0;
     for (gpu::TriangleGeometry& geometry : geometries) {
@@ -121,7 +103,7 @@ class DriverStructures : public Structures {
       at += VkDeviceAddress(geometry.vertex_count) * geometry.vertex_stride;
       triangles += geometry.triangle_count;
     }
-    const std::string name = fmt::format("scene.bent.{}.{}", scene.meshes[mesh].name, level);
+    const std::string name = fmt::format("{}.bent.{}", meshes[mesh].name, level);
     bents_.push_back({triangles ? gpu::BottomLevel(device_, name, geometries) : gpu::BottomLevel(), 0});
   }
 

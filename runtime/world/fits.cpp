@@ -67,6 +67,7 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   requireBytes("indices", counts.indices * sizeof(uint32_t), limits.array_bytes);
   requireBytes("deformed vertices", counts.bending * slices * sizeof(shared::SceneDeformedVertex), limits.array_bytes);
   requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform), limits.array_bytes);
+  beyond.require(gpu::kTextureLimit, "the scene", scene.textures.size(), "textures", limits.textures);
   for (const Texture& texture : scene.textures)
     beyond.require(gpu::kImageLimit, fmt::format("texture '{}'", texture.name),
                    uint64_t(std::max(texture.width, texture.height)), "pixels a side", limits.image_side);

@@ -31,10 +31,11 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
       bent_(device, scene, unposed->meshes, slices_),
       bent_items_(instances_.size(), -1) {
   for (size_t i = 0; i < bent_.items().size(); ++i) bent_items_[bent_.items()[i].instance] = int(i);
-  uploadGeometry(scene);
+  gpu::Uploads uploads(device);
+  uploadGeometry(scene, uploads);
   SceneMeshes& meshes = unposed->meshes;
   structures_ = structures == StructureKind::Own
-                    ? makeOwnStructures(device, scene, meshes.trees(), meshes.treeTriangles(), bent_, slices_)
+                    ? makeOwnStructures(device, scene, meshes.trees(), meshes.treeTriangles(), bent_, slices_, uploads)
                     : makeDriverStructures(device, scene, meshes, bent_, slices_);
   auto array = [&](const char* name, size_t bytes, VkBufferUsageFlags usage) {
     return Buffer(device_, name, bytes, usage, Buffer::Memory::Device);
@@ -56,12 +57,12 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
                                  bent_.address(),
                                  meshes.firstBendingVertex(),
                                  bent_.vertexCount()};
-  addresses_ =
-      gpu::uploadBuffer(device_, "scene.arrays", &addresses, sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  addresses_ = uploads.array("scene.arrays", std::vector{addresses}, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  uploads.finish();
   makeSet();
 }
 
-void GpuScene::uploadGeometry(const Scene& scene) {
+void GpuScene::uploadGeometry(const Scene& scene, gpu::Uploads& uploads) {
   const SceneMeshes& meshes = unposed_->meshes;
   const std::vector<SceneGeometry>& geometries = meshes.geometries();
   std::vector<SceneDraw> draw_data;
@@ -77,45 +78,29 @@ void GpuScene::uploadGeometry(const Scene& scene) {
       draw_data.push_back({uint32_t(i), g});
     }
   }
-  geometry_buffer_ = gpu::uploadArray(device_, "scene.geometries", geometries, gpu::kReadByAddress);
+  geometry_buffer_ = uploads.array("scene.geometries", geometries, gpu::kReadByAddress);
   instance_buffer_ = Buffer(device_, "scene.instances", instance_data_.size() * sizeof(SceneInstance),
                             gpu::kReadByAddress, Buffer::Memory::Device);
   moves_.assign(instances_.size(), true);
-  draw_buffer_ = gpu::uploadArray(device_, "scene.draws", draw_data, gpu::kReadByAddress);
+  draw_buffer_ = uploads.array("scene.draws", draw_data, gpu::kReadByAddress);
 }
 
 void GpuScene::makeSet() {
+  constexpr uint32_t kFrame = 0, kArrays = 1, kTextures = 2, kStructures = 3;  // shaders/shared/bindings.glsl
   const VkShaderStageFlags all = VK_SHADER_STAGE_ALL;
-  const SceneSurfaces& surfaces = unposed_->surfaces;
-  const Buffer* buffers[] = {&frame_, &addresses_};
-  std::vector<VkDescriptorSetLayoutBinding> bindings;
-  for (uint32_t i = 0; i < std::size(buffers); ++i)
-    bindings.push_back({i, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr});
-  uint32_t texture_count = uint32_t(surfaces.textures().size());
-  const uint32_t textures = uint32_t(bindings.size());
-  bindings.push_back({textures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});
-  const uint32_t count = uint32_t(bindings.size());
-  bindings.push_back(structures_->binding(count));
-  set_layout_ = gpu::makeSetLayout(device_, "scene", bindings);
-  pool_ = gpu::makeDescriptorPool(device_, "scene", bindings, 1);
-  set_ = gpu::allocateSet(device_, pool_.get(), set_layout_.get());
-
-  std::vector<VkDescriptorBufferInfo> written;
-  for (const Buffer* buffer : buffers) written.push_back({buffer->handle(), 0, VK_WHOLE_SIZE});
-  std::vector<VkWriteDescriptorSet> writes;
-  for (uint32_t i = 0; i < count; ++i) {
-    const VkDescriptorSetLayoutBinding& binding = bindings[i];
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = set_;
-    write.dstBinding = binding.binding;
-    write.descriptorType = binding.descriptorType;
-    write.descriptorCount = binding.descriptorCount;
-    if (binding.binding < textures) write.pBufferInfo = &written[binding.binding];
-    else write.pImageInfo = surfaces.textures().data();
-    writes.push_back(write);
-  }
-  device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
-  structures_->write(set_, count);
+  const std::vector<VkDescriptorImageInfo>& textures = unposed_->surfaces.textures();
+  bindings_ = {
+      {kFrame, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr},
+      {kArrays, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr},
+      {kTextures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, uint32_t(textures.size()), all, nullptr},
+      structures_->binding(kStructures),
+  };
+  set_layout_ = gpu::makeSetLayout(device_, "scene", bindings_);
+  set_ = gpu::DescriptorSet(device_, "scene", set_layout_.get(), bindings_);
+  set_.write(kFrame, frame_);
+  set_.write(kArrays, addresses_);
+  set_.write(kTextures, textures);
+  structures_->write(set_, kStructures);
 }
 
 void GpuScene::setFrame(gpu::Staging& staging, const FrameData& frame) const { staging.write(frame_, 0, &frame, 1); }

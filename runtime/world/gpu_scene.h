@@ -21,9 +21,16 @@ namespace strobe::world {
 // Data of a scene on the device that no pose changes, shared by all copies of the scene that have their own poses.
 struct UnposedScene {
   // The device and the scene must outlive it.
-  UnposedScene(const gpu::Device& device, const scene::Scene& scene) : meshes(device, scene), surfaces(device, scene) {}
+  UnposedScene(const gpu::Device& device, const scene::Scene& scene)
+      : UnposedScene(device, scene, gpu::Uploads(device)) {}
   SceneMeshes meshes;
   SceneSurfaces surfaces;
+
+ private:
+  UnposedScene(const gpu::Device& device, const scene::Scene& scene, gpu::Uploads&& uploads)
+      : meshes(device, scene, uploads), surfaces(device, scene, uploads) {
+    uploads.finish();
+  }
 };
 
 // Owns descriptor set 0, which every pass is bound to: the frame's uniform block and the scene's arrays.
@@ -36,9 +43,10 @@ class GpuScene {
            const std::shared_ptr<UnposedScene>& unposed, shader::StructureKind structures);
 
   VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
+  const std::vector<VkDescriptorSetLayoutBinding>& bindings() const { return bindings_; }
   // Text that identifies the layout of the set: equal texts, compatible layouts.
   std::string layoutText() const;
-  VkDescriptorSet set() const { return set_; }
+  VkDescriptorSet set() const { return set_.handle(); }
   uint32_t slices() const { return slices_; }
   uint32_t instanceCount() const { return uint32_t(instances_.size()); }
   uint32_t lightCount() const { return uint32_t(light_nodes_.size()); }
@@ -69,7 +77,7 @@ class GpuScene {
   void recordBuild(VkCommandBuffer commands, uint32_t first_slice, uint32_t count) const;
 
  private:
-  void uploadGeometry(const scene::Scene& scene);
+  void uploadGeometry(const scene::Scene& scene, gpu::Uploads& uploads);
   void makeSet();
   [[noreturn]] void refuseTransform(int node) const;
   double depthRange(uint32_t slice, const scene::Pose& pose) const;
@@ -87,9 +95,9 @@ class GpuScene {
   std::vector<int> bent_items_;  // by instance: index into bent_.items(), or -1
   gpu::Buffer frame_, addresses_, geometry_buffer_, instance_buffer_, draw_buffer_, lights_, transforms_, cameras_;
   std::unique_ptr<Structures> structures_;
+  std::vector<VkDescriptorSetLayoutBinding> bindings_;
   gpu::Owned<VkDescriptorSetLayout> set_layout_;
-  gpu::Owned<VkDescriptorPool> pool_;
-  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  gpu::DescriptorSet set_;
 };
 
 }  // namespace strobe::world

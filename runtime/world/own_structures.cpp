@@ -15,8 +15,6 @@ using shared::BvhTriangle;
 
 namespace {
 
-constexpr VkBufferUsageFlags kRead = gpu::kReadByAddress | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-
 // Layout of SceneBvh in shaders/shared/bindings.glsl.
 struct Addresses {
   VkDeviceAddress nodes, triangles, instances;
@@ -72,7 +70,7 @@ Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_
 class OwnStructures : public Structures {
  public:
   OwnStructures(const gpu::Device& device, const scene::Scene& scene, const MeshTrees& trees,
-                const gpu::Buffer& triangles, BentInstances& bent, uint32_t slices)
+                const gpu::Buffer& triangles, BentInstances& bent, uint32_t slices, gpu::Uploads& uploads)
       : device_(device),
         instances_(scene::instancesOf(scene)),
         bent_(bent),
@@ -89,33 +87,21 @@ class OwnStructures : public Structures {
     size_t mesh_bytes = first_root_ * sizeof(BvhNode), top_bytes = 2 * levels * nodes_per_tree_ * sizeof(BvhNode);
     size_t instance_bytes = levels * instances_.size() * sizeof(BvhInstance);
     using gpu::Buffer;
-    gpu::Upload nodes(device, "scene.bvh.nodes", mesh_bytes + top_bytes + levels * bending_nodes_ * sizeof(BvhNode),
-                      kRead);
-    nodes.append(trees.nodes.data(), mesh_bytes);
-    nodes_ = nodes.finish();
-    posed_ = Buffer(device, "scene.bvh.instances", instance_bytes, kRead, Buffer::Memory::Device);
+    nodes_ = Buffer(device, "scene.bvh.nodes", mesh_bytes + top_bytes + levels * bending_nodes_ * sizeof(BvhNode),
+                    gpu::kReadByAddress, Buffer::Memory::Device);
+    uploads.fill<BvhNode>(nodes_, 0, first_root_, [&](size_t i) { return trees.nodes[i]; });
+    posed_ = Buffer(device, "scene.bvh.instances", instance_bytes, gpu::kReadByAddress, Buffer::Memory::Device);
     if (!bending_.empty()) makeTriangles(triangles, levels);
     Addresses addresses{nodes_.address(), bending_.empty() ? triangles.address() : triangles_.address(),
                         posed_.address(), uint32_t(first_root_), uint32_t(nodes_per_tree_)};
-    addresses_ =
-        Buffer(device, "scene.bvh", sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Buffer::Memory::Host);
-    std::memcpy(addresses_.mapped(), &addresses, sizeof addresses);
+    addresses_ = uploads.array("scene.bvh", std::vector{addresses}, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   }
 
   VkDescriptorSetLayoutBinding binding(uint32_t number) const override {
     return {number, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_ALL, nullptr};
   }
 
-  void write(VkDescriptorSet set, uint32_t number) const override {
-    VkDescriptorBufferInfo info{addresses_.handle(), 0, VK_WHOLE_SIZE};
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = set;
-    write.dstBinding = number;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    write.descriptorCount = 1;
-    write.pBufferInfo = &info;
-    device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
-  }
+  void write(const gpu::DescriptorSet& set, uint32_t number) const override { set.write(number, addresses_); }
 
   void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,
             const std::vector<bool>& moves) override {
@@ -189,7 +175,8 @@ class OwnStructures : public Structures {
   // Creates a buffer with the triangles of all meshes, and space for the deformed triangles of each level.
   void makeTriangles(const gpu::Buffer& meshes, size_t levels) {
     const size_t bytes = (first_bending_triangle_ + levels * bending_triangles_) * sizeof(BvhTriangle);
-    triangles_ = gpu::Buffer(device_, "scene.bvh.all_triangles", bytes, kRead, gpu::Buffer::Memory::Device);
+    triangles_ =
+        gpu::Buffer(device_, "scene.bvh.all_triangles", bytes, gpu::kReadByAddress, gpu::Buffer::Memory::Device);
     device_.submit([&](VkCommandBuffer commands) {
       VkBufferCopy copy{0, 0, first_bending_triangle_ * sizeof(BvhTriangle)};
       if (copy.size > 0) device_.vk().CmdCopyBuffer(commands, meshes.handle(), triangles_.handle(), 1, &copy);
@@ -274,8 +261,8 @@ class OwnStructures : public Structures {
 
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
                                               const MeshTrees& trees, const gpu::Buffer& triangles, BentInstances& bent,
-                                              uint32_t slices) {
-  return std::make_unique<OwnStructures>(device, scene, trees, triangles, bent, slices);
+                                              uint32_t slices, gpu::Uploads& uploads) {
+  return std::make_unique<OwnStructures>(device, scene, trees, triangles, bent, slices, uploads);
 }
 
 }  // namespace strobe::world

@@ -13,14 +13,10 @@ namespace strobe::world {
 using namespace scene;
 using namespace shared;
 
-SceneMeshes::SceneMeshes(const gpu::Device& device, const Scene& scene) : device_(device), scene_(scene) {
-  VkBufferUsageFlags usage = gpu::kReadByAddress;
-  if (device.info().has("accelerationStructure"))
-    usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
+SceneMeshes::SceneMeshes(const gpu::Device& device, const Scene& scene, gpu::Uploads& uploads)
+    : device_(device), scene_(scene) {
   numberGeometries();
-  vertices_ = uploadVertices(usage);
-  tangents_ = uploadTangents();
-  indices_ = uploadIndices(usage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  upload(uploads);
 }
 
 void SceneMeshes::numberGeometries() {
@@ -78,34 +74,41 @@ static SceneVertex deviceVertex(const Vertex& v) {
   return {v.position, v.normal, v.uv0, v.uv1, glm::packUnorm4x8(v.color)};
 }
 
-gpu::Buffer SceneMeshes::uploadVertices(VkBufferUsageFlags usage) const {
-  gpu::Upload upload(device_, "scene.vertices", vertex_count_ * sizeof(SceneVertex), usage);
-  for (const std::vector<const Geometry*>& geometries : {geometriesOf(scene_), bendingGeometriesOf(scene_)})
-    for (const Geometry* geometry : geometries)
-      upload.append<SceneVertex>(geometry->vertices.size(),
-                                 [&](size_t i) { return deviceVertex(geometry->vertices[i]); });
-  return upload.finish();
+void SceneMeshes::upload(gpu::Uploads& uploads) {
+  VkBufferUsageFlags usage = gpu::kReadByAddress;
+  if (device_.info().has("accelerationStructure"))
+    usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
+  auto array = [&](const char* name, size_t bytes, VkBufferUsageFlags uses) {
+    return gpu::Buffer(device_, name, bytes, uses, gpu::Buffer::Memory::Device);
+  };
+  vertices_ = array("scene.vertices", vertex_count_ * sizeof(SceneVertex), usage);
+  tangents_ = array("scene.tangents", tangent_count_ * sizeof(uint32_t), gpu::kReadByAddress);
+  indices_ = array("scene.indices", index_count_ * sizeof(uint32_t), usage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  const std::vector<const Geometry*> meshes = geometriesOf(scene_), bending = bendingGeometriesOf(scene_);
+  size_t vertex = 0, tangent = 0, index = 0;
+  for (const auto& geometries : {meshes, bending})
+    for (const Geometry* geometry : geometries) {
+      const std::vector<Vertex>& vertices = geometry->vertices;
+      uploads.fill<SceneVertex>(vertices_, vertex, vertices.size(),
+                                [&](size_t i) { return deviceVertex(vertices[i]); });
+      vertex += vertices.size();
+    }
+  for (const Geometry* geometry : meshes) {
+    const auto& tangents = geometry->tangents;
+    uploads.fill<uint32_t>(tangents_, tangent, tangents.size(), [&](size_t i) { return packedTangent(tangents[i]); });
+    tangent += tangents.size();
+  }
+  for (const Geometry* geometry : meshes) {
+    uploads.fill<uint32_t>(indices_, index, geometry->indices.size(), [&](size_t i) { return geometry->indices[i]; });
+    index += geometry->indices.size();
+  }
 }
 
-gpu::Buffer SceneMeshes::uploadTangents() const {
-  gpu::Upload upload(device_, "scene.tangents", tangent_count_ * sizeof(uint32_t), gpu::kReadByAddress);
-  for (const Geometry* geometry : geometriesOf(scene_))
-    upload.append<uint32_t>(geometry->tangents.size(), [&](size_t i) { return packedTangent(geometry->tangents[i]); });
-  return upload.finish();
-}
-
-gpu::Buffer SceneMeshes::uploadIndices(VkBufferUsageFlags usage) const {
-  gpu::Upload upload(device_, "scene.indices", index_count_ * sizeof(uint32_t), usage);
-  for (const Geometry* geometry : geometriesOf(scene_))
-    upload.append<uint32_t>(geometry->indices.size(), [&](size_t i) { return geometry->indices[i]; });
-  return upload.finish();
-}
-
-std::vector<std::vector<gpu::TriangleGeometry>> SceneMeshes::triangles() const {
-  std::vector<std::vector<gpu::TriangleGeometry>> meshes;
+std::vector<gpu::MeshGeometry> SceneMeshes::triangles() const {
+  std::vector<gpu::MeshGeometry> meshes;
   for (size_t m = 0; m < scene_.meshes.size(); ++m) {
     const Mesh& mesh = scene_.meshes[m];
-    meshes.emplace_back();
+    meshes.push_back({"scene.mesh." + mesh.name, {}});
     for (size_t g = 0; g < mesh.geometries.size(); ++g) {
       const SceneGeometry& geometry = geometries_[first_geometry_[m] + g];
       gpu::TriangleGeometry d;
@@ -117,22 +120,14 @@ std::vector<std::vector<gpu::TriangleGeometry>> SceneMeshes::triangles() const {
       const scene::Material& material = scene_.materials[geometry.material];
       d.opaque =
           material.alpha == scene::Material::Alpha::Opaque && (material.double_sided || isOneSided(scene_, mesh));
-      meshes.back().push_back(d);
+      meshes.back().geometries.push_back(d);
     }
   }
   return meshes;
 }
 
 const std::vector<gpu::Acceleration>& SceneMeshes::bottomLevels() {
-  if (!bottom_levels_.empty()) return bottom_levels_;
-  std::vector<gpu::Acceleration> levels;
-  for (const std::vector<gpu::TriangleGeometry>& mesh : triangles()) {
-    uint64_t count = 0;
-    for (const gpu::TriangleGeometry& geometry : mesh) count += geometry.triangle_count;
-    const std::string name = "scene.mesh." + scene_.meshes[levels.size()].name;
-    levels.push_back(count ? gpu::buildBottomLevel(device_, name, mesh) : gpu::Acceleration());
-  }
-  bottom_levels_ = std::move(levels);
+  if (bottom_levels_.empty()) bottom_levels_ = gpu::buildBottomLevels(device_, triangles());
   return bottom_levels_;
 }
 
@@ -142,10 +137,9 @@ const MeshTrees& SceneMeshes::trees() {
   if (trees->nodes.size() > BVH_MOST_NODES)
     throw Error(kTreeLimit.text(
         fmt::format("{}: its tree has {} nodes of at most {}", scene_.name, trees->nodes.size(), BVH_MOST_NODES)));
-  const std::vector<BvhTriangle>& triangles = trees->triangles;
-  tree_triangles_ =
-      gpu::uploadBuffer(device_, "scene.bvh.triangles", triangles.data(), triangles.size() * sizeof(BvhTriangle),
-                        gpu::kReadByAddress | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+  gpu::Uploads uploads(device_);
+  tree_triangles_ = uploads.array("scene.bvh.triangles", trees->triangles, gpu::kReadByAddress);
+  uploads.finish();
   trees->triangles = {};
   trees_ = std::move(trees);
   return *trees_;

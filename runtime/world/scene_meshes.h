@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/acceleration.h"
+#include "gpu/staging.h"
 #include "math/bounds.h"
 #include "scene/scene.h"
 #include "shared/scene.h"
@@ -16,8 +17,8 @@ namespace strobe::world {
 
 class SceneMeshes {
  public:
-  // The device and the scene must outlive it.
-  SceneMeshes(const gpu::Device& device, const scene::Scene& scene);
+  // The device and the scene must outlive it. The data is on the device when `uploads` has finished.
+  SceneMeshes(const gpu::Device& device, const scene::Scene& scene, gpu::Uploads& uploads);
 
   const gpu::Buffer& vertices() const { return vertices_; }
   // Packed tangents (world/tangent.h) of the geometries that have tangents.
@@ -39,7 +40,7 @@ class SceneMeshes {
   // Bounds of each mesh, object space.
   const std::vector<Bounds>& bounds() const { return bounds_; }
   // Build inputs of the driver's structures, by mesh.
-  std::vector<std::vector<gpu::TriangleGeometry>> triangles() const;
+  std::vector<gpu::MeshGeometry> triangles() const;
   // The driver's structures by mesh, empty for a mesh without triangles; built on the first call.
   const std::vector<gpu::Acceleration>& bottomLevels();
 
@@ -51,9 +52,7 @@ class SceneMeshes {
  private:
   void numberGeometries();
   void numberBending();
-  gpu::Buffer uploadVertices(VkBufferUsageFlags usage) const;
-  gpu::Buffer uploadTangents() const;
-  gpu::Buffer uploadIndices(VkBufferUsageFlags usage) const;
+  void upload(gpu::Uploads& uploads);
 
   const gpu::Device& device_;
   const scene::Scene& scene_;

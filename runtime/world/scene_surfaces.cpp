@@ -9,9 +9,9 @@ namespace strobe::world {
 using namespace scene;
 using namespace shared;
 
-SceneSurfaces::SceneSurfaces(const gpu::Device& device, const Scene& scene) {
-  uploadMaterials(device, scene);
-  uploadTextures(device, scene);
+SceneSurfaces::SceneSurfaces(const gpu::Device& device, const Scene& scene, gpu::Uploads& uploads) {
+  uploadMaterials(scene, uploads);
+  uploadTextures(device, scene, uploads);
 }
 
 // Taps of anisotropic filtering, for textures with linear minification and levels; otherwise 1.
@@ -41,7 +41,7 @@ static vec3 meanColor(const Scene& scene, const Material& material) {
   return texture < 0 ? factor : factor * meanColor(scene.textures[size_t(texture)]);
 }
 
-void SceneSurfaces::uploadMaterials(const gpu::Device& device, const Scene& scene) {
+void SceneSurfaces::uploadMaterials(const Scene& scene, gpu::Uploads& uploads) {
   std::vector<SceneMaterial> materials;
   for (const Material& source : scene.materials) {
     SceneMaterial material;
@@ -59,7 +59,7 @@ void SceneSurfaces::uploadMaterials(const gpu::Device& device, const Scene& scen
     material.uses[USE_EMISSIVE] = textureUse(scene, source.emissive_texture);
     materials.push_back(material);
   }
-  materials_ = gpu::uploadArray(device, "scene.materials", materials, gpu::kReadByAddress);
+  materials_ = uploads.array("scene.materials", materials, gpu::kReadByAddress);
 }
 
 // In the order of Texture::Format and Texture::Wrap.
@@ -90,7 +90,7 @@ static size_t levelsOf(const Texture& texture) {
   return alike ? 1 : texture.levels.size();
 }
 
-void SceneSurfaces::uploadTextures(const gpu::Device& device, const Scene& scene) {
+void SceneSurfaces::uploadTextures(const gpu::Device& device, const Scene& scene, gpu::Uploads& uploads) {
   // A white texel replaces an empty list of textures, because the array must not be empty.
   Texture white;
   white.name = "white";
@@ -106,9 +106,10 @@ void SceneSurfaces::uploadTextures(const gpu::Device& device, const Scene& scene
     desc.height = uint32_t(source->height);
     desc.levels = uint32_t(levelsOf(*source));
     std::vector<std::vector<uint8_t>> levels(source->levels.begin(), source->levels.begin() + desc.levels);
-    textures_.push_back(gpu::uploadImage(device, "scene.texture." + source->name, desc, levels));
-    samplers_.push_back(gpu::makeSampler(device, "scene.sampler." + source->name, samplerOf(*source)));
-    infos_.push_back({samplers_.back().get(), textures_.back().view(), VK_IMAGE_LAYOUT_GENERAL});
+    textures_.push_back(uploads.image("scene.texture." + source->name, desc, levels));
+    gpu::Owned<VkSampler>& sampler = samplers_[samplerOf(*source)];
+    if (!sampler.get()) sampler = gpu::makeSampler(device, "scene.sampler", samplerOf(*source));
+    infos_.push_back(gpu::inGeneral(textures_.back().view(), sampler.get()));
   }
 }
 

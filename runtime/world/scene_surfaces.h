@@ -2,28 +2,30 @@
 // Materials and textures of a scene on the device, shared by all copies of the scene that have their own poses.
 #pragma once
 
+#include <map>
 #include <vector>
 
-#include "gpu/resources.h"
+#include "gpu/staging.h"
 #include "scene/scene.h"
 
 namespace strobe::world {
 
 class SceneSurfaces {
  public:
-  SceneSurfaces(const gpu::Device& device, const scene::Scene& scene);
+  // The data is on the device when `uploads` has finished.
+  SceneSurfaces(const gpu::Device& device, const scene::Scene& scene, gpu::Uploads& uploads);
 
   const gpu::Buffer& materials() const { return materials_; }
   // Textures with their samplers; one white texel for a scene without textures.
   const std::vector<VkDescriptorImageInfo>& textures() const { return infos_; }
 
  private:
-  void uploadMaterials(const gpu::Device& device, const scene::Scene& scene);
-  void uploadTextures(const gpu::Device& device, const scene::Scene& scene);
+  void uploadMaterials(const scene::Scene& scene, gpu::Uploads& uploads);
+  void uploadTextures(const gpu::Device& device, const scene::Scene& scene, gpu::Uploads& uploads);
 
   gpu::Buffer materials_;
   std::vector<gpu::Image> textures_;
-  std::vector<gpu::Owned<VkSampler>> samplers_;
+  std::map<gpu::SamplerDesc, gpu::Owned<VkSampler>> samplers_;  // at most 144, of the 4,000 that each device allows
   std::vector<VkDescriptorImageInfo> infos_;
 };
 

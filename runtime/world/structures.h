@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/acceleration.h"
+#include "gpu/pipeline.h"
 #include "scene/scene.h"
 #include "shader/backends.h"
 #include "shared/scene.h"
@@ -21,7 +22,7 @@ class Structures {
   virtual ~Structures() = default;
   // Binding of the structures in set 0, and the write of its descriptors.
   virtual VkDescriptorSetLayoutBinding binding(uint32_t number) const = 0;
-  virtual void write(VkDescriptorSet set, uint32_t number) const = 0;
+  virtual void write(const gpu::DescriptorSet& set, uint32_t number) const = 0;
   // Poses the instances at a level: level 0 is the raster time, level 1 + i is sample i. By instance: transform from
   // object to world space, and true if the instance moves (rays may be limited to moving instances). Deformed instances
   // must be posed before.
@@ -39,10 +40,10 @@ std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, cons
                                                  SceneMeshes& meshes, BentInstances& bent, uint32_t slices);
 
 // The runtime's own trees (shaders/shared/bvh.h). `triangles` holds the triangles of `trees` on the device; `triangles`
-// and `bent` must outlive the result.
+// and `bent` must outlive the result. The structures are on the device when `uploads` has finished.
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
                                               const MeshTrees& trees, const gpu::Buffer& triangles, BentInstances& bent,
-                                              uint32_t slices);
+                                              uint32_t slices, gpu::Uploads& uploads);
 
 // Level of a traced slice. Slices between the raster time and the samples are never traced.
 inline bool isTraced(uint32_t slice) { return slice == SLICE_RASTER || slice >= SLICE_SAMPLE; }

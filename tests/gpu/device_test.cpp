@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gpu/resources.h"
+#include "gpu/pipeline.h"
+#include "gpu/staging.h"
 
 namespace strobe::gpu {
 namespace device_test {
@@ -27,7 +28,9 @@ TEST(DeviceInfo, NamesWhatIsMissingAndWhatItIsFor) {
 TEST(Device, CopiesWhatItIsGivenWithoutAMessage) {
   Device device({.validation = true});
   std::vector<uint32_t> values = {1, 2, 3, 5, 8};
-  Buffer uploaded = uploadBuffer(device, "values", values.data(), values.size() * 4, 0);
+  Uploads uploads(device);
+  Buffer uploaded = uploads.array("values", values, 0);
+  uploads.finish();
   Buffer back(device, "back", values.size() * 4, 0, Buffer::Memory::Host);
   device.submit([&](VkCommandBuffer commands) {
     VkBufferCopy copy{0, 0, back.size()};
@@ -56,6 +59,17 @@ TEST(Device, UnknownNamesAreRefusedWithThoseThereAre) {
     EXPECT_EQ(error.exitCode(), 2);
     EXPECT_NE(std::string(error.what()).find("matches none of"), std::string::npos);
   }
+}
+
+// The clock begins again at 0 after its last value, as often as it likes.
+TEST(TimeStamps, CountOnWhereTheClockBeginsAgain) {
+  using Ticks = std::vector<uint64_t>;
+  EXPECT_EQ(ticksSinceFirst({5, 9, 30}, 64), (Ticks{0, 4, 25}));
+  EXPECT_EQ(ticksSinceFirst({250, 4, 2, 2}, 8), (Ticks{0, 10, 264, 264}));
+  const uint64_t last = (uint64_t{1} << 36) - 1;
+  EXPECT_EQ(ticksSinceFirst({last - 1, 3}, 36), (Ticks{0, 5}));
+  EXPECT_EQ(ticksSinceFirst({UINT64_MAX, 0}, 64), (Ticks{0, 1}));
+  EXPECT_EQ(ticksSinceFirst({}, 36), Ticks());
 }
 
 }  // namespace device_test

@@ -125,19 +125,14 @@ class StoredNumbers : public RenderTest {
     for (uint32_t i = 0; i < 2; ++i)
       bindings.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_ALL, nullptr});
     auto layout = gpu::makeSetLayout(device, "stored", bindings);
-    auto pool = gpu::makeDescriptorPool(device, "stored", bindings, 1);
-    VkDescriptorSet set = gpu::allocateSet(device, pool.get(), layout.get());
-    VkDescriptorBufferInfo infos[] = {{io.handle(), 0, VK_WHOLE_SIZE}, {more.handle(), 0, VK_WHOLE_SIZE}};
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = set;
-    write.descriptorCount = 2;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    write.pBufferInfo = infos;
-    device.vk().UpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+    gpu::DescriptorSet set(device, "stored", layout.get(), bindings);
+    set.write(0, io);
+    set.write(1, more);
     gpu::Pipeline pipeline = gpu::Pipeline::compute(device, "stored", spirv, {layout.get()});
     device.submit([&](VkCommandBuffer commands) {
       device.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
-      device.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 1, &set, 0, nullptr);
+      const VkDescriptorSet handle = set.handle();
+      device.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 1, &handle, 0, nullptr);
       device.vk().CmdDispatch(commands, (threads + 63) / 64, 1, 1);
     });
   }

@@ -134,6 +134,7 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
   EXPECT_NE(with([](auto& l) { l.geometries = 0; }).find("mesh 'square' has 1 parts of at most 0"), std::string::npos);
   EXPECT_NE(with([](auto& l) { l.image_side = 7; }).find("texture 'stripe' has 8 pixels a side of at most 7"),
             std::string::npos);
+  EXPECT_NE(with([](auto& l) { l.textures = 0; }).find("the scene has 1 textures of at most 0"), std::string::npos);
   std::string bytes = with([](auto& l) { l.array_bytes = 175; });
   EXPECT_NE(bytes.find("the buffer of all vertices has 176 bytes of at most 175"), std::string::npos) << bytes;
   EXPECT_NE(bytes.find("the buffer of all transforms has 576 bytes of at most 175"), std::string::npos) << bytes;
