@@ -89,7 +89,7 @@ std::vector<double> placesOf(lab::Batch& batch, const study::Experiment& experim
                              const std::vector<bench::NamedShot>& shots) {
   const study::Axis& axis = experiment.axes[group.at.front().axis];
   if (!axis.against.empty()) return counted(batch, shots, axis.against);
-  return std::vector<double>(shots.size(), axis.values[group.at.front().value].value.get<double>());
+  return std::vector<double>(shots.size(), axis.values[group.at.front().value].get<double>());
 }
 
 bench::AxisRun outlineOf(const study::Experiment& experiment, const Points& points) {

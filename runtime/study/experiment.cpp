@@ -10,7 +10,7 @@
 #include "lab/shot_data.h"
 #include "lab/shot_options.h"
 #include "lab/workbench.h"
-#include "study/measures.h"
+#include "study/results.h"
 
 namespace strobe::study {
 
@@ -63,18 +63,16 @@ Crop cropOf(const Json& json) {
 
 StudiedShot shotOf(const Home& home, const Json& json, const Path& script, uint32_t seed) {
   StudiedShot result;
-  take(json, "name", result.name);
+  takeTexts(json, result);
   result.written = writtenIn(json, {"scene_set", "options", "truth"});
-  result.title = json.value("title", result.name);
-  take(json, "note", result.note);
-  take(json, "attribution", result.attribution);
+  if (result.title.empty()) result.title = result.name;
   take(json, "picture_aa", result.picture_aa);
   result.tone = lab::toneFrom(json);
   result.truth = lab::settingsFrom(json, "truth");
   result.shot.seed = seed;
   lab::setOptions(result.shot, json.at("options"));
   result.shot.sets = lab::settingsFrom(json, "scene_set", "scene.");
-  for (const Json& crop : json.value("crops", Json::array({"inner"}))) result.crops.push_back(cropOf(crop));
+  for (const Json& crop : json.value("crops", Json::array({"inner"}))) result.wanted_crops.push_back(cropOf(crop));
   result.frames = lab::framesFrom(json);
   if (!result.frames.empty()) result.shot.frame = result.frames.front();
   lab::SceneFile scene = lab::sceneFile(home, lab::besideScript(script, result.shot.scene));
@@ -84,9 +82,7 @@ StudiedShot shotOf(const Home& home, const Json& json, const Path& script, uint3
 
 AxisValue valueOf(const Json& json) {
   AxisValue value;
-  value.value = json.at("value");
   value.written = writtenIn(json, {"scene", "options", "set", "truth"});
-  take(json, "label", value.label);
   value.options = json.at("options");
   value.scene = lab::settingsFrom(json, "scene", "scene.");
   value.sets = lab::settingsFrom(json, "set");
@@ -100,19 +96,17 @@ Cost costOf(const Json& json) {
 
 Axis axisOf(const Json& json) {
   Axis axis;
-  take(json, "name", axis.name);
-  axis.title = json.value("title", axis.name);
-  take(json, "unit", axis.unit);
-  take(json, "scale", axis.scale);
-  take(json, "region", axis.region);
-  take(json, "fixed", axis.fixed);
-  take(json, "note", axis.note);
-  take(json, "reading", axis.reading);
+  takeTexts(json, axis);
+  if (axis.title.empty()) axis.title = axis.name;
   take(json, "same_picture", axis.same_picture);
   take(json, "against", axis.against);
   for (const Json& cost : json.value("costs", Json::array())) axis.costs.push_back(costOf(cost));
   if (json.contains("benign_index")) axis.benign = json["benign_index"].get<size_t>() - 1;
-  for (const Json& value : json.at("values")) axis.values.push_back(valueOf(value));
+  for (const Json& value : json.at("values")) {
+    axis.values.push_back(value.at("value"));
+    axis.labels.push_back(value.value("label", ""));
+    axis.settings.push_back(valueOf(value));
+  }
   return axis;
 }
 
@@ -182,7 +176,7 @@ class Origin {
   void addAxes(const Experiment& experiment, const Group& group, const std::string& of) {
     for (const At& at : group.at) {
       const Axis& axis = experiment.axes[at.axis];
-      entries_.push_back({&axis.values[at.value].written, fmt::format("axis '{}', {}", axis.name, of), true});
+      entries_.push_back({&axis.settings[at.value].written, fmt::format("axis '{}', {}", axis.name, of), true});
     }
   }
 
@@ -366,7 +360,7 @@ static lab::Shot bareShot(const Experiment& experiment, const Group& group) {
     shot.sets.emplace_back("scene." + experiment.size_params[i], int64_t(i == 0 ? shot.width : shot.height));
   shot.sets = joined(shot.sets, studied.shot.sets);
   for (const At& at : group.at) {
-    const AxisValue& value = experiment.axes[at.axis].values[at.value];
+    const AxisValue& value = experiment.axes[at.axis].settings[at.value];
     lab::setOptions(shot, value.options);
     for (const auto& [name, set] : value.scene) lab::putSetting(shot.sets, name, set);
   }
@@ -381,7 +375,7 @@ lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& ar
     return std::find(arm.lacks.begin(), arm.lacks.end(), name) != arm.lacks.end();
   };
   for (const At& at : group.at)
-    for (const auto& [name, value] : experiment.axes[at.axis].values[at.value].sets)
+    for (const auto& [name, value] : experiment.axes[at.axis].settings[at.value].sets)
       if (!lacks(name) && !lacks(experiment.axes[at.axis].name)) lab::putSetting(shot.sets, name, value);
   return shot;
 }
@@ -394,7 +388,7 @@ lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const sc
     for (const auto& [name, value] : sets) lab::putSetting(shot.sets, name, value);
   };
   put(experiment.shots[group.shot].truth);
-  for (const At& at : group.at) put(experiment.axes[at.axis].values[at.value].truth);
+  for (const At& at : group.at) put(experiment.axes[at.axis].settings[at.value].truth);
   put(more);
   return shot;
 }

@@ -282,7 +282,7 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
   const StudiedShot& studied = experiment_.shots[group.group->shot];
   const Arm& arm = *task.arm;
   std::string name = lab::fileNameOf(arm.name);
-  for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].values[at.value].label);
+  for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].labels[at.value]);
   std::string stem = lab::fileNameOf(studied.title) + "/" + name;
   std::set<std::string> kept = {"color", "error"};
   if (arm.role == Role::truth) kept.insert(experiment_.regions.begin(), experiment_.regions.end());

@@ -362,6 +362,9 @@ std::string Results::missingText() const {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+void takeTexts(const Json& json, AxisSummary& axis) { takeTexts<AxisSummary>(json, axis); }
+void takeTexts(const Json& json, ShotSummary& shot) { takeTexts<ShotSummary>(json, shot); }
+
 Json toJson(const Point& point) {
   Json json = textsOf(point);
   json["role"] = nameOf(point.role);
@@ -428,46 +431,27 @@ Results resultsIn(const Path& file) {
 
 std::string textOf(const Results& results) { return sealed(toJson(results)); }
 
-static AxisSummary summaryOf(const Axis& axis) {
-  AxisSummary result{axis.name,  axis.title, axis.unit,    axis.scale,        axis.region,
-                     axis.fixed, axis.note,  axis.reading, axis.same_picture, axis.benign};
-  for (const AxisValue& value : axis.values) result.values.push_back(value.value), result.labels.push_back(value.label);
-  return result;
-}
-
 Results outlineOf(const Experiment& experiment) {
-  Results results;
+  Results results{experiment};
   results.strobe = STROBE_VERSION;
-  results.title = experiment.title;
-  results.question = experiment.question;
-  results.note = experiment.note;
-  results.partial = experiment.partial;
-  results.width = experiment.width, results.height = experiment.height;
-  results.regions = experiment.regions, results.measures = experiment.measures;
-  for (const Arm& arm : experiment.arms) results.arms.push_back({arm.name, arm.pipeline, arm.role, arm.shown});
-  results.arms.push_back({experiment.truth.name, experiment.truth.pipeline, Role::truth, true});
-  for (const StudiedShot& shot : experiment.shots)
-    results.shots.push_back({shot.name, shot.title, shot.note, shot.attribution, shot.missing, 0, 0, {}, shot.tone});
-  for (const Axis& axis : experiment.axes) results.axes.push_back(summaryOf(axis));
-  results.layout = experiment.layout;
-  results.inputs = experiment.inputs;
+  results.arms.assign(experiment.arms.begin(), experiment.arms.end());
+  results.arms.push_back(experiment.truth);
+  results.shots.assign(experiment.shots.begin(), experiment.shots.end());
+  results.axes.assign(experiment.axes.begin(), experiment.axes.end());
   return results;
 }
 
 void retell(const Home& home, Results& results, const Experiment& experiment) {
-  Results outline = outlineOf(experiment);
-  results.title = outline.title, results.question = outline.question, results.note = outline.note;
-  results.layout = outline.layout;
+  results.title = experiment.title, results.question = experiment.question, results.note = experiment.note;
+  results.layout = experiment.layout;
   for (AxisSummary& axis : results.axes)
-    for (const AxisSummary& now : outline.axes)
-      if (axis.name == now.name) {
-        std::vector<Json> values = axis.values;
-        std::vector<std::string> labels = axis.labels;
-        axis = now;
-        axis.values = values, axis.labels = labels;
-      }
+    for (AxisSummary now : experiment.axes) {
+      if (axis.name != now.name) continue;
+      now.values = axis.values, now.labels = axis.labels;
+      axis = now;
+    }
   for (ShotSummary& shot : results.shots)
-    for (const ShotSummary& now : outline.shots)
+    for (const ShotSummary& now : experiment.shots)
       if (shot.name == now.name) shot.title = now.title, shot.note = now.note;
   judgeResults(home, results, experiment.file);
 }

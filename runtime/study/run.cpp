@@ -182,10 +182,10 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
 void describeShot(const Experiment& experiment, const TaskGroup& group, PointRenderer& renderer, ShotSummary& summary) {
   std::shared_ptr<const lab::Picture> truth = renderer.firstTruth(group);
   if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);
-  if (experiment.shots[group.group->shot].crops.empty()) return;
+  if (experiment.shots[group.group->shot].wanted_crops.empty()) return;
   PicturesLayout pictures = picturesLayoutOf(experiment.layout).value_or(PicturesLayout());
   TruthPicture against = truthPictureOf(experiment, *truth);
-  for (const Crop& crop : experiment.shots[group.group->shot].crops)
+  for (const Crop& crop : experiment.shots[group.group->shot].wanted_crops)
     summary.crops.push_back(placedCrop(experiment, crop, pictures, against));
 }
 
@@ -211,7 +211,7 @@ PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::s
   const StudiedShot& studied = experiment.shots[group.group->shot];
   PointGroup result{studied.name, std::move(anchor), {}, {}};
   for (const At& at : group.group->at)
-    result.at.emplace_back(experiment.axes[at.axis].name, experiment.axes[at.axis].values[at.value].value);
+    result.at.emplace_back(experiment.axes[at.axis].name, experiment.axes[at.axis].values[at.value]);
   for (const Task& task : group.tasks) {
     Point point;
     point.key = task.key, point.failed = task.refused;
