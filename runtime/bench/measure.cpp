@@ -11,9 +11,9 @@
 
 namespace strobe::bench {
 
-Method methodFrom(const std::string& text) {
+lab::Arm methodFrom(const std::string& text) {
   size_t colon = text.find(':');
-  Method method{text, text.substr(0, colon), {}};
+  lab::Arm method{text, text.substr(0, colon), {}};
   std::string sets = colon == std::string::npos ? "" : text.substr(colon + 1);
   if (method.pipeline.empty() || (colon != std::string::npos && sets.empty()))
     throw Error(fmt::format("'{}' is not PIPELINE or PIPELINE:NAME=VALUE,NAME=VALUE", text), {}, 2);
@@ -34,7 +34,7 @@ std::map<std::string, std::string> driverEnvironment() {
 }
 
 lab::Shot shotOf(const Subject& subject, const std::string& scene, const std::array<int, 2>& size,
-                 const Method& method) {
+                 const lab::Arm& method) {
   lab::Shot shot = subject.shot;
   shot.scene = scene;
   shot.width = size[0], shot.height = size[1];
@@ -53,8 +53,8 @@ std::vector<NamedShot> shotsOf(const Subject& subject) {
   std::vector<NamedShot> shots;
   for (const std::string& scene : subject.scenes)
     for (const std::array<int, 2>& size : subject.sizes)
-      for (const Method& method : subject.methods)
-        shots.push_back({scene, method.text, shotOf(subject, scene, size, method)});
+      for (const lab::Arm& method : subject.methods)
+        shots.push_back({scene, method.name, shotOf(subject, scene, size, method)});
   return shots;
 }
 

@@ -4,25 +4,21 @@
 
 #include "bench/times.h"
 #include "lab/batch.h"
+#include "lab/shot_data.h"
 #include "plan/traffic.h"
 
 namespace strobe::bench {
 
-// A pipeline with its settings: "PIPELINE", or "PIPELINE:preset=fast,samples=32". The settings after the first ':' are
-// NAME=VALUE, separated by ','.
-struct Method {
-  std::string text;  // as given; also the method's name
-  std::string pipeline;
-  script::Settings sets;
-};
-// Throws `Error` (exit code 2) if the text has another form. Does not check that the pipeline has the settings.
-Method methodFrom(const std::string& text);
+// Arm from "PIPELINE", or from "PIPELINE:preset=fast,samples=32"; the text is the arm's name. The settings after the
+// first ':' are NAME=VALUE, separated by ','. Throws `Error` (exit code 2) if the text has another form. Does not check
+// that the pipeline has the settings.
+lab::Arm methodFrom(const std::string& text);
 
 // Shots of a run: every method on every scene at every size. All other options are as in `shot`. No list is empty.
 struct Subject {
   std::vector<std::string> scenes;
   std::vector<std::array<int, 2>> sizes;
-  std::vector<Method> methods;
+  std::vector<lab::Arm> methods;
   lab::Shot shot;
 };
 

@@ -24,6 +24,8 @@ std::string Variant::name() const {
   return text.empty() ? "defaults" : text;
 }
 
+std::string Variant::method() const { return sets.empty() ? pipeline : pipeline + " " + name(); }
+
 static const PassDesc& passOf(const PipelineDesc& pipeline, const plan::NodeDesc& node) {
   return *std::find_if(pipeline.passes.begin(), pipeline.passes.end(),
                        [&](const auto& p) { return p.name == node.pass; });

@@ -37,15 +37,12 @@ Written writtenIn(const Json& json, const std::vector<const char*>& lists) {
   return written;
 }
 
-Arm armOf(const Json& json, const Path& script) {
-  Arm arm;
-  take(json, "name", arm.name);
+StudiedArm armOf(const Json& json, const Path& script) {
+  StudiedArm arm{{lab::armFrom(json, script)}};
   arm.written = writtenIn(json, {"set", "box", "full"});
-  arm.pipeline = lab::besideScript(script, json.at("pipeline"));
   take(json, "lacks", arm.lacks);
   take(json, "shown", arm.shown);
   if (json.contains("timed")) arm.timed = json["timed"].get<bool>();
-  arm.sets = lab::settingsFrom(json, "set");
   arm.box = lab::settingsFrom(json, "box");
   if (json.value("role", "") == "floor") arm.role = Role::floor;
   if (json.contains("published")) {
@@ -267,7 +264,7 @@ void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std
   for (const Group& group : experiment.groups) {
     lab::Shot truth = truthShotOf(experiment, group);
     for (size_t number : group.arms) {
-      const Arm& arm = experiment.arms[number];
+      const StudiedArm& arm = experiment.arms[number];
       Origin origin;
       origin.add(arm.written, fmt::format("arm '{}'", arm.name));
       origin.addAxes(experiment, group, fmt::format("arm '{}'", arm.name));
@@ -367,7 +364,7 @@ static lab::Shot bareShot(const Experiment& experiment, const Group& group) {
   return shot;
 }
 
-lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& arm) {
+lab::Shot shotOf(const Experiment& experiment, const Group& group, const StudiedArm& arm) {
   lab::Shot shot = bareShot(experiment, group);
   shot.pipeline = arm.pipeline;
   shot.sets = joined(shot.sets, arm.sets);

@@ -10,6 +10,7 @@
 #include "image/draw.h"
 #include "image/tone.h"
 #include "lab/batch.h"
+#include "lab/shot_data.h"
 
 namespace strobe::study {
 
@@ -36,15 +37,13 @@ struct Published {
   std::string shot, by;  // `by`: authors of the measurement
 };
 
-// Part of an arm that results keep.
-struct ArmSummary {
-  std::string name, pipeline;
+// Part of an arm that results keep; a file of results does not have the settings.
+struct ArmSummary : lab::Arm {
   Role role = Role::method;
   bool shown = true;  // on sheet and page; tables have every arm
 };
 
-struct Arm : ArmSummary {
-  script::Settings sets;
+struct StudiedArm : ArmSummary {
   script::Settings box;            // added to `sets` for a picture with several samples per pixel
   std::vector<std::string> lacks;  // axes, or parameters set by axes, that do not apply to the arm
   std::optional<bool> timed;       // times are measured; empty: true for all pipelines except truth
@@ -139,8 +138,8 @@ struct Experiment : ExperimentSummary {
   int file_width = 960, file_height = 540;  // size in the file; crops are in its pixels
   std::vector<std::string> size_params;     // scene parameters for width and height
   std::vector<StudiedShot> shots;
-  std::vector<Arm> arms;
-  Arm truth;
+  std::vector<StudiedArm> arms;
+  StudiedArm truth;
   double truth_error = 0;                      // upper bound of truth's standard error, met by more samples; 0: none
   std::optional<script::Settings> full_truth;  // settings of a second truth (measure rmse_full)
   std::vector<Axis> axes;
@@ -166,7 +165,7 @@ Experiment readExperiment(const Home& home, const std::string& file, bool evalua
 Json judge(const Home& home, const std::string& file, const Json& results);
 
 // Shot of an arm, and of truth, at a group's point (`more`: additional settings).
-lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& arm);
+lab::Shot shotOf(const Experiment& experiment, const Group& group, const StudiedArm& arm);
 lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const script::Settings& more = {});
 
 // One shot per frame of the studied shot's sequence, or `shot` alone. Nodes that a shot moves are at rest at the first

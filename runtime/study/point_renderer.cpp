@@ -196,7 +196,7 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
     requireSize(found->second.floats, sight.color, fmt::format("output '{}', which the background names,", output));
   }
   sight.background = &*background;
-  for (const Arm& arm : experiment_.arms)
+  for (const StudiedArm& arm : experiment_.arms)
     if (arm.name == background->front) {
       front_ = lab::colorOf(*batch_.picture(atFrame(shotOf(experiment_, *group.group, arm))));
       requireSize(front_, sight.color, fmt::format("arm '{}'", arm.name));
@@ -280,7 +280,7 @@ void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const la
 // output.
 void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
   const StudiedShot& studied = experiment_.shots[group.group->shot];
-  const Arm& arm = *task.arm;
+  const StudiedArm& arm = *task.arm;
   std::string name = lab::fileNameOf(arm.name);
   for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].labels[at.value]);
   std::string stem = lab::fileNameOf(studied.title) + "/" + name;

@@ -87,7 +87,7 @@ bool isAt(const Experiment& experiment, const Group& group, const Conditions& co
 // Base arm of the time ratios (by default the first method), if the group has the arm.
 std::optional<size_t> baseAmong(const Experiment& experiment, const Group& group) {
   for (size_t arm : group.arms) {
-    const Arm& one = experiment.arms[arm];
+    const StudiedArm& one = experiment.arms[arm];
     if (experiment.base.empty() ? one.role == Role::method : one.name == experiment.base) return arm;
   }
   return std::nullopt;
@@ -108,7 +108,7 @@ std::optional<size_t> baseIn(const Experiment& experiment, const Group& group) {
 void keepOnly(Experiment& experiment, const std::string& expression) {
   Conditions conditions = conditionsOf(experiment, expression);
   auto isAsked = [&](const Group& group, size_t arm) {
-    const Arm& one = experiment.arms[arm];
+    const StudiedArm& one = experiment.arms[arm];
     return allows(conditions, "shot", experiment.shots[group.shot].name) && isAt(experiment, group, conditions) &&
            (one.role != Role::method || allows(conditions, "arm", one.name));
   };

@@ -166,7 +166,7 @@ Results read(const Json& json) {
   results.regions = json.at("regions").get<std::vector<std::string>>();
   results.measures = json.at("measures").get<std::vector<std::string>>();
   for (const Json& arm : json.at("arms"))
-    results.arms.push_back({arm.at("name"), arm.at("pipeline"), roleOf(arm.at("role")), arm.at("shown")});
+    results.arms.push_back({{arm.at("name"), arm.at("pipeline"), {}}, roleOf(arm.at("role")), arm.at("shown")});
   for (const Json& shot : json.at("shots")) results.shots.push_back(shotOf(shot));
   for (const Json& axis : json.at("axes")) results.axes.push_back(axisOf(axis));
   results.layout = json.at("layout");

@@ -115,13 +115,12 @@ void Tuner::prepare() {
   space_ = spaceOf(*pipeline_, capturedNodes(batch_, filled), wish_);
   script::Settings own;
   std::remove_copy_if(filled.sets.begin(), filled.sets.end(), std::back_inserter(own), lab::isOfScene);
-  Arm tuned{{pipeline_->name, filled.pipeline}}, base{{"base", filled.pipeline}};
-  tuned.sets = own;
+  StudiedArm tuned{{{pipeline_->name, filled.pipeline, own}}}, base{{{"base", filled.pipeline}}};
   if (wish_.base.empty()) base.name = pipeline_->name + " as it is", base.sets = own;
   else base.name = "base " + wish_.base, base.pipeline = wish_.base;
   experiment_.arms = {tuned, base};
   experiment_.base = base.name;
-  experiment_.truth = {{"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth), Role::truth}};
+  experiment_.truth = {{{"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth)}, Role::truth}};
   experiment_.title = fmt::format("{} tuned on {}", pipeline_->name, Path(filled.scene).stem().string());
   store_.belongTo(experiment_.title);
   experiment_.setSize(filled.width, filled.height);
