@@ -2,13 +2,11 @@
 #include "study/page_images.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <exception>
 #include <functional>
-#include <mutex>
-#include <thread>
 
+#include "base/cores.h"
 #include "base/hash.h"
 #include "image/crops.h"
 #include "image/draw.h"
@@ -24,25 +22,18 @@ namespace {
 
 using image::Image;
 
-// Calls `work` with 0 to count - 1 on up to eight threads. Stops at the first exception and rethrows it.
+// Calls `work` with 0 to count - 1 on all cores; rethrows the first exception.
 void inParallel(size_t count, const std::function<void(size_t)>& work) {
-  std::atomic<size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  auto run = [&] {
-    for (size_t i = next++; i < count; i = next++) try {
-        work(i);
-      } catch (...) {
-        std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::min(8u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  std::vector<std::exception_ptr> failures(count);
+  forEachOnAllCores(count, [&](size_t i) {
+    try {
+      work(i);
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
 }
 
 // Size and quality of written pictures; quality 0 is PNG.

@@ -86,6 +86,19 @@ TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& pi
   return truth;
 }
 
+std::string failureOf(const std::function<void()>& step) {
+  try {
+    step();
+  } catch (const WriteError&) {
+    throw;
+  } catch (const gpu::DeviceLost&) {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // Advances the progress by `cost` in total.
 std::shared_ptr<const lab::Picture> PointRenderer::drawn(const lab::Shot& shot, int cost) {
   int last = 0;
@@ -132,17 +145,8 @@ void PointRenderer::prepareTruth(const TaskGroup& group) {
   if (truth_keys_ == contentsOf(group)) return;
   // Do not draw a failed truth again for every arm.
   std::string& failed = failed_truths_[contentsOf(group)];
+  if (failed.empty()) failed = failureOf([&] { loadTruth(group); });
   if (!failed.empty()) throw Error(failed);
-  try {
-    loadTruth(group);
-  } catch (const WriteError&) {
-    throw;
-  } catch (const gpu::DeviceLost&) {
-    throw;
-  } catch (const std::exception& error) {
-    failed = error.what();
-    throw;
-  }
 }
 
 void PointRenderer::loadTruth(const TaskGroup& group) {
@@ -314,16 +318,10 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
       fmt::format("{}{}, {}", experiment_.shots[group.group->shot].name, at.empty() ? "" : ", " + at, task.arm->name);
   batch_.bench().device().setSubject(name);
   Point point;
-  try {
-    point = measuredPoint(group, task);
-  } catch (const WriteError&) {
-    throw;
-  } catch (const gpu::DeviceLost&) {
-    throw;
-  } catch (const std::exception& error) {
-    point = {};
-    point.failed = error.what();
-    warn(fmt::format("{}: failed: {}", name, point.failed));
+  const std::string failed = failureOf([&] { point = measuredPoint(group, task); });
+  if (!failed.empty()) {
+    point.failed = failed;
+    warn(fmt::format("{}: failed: {}", name, failed));
   }
   store_.keep(task.key, point);
 }

@@ -12,11 +12,6 @@ namespace strobe::study {
 
 namespace {
 
-Json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
-}
-
 Role roleOf(const std::string& name) {
   return name == "truth" ? Role::truth : name == "floor" ? Role::floor : Role::method;
 }
@@ -123,8 +118,8 @@ AxisSummary axisOf(const Json& json) {
 
 Json shotJson(const ShotSummary& shot) {
   Json json = textsOf(shot);
-  json["fps"] = number(shot.fps);
-  json["exposure"] = number(shot.exposure);
+  json["fps"] = numberJson(shot.fps);
+  json["exposure"] = numberJson(shot.exposure);
   for (const auto& crop : shot.crops) json["crops"].push_back({crop.x, crop.y, crop.width, crop.height});
   json["stops"] = shot.tone.stops;
   json["filmic"] = shot.tone.curve == image::ToneMap::Curve::filmic;
@@ -256,8 +251,8 @@ std::string csvNumber(const Json& value) {
 std::string csvAxes(const Results& results, const PointGroup& group) {
   std::string text;
   for (const AxisSummary& axis : results.axes) {
-    auto at = std::find_if(group.at.begin(), group.at.end(), [&](const auto& a) { return a.first == axis.name; });
-    text += "," + (at == group.at.end() ? "" : csvNumber(at->second));
+    const Json* at = group.valueOn(axis.name);
+    text += "," + (at ? csvNumber(*at) : "");
   }
   return text;
 }
@@ -298,6 +293,12 @@ std::string PointGroup::lackOf(const Point& point) const {
   std::string own = point.lack(), of_truth = truth().lack();
   if (!own.empty() || &point == &truth() || of_truth.empty()) return own;
   return "truth: " + of_truth;
+}
+
+const Json* PointGroup::valueOn(const std::string& axis) const {
+  for (const auto& [name, value] : at)
+    if (name == axis) return &value;
+  return nullptr;
 }
 
 const Point* PointGroup::floor() const {
@@ -362,6 +363,11 @@ std::string Results::missingText() const {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+Json numberJson(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
+}
+
 void takeTexts(const Json& json, AxisSummary& axis) { takeTexts<AxisSummary>(json, axis); }
 void takeTexts(const Json& json, ShotSummary& shot) { takeTexts<ShotSummary>(json, shot); }
 
@@ -370,11 +376,11 @@ Json toJson(const Point& point) {
   json["role"] = nameOf(point.role);
   json["values"] = Json::object();
   for (const auto& [measure, values] : point.values)
-    for (const auto& [region, value] : values) json["values"][measure][region] = number(value);
+    for (const auto& [region, value] : values) json["values"][measure][region] = numberJson(value);
   if (!point.limits.empty()) json["limits"] = point.limits;
   if (!point.files.empty()) json["files"] = point.files;
   for (const PassTime& pass : point.passes)
-    json["passes"].push_back({pass.pass, number(pass.ms), number(pass.low), number(pass.high)});
+    json["passes"].push_back({pass.pass, numberJson(pass.ms), numberJson(pass.low), numberJson(pass.high)});
   return json;
 }
 

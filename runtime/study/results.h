@@ -56,7 +56,8 @@ struct PointGroup {
   const Point& truth() const { return points.front(); }
   // `Point::lack` of a point of the group, or of truth if only truth lacks values: "truth: failed".
   std::string lackOf(const Point& point) const;
-  const Point* floor() const;  // nullptr without a floor
+  const Json* valueOn(const std::string& axis) const;  // nullptr if the group is not on the axis
+  const Point* floor() const;                          // nullptr without a floor
   const Point* find(const std::string& arm) const;
 };
 
@@ -87,6 +88,9 @@ struct Results : ExperimentSummary {
   size_t missing() const;                         // number of points that are not drawn yet
   std::string missingText() const;                // not drawn yet: "3 of 8 points, 1 of 2 truths"; "": none
 };
+
+// Number with nine significant digits; null if not finite.
+Json numberJson(double value);
 
 // Sets the text fields from JSON; a missing field becomes "".
 void takeTexts(const Json& json, AxisSummary& axis);

@@ -162,15 +162,8 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
   for (const Walk& walk : walks) count += walk.tasks.size();
   watch.begin("times", int(count));
   for (const Walk& walk : walks) {
-    try {
-      timeInTurn(experiment, batch, store, walk);
-    } catch (const WriteError&) {
-      throw;
-    } catch (const gpu::DeviceLost&) {
-      throw;
-    } catch (const std::exception& error) {
-      failTimes(store, walk, error.what());
-    }
+    const std::string failed = failureOf([&] { timeInTurn(experiment, batch, store, walk); });
+    if (!failed.empty()) failTimes(store, walk, failed);
     watch.advance(int(walk.tasks.size()));
   }
   watch.end();
@@ -197,13 +190,8 @@ void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& g
     bool has_truth = !group.truth().key.empty() && store.has(group.truth().key);
     if (!has_truth || !described.insert(group.group->shot).second) continue;
     ShotSummary& summary = results.shots[group.group->shot];
-    try {
-      describeShot(experiment, group, renderer, summary);
-    } catch (const WriteError&) {
-      throw;
-    } catch (const Error& error) {
-      warn(fmt::format("{}: crops are left out: {}", summary.title, error.what()));
-    }
+    const std::string failed = failureOf([&] { describeShot(experiment, group, renderer, summary); });
+    if (!failed.empty()) warn(fmt::format("{}: crops are left out: {}", summary.title, failed));
   }
 }
 
