@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "app/bench.h"
-
 #include <unistd.h>
 
 #include <cstdio>
 #include <memory>
 
-#include "app/bench_frames.h"
-#include "app/bench_slopes.h"
+#include "app/commands.h"
 #include "app/shot_options.h"
 #include "base/frozen_home.h"
 #include "lab/reload_bench.h"

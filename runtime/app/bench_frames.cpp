@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "app/bench_frames.h"
-
 #include <unistd.h>
 
 #include <cstdio>
@@ -8,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "app/numbers.h"
 #include "app/shot_options.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/bench_slopes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "app/numbers.h"
 #include "app/shot_options.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "app/capture.h"
-
 #include <cstdio>
 #include <memory>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "app/shot_options.h"
 #include "archive/capture_run.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/compare.h"
-
 #include <fmt/core.h>
 
 #include <map>
 #include <memory>
 #include <string>
 
+#include "app/commands.h"
 #include "base/error.h"
 #include "base/json.h"
 #include "base/log.h"

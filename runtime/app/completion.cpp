@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/completion.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
 #include <sstream>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "script/evaluate.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "app/help.h"
-
 #include <cstdio>
 #include <memory>
 #include <string>
 
+#include "app/commands.h"
 #include "lab/reference.h"
 
 namespace strobe::app {

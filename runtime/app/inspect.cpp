@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "app/inspect.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -8,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "app/shot_options.h"
 #include "archive/capture_file.h"

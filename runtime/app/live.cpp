@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "app/live.h"
+#include "live/live.h"
 
 #include <memory>
 
+#include "app/commands.h"
 #include "app/shot_options.h"
-#include "live/live.h"
 
 namespace strobe::app {
 

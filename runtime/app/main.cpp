@@ -9,18 +9,7 @@
 #include <exception>
 #include <set>
 
-#include "app/bench.h"
-#include "app/capture.h"
-#include "app/compare.h"
-#include "app/completion.h"
-#include "app/help.h"
-#include "app/inspect.h"
-#include "app/live.h"
-#include "app/new.h"
-#include "app/render.h"
-#include "app/stability.h"
-#include "app/sweep.h"
-#include "app/tune.h"
+#include "app/commands.h"
 #include "base/error.h"
 #include "base/project.h"
 #include "script/evaluate.h"

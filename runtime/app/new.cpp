@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "app/new.h"
-
 #include <cstdio>
 #include <memory>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "base/error.h"
 

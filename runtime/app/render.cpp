@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "app/render.h"
-
 #include <cstdio>
 #include <future>
 #include <memory>
 #include <set>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "app/shot_options.h"
 #include "base/leftovers.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "app/stability.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 
+#include "app/commands.h"
 #include "app/shot_options.h"
 #include "stability/extremes.h"
 #include "stability/suite.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/sweep.h"
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "app/numbers.h"
 #include "app/result_files.h"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/tune.h"
+#include "study/tune.h"
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "app/commands.h"
 #include "app/files.h"
 #include "app/numbers.h"
 #include "app/result_files.h"
@@ -16,7 +17,6 @@
 #include "page/table.h"
 #include "study/gallery.h"
 #include "study/report.h"
-#include "study/tune.h"
 
 namespace strobe::app {
 
