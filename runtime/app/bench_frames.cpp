@@ -13,7 +13,6 @@
 #include "base/log.h"
 #include "bench/measure.h"
 #include "bench/report.h"
-#include "bench/trace.h"
 
 namespace strobe::app {
 

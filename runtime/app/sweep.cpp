@@ -17,7 +17,6 @@
 #include "base/numbers.h"
 #include "lab/shot_options.h"
 #include "study/points.h"
-#include "study/processes.h"
 #include "study/report.h"
 #include "study/run.h"
 #include "study/watch.h"

@@ -39,7 +39,7 @@ struct Sight {
   uint64_t bytes = 0;                       // memory of all images that a frame holds at once
   std::vector<double> times_ms;             // frame times after one warm-up frame
   std::vector<double> base_ms;              // frame times of the base arm in the same rounds
-  std::vector<double> own_ms, own_base_ms;  // times of the method's own passes (own.h)
+  std::vector<double> own_ms, own_base_ms;  // times of the method's own passes (run.h)
 
   // Error maps, computed on first use.
   const image::Image& flip() const;

@@ -8,7 +8,6 @@
 #include "base/log.h"
 #include "lab/shot_options.h"
 #include "script/lua_text.h"
-#include "study/own.h"
 #include "study/run.h"
 #include "study/watch.h"
 

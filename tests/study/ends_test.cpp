@@ -6,8 +6,8 @@
 
 #include "common/home.h"
 #include "program/run.h"
-#include "study/processes.h"
 #include "study/report.h"
+#include "study/run.h"
 #include "study/watch.h"
 
 namespace strobe::study {
