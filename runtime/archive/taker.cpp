@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "archive/layers.h"
 #include "archive/manifest.h"
 #include "base/hash.h"
 #include "base/log.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "study/explorer.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "study/effects.h"
 #include "study/layout.h"
 #include "study/page_images.h"
+#include "study/report.h"
 
 namespace strobe::study {
 

@@ -8,7 +8,6 @@
 #include "common/source.h"
 #include "image/png.h"
 #include "program/run.h"
-#include "study/explorer.h"
 #include "study/page_images.h"
 #include "study/report.h"
 
