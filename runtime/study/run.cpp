@@ -149,7 +149,7 @@ void keepTimes(const Store& store, const Task& task, const std::string& times, c
   point.times = times;
   point.passes = passesOf(own.frame);
   for (const std::string& name : task.measures)
-    if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, "", {});
+    if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, {"all", {}});
   store.keep(task.key, point);
 }
 
