@@ -275,10 +275,6 @@ std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Roun
       if (round >= 0) addRound(timings[i], drawn);
     }
   }
-  for (Timing& timing : timings) {
-    timing.median = median(timing.ms);
-    timing.low = quantile(timing.ms, 0.25), timing.high = quantile(timing.ms, 0.75);
-  }
   return timings;
 }
 

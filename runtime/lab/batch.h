@@ -35,8 +35,6 @@ struct Timing {
   std::vector<double> ms;                                           // GPU time by round
   std::vector<double> interval_ms;                                  // by round: wall clock from frame to frame
   std::vector<std::pair<std::string, std::vector<double>>> passes;  // by node in execution order, then by round
-  double median = 0;
-  double low = 0, high = 0;  // quartiles
   // From the last round.
   std::vector<int> executions;                             // by node, in the order of `passes`
   std::vector<std::pair<std::string, uint64_t>> counters;  // "node.counter"
