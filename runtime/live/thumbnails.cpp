@@ -23,19 +23,7 @@ static std::array<int, 2> sizeOf(int width, int height) {
 image::Image reduced(const image::Image& linear) {
   if (std::max(linear.width, linear.height) <= kCell) return linear;
   auto [w, h] = sizeOf(linear.width, linear.height);
-  image::Image small(w, h, linear.channels);
-  for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x) {
-      int left = x * linear.width / w, right = std::max(left + 1, (x + 1) * linear.width / w);
-      int top = y * linear.height / h, bottom = std::max(top + 1, (y + 1) * linear.height / h);
-      for (int c = 0; c < linear.channels; ++c) {
-        double sum = 0;
-        for (int v = top; v < bottom; ++v)
-          for (int u = left; u < right; ++u) sum += linear.at(u, v, c);
-        small.at(x, y, c) = float(sum / ((right - left) * (bottom - top)));
-      }
-    }
-  return small;
+  return image::shrunk(linear, w, h);
 }
 
 // Crop with the largest error of all points, its pixels as squares; the whole picture until every point has an error.
