@@ -11,10 +11,8 @@
 #include "app/numbers.h"
 #include "app/shot_options.h"
 #include "base/log.h"
-#include "bench/in_turn.h"
 #include "bench/measure.h"
 #include "bench/report.h"
-#include "bench/trace.h"
 
 namespace strobe::app {
 
@@ -126,15 +124,15 @@ void measureAlone(const Home& home, const FramesOptions& options, const bench::S
   std::optional<bench::Run> saved;
   if (!options.against.empty()) {
     saved = bench::readRun(options.against);
-    bench::requireSameShots(bench::outlineOf(bench, subject), *saved, options.against);
+    bench::requireSameShots(bench::outlineOf(bench, bench::shotsOf(subject)), *saved, options.against);
   }
-  measured.run = bench::measure(bench, subject, roundsOf(options));
+  measured.run = bench::measure(bench, bench::shotsOf(subject), roundsOf(options));
   bench.device().refuseMessages();
   if (saved) measured.comparison = bench::compared(measured.run, *saved, options.moved);
 }
 
 void measureInTurn(const Home& home, const FramesOptions& options, const bench::Subject& subject, Measured& measured) {
-  bench::outlineOf(*std::make_unique<lab::Workbench>(home, subject.shot.device, false), subject);
+  bench::outlineOf(*std::make_unique<lab::Workbench>(home, subject.shot.device, false), bench::shotsOf(subject));
   std::vector<std::string> words = wordsOf(options, subject);
   words.push_back("--json");
   std::string own = std::filesystem::read_symlink("/proc/self/exe"), other = std::filesystem::absolute(options.against);

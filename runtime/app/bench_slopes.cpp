@@ -52,7 +52,7 @@ std::vector<Points> pointsOf(const study::Experiment& experiment) {
   return all;
 }
 
-bench::NamedShot named(const study::Experiment& experiment, const study::Group& group, const study::Arm& arm) {
+bench::NamedShot named(const study::Experiment& experiment, const study::Group& group, const study::StudiedArm& arm) {
   std::string scene = experiment.shots[group.shot].name;
   if (!group.at.empty()) scene += ", " + study::describe(experiment, group);
   return {scene, arm.name, study::shotOf(experiment, group, arm)};
@@ -88,7 +88,7 @@ std::vector<double> placesOf(lab::Batch& batch, const study::Experiment& experim
                              const std::vector<bench::NamedShot>& shots) {
   const study::Axis& axis = experiment.axes[group.at.front().axis];
   if (!axis.against.empty()) return counted(batch, shots, axis.against);
-  return std::vector<double>(shots.size(), axis.values[group.at.front().value].value.get<double>());
+  return std::vector<double>(shots.size(), axis.values[group.at.front().value].get<double>());
 }
 
 bench::AxisRun outlineOf(const study::Experiment& experiment, const Points& points) {
@@ -119,7 +119,7 @@ std::vector<bench::Demand> demandsOf(lab::Workbench& bench, const study::Experim
   lab::Batch batch(bench);
   for (size_t s = 0; s < experiment.shots.size(); ++s) {
     if (!experiment.shots[s].missing.empty()) continue;
-    for (const study::Arm& arm : experiment.arms) {
+    for (const study::StudiedArm& arm : experiment.arms) {
       bench::NamedShot shot = named(experiment, {s, {}, {}}, arm);
       bench::Run once = bench::measure(bench, std::vector{shot}, lab::Rounds());
       for (const auto& [width, height] : kDemandSizes) {

@@ -38,7 +38,7 @@ Json jsonOf(const std::vector<stability::Report>& reports, const std::vector<sta
 // Runs every extreme case with every pipeline and preset.
 void runExtremes(const Home& home, const StabilityOptions& options) {
   lab::Workbench bench(home, options.device, validationWanted());
-  std::vector<stability::Method> methods = stability::methodsOf(home, bench.limits);
+  std::vector<stability::Variant> methods = stability::methodsOf(home, bench.limits);
   std::vector<stability::ExtremeOutcome> outcomes;
   const stability::Extremes extremes = stability::readExtremes(home, bench.limits);
   for (const stability::Extreme& extreme : extremes.cases)

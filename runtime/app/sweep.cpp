@@ -17,7 +17,6 @@
 #include "base/numbers.h"
 #include "lab/shot_options.h"
 #include "study/points.h"
-#include "study/processes.h"
 #include "study/report.h"
 #include "study/run.h"
 #include "study/watch.h"
@@ -92,7 +91,7 @@ void list(const study::Experiment& experiment, bool json) {
     for (size_t arm : group.arms) {
       Json at = Json::object();
       for (const study::At& one : group.at)
-        at[experiment.axes[one.axis].name] = experiment.axes[one.axis].values[one.value].value;
+        at[experiment.axes[one.axis].name] = experiment.axes[one.axis].values[one.value];
       points.push_back({{"shot", experiment.shots[group.shot].name}, {"at", at}, {"arm", experiment.arms[arm].name}});
     }
   std::fputs((json ? points.dump(1) + "\n" : study::listOf(experiment)).c_str(), stdout);

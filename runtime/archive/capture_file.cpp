@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "base/home.h"
-#include "lab/shot_data.h"
 #include "lab/shot_options.h"
 
 namespace strobe::archive {
@@ -53,10 +52,7 @@ CapturedShot shotFrom(const Home& home, const Json& json, const Path& script, ui
 }
 
 CapturedArm armFrom(const Json& json, const Path& script) {
-  CapturedArm arm;
-  arm.name = json.at("name").get<std::string>();
-  arm.pipeline = lab::besideScript(script, json.at("pipeline").get<std::string>());
-  arm.sets = lab::settingsFrom(json, "set");
+  CapturedArm arm{lab::armFrom(json, script)};
   arm.shots = json.value("shots", std::vector<std::string>{});
   arm.layers = layersFrom(json);
   if (!json.contains("files")) return arm;

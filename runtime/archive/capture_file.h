@@ -4,7 +4,7 @@
 #pragma once
 
 #include "image/tone.h"
-#include "lab/shot.h"
+#include "lab/shot_data.h"
 
 namespace strobe::archive {
 
@@ -33,9 +33,7 @@ struct Layers {
   std::vector<std::string> names;
 };
 
-struct CapturedArm {
-  std::string name, pipeline;
-  script::Settings sets;
+struct CapturedArm : lab::Arm {
   std::vector<std::string> shots;  // shots that the arm draws; empty: all
   std::optional<Layers> layers;
   Path files;  // folder beside the script with replacements for the home's files (FrozenHome); or ""

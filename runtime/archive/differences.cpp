@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "archive/capture_run.h"
-#include "archive/layers.h"
 #include "image/comparison.h"
 #include "image/false_colour.h"
 #include "image/png.h"

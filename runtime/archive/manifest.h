@@ -34,4 +34,17 @@ Json fileEntry(const Path& file);
 // Lines for `sha256sum -c`, for files of a folder.
 std::string sumsOf(const Path& folder, const std::set<std::string>& names);
 
+// Images of a picture in one file, without loss: by output, or "node.port".
+using Images = std::map<std::string, graph::ReadImage>;
+
+// { format, size, hash } of each image, by name.
+Json layersJson(const Images& images);
+
+// Writes a part for each image, with the picture's attributes. `record` is stored in the file.
+void writeLayers(const Path& file, const lab::Picture& picture, const Json& record, const Images& images);
+
+// Reads a file written by `writeLayers`. Throws `Error` naming the file if the images differ from `layers` (see
+// `layersJson`).
+Images readLayers(const Path& file, const Json& layers);
+
 }  // namespace strobe::archive

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "archive/layers.h"
 #include "archive/manifest.h"
 #include "base/hash.h"
 #include "base/log.h"
@@ -153,20 +152,18 @@ Taker::Taker(lab::Workbench& bench, const Home& original, const CaptureFile& cap
 
 const Taker::Place& Taker::placeOf(const CapturedArm& arm) {
   if (arm.files.empty()) return own_;
-  std::unique_ptr<OwnPlace>& known = others_[arm.files];
-  if (known) return known->place;
+  auto known = others_.find(arm.files);
+  if (known != others_.end()) return known->second;
   auto home =
       std::make_unique<FrozenHome>(own_.bench.home(), folder_ / fmt::format(".inputs_{}", others_.size()), arm.files);
   std::unique_ptr<lab::Workbench> bench = make_bench_(home->home());
-  InputNames names(home->home(), own_.names, arm.files);
-  lab::Workbench& drawn_on = *bench;
-  known.reset(new OwnPlace{std::move(home), std::move(bench), {drawn_on, std::move(names)}});
-  return known->place;
+  Place place{*bench, InputNames(home->home(), own_.names, arm.files), std::move(home), std::move(bench)};
+  return others_.emplace(arm.files, std::move(place)).first->second;
 }
 
 void Taker::refuseMessages() const {
   own_.bench.device().refuseMessages();
-  for (const auto& [folder, other] : others_) other->bench->device().refuseMessages();
+  for (const auto& [folder, other] : others_) other.bench.device().refuseMessages();
 }
 
 // Drawing with the outputs of all passes tapped.

@@ -52,15 +52,12 @@ class Taker {
   const Json& timings() const { return timings_; }
 
  private:
-  // Bench of an arm, and the names of the arm's files.
+  // Bench of an arm, and the names of the arm's files. An arm with files of its own has a home and a bench of its own.
   struct Place {
     lab::Workbench& bench;
     InputNames names;
-  };
-  struct OwnPlace {
-    std::unique_ptr<FrozenHome> home;
-    std::unique_ptr<lab::Workbench> bench;
-    Place place;
+    std::unique_ptr<FrozenHome> own_home = {};
+    std::unique_ptr<lab::Workbench> own_bench = {};
   };
 
   const Place& placeOf(const CapturedArm& arm);
@@ -76,10 +73,10 @@ class Taker {
   const Path folder_;
   MakeBench make_bench_;
   Place own_;
-  std::map<Path, std::unique_ptr<OwnPlace>> others_;  // by the folder of an arm's files
-  std::map<std::string, std::string> sums_;           // SHA-256 of the current inputs, by name
-  std::map<std::string, Json> entries_;               // of requested pictures, by name
-  std::list<figure::Taken> kept_;                     // last used first, at most kPicturesFound
+  std::map<Path, Place> others_;             // by the folder of an arm's files
+  std::map<std::string, std::string> sums_;  // SHA-256 of the current inputs, by name
+  std::map<std::string, Json> entries_;      // of requested pictures, by name
+  std::list<figure::Taken> kept_;            // last used first, at most kPicturesFound
   int drawn_ = 0;
   Json timings_ = Json::object();
 };

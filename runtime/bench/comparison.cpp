@@ -11,11 +11,13 @@ namespace strobe::bench {
 
 namespace {
 
-// Milliseconds by round of a part of a shot, or of its frame if `name` is ""; null if the shot lacks the part.
-const std::vector<double>* msOf(const ShotTimes& shot, const std::vector<PassTimes>& parts, const std::string& name) {
-  if (name.empty()) return &shot.ms;
-  auto found = std::find_if(parts.begin(), parts.end(), [&](const PassTimes& part) { return part.name == name; });
-  return found == parts.end() ? nullptr : &found->ms;
+// Milliseconds by round of a part of a shot, or of its frame if `part` is "".
+std::vector<double> msOf(const Run& run, size_t shot, const std::string& part) {
+  const ShotTimes& of = run.shots[shot];
+  for (PassTimes& one : of.parts())
+    if (one.name == part) return std::move(one.ms);
+  STROBE_ASSERT(part.empty(), "{}: {}", of.name(), part);
+  return of.ms;
 }
 
 // 1: slower, -1: faster, 0: within `share` of 1, or the interval contains 1.
@@ -24,48 +26,35 @@ int directionOf(const Estimate& ratio, double share) {
   return ratio.low > 1 ? 1 : ratio.high < 1 ? -1 : 0;
 }
 
-// A shot of a run, with its parts.
-struct Side {
-  const ShotTimes* shot;
-  std::vector<PassTimes> parts;
-};
-
-Side sideOf(const Run& run, size_t shot) { return {&run.shots[shot], run.shots[shot].parts()}; }
-
-// Names of the parts in both runs, the frame first. Adds the other parts to the lists of the comparison.
-std::vector<std::string> namesOf(const Side& now, const Side& before, Comparison& comparison) {
+// Names of the parts in both shots, the frame ("") first. Adds the other parts to the lists of the comparison.
+std::vector<std::string> namesOf(const ShotTimes& now, const ShotTimes& before, Comparison& comparison) {
+  const std::vector<PassTimes> present = now.parts(), earlier = before.parts();
+  auto lists = [](const std::vector<PassTimes>& parts, const std::string& name) {
+    return std::any_of(parts.begin(), parts.end(), [&](const PassTimes& part) { return part.name == name; });
+  };
   std::vector<std::string> names = {""};
-  auto lists = [](const Side& side, const std::string& name) { return msOf(*side.shot, side.parts, name) != nullptr; };
-  for (const PassTimes& part : now.parts)
-    if (lists(before, part.name)) names.push_back(part.name);
-    else comparison.added.push_back(part.name + " of " + now.shot->name());
-  for (const PassTimes& part : before.parts)
-    if (!lists(now, part.name)) comparison.gone.push_back(part.name + " of " + now.shot->name());
+  for (const PassTimes& part : present)
+    if (lists(earlier, part.name)) names.push_back(part.name);
+    else comparison.added.push_back(part.name + " of " + now.name());
+  for (const PassTimes& part : earlier)
+    if (!lists(present, part.name)) comparison.gone.push_back(part.name + " of " + now.name());
   return names;
 }
 
-// Times of a part of a shot in both runs: medians, ratios in the basis of the comparison, ratios of milliseconds.
-struct Times {
-  double now_ms = 0, before_ms = 0;
-  Estimate compared, ms;
-};
-using TimesOf = std::function<Times(size_t shot, const std::string& part)>;
+// Medians and ratios of a part of a shot.
+using ChangeOf = std::function<Change(size_t shot, const std::string& part)>;
 
-void addChanges(Comparison& comparison, const Run& now, const Run& before, const TimesOf& times_of) {
-  for (size_t s = 0; s < now.shots.size(); ++s) {
-    const Side present = sideOf(now, s), earlier = sideOf(before, s);
-    for (const std::string& name : namesOf(present, earlier, comparison)) {
-      Change change{present.shot, name};
-      change.is_base = name.empty() && &now.baseOf(*present.shot) == present.shot;
-      const Times times = times_of(s, name);
-      change.now_ms = times.now_ms, change.before_ms = times.before_ms;
-      change.ratio = times.compared, change.ms_ratio = times.ms;
-      int direction = directionOf(times.compared, comparison.share);
+void addChanges(Comparison& comparison, const Run& now, const Run& before, const ChangeOf& change_of) {
+  for (size_t s = 0; s < now.shots.size(); ++s)
+    for (const std::string& part : namesOf(now.shots[s], before.shots[s], comparison)) {
+      Change change = change_of(s, part);
+      change.shot = &now.shots[s], change.pass = part;
+      change.is_base = part.empty() && &now.baseOf(now.shots[s]) == &now.shots[s];
+      int direction = directionOf(change.ratio, comparison.share);
       bool can_tell = comparison.kind != Comparison::Kind::base || !change.is_base;
-      change.moved = can_tell && direction != 0 && direction == directionOf(times.ms, comparison.share);
+      change.moved = can_tell && direction != 0 && direction == directionOf(change.ms_ratio, comparison.share);
       comparison.changes.push_back(std::move(change));
     }
-  }
 }
 
 std::string textOf(const std::map<std::string, std::string>& environment) {
@@ -88,32 +77,31 @@ std::vector<std::string> differencesOf(const Run& now, const Run& before) {
   return differ;
 }
 
-Times timesOfRuns(const Run& now, const Run& before, size_t shot, const std::string& part, bool to_base) {
-  const Side present = sideOf(now, shot), earlier = sideOf(before, shot);
-  const std::vector<double>& now_ms = *msOf(*present.shot, present.parts, part);
-  const std::vector<double>& before_ms = *msOf(*earlier.shot, earlier.parts, part);
-  const ShotTimes &now_base = now.baseOf(*present.shot), &before_base = before.baseOf(*earlier.shot);
-  Times times{median(now_ms), median(before_ms)};
-  times.compared = times.ms = ratioOfMedians(now_ms, before_ms);
-  bool is_base = part.empty() && &now_base == present.shot;
+Change changeOfRuns(const Run& now, const Run& before, size_t shot, const std::string& part, bool to_base) {
+  const std::vector<double> now_ms = msOf(now, shot, part), before_ms = msOf(before, shot, part);
+  const ShotTimes &now_base = now.baseOf(now.shots[shot]), &before_base = before.baseOf(before.shots[shot]);
+  Change change;
+  change.now_ms = median(now_ms), change.before_ms = median(before_ms);
+  change.ratio = change.ms_ratio = ratioOfMedians(now_ms, before_ms);
+  bool is_base = part.empty() && &now_base == &now.shots[shot];
   if (to_base && !is_base)
-    times.compared = ratioOfMedians(ratiosOf(now_ms, now_base.ms), ratiosOf(before_ms, before_base.ms));
-  return times;
+    change.ratio = ratioOfMedians(ratiosOf(now_ms, now_base.ms), ratiosOf(before_ms, before_base.ms));
+  return change;
 }
 
 // Ratio of the median of each block to the median of its pair.
-Times timesOfBlocks(const std::vector<Run>& now, const std::vector<Run>& before, size_t shot, const std::string& part) {
+Change changeOfBlocks(const std::vector<Run>& now, const std::vector<Run>& before, size_t shot,
+                      const std::string& part) {
   auto medians = [&](const std::vector<Run>& blocks) {
     std::vector<double> ms;
-    for (const Run& block : blocks) {
-      const Side side = sideOf(block, shot);
-      ms.push_back(median(*msOf(*side.shot, side.parts, part)));
-    }
+    for (const Run& block : blocks) ms.push_back(median(msOf(block, shot, part)));
     return ms;
   };
   const std::vector<double> now_ms = medians(now), before_ms = medians(before);
-  const Estimate ratio = estimatedMedian(ratiosOf(now_ms, before_ms));
-  return {median(now_ms), median(before_ms), ratio, ratio};
+  Change change;
+  change.now_ms = median(now_ms), change.before_ms = median(before_ms);
+  change.ratio = change.ms_ratio = estimatedMedian(ratiosOf(now_ms, before_ms));
+  return change;
 }
 
 }  // namespace
@@ -129,7 +117,7 @@ Comparison compared(const Run& now, const Run& before, double share) {
   bool same_device = now.device == before.device && now.driver == before.driver && !now.software;
   comparison.kind = same_device ? Comparison::Kind::milliseconds : Comparison::Kind::base;
   addChanges(comparison, now, before,
-             [&](size_t shot, const std::string& part) { return timesOfRuns(now, before, shot, part, !same_device); });
+             [&](size_t shot, const std::string& part) { return changeOfRuns(now, before, shot, part, !same_device); });
   return comparison;
 }
 
@@ -141,7 +129,7 @@ Comparison compared(const std::vector<Run>& now, const std::vector<Run>& before,
   comparison.blocks = now.size();
   comparison.differ = differencesOf(now.front(), before.front());
   addChanges(comparison, now.front(), before.front(),
-             [&](size_t shot, const std::string& part) { return timesOfBlocks(now, before, shot, part); });
+             [&](size_t shot, const std::string& part) { return changeOfBlocks(now, before, shot, part); });
   return comparison;
 }
 

@@ -6,18 +6,6 @@
 
 namespace strobe::bench {
 
-uint64_t Demand::bytes() const {
-  uint64_t sum = 0;
-  for (const PassTimes& pass : passes) sum += pass.bytes();
-  return sum;
-}
-
-uint64_t Demand::rays() const {
-  uint64_t sum = 0;
-  for (const PassTimes& pass : passes) sum += pass.rays;
-  return sum;
-}
-
 double Demand::leastMs(const Gpu& gpu) const {
   constexpr double kMsPerGiga = 1e-6;  // ms per byte or ray, at 1e9 per second
   double ms = 0;
@@ -44,8 +32,14 @@ Demand demandAt(lab::Batch& batch, const NamedShot& shot, const ShotTimes& count
 
 Json toJson(const Demand& demand, const Gpu& gpu) {
   double ms = demand.leastMs(gpu);
-  Json json = {{"scene", demand.scene},   {"method", demand.method}, {"width", demand.width}, {"height", demand.height},
-               {"bytes", demand.bytes()}, {"rays", demand.rays()},   {"least_ms", ms},        {"most_fps", 1000 / ms}};
+  Json json = {{"scene", demand.scene},
+               {"method", demand.method},
+               {"width", demand.width},
+               {"height", demand.height},
+               {"bytes", bytesOf(demand.passes)},
+               {"rays", raysOf(demand.passes)},
+               {"least_ms", ms},
+               {"most_fps", 1000 / ms}};
   if (demand.published_fps > 0) json["published"] = {{"fps", demand.published_fps}, {"by", demand.published_by}};
   return json;
 }

@@ -21,8 +21,6 @@ struct Demand {
   double published_fps = 0;       // frames per second published by others; 0: unknown
   std::string published_by;
 
-  uint64_t bytes() const;
-  uint64_t rays() const;
   // Milliseconds of the passes one after the other. A pass takes the time of its bytes or of its rays, whichever is
   // longer.
   double leastMs(const Gpu& gpu) const;

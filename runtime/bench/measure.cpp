@@ -6,14 +6,15 @@
 #include <sstream>
 #include <thread>
 
+#include "base/process.h"
 #include "lab/record.h"
 #include "lab/shot_options.h"
 
 namespace strobe::bench {
 
-Method methodFrom(const std::string& text) {
+lab::Arm methodFrom(const std::string& text) {
   size_t colon = text.find(':');
-  Method method{text, text.substr(0, colon), {}};
+  lab::Arm method{text, text.substr(0, colon), {}};
   std::string sets = colon == std::string::npos ? "" : text.substr(colon + 1);
   if (method.pipeline.empty() || (colon != std::string::npos && sets.empty()))
     throw Error(fmt::format("'{}' is not PIPELINE or PIPELINE:NAME=VALUE,NAME=VALUE", text), {}, 2);
@@ -34,7 +35,7 @@ std::map<std::string, std::string> driverEnvironment() {
 }
 
 lab::Shot shotOf(const Subject& subject, const std::string& scene, const std::array<int, 2>& size,
-                 const Method& method) {
+                 const lab::Arm& method) {
   lab::Shot shot = subject.shot;
   shot.scene = scene;
   shot.width = size[0], shot.height = size[1];
@@ -48,15 +49,6 @@ struct Prepared {
   std::vector<lab::Shot> shots;
   Run run;
 };
-
-std::vector<NamedShot> shotsOf(const Subject& subject) {
-  std::vector<NamedShot> shots;
-  for (const std::string& scene : subject.scenes)
-    for (const std::array<int, 2>& size : subject.sizes)
-      for (const Method& method : subject.methods)
-        shots.push_back({scene, method.text, shotOf(subject, scene, size, method)});
-  return shots;
-}
 
 // Throws `Error` with exit code 2 if a method does not accept its settings.
 void requirePlan(lab::Batch& batch, const lab::Shot& shot, const std::string& method) {
@@ -109,13 +101,18 @@ std::map<std::string, plan::Traffic> trafficByPass(const plan::Plan& plan) {
   return by_name;
 }
 
-Run outlineOf(lab::Workbench& bench, const Subject& subject) {
-  lab::Batch batch(bench);
-  return prepared(batch, shotsOf(subject)).run;
+std::vector<NamedShot> shotsOf(const Subject& subject) {
+  std::vector<NamedShot> shots;
+  for (const std::string& scene : subject.scenes)
+    for (const std::array<int, 2>& size : subject.sizes)
+      for (const lab::Arm& method : subject.methods)
+        shots.push_back({scene, method.name, shotOf(subject, scene, size, method)});
+  return shots;
 }
 
-Run measure(lab::Workbench& bench, const Subject& subject, const lab::Rounds& rounds) {
-  return measure(bench, shotsOf(subject), rounds);
+Run outlineOf(lab::Workbench& bench, const std::vector<NamedShot>& shots) {
+  lab::Batch batch(bench);
+  return prepared(batch, shots).run;
 }
 
 Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const lab::Rounds& rounds) {
@@ -134,6 +131,37 @@ Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const la
     addWork(shot.passes, *batch.planOf(of.shots[i]), timings[i]);
   }
   return of.run;
+}
+
+// ---- two programs
+
+// Last line of a program's output, with the reason of its end.
+static std::string lastLine(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+static Run runOf(const std::string& program, const std::vector<std::string>& arguments) {
+  Program child{.arguments = {program}};
+  child.arguments.insert(child.arguments.end(), arguments.begin(), arguments.end());
+  ProgramEnd end = run(child);
+  if (!end.succeeded())
+    throw Error(fmt::format("cannot run these shots: exit code {}, '{}'", end.code(), lastLine(end.errors)), {program});
+  return runFrom(Json::parse(end.output, nullptr, false), program + " bench frames");
+}
+
+Turns runInTurn(const std::string& first, const std::string& second, const std::vector<std::string>& arguments,
+                int blocks, const std::function<void(int done)>& progress) {
+  Turns turns;
+  for (int block = 0; block < blocks; ++block) {
+    for (int turn = 0; turn < 2; ++turn) {
+      bool is_first = turn == block % 2;
+      (is_first ? turns.first : turns.second).push_back(runOf(is_first ? first : second, arguments));
+    }
+    requireSameShots(turns.first.back(), turns.second.back(), second);
+    progress(block + 1);
+  }
+  return turns;
 }
 
 }  // namespace strobe::bench

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/error.h"
 #include "bench/texts.h"
@@ -24,24 +23,9 @@ std::string shownRatio(double ratio) {
   return ratio < 10 ? fmt::format("{:.3f}", ratio) : fmt::format("{:.1f}", ratio);
 }
 
-Cell countCell(uint64_t count, const std::string& shown) { return Cell(double(count), shown); }
-
 Cell shareCell(uint64_t part, uint64_t whole) {
   double share = whole > 0 && part > 0 ? double(part) / double(whole) : std::nan("");
   return Cell(share, shownShare(share));
-}
-
-template <class Part>
-uint64_t sumOf(const std::vector<PassTimes>& passes, const Part& part) {
-  return std::accumulate(passes.begin(), passes.end(), uint64_t{0},
-                         [&](uint64_t sum, const PassTimes& pass) { return sum + part(pass); });
-}
-
-uint64_t bytesOf(const ShotTimes& shot) {
-  return sumOf(shot.passes, [](const PassTimes& pass) { return pass.bytes(); });
-}
-uint64_t raysOf(const ShotTimes& shot) {
-  return sumOf(shot.passes, [](const PassTimes& pass) { return pass.rays; });
 }
 
 // ---- places
@@ -74,16 +58,16 @@ page::Table timesTable(const Run& run, const std::vector<const ShotTimes*>& shot
   for (const ShotTimes* shot : shots) {
     Estimate ms = estimatedMedian(shot->ms), ratio = ratioToBase(run, *shot);
     bool is_base = shot == shots.front();
-    std::vector<Cell> row = {shot->method, Cell(ms.value, shownTime(ms.value)), shownRange(ms, shownTime)};
+    std::vector<Cell> row = {shot->method, timeCell(ms.value), shownRange(ms, shownTime)};
     if (has_intervals) {
       const double interval_ms = median(shot->interval_ms);
-      row.push_back(Cell(interval_ms, shownTime(interval_ms)));
+      row.push_back(timeCell(interval_ms));
       row.push_back(Cell(1000 / interval_ms, fmt::format("{:.1f}", 1000 / interval_ms)));
     }
     row.push_back(Cell(ratio.value, is_base ? "1" : shownRatio(ratio.value)));
     row.push_back(is_base ? "base" : shownRange(ratio, shownRatio));
-    row.push_back(countCell(bytesOf(*shot), shownBytes(bytesOf(*shot))));
-    row.push_back(countCell(raysOf(*shot), shownCount(raysOf(*shot))));
+    row.push_back(bytesCell(bytesOf(shot->passes)));
+    row.push_back(countCell(raysOf(shot->passes)));
     table.add(std::move(row));
   }
   return table;
@@ -104,11 +88,10 @@ page::Table passTable(const ShotTimes& shot) {
   for (const PassTimes& pass : shot.parts()) {
     Estimate ms = estimatedMedian(pass.ms);
     std::string times = pass.executions > 1 ? fmt::format(", {} times", pass.executions) : "";
-    table.add({pass.name + times, Cell(ms.value, shownTime(ms.value)), shownRange(ms, shownTime),
-               Cell(ms.value / frame_ms, shownShare(ms.value / frame_ms)),
-               countCell(pass.bytes_read, shownBytes(pass.bytes_read)),
-               countCell(pass.bytes_written, shownBytes(pass.bytes_written)), shareCell(pass.bytes(), bytesOf(shot)),
-               countCell(pass.rays, shownCount(pass.rays)), shareCell(pass.rays, raysOf(shot))});
+    table.add({pass.name + times, timeCell(ms.value), shownRange(ms, shownTime),
+               Cell(ms.value / frame_ms, shownShare(ms.value / frame_ms)), bytesCell(pass.bytes_read),
+               bytesCell(pass.bytes_written), shareCell(pass.bytes(), bytesOf(shot.passes)), countCell(pass.rays),
+               shareCell(pass.rays, raysOf(shot.passes))});
   }
   return table;
 }
@@ -168,7 +151,7 @@ void addChange(page::Table& table, const Change& change, bool names_shot) {
   page::Mark mark = !change.moved ? page::Mark::none : change.ratio.value > 1 ? page::Mark::bad : page::Mark::best;
   std::string frame = change.is_base ? "frame of the base" : "frame";
   table.add({names_shot ? change.shot->name() : "", change.pass.empty() ? frame : change.pass,
-             Cell(change.before_ms, shownTime(change.before_ms)), Cell(change.now_ms, shownTime(change.now_ms)),
+             timeCell(change.before_ms), timeCell(change.now_ms),
              Cell(change.ratio.value, shownRatio(change.ratio.value), mark),
              Cell(shownRange(change.ratio, shownRatio), mark), Cell(verdictOf(change), mark)});
 }
@@ -244,6 +227,50 @@ page::Page pageOf(const Run& run, const Comparison* comparison) {
   for (size_t i = 0; i < places.size(); ++i) addPlace(page.blocks, run, places[i], i);
   page.footer = {fmt::format("Strobe {} on {}.", run.version, deviceOf(run)), "Made by `" + run.command + "`."};
   return page;
+}
+
+// ---- the trace
+
+static constexpr int kThread = 1;
+
+static Json nameEvent(const char* what, int process, const std::string& name) {
+  return {{"name", what}, {"ph", "M"}, {"pid", process}, {"tid", kThread}, {"args", {{"name", name}}}};
+}
+
+static Json completeEvent(const std::string& name, int process, double start_us, double length_us, const Json& args) {
+  return {{"name", name},   {"ph", "X"},      {"cat", "gpu"},     {"pid", process},
+          {"tid", kThread}, {"ts", start_us}, {"dur", length_us}, {"args", args}};
+}
+
+static Json argumentsOf(const PassTimes& pass) {
+  return {{"executions", pass.executions},
+          {"bytes_read", pass.bytes_read},
+          {"bytes_written", pass.bytes_written},
+          {"rays", pass.rays}};
+}
+
+static void addShot(Json& events, const ShotTimes& shot, int process) {
+  const size_t round = shot.typicalRound();
+  events.push_back(nameEvent("process_name", process, shot.name()));
+  events.push_back(nameEvent("thread_name", process, shot.method));
+  const size_t at = events.size();
+  double end_us = 0;
+  for (const PassTimes& part : shot.parts()) {
+    double length_us = 1000 * part.ms[round];
+    events.push_back(completeEvent(part.name, process, end_us, length_us, argumentsOf(part)));
+    end_us += length_us;
+  }
+  events.insert(events.begin() + std::ptrdiff_t(at),
+                completeEvent("frame", process, 0, std::max(end_us, 1000 * shot.ms[round]),
+                              {{"round", round}, {"ms", shot.ms[round]}}));
+}
+
+Json traceOf(const Run& run) {
+  Json trace = {{"displayTimeUnit", "ms"},
+                {"otherData", {{"device", run.device}, {"driver", run.driver}, {"command", run.command}}},
+                {"traceEvents", Json::array()}};
+  for (size_t i = 0; i < run.shots.size(); ++i) addShot(trace["traceEvents"], run.shots[i], int(i) + 1);
+  return trace;
 }
 
 }  // namespace strobe::bench

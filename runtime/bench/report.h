@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Report of a run: text for a terminal, and a page.
+// Report of a run: text for a terminal, a page, and a trace.
 #pragma once
 
 #include "bench/comparison.h"
@@ -14,5 +14,11 @@ std::string textOf(const Run& run, const Comparison* comparison);
 // Self-contained page: the same tables, the whole comparison, and for each method a waterfall and a table of its
 // passes.
 page::Page pageOf(const Run& run, const Comparison* comparison);
+
+// The run for trace viewers (Perfetto, chrome://tracing): Chrome's trace event format, JSON object form, microseconds.
+// One process per shot, with a complete event ("X") for the frame of the typical round. Below the frame, one event per
+// part, one after the other from 0. If the parts add up to more than the frame (they overlapped on the device), the
+// frame's event is as long as their sum.
+Json traceOf(const Run& run);
 
 }  // namespace strobe::bench

@@ -133,10 +133,9 @@ page::Table demandTable(const Slopes& slopes) {
                    {"published", true},
                    "by"};
   for (const Demand& demand : slopes.demands) {
-    double ms = demand.leastMs(slopes.gpu);
+    const double ms = demand.leastMs(slopes.gpu);
     table.add({demand.scene, demand.method, fmt::format("{}x{}", demand.width, demand.height),
-               Cell(double(demand.bytes()), shownBytes(demand.bytes())),
-               Cell(double(demand.rays()), shownCount(demand.rays())), Cell(ms, shownTime(ms)),
+               bytesCell(bytesOf(demand.passes)), countCell(raysOf(demand.passes)), timeCell(ms),
                Cell(1000 / ms, shownFps(1000 / ms)), shownFps(demand.published_fps), demand.published_by});
   }
   return page::withoutEmptyColumns(std::move(table));

@@ -16,14 +16,18 @@ std::string shownRange(const Estimate& estimate, std::string (*shown)(double)) {
   return shown(estimate.low) + " to " + shown(estimate.high);
 }
 
-std::string shownBytes(uint64_t bytes) {
-  if (bytes == 0) return page::kNotMeasured;
-  constexpr uint64_t kKilo = 1000, kMega = kKilo * kKilo;
-  return bytes < kMega ? fmt::format("{:.1f} kB", double(bytes) / kKilo)
-                       : fmt::format("{:.1f} MB", double(bytes) / kMega);
+page::Cell timeCell(double ms) { return {ms, shownTime(ms)}; }
+
+page::Cell bytesCell(uint64_t bytes) {
+  constexpr double kKilo = 1e3, kMega = 1e6;
+  const double count = double(bytes);
+  if (bytes == 0) return {count, page::kNotMeasured};
+  return {count, count < kMega ? fmt::format("{:.1f} kB", count / kKilo) : fmt::format("{:.1f} MB", count / kMega)};
 }
 
-std::string shownCount(uint64_t count) { return count == 0 ? page::kNotMeasured : std::to_string(count); }
+page::Cell countCell(uint64_t count) {
+  return {double(count), count == 0 ? page::kNotMeasured : std::to_string(count)};
+}
 
 std::string roundsOf(const Run& run) {
   std::string of = "a frame";

@@ -11,9 +11,10 @@ namespace strobe::bench {
 std::string shownTime(double ms);
 // "LOW to HIGH"; kNotMeasured without an interval.
 std::string shownRange(const Estimate& estimate, std::string (*shown)(double));
+page::Cell timeCell(double ms);
 // kNotMeasured for 0.
-std::string shownBytes(uint64_t bytes);
-std::string shownCount(uint64_t count);
+page::Cell bytesCell(uint64_t bytes);
+page::Cell countCell(uint64_t count);
 
 std::string roundsOf(const Run& run);
 // Device, driver, backend, threads and driver environment.

@@ -11,6 +11,18 @@
 
 namespace strobe::bench {
 
+uint64_t bytesOf(const std::vector<PassTimes>& passes) {
+  uint64_t sum = 0;
+  for (const PassTimes& pass : passes) sum += pass.bytes();
+  return sum;
+}
+
+uint64_t raysOf(const std::vector<PassTimes>& passes) {
+  uint64_t sum = 0;
+  for (const PassTimes& pass : passes) sum += pass.rays;
+  return sum;
+}
+
 std::string ShotTimes::size() const { return fmt::format("{}x{}", width, height); }
 std::string ShotTimes::place() const { return scene + ", " + size(); }
 std::string ShotTimes::name() const { return method + ", " + place(); }

@@ -22,6 +22,10 @@ struct PassTimes {
   uint64_t bytes() const { return bytes_read + bytes_written; }
 };
 
+// Bytes and rays of all passes.
+uint64_t bytesOf(const std::vector<PassTimes>& passes);
+uint64_t raysOf(const std::vector<PassTimes>& passes);
+
 // Part of a frame that belongs to no pass: building acceleration structures, clearing images.
 inline constexpr const char* kRest = "(rest)";
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "base/inputs.h"
 #include "base/log.h"
 #include "lab/frame.h"
 #include "math/statistics.h"
@@ -115,7 +116,7 @@ std::shared_ptr<const plan::Plan> Batch::planOf(const Shot& wanted) {
 const std::string& Batch::shadersOf(const plan::PassDesc& pass, graph::Backend backend) {
   auto [found, is_new] = shaders_.emplace(fmt::format("{}|{}", pass.shader, int(backend)), "");
   for (const Path& file : is_new ? graph::filesOf(bench_.home(), pass, backend) : std::vector<Path>()) {
-    found->second += hashText(readText(file));
+    found->second += inputHash(file);
     inputs_.insert(file);
   }
   return found->second;
@@ -273,10 +274,6 @@ std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Roun
       Timed drawn = timed(drawing(shot, scene, kColor), shot);
       if (round >= 0) addRound(timings[i], drawn);
     }
-  }
-  for (Timing& timing : timings) {
-    timing.median = median(timing.ms);
-    timing.low = quantile(timing.ms, 0.25), timing.high = quantile(timing.ms, 0.75);
   }
   return timings;
 }

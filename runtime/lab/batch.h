@@ -35,8 +35,6 @@ struct Timing {
   std::vector<double> ms;                                           // GPU time by round
   std::vector<double> interval_ms;                                  // by round: wall clock from frame to frame
   std::vector<std::pair<std::string, std::vector<double>>> passes;  // by node in execution order, then by round
-  double median = 0;
-  double low = 0, high = 0;  // quartiles
   // From the last round.
   std::vector<int> executions;                             // by node, in the order of `passes`
   std::vector<std::pair<std::string, uint64_t>> counters;  // "node.counter"
@@ -71,7 +69,8 @@ class Batch {
   std::shared_ptr<const plan::Plan> planOf(const Shot& shot);
 
   // Identity of a picture before it is drawn. Pictures of equal identity are equal on one device with one program. The
-  // identity covers scripts, shaders, settings and the content of the scene, but not the path of the scene.
+  // identity covers the plan, shaders, settings and the content of the scene, but neither comments nor the path of the
+  // scene.
   std::string contentOf(const Shot& shot);
   // Input files of all `contentOf` calls so far: scripts, shaders and scene files.
   const std::set<Path>& inputs() const { return inputs_; }
@@ -123,7 +122,7 @@ class Batch {
   std::map<std::string, Evaluated> by_scripts_, derived_;
   std::map<plan::PipelineDesc::Kind, std::string> names_;
   std::map<std::string, KnownPlan> plans_;
-  std::map<std::string, std::string> shaders_;  // hashes of the files of a pass, by shader and backend
+  std::map<std::string, std::string> shaders_;  // hashes (base/inputs.h) of the files of a pass, by shader and backend
   std::set<Path> inputs_;
   std::list<std::unique_ptr<Drawing>> drawings_;  // most recently used first
   std::map<std::string, std::shared_ptr<const image::Image>> colors_;

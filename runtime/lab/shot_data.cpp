@@ -17,6 +17,11 @@ script::Settings settingsFrom(const Json& json, const char* name, const std::str
   return sets;
 }
 
+Arm armFrom(const Json& json, const Path& script) {
+  return {json.value("name", ""), besideScript(script, json.at("pipeline").get<std::string>()),
+          settingsFrom(json, "set")};
+}
+
 void setOptions(Shot& shot, const Json& options) {
   for (const Json& one : options) {
     const ShotOption* option = findShotOption(one.at("name").get<std::string>());

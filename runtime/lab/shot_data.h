@@ -8,6 +8,14 @@
 
 namespace strobe::lab {
 
+// Pipeline with settings, and its name in results.
+struct Arm {
+  std::string name, pipeline;
+  script::Settings sets;
+};
+// Arm from { name, pipeline, set }; a pipeline in a file may be beside the script.
+Arm armFrom(const Json& json, const Path& script);
+
 // Settings in json[name], a list of { name, value }, with `prefix` before each name. Empty if the list is missing.
 script::Settings settingsFrom(const Json& json, const char* name, const std::string& prefix = "");
 

@@ -8,24 +8,17 @@
 
 namespace strobe::stability {
 
-std::string Method::name() const {
-  std::string text = pipeline;
-  for (const auto& [name, value] : sets) text += " " + name + "=" + plan::textOf(value);
-  return text;
-}
-
-bool Method::has(const std::string& param) const {
+// True for a parameter of the pipeline, and for NODE.PARAM if it has the node.
+static bool has(const plan::PipelineDesc& pipeline, const std::string& param) {
   std::string name = param.substr(0, param.find('.'));
-  bool of_node = name.size() < param.size();
-  if (of_node)
-    return std::any_of(description->nodes.begin(), description->nodes.end(),
-                       [&](const auto& n) { return n.name == name; });
-  return std::any_of(description->params.begin(), description->params.end(),
-                     [&](const auto& p) { return p.name == name; });
+  auto lists = [&](const auto& all) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  };
+  return name.size() < param.size() ? lists(pipeline.nodes) : lists(pipeline.params);
 }
 
-std::vector<Method> methodsOf(const Home& home, const script::Limits& limits) {
-  std::vector<Method> methods;
+std::vector<Variant> methodsOf(const Home& home, const script::Limits& limits) {
+  std::vector<Variant> methods;
   auto evaluate = [&](const std::string& name, const script::Settings& sets) {
     return std::make_shared<const plan::PipelineDesc>(script::evaluatePipeline(home, {name, sets}, nullptr, limits));
   };
@@ -59,7 +52,7 @@ const lab::Picture& Probe::drawn(const lab::Shot& shot) {
   return *known;
 }
 
-lab::Shot Probe::by(const Arm& arm, lab::Shot shot) {
+lab::Shot Probe::by(const lab::Arm& arm, lab::Shot shot) {
   shot.sets = lab::sceneSettings(shot.sets);
   shot.pipeline = arm.pipeline;
   shot.sets.insert(shot.sets.end(), arm.sets.begin(), arm.sets.end());
@@ -72,15 +65,15 @@ const lab::Picture& Probe::picture(const lab::Shot& shot) {
   own.sets = method_.sets;
   if (isTruth()) own.sets.insert(own.sets.end(), extremes_.truth_method.begin(), extremes_.truth_method.end());
   for (const auto& [name, value] : shot.sets)
-    if (name.starts_with("scene.") || method_.has(name)) lab::putSetting(own.sets, name, value);
+    if (name.starts_with("scene.") || has(*method_.description, name)) lab::putSetting(own.sets, name, value);
   return drawn(own);
 }
 
 // ---- the cases
 
-static Arm readArm(const Json& json, const std::string& what, const Place& place, Problems& problems) {
+static lab::Arm readArm(const Json& json, const std::string& what, const Place& place, Problems& problems) {
   Fields fields(json, what, place, problems);
-  Arm arm{fields.text("pipeline", std::nullopt), {}};
+  lab::Arm arm{"", fields.text("pipeline", std::nullopt), {}};
   readSettings(fields.table("set"), "", arm.sets);
   fields.finish();
   return arm;
@@ -119,13 +112,13 @@ Extremes readExtremes(const Home& home, const script::Limits& limits,
   return extremes;
 }
 
-std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods,
+std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Variant>& methods,
                                        const Extremes& extremes, const Extreme& extreme) {
   Probe::Pictures pictures;
   std::vector<ExtremeOutcome> outcomes;
-  for (const Method& method : methods) {
+  for (const Variant& method : methods) {
     Probe probe(bench, pictures, extremes, method);
-    ExtremeOutcome outcome{&extreme, method.name(), {}, ""};
+    ExtremeOutcome outcome{&extreme, method.method(), {}, ""};
     try {
       for (const ExtremeCheck& check : extreme.checks) apply(check, probe);
       outcome.failures = probe.failures();

@@ -10,23 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "lab/workbench.h"
+#include "lab/shot_data.h"
 #include "stability/extreme_checks.h"
+#include "stability/variants.h"
 
 namespace strobe::stability {
 
-// A pipeline with its defaults or with a preset.
-struct Method {
-  std::string pipeline;
-  script::Settings sets;  // the preset, or empty
-  std::shared_ptr<const plan::PipelineDesc> description;
-
-  std::string name() const;  // "pipeline preset=x"
-  bool has(const std::string& param) const;
-};
-
-// Methods in the order of the registry. Throws `Error` if a pipeline cannot be evaluated.
-std::vector<Method> methodsOf(const Home& home, const script::Limits& limits);
+// Every pipeline with its defaults or with each of its presets, in the order of the registry. Throws `Error` if a
+// pipeline cannot be evaluated.
+std::vector<Variant> methodsOf(const Home& home, const script::Limits& limits);
 
 struct Extreme {
   std::string name;
@@ -35,15 +27,9 @@ struct Extreme {
   std::vector<ExtremeCheck> checks;
 };
 
-// A pipeline with settings.
-struct Arm {
-  std::string pipeline;
-  script::Settings sets;
-};
-
 struct Extremes {
-  Arm sharp;                      // the raster image without blur
-  Arm truth;                      // ground truth, for comparison
+  lab::Arm sharp;                 // the raster image without blur
+  lab::Arm truth;                 // ground truth, for comparison
   script::Settings truth_method;  // additional settings if truth is the tested method
   std::vector<Extreme> cases;
 };
@@ -57,7 +43,7 @@ Extremes readExtremes(const Home& home, const script::Limits& limits,
 class Probe {
  public:
   using Pictures = std::map<std::string, std::shared_ptr<const lab::Picture>>;
-  Probe(lab::Workbench& bench, Pictures& pictures, const Extremes& extremes, const Method& method)
+  Probe(lab::Workbench& bench, Pictures& pictures, const Extremes& extremes, const Variant& method)
       : bench_(bench), pictures_(pictures), extremes_(extremes), method_(method) {}
 
   bool isTruth() const { return method_.pipeline == extremes_.truth.pipeline; }
@@ -77,13 +63,13 @@ class Probe {
   const std::string& lastCommand() const { return last_command_; }
 
  private:
-  static lab::Shot by(const Arm& arm, lab::Shot shot);
+  static lab::Shot by(const lab::Arm& arm, lab::Shot shot);
   const lab::Picture& drawn(const lab::Shot& shot);
 
   lab::Workbench& bench_;
   Pictures& pictures_;
   const Extremes& extremes_;
-  const Method& method_;
+  const Variant& method_;
   std::vector<std::string> failures_;
   std::string last_command_;
 };
@@ -97,7 +83,7 @@ struct ExtremeOutcome {
 };
 
 // Runs one case under every method. An `Error` counts as a failure of the method.
-std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods,
+std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Variant>& methods,
                                        const Extremes& extremes, const Extreme& extreme);
 
 // Text for the terminal, one line per clause and the failures; the page docs/extreme-cases.md.

@@ -25,6 +25,8 @@ std::string Variant::name() const {
   return text.empty() ? "defaults" : text;
 }
 
+std::string Variant::method() const { return sets.empty() ? pipeline : pipeline + " " + name(); }
+
 static const PassDesc& passOf(const PipelineDesc& pipeline, const plan::NodeDesc& node) {
   return *plan::find(pipeline.passes, node.pass);
 }

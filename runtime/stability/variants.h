@@ -12,8 +12,9 @@ struct Variant {
   script::Settings sets;  // the preset first, if any
   std::shared_ptr<const plan::PipelineDesc> description;
 
-  bool isBase() const;       // the defaults or a preset, without other values
-  std::string name() const;  // "preset=best jitter=hash"; "defaults"
+  bool isBase() const;         // the defaults or a preset, without other values
+  std::string name() const;    // "preset=best jitter=hash"; "defaults"
+  std::string method() const;  // "pipeline preset=best jitter=hash"; "pipeline"
 };
 
 struct Refused {

@@ -65,9 +65,8 @@ int placeOf(const std::vector<It>& all, const It& one) {
 Candidate ofAxis(const AxisSummary& axis, const std::vector<Levelled>& points) {
   std::vector<int> raw;
   for (const Levelled& one : points) {
-    raw.push_back(-1);
-    for (const auto& [name, value] : one.group->at)
-      if (name == axis.name) raw.back() = placeOf(axis.values, value);
+    const Json* value = one.group->valueOn(axis.name);
+    raw.push_back(value ? placeOf(axis.values, *value) : -1);
   }
   std::vector<double> numbers;
   for (const Json& value : axis.values)

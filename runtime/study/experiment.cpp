@@ -10,7 +10,7 @@
 #include "lab/shot_data.h"
 #include "lab/shot_options.h"
 #include "lab/workbench.h"
-#include "study/measures.h"
+#include "study/results.h"
 
 namespace strobe::study {
 
@@ -37,15 +37,12 @@ Written writtenIn(const Json& json, const std::vector<const char*>& lists) {
   return written;
 }
 
-Arm armOf(const Json& json, const Path& script) {
-  Arm arm;
-  take(json, "name", arm.name);
+StudiedArm armOf(const Json& json, const Path& script) {
+  StudiedArm arm{{lab::armFrom(json, script)}};
   arm.written = writtenIn(json, {"set", "box", "full"});
-  arm.pipeline = lab::besideScript(script, json.at("pipeline"));
   take(json, "lacks", arm.lacks);
   take(json, "shown", arm.shown);
   if (json.contains("timed")) arm.timed = json["timed"].get<bool>();
-  arm.sets = lab::settingsFrom(json, "set");
   arm.box = lab::settingsFrom(json, "box");
   if (json.value("role", "") == "floor") arm.role = Role::floor;
   if (json.contains("published")) {
@@ -63,18 +60,16 @@ Crop cropOf(const Json& json) {
 
 StudiedShot shotOf(const Home& home, const Json& json, const Path& script, uint32_t seed) {
   StudiedShot result;
-  take(json, "name", result.name);
+  takeTexts(json, result);
   result.written = writtenIn(json, {"scene_set", "options", "truth"});
-  result.title = json.value("title", result.name);
-  take(json, "note", result.note);
-  take(json, "attribution", result.attribution);
+  if (result.title.empty()) result.title = result.name;
   take(json, "picture_aa", result.picture_aa);
   result.tone = lab::toneFrom(json);
   result.truth = lab::settingsFrom(json, "truth");
   result.shot.seed = seed;
   lab::setOptions(result.shot, json.at("options"));
   result.shot.sets = lab::settingsFrom(json, "scene_set", "scene.");
-  for (const Json& crop : json.value("crops", Json::array({"inner"}))) result.crops.push_back(cropOf(crop));
+  for (const Json& crop : json.value("crops", Json::array({"inner"}))) result.wanted_crops.push_back(cropOf(crop));
   result.frames = lab::framesFrom(json);
   if (!result.frames.empty()) result.shot.frame = result.frames.front();
   lab::SceneFile scene = lab::sceneFile(home, lab::besideScript(script, result.shot.scene));
@@ -84,9 +79,7 @@ StudiedShot shotOf(const Home& home, const Json& json, const Path& script, uint3
 
 AxisValue valueOf(const Json& json) {
   AxisValue value;
-  value.value = json.at("value");
   value.written = writtenIn(json, {"scene", "options", "set", "truth"});
-  take(json, "label", value.label);
   value.options = json.at("options");
   value.scene = lab::settingsFrom(json, "scene", "scene.");
   value.sets = lab::settingsFrom(json, "set");
@@ -100,19 +93,17 @@ Cost costOf(const Json& json) {
 
 Axis axisOf(const Json& json) {
   Axis axis;
-  take(json, "name", axis.name);
-  axis.title = json.value("title", axis.name);
-  take(json, "unit", axis.unit);
-  take(json, "scale", axis.scale);
-  take(json, "region", axis.region);
-  take(json, "fixed", axis.fixed);
-  take(json, "note", axis.note);
-  take(json, "reading", axis.reading);
+  takeTexts(json, axis);
+  if (axis.title.empty()) axis.title = axis.name;
   take(json, "same_picture", axis.same_picture);
   take(json, "against", axis.against);
   for (const Json& cost : json.value("costs", Json::array())) axis.costs.push_back(costOf(cost));
   if (json.contains("benign_index")) axis.benign = json["benign_index"].get<size_t>() - 1;
-  for (const Json& value : json.at("values")) axis.values.push_back(valueOf(value));
+  for (const Json& value : json.at("values")) {
+    axis.values.push_back(value.at("value"));
+    axis.labels.push_back(value.value("label", ""));
+    axis.settings.push_back(valueOf(value));
+  }
   return axis;
 }
 
@@ -182,7 +173,7 @@ class Origin {
   void addAxes(const Experiment& experiment, const Group& group, const std::string& of) {
     for (const At& at : group.at) {
       const Axis& axis = experiment.axes[at.axis];
-      entries_.push_back({&axis.values[at.value].written, fmt::format("axis '{}', {}", axis.name, of), true});
+      entries_.push_back({&axis.settings[at.value].written, fmt::format("axis '{}', {}", axis.name, of), true});
     }
   }
 
@@ -273,7 +264,7 @@ void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std
   for (const Group& group : experiment.groups) {
     lab::Shot truth = truthShotOf(experiment, group);
     for (size_t number : group.arms) {
-      const Arm& arm = experiment.arms[number];
+      const StudiedArm& arm = experiment.arms[number];
       Origin origin;
       origin.add(arm.written, fmt::format("arm '{}'", arm.name));
       origin.addAxes(experiment, group, fmt::format("arm '{}'", arm.name));
@@ -366,14 +357,14 @@ static lab::Shot bareShot(const Experiment& experiment, const Group& group) {
     shot.sets.emplace_back("scene." + experiment.size_params[i], int64_t(i == 0 ? shot.width : shot.height));
   shot.sets = joined(shot.sets, studied.shot.sets);
   for (const At& at : group.at) {
-    const AxisValue& value = experiment.axes[at.axis].values[at.value];
+    const AxisValue& value = experiment.axes[at.axis].settings[at.value];
     lab::setOptions(shot, value.options);
     for (const auto& [name, set] : value.scene) lab::putSetting(shot.sets, name, set);
   }
   return shot;
 }
 
-lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& arm) {
+lab::Shot shotOf(const Experiment& experiment, const Group& group, const StudiedArm& arm) {
   lab::Shot shot = bareShot(experiment, group);
   shot.pipeline = arm.pipeline;
   shot.sets = joined(shot.sets, arm.sets);
@@ -381,7 +372,7 @@ lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& ar
     return std::find(arm.lacks.begin(), arm.lacks.end(), name) != arm.lacks.end();
   };
   for (const At& at : group.at)
-    for (const auto& [name, value] : experiment.axes[at.axis].values[at.value].sets)
+    for (const auto& [name, value] : experiment.axes[at.axis].settings[at.value].sets)
       if (!lacks(name) && !lacks(experiment.axes[at.axis].name)) lab::putSetting(shot.sets, name, value);
   return shot;
 }
@@ -394,7 +385,7 @@ lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const sc
     for (const auto& [name, value] : sets) lab::putSetting(shot.sets, name, value);
   };
   put(experiment.shots[group.shot].truth);
-  for (const At& at : group.at) put(experiment.axes[at.axis].values[at.value].truth);
+  for (const At& at : group.at) put(experiment.axes[at.axis].settings[at.value].truth);
   put(more);
   return shot;
 }

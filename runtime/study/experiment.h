@@ -10,6 +10,7 @@
 #include "image/draw.h"
 #include "image/tone.h"
 #include "lab/batch.h"
+#include "lab/shot_data.h"
 
 namespace strobe::study {
 
@@ -36,13 +37,15 @@ struct Published {
   std::string shot, by;  // `by`: authors of the measurement
 };
 
-struct Arm {
-  std::string name, pipeline;
+// Part of an arm that results keep; a file of results does not have the settings.
+struct ArmSummary : lab::Arm {
   Role role = Role::method;
-  script::Settings sets;
+  bool shown = true;  // on sheet and page; tables have every arm
+};
+
+struct StudiedArm : ArmSummary {
   script::Settings box;            // added to `sets` for a picture with several samples per pixel
   std::vector<std::string> lacks;  // axes, or parameters set by axes, that do not apply to the arm
-  bool shown = true;               // on sheet and page; tables have every arm
   std::optional<bool> timed;       // times are measured; empty: true for all pipelines except truth
   std::optional<Published> published;
   Written written;
@@ -51,23 +54,27 @@ struct Arm {
 // Crop in pixels at the size in the file; empty: the densest part of the region inner.
 using Crop = std::optional<image::Rectangle>;
 
-struct StudiedShot {
+// Part of a shot that results keep.
+struct ShotSummary {
   std::string name, title, note, attribution;
+  std::string missing;           // reason why the shot cannot be rendered here; "": none
+  double fps = 0, exposure = 0;  // of drawn frames
+  std::vector<image::Rectangle> crops;
+  image::ToneMap tone;
+};
+
+struct StudiedShot : ShotSummary {
   lab::Shot shot;          // without pipeline and settings of the pipeline
   script::Settings truth;  // added to the settings of truth
-  std::vector<Crop> crops;
+  std::vector<Crop> wanted_crops;
   std::vector<int> frames;  // frames of a sequence, in order; empty: the frame of `shot`
   int picture_aa = 1;       // samples per pixel of shown pictures; measured pictures have one
-  image::ToneMap tone;
-  std::string shared;   // scene file in the shared data; "": not in the shared data
-  std::string missing;  // reason why the shot cannot be rendered here; "": none
+  std::string shared;       // scene file in the shared data; "": not in the shared data
   Written written;
 };
 
 // Settings of one value of an axis.
 struct AxisValue {
-  Json value;
-  std::string label;             // the value in Lua syntax
   Json options = Json::array();  // options of the shot: { name, value }
   script::Settings scene;        // parameters of the scene, named "scene.NAME"
   script::Settings sets;         // parameters of every arm that does not lack them
@@ -81,13 +88,21 @@ struct Cost {
   std::string grows, why;
 };
 
-struct Axis {
+// Part of an axis that results keep.
+struct AxisSummary {
   std::string name, title, unit, scale, region, fixed, note, reading;
+  bool same_picture = false;     // the exact picture does not depend on the value
+  std::optional<size_t> benign;  // index of the reference value, where the quantity causes no error
+  std::vector<Json> values;
+  std::vector<std::string> labels;  // the values in Lua syntax
+
+  bool hasCurves() const { return !region.empty() && !scale.empty() && benign.has_value(); }
+};
+
+struct Axis : AxisSummary {
   std::string against;  // measure on the x axis of times; "": the values
   std::vector<Cost> costs;
-  std::optional<size_t> benign;  // index of the reference value, where the quantity causes no error
-  bool same_picture = false;     // the exact picture does not depend on the value
-  std::vector<AxisValue> values;
+  std::vector<AxisValue> settings;  // by value
 };
 
 // Value of an axis, both as indices.
@@ -108,27 +123,32 @@ struct Background {
   std::string arm, color, valid, front;
 };
 
-struct Experiment {
-  std::string file, title, question, note;
-  int width = 960, height = 540;            // size of the pictures
+// Part of an experiment that results keep.
+struct ExperimentSummary {
+  std::string title, question, note;
+  bool partial = false;                        // only some points of the file
+  int width = 0, height = 0;                   // size of the pictures
+  std::vector<std::string> regions, measures;  // as the experiment requests them
+  Json layout;
+  Inputs inputs;  // scripts that define the experiment; in results, all files that points depend on
+};
+
+struct Experiment : ExperimentSummary {
+  std::string file;
   int file_width = 960, file_height = 540;  // size in the file; crops are in its pixels
   std::vector<std::string> size_params;     // scene parameters for width and height
   std::vector<StudiedShot> shots;
-  std::vector<Arm> arms;
-  Arm truth;
+  std::vector<StudiedArm> arms;
+  StudiedArm truth;
   double truth_error = 0;                      // upper bound of truth's standard error, met by more samples; 0: none
   std::optional<script::Settings> full_truth;  // settings of a second truth (measure rmse_full)
   std::vector<Axis> axes;
   std::vector<Group> groups;  // in the order of their points
-  bool partial = false;       // only some points of the file
-  std::vector<std::string> regions, measures;
-  lab::Rounds rounds;    // rounds of timed frames
-  bool is_step = false;  // search step: points of a shot are timed in the same rounds; the caller reports progress
-  std::string base;      // base arm of time ratios; "": the first timed arm
+  lab::Rounds rounds;         // rounds of timed frames
+  bool is_step = false;       // search step: points of a shot are timed in the same rounds; the caller reports progress
+  std::string base;           // base arm of time ratios; "": the first timed arm
   std::optional<Background> background;
-  Json layout;
   size_t expectations = 0;
-  Inputs inputs;  // scripts that define the experiment
 
   void setSize(int width, int height);
   size_t points() const;
@@ -145,7 +165,7 @@ Experiment readExperiment(const Home& home, const std::string& file, bool evalua
 Json judge(const Home& home, const std::string& file, const Json& results);
 
 // Shot of an arm, and of truth, at a group's point (`more`: additional settings).
-lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& arm);
+lab::Shot shotOf(const Experiment& experiment, const Group& group, const StudiedArm& arm);
 lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const script::Settings& more = {});
 
 // One shot per frame of the studied shot's sequence, or `shot` alone. Nodes that a shot moves are at rest at the first

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "study/explorer.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "study/effects.h"
 #include "study/layout.h"
 #include "study/page_images.h"
+#include "study/report.h"
 
 namespace strobe::study {
 
 namespace {
-
-// Number with nine significant digits, as in table.csv; null if not finite.
-Json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
-}
 
 const char* nameOf(Better better) {
   return better == Better::lower ? "lower" : better == Better::higher ? "higher" : "neither";
@@ -85,10 +78,10 @@ Json valuesJson(const Results& results, const Point& point) {
   for (const std::string& name : results.measures) {
     if (!point.values.count(name)) continue;
     if (!measureNamed(name).per_region) {
-      values[name] = number(point.value(name));
+      values[name] = numberJson(point.value(name));
       continue;
     }
-    for (const std::string& region : results.regions) values[name].push_back(number(point.value(name, region)));
+    for (const std::string& region : results.regions) values[name].push_back(numberJson(point.value(name, region)));
   }
   return values;
 }
@@ -124,7 +117,7 @@ Json pointsJson(const Results& results, const PageImages& images, Counts& counts
       if (!point.limits.empty()) json["limits"] = point.limits;
       if (std::string lack = group.lackOf(point); lack.starts_with("truth: ")) json["limits"].push_back(lack);
       for (const PassTime& pass : point.passes)
-        json["passes"].push_back({pass.pass, number(pass.ms), number(pass.low), number(pass.high)});
+        json["passes"].push_back({pass.pass, numberJson(pass.ms), numberJson(pass.low), numberJson(pass.high)});
       if (!point.failed.empty()) json["failed"] = point.failed, ++counts.failed;
       else if (point.values.empty()) json["undrawn"] = true, ++counts.undrawn;
       else if (images.points[g][i].picture < 0) ++counts.without_picture;
@@ -142,7 +135,7 @@ Json groupsJson(const Results& results, const PageImages& images) {
     for (const auto& [axis, value] : group.at) json["at"][axis] = value;
     if (images.points[g].front().picture >= 0) json["picture"] = images.points[g].front().picture;
     for (const std::string& region : results.regions)
-      json["sigma"].push_back(number(group.truth().value("rmse", region)));
+      json["sigma"].push_back(numberJson(group.truth().value("rmse", region)));
     list.push_back(std::move(json));
   }
   return list;

@@ -23,49 +23,37 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 // RMSE of truth is its own standard error. RMSE of a floor includes truth's variance, so that no method seems better
 // than the floor.
-double rmse(const Sight& sight, const std::string& region, const Image& mask) {
-  double own = sight.truth->sigma.at(region);
+double rmse(const Sight& sight, const Region& in) {
+  double own = sight.truth->sigma.at(in.name);
   if (sight.role == Role::truth) return own;
-  double mse = image::meanSquaredError(sight.color, sight.truth->color, mask);
+  double mse = image::meanSquaredError(sight.color, sight.truth->color, in.mask);
   return std::sqrt(mse + (sight.role == Role::floor ? own * own : 0));
 }
 
-double rmseFull(const Sight& sight, const std::string&, const Image& mask) {
+double rmseFull(const Sight& sight, const Region& in) {
   if (sight.truth->full.empty()) return kNothing;
-  return image::rootMeanSquaredError(sight.color, sight.truth->full, mask);
+  return image::rootMeanSquaredError(sight.color, sight.truth->full, in.mask);
 }
 
-double flip(const Sight& sight, const std::string&, const Image& mask) { return image::meanOf(sight.flip(), mask); }
-double hdrFlip(const Sight& sight, const std::string&, const Image& mask) {
-  return image::meanOf(sight.hdrFlip(), mask);
-}
+double flip(const Sight& sight, const Region& in) { return image::meanOf(sight.flip(), in.mask); }
+double hdrFlip(const Sight& sight, const Region& in) { return image::meanOf(sight.hdrFlip(), in.mask); }
 
-double relmse(const Sight& sight, const std::string&, const Image& mask) {
-  return image::relativeMse(sight.color, sight.truth->color, mask);
+double relmse(const Sight& sight, const Region& in) {
+  return image::relativeMse(sight.color, sight.truth->color, in.mask);
 }
-double mse(const Sight& sight, const std::string& region, const Image& mask) {
-  return std::pow(rmse(sight, region, mask), 2);
+double mse(const Sight& sight, const Region& in) { return std::pow(rmse(sight, in), 2); }
+double relmseTrimmed(const Sight& sight, const Region& in) {
+  return image::trimmedRelativeMse(sight.color, sight.truth->color, in.mask);
 }
-double relmseTrimmed(const Sight& sight, const std::string&, const Image& mask) {
-  return image::trimmedRelativeMse(sight.color, sight.truth->color, mask);
-}
-double msSsim(const Sight& sight, const std::string&, const Image&) {
+double msSsim(const Sight& sight, const Region&) {
   return image::multiScaleSsim(sight.color, sight.truth->color).value_or(kNothing);
 }
-double flipMax(const Sight& sight, const std::string&, const Image& mask) {
-  return image::largestOf(sight.flip(), mask);
-}
-double hdrFlipMax(const Sight& sight, const std::string&, const Image& mask) {
-  return image::largestOf(sight.hdrFlip(), mask);
-}
-double smape(const Sight& sight, const std::string&, const Image& mask) {
-  return image::smape(sight.color, sight.truth->color, mask);
-}
-double psnr(const Sight& sight, const std::string&, const Image& mask) {
-  return image::psnr(sight.color, sight.truth->color, mask);
-}
-double ssim(const Sight& sight, const std::string&, const Image& mask) {
-  return image::ssim(sight.color, sight.truth->color, mask).value_or(kNothing);
+double flipMax(const Sight& sight, const Region& in) { return image::largestOf(sight.flip(), in.mask); }
+double hdrFlipMax(const Sight& sight, const Region& in) { return image::largestOf(sight.hdrFlip(), in.mask); }
+double smape(const Sight& sight, const Region& in) { return image::smape(sight.color, sight.truth->color, in.mask); }
+double psnr(const Sight& sight, const Region& in) { return image::psnr(sight.color, sight.truth->color, in.mask); }
+double ssim(const Sight& sight, const Region& in) {
+  return image::ssim(sight.color, sight.truth->color, in.mask).value_or(kNothing);
 }
 
 // Error of each pixel of `mask`: the root mean square over its channels of the difference from truth.
@@ -89,41 +77,30 @@ std::vector<double> estimatesOf(const Sight& sight, const Image& mask) {
   return estimates;
 }
 
-double p999(const Sight& sight, const std::string&, const Image& mask) {
-  return quantile(errorsOf(sight, mask), 0.999);
+double p999(const Sight& sight, const Region& in) { return quantile(errorsOf(sight, in.mask), 0.999); }
+
+double errorMean(const Sight& sight, const Region& in) { return mean(errorsOf(sight, in.mask)); }
+double errorEstimate(const Sight& sight, const Region& in) { return mean(estimatesOf(sight, in.mask)); }
+double estimateRank(const Sight& sight, const Region& in) {
+  return rankCorrelation(estimatesOf(sight, in.mask), errorsOf(sight, in.mask));
 }
 
-double errorMean(const Sight& sight, const std::string&, const Image& mask) { return mean(errorsOf(sight, mask)); }
-double errorEstimate(const Sight& sight, const std::string&, const Image& mask) {
-  return mean(estimatesOf(sight, mask));
-}
-double estimateRank(const Sight& sight, const std::string&, const Image& mask) {
-  return rankCorrelation(estimatesOf(sight, mask), errorsOf(sight, mask));
-}
-
-double flicker(const Sight& sight, const std::string&, const Image& mask) {
+double flicker(const Sight& sight, const Region& in) {
   if (!sight.before) return kNothing;
-  return image::temporalError(sight.before->color, sight.color, sight.before->truth->color, sight.truth->color, mask);
+  return image::temporalError(sight.before->color, sight.color, sight.before->truth->color, sight.truth->color,
+                              in.mask);
 }
 
-double pixels(const Sight& sight, const std::string&, const Image& mask) {
-  return double(image::countedPixels(sight.color, mask));
-}
+double pixels(const Sight& sight, const Region& in) { return double(image::countedPixels(sight.color, in.mask)); }
 
-double msRatio(const Sight& sight, const std::string&, const Image&) {
-  return median(ratiosOf(sight.times_ms, sight.base_ms));
-}
-double ownRatio(const Sight& sight, const std::string&, const Image&) {
-  return median(ratiosOf(sight.own_ms, sight.own_base_ms));
-}
+double msRatio(const Sight& sight, const Region&) { return median(ratiosOf(sight.times_ms, sight.base_ms)); }
+double ownRatio(const Sight& sight, const Region&) { return median(ratiosOf(sight.own_ms, sight.own_base_ms)); }
 
 // ---- of the picture alone
 
-double contrast(const Sight& sight, const std::string&, const Image&) { return image::contrast(sight.color); }
+double contrast(const Sight& sight, const Region&) { return image::contrast(sight.color); }
 
-double broken(const Sight& sight, const std::string&, const Image&) {
-  return double(image::notFiniteIn(sight.color).pixels);
-}
+double broken(const Sight& sight, const Region&) { return double(image::notFiniteIn(sight.color).pixels); }
 
 bool isFinite(const Image& image) { return image::notFiniteIn(image).pixels == 0; }
 
@@ -142,42 +119,40 @@ Measure ofAny(Measure measure) {
   return measure;
 }
 
-double clamped(const Sight& sight, const std::string&, const Image&) {
+double clamped(const Sight& sight, const Region&) {
   uint64_t most = 0;
   for (uint64_t count : lab::countsOf(sight.picture->record, "clamped")) most = std::max(most, count);
   return double(most);
 }
 
-double rays(const Sight& sight, const std::string&, const Image&) {
+double rays(const Sight& sight, const Region&) {
   std::vector<uint64_t> counts = lab::countsOf(sight.picture->record, "rays_");
   return double(std::accumulate(counts.begin(), counts.end(), uint64_t{0}));
 }
 
 // Number of pixels that the output `mask` marks.
-double masked(const Sight& sight, const std::string&, const Image&) {
+double masked(const Sight& sight, const Region&) {
   auto mask = sight.picture->frame.outputs.find("mask");
   if (mask == sight.picture->frame.outputs.end()) return kNothing;
   const std::vector<float>& values = mask->second.floats.values;
   return double(std::count_if(values.begin(), values.end(), [](float value) { return value >= 0.5f; }));
 }
 
-double displacement(const Sight& sight, const std::string&, const Image&) {
-  return lab::displacementOf(*sight.picture);
-}
+double displacement(const Sight& sight, const Region&) { return lab::displacementOf(*sight.picture); }
 
 // ---- against the benign value
 
-double change(const Sight& sight, const std::string&, const Image&) {
+double change(const Sight& sight, const Region&) {
   return sight.benign ? image::largestDifference(sight.color, *sight.benign).value : kNothing;
 }
 
-double changed(const Sight& sight, const std::string&, const Image&) {
+double changed(const Sight& sight, const Region&) {
   if (!sight.benign) return kNothing;
   return image::countDifferent(sight.color, *sight.benign, 1e-5) / (double(sight.color.width) * sight.color.height);
 }
 
-double changeRms(const Sight& sight, const std::string&, const Image& mask) {
-  return sight.benign ? image::rootMeanSquaredError(sight.color, *sight.benign, mask) : kNothing;
+double changeRms(const Sight& sight, const Region& in) {
+  return sight.benign ? image::rootMeanSquaredError(sight.color, *sight.benign, in.mask) : kNothing;
 }
 
 // ---- background
@@ -271,29 +246,27 @@ const std::vector<Measure>& measures() {
        "mean absolute difference between the picture's change from frame to frame and truth's change", flicker, false,
        false, false, true},
       {"ms", "time", "ms", kLower, false, "median time of a frame on the device, without the first frame",
-       [](const Sight& s, const std::string&, const Image&) { return median(s.times_ms); }, true},
+       [](const Sight& s, const Region&) { return median(s.times_ms); }, true},
       {"ms_least", "least time", "ms", kLower, false, "least time of a frame on the device",
-       [](const Sight& s, const std::string&, const Image&) { return least(s.times_ms); }, true},
+       [](const Sight& s, const Region&) { return least(s.times_ms); }, true},
       {"ms_low", "lower quartile", "ms", kNeither, false, "25th percentile of the times of a frame",
-       [](const Sight& s, const std::string&, const Image&) { return quantile(s.times_ms, 0.25); }, true},
+       [](const Sight& s, const Region&) { return quantile(s.times_ms, 0.25); }, true},
       {"ms_high", "upper quartile", "ms", kNeither, false, "75th percentile of the times of a frame",
-       [](const Sight& s, const std::string&, const Image&) { return quantile(s.times_ms, 0.75); }, true},
+       [](const Sight& s, const Region&) { return quantile(s.times_ms, 0.75); }, true},
       {"ms_ratio", "time ratio", "", kLower, false,
        "median over the rounds of a frame's time divided by the base's time in the same round", msRatio, true, false,
        true},
       {"ms_own", "own time", "ms", kLower, false,
        "median time of the passes of a frame that the pipeline without blur does not have",
-       [](const Sight& s, const std::string&, const Image&) { return median(s.own_ms); }, true},
+       [](const Sight& s, const Region&) { return median(s.own_ms); }, true},
       {"own_ratio", "own time ratio", "", kLower, false,
        "median over the rounds of `ms_own` divided by the `ms_own` of the base in the same round", ownRatio, true,
        false, true},
       ofAny({"memory", "memory", "MiB", kLower, false, "memory of all images that a frame holds at once",
-             [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }}),
+             [](const Sight& s, const Region&) { return double(s.bytes) / (1 << 20); }}),
       ofAny({"bytes", "bytes per pixel", "B", kLower, false,
              "memory of all images that a frame holds at once, per pixel of the picture",
-             [](const Sight& s, const std::string&, const Image&) {
-               return double(s.bytes) / (double(s.color.width) * s.color.height);
-             }}),
+             [](const Sight& s, const Region&) { return double(s.bytes) / (double(s.color.width) * s.color.height); }}),
       ofAny({"rays", "rays", "", kLower, false,
              "rays traced for the picture: for disoccluded surfaces, shadows and truth", rays}),
       ofAny({"masked", "masked", "px", kLower, false,
@@ -314,13 +287,13 @@ const std::vector<Measure>& measures() {
        changeRms, false, true},
       {"background_deviation", "deviation of the background", "", kNeither, false,
        "standard deviation of the background in the inner blur, from the arm that computes the background",
-       [](const Sight& s, const std::string&, const Image&) { return behind(s).deviation; }},
+       [](const Sight& s, const Region&) { return behind(s).deviation; }},
       {"background_difference", "difference of the background", "", kNeither, false,
        "mean difference of the background from the foreground in the inner blur",
-       [](const Sight& s, const std::string&, const Image&) { return behind(s).difference; }},
+       [](const Sight& s, const Region&) { return behind(s).difference; }},
       {"background_pixels", "known background", "px", kNeither, false,
        "pixels of the inner blur with a known background",
-       [](const Sight& s, const std::string&, const Image&) { return behind(s).pixels; }},
+       [](const Sight& s, const Region&) { return behind(s).pixels; }},
   };
   return all;
 }
@@ -343,13 +316,13 @@ Values measured(const Sight& sight, const std::vector<std::string>& names, const
   for (const std::string& name : names) {
     const Measure& measure = measureNamed(name);
     const bool is_defined = isDefined(measure, sight, finite);
-    auto put = [&](const std::string& region, const Image& mask) {
-      double value = is_defined ? measure.of(sight, region, mask) : kNothing;
-      if (!is_defined || !std::isnan(value)) values[name][region.empty() ? "all" : region] = value;
+    auto put = [&](const Region& in) {
+      double value = is_defined ? measure.of(sight, in) : kNothing;
+      if (!is_defined || !std::isnan(value)) values[name][in.name] = value;
     };
-    if (!measure.per_region) put("", {});
+    if (!measure.per_region) put({"all", {}});
     for (const std::string& region : measure.per_region ? regions : std::vector<std::string>())
-      put(region, sight.truth->masks.at(region));
+      put({region, sight.truth->masks.at(region)});
   }
   return values;
 }

@@ -39,7 +39,7 @@ struct Sight {
   uint64_t bytes = 0;                       // memory of all images that a frame holds at once
   std::vector<double> times_ms;             // frame times after one warm-up frame
   std::vector<double> base_ms;              // frame times of the base arm in the same rounds
-  std::vector<double> own_ms, own_base_ms;  // times of the method's own passes (own.h)
+  std::vector<double> own_ms, own_base_ms;  // times of the method's own passes (run.h)
 
   // Error maps, computed on first use.
   const image::Image& flip() const;
@@ -49,6 +49,12 @@ struct Sight {
   mutable image::Image flip_, hdr_flip_;
 };
 
+// Pixels that a measure covers.
+struct Region {
+  std::string name;
+  const image::Image& mask;  // empty: every pixel
+};
+
 enum class Better { lower, higher, neither };
 
 struct Measure {
@@ -56,9 +62,9 @@ struct Measure {
   Better better = Better::lower;
   bool per_region = false;
   std::string doc;  // how it is computed
-  // NaN: not measured. `mask` is the mask of `region` (empty: every pixel); both are unused unless `per_region`. The
-  // value of a sequence is the mean over its frames.
-  double (*of)(const Sight& sight, const std::string& region, const image::Image& mask) = nullptr;
+  // NaN: not measured. Only a measure `per_region` uses the region. The value of a sequence is the mean over its
+  // frames.
+  double (*of)(const Sight& sight, const Region& region) = nullptr;
   bool is_time = false;      // measured on additional frames, not on the picture
   bool is_change = false;    // compared with the benign value
   bool to_base = false;      // ratio to the value of the base arm

@@ -3,6 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+<<<<<<< HEAD
+=======
+#include <exception>
+#include <functional>
+>>>>>>> e0de192565324cdb66de08c3a1d9d5ac02bc5965
 
 #include "base/cores.h"
 #include "base/hash.h"
@@ -20,6 +25,23 @@ namespace {
 
 using image::Image;
 
+<<<<<<< HEAD
+=======
+// Calls `work` with 0 to count - 1 on all cores; rethrows the first exception.
+void inParallel(size_t count, const std::function<void(size_t)>& work) {
+  std::vector<std::exception_ptr> failures(count);
+  forEachOnAllCores(count, [&](size_t i) {
+    try {
+      work(i);
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+}
+
+>>>>>>> e0de192565324cdb66de08c3a1d9d5ac02bc5965
 // Size and quality of written pictures; quality 0 is PNG.
 struct Level {
   int divisor, quality, flip_divisor, flip_quality;

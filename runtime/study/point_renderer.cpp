@@ -86,6 +86,19 @@ TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& pi
   return truth;
 }
 
+std::string failureOf(const std::function<void()>& step) {
+  try {
+    step();
+  } catch (const WriteError&) {
+    throw;
+  } catch (const gpu::DeviceLost&) {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // Advances the progress by `cost` in total.
 std::shared_ptr<const lab::Picture> PointRenderer::drawn(const lab::Shot& shot, int cost) {
   int last = 0;
@@ -132,17 +145,8 @@ void PointRenderer::prepareTruth(const TaskGroup& group) {
   if (truth_keys_ == contentsOf(group)) return;
   // Do not draw a failed truth again for every arm.
   std::string& failed = failed_truths_[contentsOf(group)];
+  if (failed.empty()) failed = failureOf([&] { loadTruth(group); });
   if (!failed.empty()) throw Error(failed);
-  try {
-    loadTruth(group);
-  } catch (const WriteError&) {
-    throw;
-  } catch (const gpu::DeviceLost&) {
-    throw;
-  } catch (const std::exception& error) {
-    failed = error.what();
-    throw;
-  }
 }
 
 void PointRenderer::loadTruth(const TaskGroup& group) {
@@ -196,7 +200,7 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
     requireSize(found->second.floats, sight.color, fmt::format("output '{}', which the background names,", output));
   }
   sight.background = &*background;
-  for (const Arm& arm : experiment_.arms)
+  for (const StudiedArm& arm : experiment_.arms)
     if (arm.name == background->front) {
       front_ = lab::colorOf(*batch_.picture(atFrame(shotOf(experiment_, *group.group, arm))));
       requireSize(front_, sight.color, fmt::format("arm '{}'", arm.name));
@@ -280,9 +284,9 @@ void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const la
 // output.
 void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
   const StudiedShot& studied = experiment_.shots[group.group->shot];
-  const Arm& arm = *task.arm;
+  const StudiedArm& arm = *task.arm;
   std::string name = lab::fileNameOf(arm.name);
-  for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].values[at.value].label);
+  for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].labels[at.value]);
   std::string stem = lab::fileNameOf(studied.title) + "/" + name;
   std::set<std::string> kept = {"color", "error"};
   if (arm.role == Role::truth) kept.insert(experiment_.regions.begin(), experiment_.regions.end());
@@ -314,16 +318,10 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
       fmt::format("{}{}, {}", experiment_.shots[group.group->shot].name, at.empty() ? "" : ", " + at, task.arm->name);
   batch_.bench().device().setSubject(name);
   Point point;
-  try {
-    point = measuredPoint(group, task);
-  } catch (const WriteError&) {
-    throw;
-  } catch (const gpu::DeviceLost&) {
-    throw;
-  } catch (const std::exception& error) {
-    point = {};
-    point.failed = error.what();
-    warn(fmt::format("{}: failed: {}", name, point.failed));
+  const std::string failed = failureOf([&] { point = measuredPoint(group, task); });
+  if (!failed.empty()) {
+    point.failed = failed;
+    warn(fmt::format("{}: failed: {}", name, failed));
   }
   store_.keep(task.key, point);
 }

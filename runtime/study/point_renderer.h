@@ -16,6 +16,10 @@ image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, cons
 // Colour, masks, standard errors and exposures of a picture of truth.
 TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& truth);
 
+// Runs `step`. Returns the reason of its failure, "" without one. Rethrows failures that end the run: a file that
+// cannot be written, a lost device.
+std::string failureOf(const std::function<void()>& step);
+
 class PointRenderer {
  public:
   using Progress = std::function<void(int cost)>;

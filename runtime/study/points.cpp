@@ -28,12 +28,6 @@ void requireOneOf(const std::string& name, const std::vector<std::string>& known
               {}, 2);
 }
 
-std::vector<std::string> labelsOf(const Axis& axis) {
-  std::vector<std::string> labels;
-  for (const AxisValue& value : axis.values) labels.push_back(value.label);
-  return labels;
-}
-
 void requireKnown(const Experiment& experiment, const std::string& name, const std::string& value, bool has_value) {
   if (name == "arm") return requireOneOf(value, namesOf(experiment.arms), "arm");
   if (name == "shot") return requireOneOf(value, namesOf(experiment.shots), "shot");
@@ -41,7 +35,7 @@ void requireKnown(const Experiment& experiment, const std::string& name, const s
   names.insert(names.end(), {"arm", "shot"});
   requireOneOf(name, names, "axis");
   for (const Axis& axis : experiment.axes)
-    if (axis.name == name && has_value) requireOneOf(value, labelsOf(axis), "value of " + name);
+    if (axis.name == name && has_value) requireOneOf(value, axis.labels, "value of " + name);
 }
 
 // Conditions between commas. A part without "=" that is not an axis belongs to the condition before it, because names
@@ -85,7 +79,7 @@ bool isAt(const Experiment& experiment, const Group& group, const Conditions& co
     if (name == "arm" || name == "shot") return true;
     return std::any_of(group.at.begin(), group.at.end(), [&](const At& at) {
       const Axis& axis = experiment.axes[at.axis];
-      return axis.name == name && allows(conditions, name, axis.values[at.value].label);
+      return axis.name == name && allows(conditions, name, axis.labels[at.value]);
     });
   });
 }
@@ -93,7 +87,7 @@ bool isAt(const Experiment& experiment, const Group& group, const Conditions& co
 // Base arm of the time ratios (by default the first method), if the group has the arm.
 std::optional<size_t> baseAmong(const Experiment& experiment, const Group& group) {
   for (size_t arm : group.arms) {
-    const Arm& one = experiment.arms[arm];
+    const StudiedArm& one = experiment.arms[arm];
     if (experiment.base.empty() ? one.role == Role::method : one.name == experiment.base) return arm;
   }
   return std::nullopt;
@@ -114,7 +108,7 @@ std::optional<size_t> baseIn(const Experiment& experiment, const Group& group) {
 void keepOnly(Experiment& experiment, const std::string& expression) {
   Conditions conditions = conditionsOf(experiment, expression);
   auto isAsked = [&](const Group& group, size_t arm) {
-    const Arm& one = experiment.arms[arm];
+    const StudiedArm& one = experiment.arms[arm];
     return allows(conditions, "shot", experiment.shots[group.shot].name) && isAt(experiment, group, conditions) &&
            (one.role != Role::method || allows(conditions, "arm", one.name));
   };
@@ -137,7 +131,7 @@ std::string describe(const Experiment& experiment, const Group& group) {
   std::vector<std::string> parts;
   for (const At& at : group.at) {
     const Axis& axis = experiment.axes[at.axis];
-    parts.push_back(axis.name + " " + axis.values[at.value].label);
+    parts.push_back(axis.name + " " + axis.labels[at.value]);
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

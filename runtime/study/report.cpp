@@ -6,8 +6,6 @@
 
 #include "page/markup.h"
 #include "page/standalone.h"
-#include "study/explorer.h"
-#include "study/sheet.h"
 
 namespace strobe::study {
 

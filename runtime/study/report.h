@@ -49,6 +49,25 @@ Parts effectParts(const Results& results);
 // Outcomes of expectations: of a shot, of an axis, or of neither (both "").
 Parts expectationParts(const Results& results, const std::string& shot, const std::string& axis);
 
+// Contact sheet: for each shot, a row of pictures, rows of magnified crops and a row of differences from truth. Display
+// image (sRGB-encoded values). `galleries`: one per shot, without pictures if the shot is missing.
+image::Image sheetOf(const Results& results, const std::vector<Gallery>& galleries);
+
+// ---- the interactive part of the page
+
+// Points as JSON for page/assets/explorer_model.js: { title, command, software, size: [width, height], measures,
+// regions, arms, shots, axes, front: { x, y, region, shot }, groups: [{ shot, at, truth, picture, sigma }], points: [{
+// n, g, a, v, command, ... }], effects, pictures, notices: [text] }. `n` is the number of the point in table.csv. `v`
+// has a number for each measure, or a list by region. Pictures are data URLs; other members refer to pictures by index.
+// `most_bytes`: largest size of the text; pictures are reduced to fit.
+Json explorerData(const Results& results, const Path& folder, size_t most_bytes);
+
+// Initial view of the page: measures of the front's layout, else time and error.
+struct FirstView {
+  std::string x, y, region;
+};
+FirstView firstViewOf(const Results& results);
+
 // ---- the report
 
 // Report of results; `folder` has the pictures that the results name.

@@ -4,7 +4,6 @@
 
 #include "base/numbers.h"
 #include "study/effects.h"
-#include "study/explorer.h"
 #include "study/gallery.h"
 #include "study/report.h"
 

@@ -134,10 +134,8 @@ page::Table pointTable(const Results& results) {
       page::Mark mark = point.role == Role::method ? page::Mark::none : page::Mark::faint;
       page::Row row = {results.shot(group.shot).title};
       for (const AxisSummary& axis : results.axes) {
-        auto at = std::find_if(group.at.begin(), group.at.end(), [&](const auto& a) { return a.first == axis.name; });
-        row.push_back(at == group.at.end()     ? ""
-                      : at->second.is_string() ? at->second.get<std::string>()
-                                               : at->second.dump());
+        const Json* at = group.valueOn(axis.name);
+        row.push_back(!at ? "" : at->is_string() ? at->get<std::string>() : at->dump());
       }
       row.push_back(page::Cell(point.arm + (point.role == Role::truth ? " ±" : ""), mark));
       for (const auto& [measure, region] : columns) {

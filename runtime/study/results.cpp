@@ -12,11 +12,6 @@ namespace strobe::study {
 
 namespace {
 
-Json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
-}
-
 Role roleOf(const std::string& name) {
   return name == "truth" ? Role::truth : name == "floor" ? Role::floor : Role::method;
 }
@@ -123,8 +118,8 @@ AxisSummary axisOf(const Json& json) {
 
 Json shotJson(const ShotSummary& shot) {
   Json json = textsOf(shot);
-  json["fps"] = number(shot.fps);
-  json["exposure"] = number(shot.exposure);
+  json["fps"] = numberJson(shot.fps);
+  json["exposure"] = numberJson(shot.exposure);
   for (const auto& crop : shot.crops) json["crops"].push_back({crop.x, crop.y, crop.width, crop.height});
   json["stops"] = shot.tone.stops;
   json["filmic"] = shot.tone.curve == image::ToneMap::Curve::filmic;
@@ -166,7 +161,7 @@ Results read(const Json& json) {
   results.regions = json.at("regions").get<std::vector<std::string>>();
   results.measures = json.at("measures").get<std::vector<std::string>>();
   for (const Json& arm : json.at("arms"))
-    results.arms.push_back({arm.at("name"), arm.at("pipeline"), roleOf(arm.at("role")), arm.at("shown")});
+    results.arms.push_back({{arm.at("name"), arm.at("pipeline"), {}}, roleOf(arm.at("role")), arm.at("shown")});
   for (const Json& shot : json.at("shots")) results.shots.push_back(shotOf(shot));
   for (const Json& axis : json.at("axes")) results.axes.push_back(axisOf(axis));
   results.layout = json.at("layout");
@@ -256,8 +251,8 @@ std::string csvNumber(const Json& value) {
 std::string csvAxes(const Results& results, const PointGroup& group) {
   std::string text;
   for (const AxisSummary& axis : results.axes) {
-    auto at = std::find_if(group.at.begin(), group.at.end(), [&](const auto& a) { return a.first == axis.name; });
-    text += "," + (at == group.at.end() ? "" : csvNumber(at->second));
+    const Json* at = group.valueOn(axis.name);
+    text += "," + (at ? csvNumber(*at) : "");
   }
   return text;
 }
@@ -298,6 +293,12 @@ std::string PointGroup::lackOf(const Point& point) const {
   std::string own = point.lack(), of_truth = truth().lack();
   if (!own.empty() || &point == &truth() || of_truth.empty()) return own;
   return "truth: " + of_truth;
+}
+
+const Json* PointGroup::valueOn(const std::string& axis) const {
+  for (const auto& [name, value] : at)
+    if (name == axis) return &value;
+  return nullptr;
 }
 
 const Point* PointGroup::floor() const {
@@ -362,16 +363,24 @@ std::string Results::missingText() const {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+Json numberJson(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
+}
+
+void takeTexts(const Json& json, AxisSummary& axis) { takeTexts<AxisSummary>(json, axis); }
+void takeTexts(const Json& json, ShotSummary& shot) { takeTexts<ShotSummary>(json, shot); }
+
 Json toJson(const Point& point) {
   Json json = textsOf(point);
   json["role"] = nameOf(point.role);
   json["values"] = Json::object();
   for (const auto& [measure, values] : point.values)
-    for (const auto& [region, value] : values) json["values"][measure][region] = number(value);
+    for (const auto& [region, value] : values) json["values"][measure][region] = numberJson(value);
   if (!point.limits.empty()) json["limits"] = point.limits;
   if (!point.files.empty()) json["files"] = point.files;
   for (const PassTime& pass : point.passes)
-    json["passes"].push_back({pass.pass, number(pass.ms), number(pass.low), number(pass.high)});
+    json["passes"].push_back({pass.pass, numberJson(pass.ms), numberJson(pass.low), numberJson(pass.high)});
   return json;
 }
 
@@ -428,46 +437,27 @@ Results resultsIn(const Path& file) {
 
 std::string textOf(const Results& results) { return sealed(toJson(results)); }
 
-static AxisSummary summaryOf(const Axis& axis) {
-  AxisSummary result{axis.name,  axis.title, axis.unit,    axis.scale,        axis.region,
-                     axis.fixed, axis.note,  axis.reading, axis.same_picture, axis.benign};
-  for (const AxisValue& value : axis.values) result.values.push_back(value.value), result.labels.push_back(value.label);
-  return result;
-}
-
 Results outlineOf(const Experiment& experiment) {
-  Results results;
+  Results results{experiment};
   results.strobe = STROBE_VERSION;
-  results.title = experiment.title;
-  results.question = experiment.question;
-  results.note = experiment.note;
-  results.partial = experiment.partial;
-  results.width = experiment.width, results.height = experiment.height;
-  results.regions = experiment.regions, results.measures = experiment.measures;
-  for (const Arm& arm : experiment.arms) results.arms.push_back({arm.name, arm.pipeline, arm.role, arm.shown});
-  results.arms.push_back({experiment.truth.name, experiment.truth.pipeline, Role::truth, true});
-  for (const StudiedShot& shot : experiment.shots)
-    results.shots.push_back({shot.name, shot.title, shot.note, shot.attribution, shot.missing, 0, 0, {}, shot.tone});
-  for (const Axis& axis : experiment.axes) results.axes.push_back(summaryOf(axis));
-  results.layout = experiment.layout;
-  results.inputs = experiment.inputs;
+  results.arms.assign(experiment.arms.begin(), experiment.arms.end());
+  results.arms.push_back(experiment.truth);
+  results.shots.assign(experiment.shots.begin(), experiment.shots.end());
+  results.axes.assign(experiment.axes.begin(), experiment.axes.end());
   return results;
 }
 
 void retell(const Home& home, Results& results, const Experiment& experiment) {
-  Results outline = outlineOf(experiment);
-  results.title = outline.title, results.question = outline.question, results.note = outline.note;
-  results.layout = outline.layout;
+  results.title = experiment.title, results.question = experiment.question, results.note = experiment.note;
+  results.layout = experiment.layout;
   for (AxisSummary& axis : results.axes)
-    for (const AxisSummary& now : outline.axes)
-      if (axis.name == now.name) {
-        std::vector<Json> values = axis.values;
-        std::vector<std::string> labels = axis.labels;
-        axis = now;
-        axis.values = values, axis.labels = labels;
-      }
+    for (AxisSummary now : experiment.axes) {
+      if (axis.name != now.name) continue;
+      now.values = axis.values, now.labels = axis.labels;
+      axis = now;
+    }
   for (ShotSummary& shot : results.shots)
-    for (const ShotSummary& now : outline.shots)
+    for (const ShotSummary& now : experiment.shots)
       if (shot.name == now.name) shot.title = now.title, shot.note = now.note;
   judgeResults(home, results, experiment.file);
 }

@@ -56,32 +56,9 @@ struct PointGroup {
   const Point& truth() const { return points.front(); }
   // `Point::lack` of a point of the group, or of truth if only truth lacks values: "truth: failed".
   std::string lackOf(const Point& point) const;
-  const Point* floor() const;  // nullptr without a floor
+  const Json* valueOn(const std::string& axis) const;  // nullptr if the group is not on the axis
+  const Point* floor() const;                          // nullptr without a floor
   const Point* find(const std::string& arm) const;
-};
-
-struct ArmSummary {
-  std::string name, pipeline;
-  Role role = Role::method;
-  bool shown = true;
-};
-
-struct ShotSummary {
-  std::string name, title, note, attribution;
-  std::string missing;  // reason why the shot was not rendered; "": rendered
-  double fps = 0, exposure = 0;
-  std::vector<image::Rectangle> crops;
-  image::ToneMap tone;
-};
-
-struct AxisSummary {
-  std::string name, title, unit, scale, region, fixed, note, reading;
-  bool same_picture = false;
-  std::optional<size_t> benign;
-  std::vector<Json> values;
-  std::vector<std::string> labels;  // the values in Lua syntax
-
-  bool hasCurves() const { return !region.empty() && !scale.empty() && benign.has_value(); }
 };
 
 struct Expectation {
@@ -94,20 +71,15 @@ struct Expectation {
   bool contradicts() const { return outcome == (known.empty() ? "fails" : "holds"); }
 };
 
-struct Results {
-  std::string strobe, title, question, note, command;
+struct Results : ExperimentSummary {
+  std::string strobe, command;
   std::string device, driver;
   bool software = false;
-  bool partial = false;  // true: results of selected points only
-  int width = 0, height = 0;
-  std::vector<std::string> regions, measures;  // as the experiment requests them
-  std::vector<ArmSummary> arms;                // truth last
+  std::vector<ArmSummary> arms;  // truth last
   std::vector<ShotSummary> shots;
   std::vector<AxisSummary> axes;
-  Json layout;
   std::vector<PointGroup> groups;
   std::vector<Expectation> expectations;
-  Inputs inputs;  // files that the points depend on; empty: not recorded
 
   const ArmSummary& arm(const std::string& name) const;
   const ShotSummary& shot(const std::string& name) const;
@@ -116,6 +88,13 @@ struct Results {
   size_t missing() const;                         // number of points that are not drawn yet
   std::string missingText() const;                // not drawn yet: "3 of 8 points, 1 of 2 truths"; "": none
 };
+
+// Number with nine significant digits; null if not finite.
+Json numberJson(double value);
+
+// Sets the text fields from JSON; a missing field becomes "".
+void takeTexts(const Json& json, AxisSummary& axis);
+void takeTexts(const Json& json, ShotSummary& shot);
 
 Json toJson(const Point& point);
 Point pointFrom(const Json& json, const std::string& file);  // throws `Error` naming the file

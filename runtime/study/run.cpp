@@ -1,17 +1,50 @@
 // SPDX-License-Identifier: MIT
 #include "study/run.h"
 
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
 #include <set>
 
 #include "base/log.h"
 #include "lab/record.h"
 #include "math/statistics.h"
-#include "study/own.h"
+#include "plan/plan.h"
 #include "study/point_renderer.h"
 #include "study/watch.h"
 
 namespace strobe::study {
+
+// Pass of each node in the plan, by the name of the node.
+static std::map<std::string, std::string> passByNode(const plan::Plan& plan) {
+  std::map<std::string, std::string> passes;
+  for (const plan::PlanNode& node : plan.nodes) {
+    const plan::NodeDesc& described = plan.descOf(node);
+    passes[described.name] = described.pass;
+  }
+  return passes;
+}
+
+std::set<std::string> capturedNodes(lab::Batch& batch, const lab::Shot& shot) {
+  lab::Shot sharp = shot;
+  sharp.pipeline = batch.nameOf(plan::PipelineDesc::Kind::Sharp);
+  sharp.sets = lab::sceneSettings(shot.sets);
+  sharp.taps.clear();
+  std::map<std::string, std::string> captured = passByNode(*batch.planOf(sharp));
+  std::set<std::string> nodes;
+  for (const auto& [name, pass] : passByNode(*batch.planOf(shot))) {
+    auto same = captured.find(name);
+    if (same != captured.end() && same->second == pass) nodes.insert(name);
+  }
+  return nodes;
+}
 
 namespace {
 
@@ -91,6 +124,15 @@ std::vector<PassTime> passesOf(const lab::Timing& timing) {
   return passes;
 }
 
+// Milliseconds of the passes that are the method's own, by round.
+std::vector<double> ownMs(lab::Batch& batch, const lab::Shot& shot, const lab::Timing& timing) {
+  std::set<std::string> captured = capturedNodes(batch, shot);
+  std::vector<double> ms(timing.ms.size(), 0);
+  for (const auto& [name, by_round] : timing.passes)
+    for (size_t i = 0; i < ms.size() && !captured.count(name); ++i) ms[i] += by_round[i];
+  return ms;
+}
+
 // Times of a frame, and of the passes that are the method's own.
 struct Times {
   lab::Timing frame;
@@ -107,7 +149,7 @@ void keepTimes(const Store& store, const Task& task, const std::string& times, c
   point.times = times;
   point.passes = passesOf(own.frame);
   for (const std::string& name : task.measures)
-    if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, "", {});
+    if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, {"all", {}});
   store.keep(task.key, point);
 }
 
@@ -162,15 +204,8 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
   for (const Walk& walk : walks) count += walk.tasks.size();
   watch.begin("times", int(count));
   for (const Walk& walk : walks) {
-    try {
-      timeInTurn(experiment, batch, store, walk);
-    } catch (const WriteError&) {
-      throw;
-    } catch (const gpu::DeviceLost&) {
-      throw;
-    } catch (const std::exception& error) {
-      failTimes(store, walk, error.what());
-    }
+    const std::string failed = failureOf([&] { timeInTurn(experiment, batch, store, walk); });
+    if (!failed.empty()) failTimes(store, walk, failed);
     watch.advance(int(walk.tasks.size()));
   }
   watch.end();
@@ -182,10 +217,10 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
 void describeShot(const Experiment& experiment, const TaskGroup& group, PointRenderer& renderer, ShotSummary& summary) {
   std::shared_ptr<const lab::Picture> truth = renderer.firstTruth(group);
   if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);
-  if (experiment.shots[group.group->shot].crops.empty()) return;
+  if (experiment.shots[group.group->shot].wanted_crops.empty()) return;
   PicturesLayout pictures = picturesLayoutOf(experiment.layout).value_or(PicturesLayout());
   TruthPicture against = truthPictureOf(experiment, *truth);
-  for (const Crop& crop : experiment.shots[group.group->shot].crops)
+  for (const Crop& crop : experiment.shots[group.group->shot].wanted_crops)
     summary.crops.push_back(placedCrop(experiment, crop, pictures, against));
 }
 
@@ -197,13 +232,8 @@ void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& g
     bool has_truth = !group.truth().key.empty() && store.has(group.truth().key);
     if (!has_truth || !described.insert(group.group->shot).second) continue;
     ShotSummary& summary = results.shots[group.group->shot];
-    try {
-      describeShot(experiment, group, renderer, summary);
-    } catch (const WriteError&) {
-      throw;
-    } catch (const Error& error) {
-      warn(fmt::format("{}: crops are left out: {}", summary.title, error.what()));
-    }
+    const std::string failed = failureOf([&] { describeShot(experiment, group, renderer, summary); });
+    if (!failed.empty()) warn(fmt::format("{}: crops are left out: {}", summary.title, failed));
   }
 }
 
@@ -211,7 +241,7 @@ PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::s
   const StudiedShot& studied = experiment.shots[group.group->shot];
   PointGroup result{studied.name, std::move(anchor), {}, {}};
   for (const At& at : group.group->at)
-    result.at.emplace_back(experiment.axes[at.axis].name, experiment.axes[at.axis].values[at.value].value);
+    result.at.emplace_back(experiment.axes[at.axis].name, experiment.axes[at.axis].values[at.value]);
   for (const Task& task : group.tasks) {
     Point point;
     point.key = task.key, point.failed = task.refused;
@@ -224,7 +254,9 @@ PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::s
 
 }  // namespace
 
-Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch) {
+// Results before a picture is drawn: every point with its key, or the reason why the point cannot be drawn. With
+// `takePoints`, the current results at any time.
+static Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch) {
   Results results = outlineOf(experiment);
   const gpu::DeviceInfo& device = batch.bench().device().info();
   results.device = device.name, results.driver = device.driver, results.software = device.software;
@@ -266,6 +298,91 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store,
   describeShots(experiment, groups, batch, store, results);
   if (experiment.expectations) judgeResults(batch.bench().home(), results, experiment.file);
   return results;
+}
+
+// ---- several processes
+
+namespace {
+
+// State shared by all processes; each process takes the next group.
+struct Shared {
+  std::atomic<size_t> next = 0;
+  std::atomic<int> cost = 0, cost_done = 0;
+  std::atomic<bool> outlined = false;
+};
+
+[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store,
+                              const Started& started, Shared& shared) {
+  int code = 0;
+  try {
+    std::unique_ptr<lab::Workbench> bench = make();
+    lab::Batch batch(*bench);
+    std::vector<TaskGroup> groups = tasksOf(experiment, batch);
+    if (!shared.outlined.exchange(true)) {
+      Results outline = outlineOf(experiment, groups, batch);
+      started(outline);
+      takePoints(outline, store.folder());
+      announce(outline);
+      shared.cost = leftOf(groups, store).cost;
+    }
+    PointRenderer renderer(experiment, batch, store);
+    for (size_t i; (i = shared.next++) < groups.size();)
+      renderer.render(groups[i], [&](int by) { shared.cost_done += by; });
+    bench->device().refuseMessages();
+  } catch (const std::exception& error) {
+    warn(error.what());
+    code = 1;
+  }
+  ::_exit(code);
+}
+
+// Removes the children that have ended; true if each of these succeeded. Does not wait for other children of this
+// process.
+bool reapEnded(std::vector<pid_t>& children) {
+  bool good = true;
+  std::erase_if(children, [&good](pid_t child) {
+    int status = 0;
+    pid_t ended = ::waitpid(child, &status, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
+    if (ended > 0 && WIFSIGNALED(status))
+      warn(fmt::format("process {} of the sweep was ended by signal {} ({})", child, WTERMSIG(status),
+                       ::strsignal(WTERMSIG(status))));
+    good = good && ended > 0 && status == 0;
+    return true;
+  });
+  return good;
+}
+
+}  // namespace
+
+bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs,
+                       const Started& started, const std::function<Results()>& now) {
+  void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw Error("cannot allocate memory for several processes");
+  Shared& shared = *new (memory) Shared;
+  std::vector<pid_t> children;
+  for (int i = 0; i < jobs; ++i) {
+    pid_t child = ::fork();
+    if (child == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      renderShare(experiment, make, store, started, shared);
+    }
+    if (child > 0) children.push_back(child);
+    else warn(fmt::format("process {} of {} cannot be started: {}", i + 1, jobs, std::strerror(errno)));
+  }
+  bool good = children.size() == size_t(jobs);
+  std::optional<Watch> watch;
+  for (int shown = 0; !children.empty();) {
+    if (!watch && shared.cost > 0) watch.emplace(now).begin("drawing", shared.cost);
+    int done = shared.cost_done;
+    if (watch) watch->advance(done - shown), shown = done;
+    const size_t running = children.size();
+    good = reapEnded(children) && good;
+    if (children.size() == running) ::usleep(100000);
+  }
+  if (watch) watch->end();
+  ::munmap(memory, sizeof(Shared));
+  return good;
 }
 
 }  // namespace strobe::study

@@ -7,11 +7,7 @@
 
 namespace strobe::study {
 
-// Results before a picture is drawn: every point with its key, or the reason why the point cannot be drawn. With
-// `takePoints`, the current results at any time.
-Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch);
-
-// Called before the first picture is drawn.
+// Called before the first picture is drawn, with every point that can be drawn.
 using Started = std::function<void(const Results& outline)>;
 
 // Draws the points that `store` lacks, then measures times; reports progress on stderr. `store` gets each point when it
@@ -19,5 +15,17 @@ using Started = std::function<void(const Results& outline)>;
 // expectations; the caller sets `command`. Numbers depend on the device, not on the run.
 Results run(const Experiment& experiment, lab::Batch& batch, const Store& store, const Started& started = {});
 Results run(const Experiment& experiment, lab::Workbench& bench, const Store& store, const Started& started = {});
+
+using MakeBench = std::function<std::unique_ptr<lab::Workbench>()>;
+
+// Draws the points that `store` lacks; does not measure times. Progress on stderr, with the front of `now()`. The
+// calling process must not have a device, because forked copies cannot use it. `started` is called in one of the
+// copies. Returns false if a copy failed; the copy has printed the reason, and its unfinished points are missing.
+bool renderInProcesses(const Experiment& experiment, const MakeBench& bench, const Store& store, int jobs,
+                       const Started& started, const std::function<Results()>& now);
+
+// Nodes of a shot's plan that the pipeline without blur (kind `Sharp`) also has, with the same name and pass: the
+// raster passes. All other nodes are the method's own. Throws `Error` without such a pipeline.
+std::set<std::string> capturedNodes(lab::Batch& batch, const lab::Shot& shot);
 
 }  // namespace strobe::study

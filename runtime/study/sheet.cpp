@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "study/sheet.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "figure/figure.h"
 #include "page/number.h"
+#include "study/report.h"
 
 namespace strobe::study {
 

@@ -104,7 +104,7 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
                           : contentsOf(experiment, *benign, shotOf(experiment, *benign, *task.arm), batch);
   const std::optional<Background>& background = experiment.background;
   if (background && background->arm == task.arm->name)
-    for (const Arm& arm : experiment.arms)
+    for (const StudiedArm& arm : experiment.arms)
       if (arm.name == background->front)
         parts["front"] = contentsOf(experiment, *group.group, shotOf(experiment, *group.group, arm), batch);
   const StudiedShot& studied = experiment.shots[group.group->shot];

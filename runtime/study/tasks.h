@@ -11,7 +11,7 @@ namespace strobe::study {
 
 // Picture of one arm, or of truth, at the values of a group.
 struct Task {
-  const Arm* arm = nullptr;
+  const StudiedArm* arm = nullptr;
   lab::Shot shot;
   std::vector<std::string> measures;
   std::string key;        // hash of all that determines the result, except times; "": refused

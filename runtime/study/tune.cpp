@@ -8,7 +8,6 @@
 #include "base/log.h"
 #include "lab/shot_options.h"
 #include "script/lua_text.h"
-#include "study/own.h"
 #include "study/run.h"
 #include "study/watch.h"
 
@@ -115,13 +114,12 @@ void Tuner::prepare() {
   space_ = spaceOf(*pipeline_, capturedNodes(batch_, filled), wish_);
   script::Settings own;
   std::remove_copy_if(filled.sets.begin(), filled.sets.end(), std::back_inserter(own), lab::isOfScene);
-  Arm tuned{pipeline_->name, filled.pipeline}, base{"base", filled.pipeline};
-  tuned.sets = own;
+  StudiedArm tuned{{{pipeline_->name, filled.pipeline, own}}}, base{{{"base", filled.pipeline}}};
   if (wish_.base.empty()) base.name = pipeline_->name + " as it is", base.sets = own;
   else base.name = "base " + wish_.base, base.pipeline = wish_.base;
   experiment_.arms = {tuned, base};
   experiment_.base = base.name;
-  experiment_.truth = {"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth), Role::truth};
+  experiment_.truth = {{{"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth)}, Role::truth}};
   experiment_.title = fmt::format("{} tuned on {}", pipeline_->name, Path(filled.scene).stem().string());
   store_.belongTo(experiment_.title);
   experiment_.setSize(filled.width, filled.height);
@@ -146,16 +144,14 @@ Group Tuner::groupOf(const Spot& spot, int level) {
   group.arms = {0};
   for (size_t d = 0; d < space_.size(); ++d) {
     if (spot[d] == space_[d].start) continue;
-    std::vector<AxisValue>& values = experiment_.axes[d].values;
-    auto known = std::find_if(values.begin(), values.end(),
-                              [&](const AxisValue& one) { return one.sets.front().second == spot[d]; });
-    if (known == values.end()) {
-      AxisValue value;
-      value.value = plan::toJson(spot[d]), value.label = labelOf(spot[d]);
-      value.sets = {{space_[d].param.name, spot[d]}};
-      known = values.insert(values.end(), value);
+    Axis& axis = experiment_.axes[d];
+    const Json value = plan::toJson(spot[d]);
+    size_t at = size_t(std::find(axis.values.begin(), axis.values.end(), value) - axis.values.begin());
+    if (at == axis.values.size()) {
+      axis.values.push_back(value), axis.labels.push_back(labelOf(spot[d]));
+      axis.settings.emplace_back().sets = {{space_[d].param.name, spot[d]}};
     }
-    group.at.push_back({d, size_t(known - values.begin())});
+    group.at.push_back({d, at});
   }
   if (group.at.empty()) group.arms = {0, 1};
   return group;
@@ -182,7 +178,7 @@ const PointGroup& Tuner::groupSeen(const Spot& spot, int level) {
   Group wanted = groupOf(spot, level);
   std::vector<std::pair<std::string, Json>> at;
   for (const At& one : wanted.at)
-    at.emplace_back(experiment_.axes[one.axis].name, experiment_.axes[one.axis].values[one.value].value);
+    at.emplace_back(experiment_.axes[one.axis].name, experiment_.axes[one.axis].values[one.value]);
   auto found = std::find_if(results_.groups.begin(), results_.groups.end(), [&](const PointGroup& known) {
     return known.shot == experiment_.shots[wanted.shot].name && known.at == at;
   });

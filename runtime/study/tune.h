@@ -18,7 +18,7 @@ struct Wish {
   std::string base;               // pipeline with a cost of 1; "": pipeline of the shot
   std::string measure = "rmse";   // measure of the error
   std::string region = "inner";
-  bool own = false;  // cost is the time of the method's own passes (own.h); false: of the frame
+  bool own = false;  // cost is the time of the method's own passes (run.h); false: of the frame
 
   enum class Limit { ms, ratio, error, error_ratio };  // limited quantity; ratios are to the base
   Limit limits = Limit::ratio;

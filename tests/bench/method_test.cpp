@@ -18,11 +18,11 @@ void expectRefusal(const std::string& text, const std::string& wanted) {
 }
 
 TEST(Method, IsAPipelineWithSettings) {
-  Method plain = methodFrom("hybrid");
+  lab::Arm plain = methodFrom("hybrid");
   EXPECT_EQ(plain.pipeline, "hybrid");
   EXPECT_TRUE(plain.sets.empty());
-  Method set = methodFrom("pipelines/x.lua:preset=text,samples=32,gain=0.5,edge.size=3");
-  EXPECT_EQ(set.text, "pipelines/x.lua:preset=text,samples=32,gain=0.5,edge.size=3");
+  lab::Arm set = methodFrom("pipelines/x.lua:preset=text,samples=32,gain=0.5,edge.size=3");
+  EXPECT_EQ(set.name, "pipelines/x.lua:preset=text,samples=32,gain=0.5,edge.size=3");
   EXPECT_EQ(set.pipeline, "pipelines/x.lua");
   EXPECT_EQ(set.sets,
             (script::Settings{{"preset", "text"}, {"samples", int64_t(32)}, {"gain", 0.5}, {"edge.size", int64_t(3)}}));

@@ -103,8 +103,8 @@ TEST(Demand, EachPassIsBoundByBytesOrRays) {
   Demand demand{"room", "blurred", 1920, 1080, {}, 0, ""};
   demand.passes = {{"gather", {}, 1, 600'000'000, 400'000'000, 10'000'000},
                    {"trace", {}, 1, 0, 500'000'000, 40'000'000}};
-  EXPECT_EQ(demand.bytes(), 1'500'000'000u);
-  EXPECT_EQ(demand.rays(), 50'000'000u);
+  EXPECT_EQ(bytesOf(demand.passes), 1'500'000'000u);
+  EXPECT_EQ(raysOf(demand.passes), 50'000'000u);
   EXPECT_NEAR(demand.leastMs({500, 10}), 6, 1e-12);
   EXPECT_NEAR(demand.leastMs({1e9, 10}), 5, 1e-5) << "rays alone";
   EXPECT_NEAR(toJson(demand, {500, 10})["most_fps"].get<double>(), 1000.0 / 6, 1e-9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The trace of a run as its format demands, with the times of one round.
-#include "bench/trace.h"
+#include "bench/report.h"
 
 #include <gtest/gtest.h>
 

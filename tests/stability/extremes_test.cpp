@@ -20,7 +20,7 @@ const std::vector<Extreme>& cases() {
 class ExtremeCases : public oracle::RenderTest, public ::testing::WithParamInterface<size_t> {};
 
 TEST_P(ExtremeCases, Holds) {
-  static const std::vector<Method> methods = methodsOf(home(), bench().limits);
+  static const std::vector<Variant> methods = methodsOf(home(), bench().limits);
   const Extremes extremes = readExtremes(home(), bench().limits, std::vector<std::string>{cases()[GetParam()].name});
   const Extreme& extreme = extremes.cases[GetParam()];
   ASSERT_FALSE(extreme.checks.empty());
@@ -65,13 +65,14 @@ class Checks : public oracle::RenderTest {
   static std::vector<std::string> failures(const std::string& kind, const Json& fields, double displacement_px = 8,
                                            const std::string& pipeline = "mcguire2012") {
     static const Extremes extremes = readExtremes(home(), bench().limits, std::vector<std::string>());
-    static const std::vector<Method> methods = methodsOf(home(), bench().limits);
+    static const std::vector<Variant> methods = methodsOf(home(), bench().limits);
     Json json = {{"check", kind}, {"shot", barShot(displacement_px)}};
     json.update(fields);
     Problems problems;
     Extreme extreme{"x", "", "", {readCheck(json, "x", {}, problems)}};
     problems.throwIfAny();
-    auto method = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.pipeline == pipeline; });
+    auto method =
+        std::find_if(methods.begin(), methods.end(), [&](const Variant& m) { return m.pipeline == pipeline; });
     return runExtreme(bench(), {*method}, extremes, extreme).front().failures;
   }
   static size_t count(const std::string& kind, const Json& fields, double displacement_px = 8,

@@ -46,7 +46,7 @@ Made empty() {
   Made made;
   made.results.title = "x", made.results.width = 64, made.results.height = 36;
   made.results.regions = {"whole", "inner"}, made.results.measures = {"rmse", "ms"};
-  made.results.arms = {{"a, first", "none"}, {"b", "none"}, {"truth", "ground_truth", Role::truth}};
+  made.results.arms = {{{"a, first", "none"}}, {{"b", "none"}}, {{"truth", "ground_truth"}, Role::truth}};
   return made;
 }
 

@@ -6,8 +6,8 @@
 
 #include "common/home.h"
 #include "program/run.h"
-#include "study/processes.h"
 #include "study/report.h"
+#include "study/run.h"
 #include "study/watch.h"
 
 namespace strobe::study {
@@ -127,9 +127,8 @@ TEST(Counts, OfADamagedFolder) {
   Results results = partial();
   results.title = "Partial", results.width = 64, results.height = 36, results.shots = {{"bar"}};
   results.regions = {"whole"}, results.measures = {"rmse"};
-  results.arms = {{"truth", "ground_truth", Role::truth, true},
-                  {"none", "none", Role::method, true},
-                  {"hybrid", "hybrid", Role::method, true}};
+  results.arms = {
+      {{"truth", "ground_truth"}, Role::truth}, {{"none", "none"}, Role::method}, {{"hybrid", "hybrid"}, Role::method}};
   const std::string whole = textOf(results);
   std::filesystem::create_directories(folder / "points");
   testing::writeText(pointFile(folder.path(), "none0", ".json"), "{");
@@ -148,9 +147,8 @@ TEST(Report, OfAnIncompleteSweepHasNoNan) {
   Results results = partial();
   results.title = "Partial", results.width = 64, results.height = 36, results.shots = {{"bar"}};
   results.regions = {"whole", "inner"}, results.measures = {"rmse"};
-  results.arms = {{"none", "none", Role::method, true},
-                  {"hybrid", "hybrid", Role::method, true},
-                  {"truth", "ground_truth", Role::truth, true}};
+  results.arms = {
+      {{"none", "none"}, Role::method}, {{"hybrid", "hybrid"}, Role::method}, {{"truth", "ground_truth"}, Role::truth}};
   results.shots.push_back({"bar", "A bar", "", "", "", 24, 0.5, {}, {}});
   results.groups.resize(1);
   results.groups[0].points[1].values["rmse"]["whole"] = 0.5;

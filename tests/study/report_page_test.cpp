@@ -8,7 +8,6 @@
 #include "common/source.h"
 #include "image/png.h"
 #include "program/run.h"
-#include "study/explorer.h"
 #include "study/page_images.h"
 #include "study/report.h"
 
@@ -38,7 +37,8 @@ Results made(const Path& folder, int width, int height, const std::vector<int>& 
   results.strobe = "0", results.title = "Made </script> up", results.command = "strobe sweep made.lua -o out/made";
   results.device = "device", results.driver = "driver", results.width = width, results.height = height;
   results.regions = {"whole", "inner"}, results.measures = {"rmse", "flip", "ms", "psnr"};
-  results.arms = {{"first", "none"}, {"second <b>", "none"}, {"third", "none"}, {"truth", "ground_truth", Role::truth}};
+  results.arms = {
+      {{"first", "none"}}, {{"second <b>", "none"}}, {{"third", "none"}}, {{"truth", "ground_truth"}, Role::truth}};
   results.shots = {{"near", "Near", "", "", "", 24, 0.5, {{4, 4, 16, 9}}, {}},
                    {"far", "Far", "", "", "", 24, 0.5, {}, {}}};
   results.layout = {{"front", {{"x", "ms"}, {"y", "rmse"}, {"region", "inner"}}}, {"table", Json::object()}};

@@ -38,9 +38,9 @@ Results made() {
   results.device = "device", results.driver = "driver", results.software = true;
   results.width = 64, results.height = 36;
   results.regions = regionNames(), results.measures = {"rmse"};
-  for (const char* name : {"good", "bad", "mixed"}) results.arms.push_back({name, "none", Role::method, true});
-  results.arms.push_back({"floor", "ground_truth", Role::floor, true});
-  results.arms.push_back({"truth", "ground_truth", Role::truth, true});
+  for (const char* name : {"good", "bad", "mixed"}) results.arms.push_back({{name, "none"}});
+  results.arms.push_back({{"floor", "ground_truth"}, Role::floor});
+  results.arms.push_back({{"truth", "ground_truth"}, Role::truth});
   results.shots.push_back({"shot", "A shot", "", "", "", 24, 0.5, {{1, 2, 3, 4}}, {}});
   AxisSummary axis{"speed", "Speed", "px", "log", "whole", "All else stays.", "", "", true, 2, {}, {}};
   for (double value : {1.0, 3.0, 10.0, 30.0, 100.0}) {
@@ -406,7 +406,7 @@ TEST_P(Committed, NumbersAreOfTheExperimentAsItIs) {
     EXPECT_EQ(group.shot, experiment.shots[experiment.groups[g].shot].name);
     ASSERT_EQ(group.points.size(), experiment.groups[g].arms.size() + 1);
     for (size_t i = 1; i < group.points.size(); ++i) {
-      const Arm& arm = experiment.arms[experiment.groups[g].arms[i - 1]];
+      const StudiedArm& arm = experiment.arms[experiment.groups[g].arms[i - 1]];
       EXPECT_EQ(group.points[i].arm, arm.name);
       if (group.points[i].command.empty()) continue;
       lab::Shot shot = shotOf(experiment, experiment.groups[g], arm);

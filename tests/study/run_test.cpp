@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/frozen_home.h"
 #include "base/inputs.h"
 #include "oracle/render.h"
 #include "program/run.h"
@@ -108,6 +109,22 @@ TEST_F(Measuring, InputsAreThoseOfTheRunRecords) {
     return !results.inputs.count(home.recorded(file, ""));
   })) << "shaders of other pipelines are not among them";
   EXPECT_EQ(resultsFrom(toJson(results), "x").inputs, results.inputs);
+}
+
+// A point that was drawn stays when only comments change.
+TEST_F(Measuring, KeysDoNotDependOnCommentsOfShaders) {
+  testing::TemporaryFolder folder;
+  FrozenHome copy(bench().home(), folder.path() / "home");
+  const Path shader = copy.home().at("shaders/gather/mcguire2012.glsl");
+  const std::string before = readText(shader);
+  auto content = [&](const std::string& text) {
+    testing::writeText(shader, text);
+    lab::Workbench own(copy.home(), bench());
+    return lab::Batch(own).contentOf(oracle::with(oracle::shotOf("half_plane", 160, 4), "mcguire2012"));
+  };
+  const std::string key = content(before);
+  EXPECT_EQ(content("// Another line.\n" + before + "/* and\n   another */\n"), key);
+  EXPECT_NE(content(before + "const int another = 1;\n"), key);
 }
 
 // A card of 20 x 8 px that moves by 6 px before a wall at rest, in front of the camera's centre.
