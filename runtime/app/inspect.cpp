@@ -13,6 +13,7 @@
 #include "base/cores.h"
 #include "base/extension.h"
 #include "base/numbers.h"
+#include "base/version.h"
 #include "graph/pipelines.h"
 #include "lab/frame.h"
 #include "lab/workbench.h"
@@ -406,7 +407,7 @@ void doctor(const Home& home, bool json) {
   std::vector<std::string> driver_problems = gpu::driverProblems();
   std::vector<gpu::DeviceInfo> devices = gpu::listDevices();
   Json report;
-  report["strobe"] = STROBE_VERSION;
+  report["strobe"] = kVersion;
   report["devices"] = Json::array();
   for (const auto& info : devices) report["devices"].push_back(deviceJson(info));
   report["files"] = home.roots();
@@ -419,7 +420,7 @@ void doctor(const Home& home, bool json) {
   if (json) {
     std::printf("%s\n", report.dump(2).c_str());
   } else {
-    std::printf("strobe %s\n", STROBE_VERSION);
+    std::printf("strobe %s\n", kVersion);
     for (size_t i = 0; i < devices.size(); ++i) {
       const auto& info = devices[i];
       std::printf("device %zu: %s (%s, Vulkan %s)%s\n", i, info.name.c_str(), info.driver.c_str(), info.api.c_str(),

@@ -12,6 +12,7 @@
 #include "app/commands.h"
 #include "base/error.h"
 #include "base/project.h"
+#include "base/version.h"
 #include "script/evaluate.h"
 
 // Prints a failure to stderr, one line per mistake. Exit code: 1, or 2 for a wrong command line.
@@ -86,7 +87,7 @@ int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild();
   const strobe::Home home = strobe::Home::fromEnvironment();
   CLI::App program("Strobe: a research sandbox for motion blur", "strobe");
-  program.set_version_flag("--version", "strobe " STROBE_VERSION);
+  program.set_version_flag("--version", std::string("strobe ") + strobe::kVersion);
   program.set_help_all_flag("--help-all", "print the help of every command");
   strobe::app::registerDemo(program, home);
   strobe::app::registerRender(program, home);

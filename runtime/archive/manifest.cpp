@@ -11,6 +11,7 @@
 
 #include "base/hash.h"
 #include "base/process.h"
+#include "base/version.h"
 #include "lab/capture.h"
 #include "lab/record.h"
 
@@ -32,7 +33,7 @@ static std::optional<std::string> git(const Path& folder, const std::vector<std:
 }
 
 Json programJson(const Home& home) {
-  Json json = {{"version", STROBE_VERSION}, {"program", lab::programHash()}};
+  Json json = {{"version", kVersion}, {"program", lab::programHash()}};
   if (std::optional<std::string> revision = git(home.shipped(), {"rev-parse", "HEAD"})) {
     json["revision"] = *revision;
     json["modified"] = !git(home.shipped(), {"status", "--porcelain"}).value_or("").empty();

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/process.h"
+#include "base/version.h"
 #include "lab/record.h"
 #include "lab/shot_options.h"
 
@@ -63,7 +64,7 @@ Prepared prepared(lab::Batch& batch, const std::vector<NamedShot>& shots) {
   lab::Workbench& bench = batch.bench();
   const gpu::DeviceInfo& device = bench.device().info();
   Prepared result;
-  result.run = {"", STROBE_VERSION, lab::programHash(), device.name, device.driver};
+  result.run = {"", kVersion, lab::programHash(), device.name, device.driver};
   result.run.backend = shader::backendName(bench.chooseBackend(shots.front().shot.backend));
   result.run.software = device.software;
   result.run.frames_in_flight = bench.frames_in_flight;

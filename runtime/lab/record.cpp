@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/hash.h"
+#include "base/version.h"
 #include "plan/canonical.h"
 #include "plan/facts.h"
 
@@ -37,7 +38,7 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   const plan::Plan& plan = c.drawing.plan();
   const LoadedScene& scene = c.drawing.scene();
   Json record;
-  record["strobe"] = {{"version", STROBE_VERSION}, {"program", programHash()}};
+  record["strobe"] = {{"version", kVersion}, {"program", programHash()}};
   record["shot"] = toJson(c.shot);
   Json& pipeline = record["pipeline"];
   pipeline["name"] = plan.pipeline.name;

@@ -12,6 +12,7 @@
 
 #include "base/hash.h"
 #include "base/project.h"
+#include "base/version.h"
 #include "shader/sources.h"
 #include "shader/spirv_cache.h"
 #include "shader/start.h"
@@ -193,7 +194,7 @@ void startCompiler(const Home& home) {
 // include.
 static std::string keyOf(const Source& source, Stage stage, const Texts& texts) {
   const glslang::Version compiler = glslang::GetVersion();
-  std::string key = fmt::format("{} {}.{}.{}{} {} ", STROBE_VERSION, compiler.major, compiler.minor, compiler.patch,
+  std::string key = fmt::format("{} {}.{}.{}{} {} ", kVersion, compiler.major, compiler.minor, compiler.patch,
                                 compiler.flavor, glslang::GetSpirvGeneratorVersion());
   for (int rule : {kDialect, int(kClient), int(kTarget), int(kOptimizes), int(kRules), int(stage)})
     key += fmt::format("{} ", rule);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/sealed_json.h"
+#include "base/version.h"
 #include "study/layout.h"
 
 namespace strobe::study {
@@ -439,7 +440,7 @@ std::string textOf(const Results& results) { return sealed(toJson(results)); }
 
 Results outlineOf(const Experiment& experiment) {
   Results results{experiment};
-  results.strobe = STROBE_VERSION;
+  results.strobe = kVersion;
   results.arms.assign(experiment.arms.begin(), experiment.arms.end());
   results.arms.push_back(experiment.truth);
   results.shots.assign(experiment.shots.begin(), experiment.shots.end());
