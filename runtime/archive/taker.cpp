@@ -104,7 +104,7 @@ bool isThere(const Path& folder, const Json& files) {
   for (const auto& [name, file] : files.items()) {
     std::error_code missing;
     bool same = fs::file_size(folder / name, missing) == file.at("bytes").get<uint64_t>() && !missing;
-    if (!same || sha256(readText(folder / name)) != file.at("sha256")) return false;
+    if (!same || file.at("sha256") != Json(sha256(readText(folder / name)))) return false;
   }
   return true;
 }

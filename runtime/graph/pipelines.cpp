@@ -380,9 +380,10 @@ std::vector<PipelineFound> PipelineCache::get(const std::vector<PipelineRequest>
   std::vector<Making> making;
   std::map<std::string, std::exception_ptr> failed;  // by key
   for (size_t i = 0; i < requests.size(); ++i) {
-    const auto& [interface, pass] = requests[i];
+    const PipelineRequest& request = requests[i];
     // Scenes with equal set layouts share pipelines.
-    found[i].error = thrownBy([&] { keys[i] = contentOf(interface, *pass) + "|" + scene.layoutText(); });
+    found[i].error =
+        thrownBy([&] { keys[i] = contentOf(request.interface, *request.pass) + "|" + scene.layoutText(); });
     if (!found[i].error && !made_.contains(keys[i]) && failed.emplace(keys[i], nullptr).second)
       making.push_back({&requests[i], keys[i], {}, {}, {}});
   }

@@ -33,7 +33,7 @@ constexpr Vec3 kWhite = {0.950428545f, 1.0f, 1.088900371f};  // D65 of the XYZ m
 Vec3 xyzFromLinear(const Vec3& rgb) {
   float x = 10135552 / 24577794.0f * rgb[0] + 8788810 / 24577794.0f * rgb[1] + 4435075 / 24577794.0f * rgb[2];
   float y = 2613072 / 12288897.0f * rgb[0] + 8788810 / 12288897.0f * rgb[1] + 887015 / 12288897.0f * rgb[2];
-  float z = 1425312 / 73733382.0f * rgb[0] + 8788810 / 73733382.0f * rgb[1] + 70074185 / 73733382.0f * rgb[2];
+  float z = 1425312 / 73733382.0f * rgb[0] + 8788810 / 73733382.0f * rgb[1] + 70074185.0f / 73733382.0f * rgb[2];
   return {x / kWhite[0], y / kWhite[1], z / kWhite[2]};
 }
 

@@ -6,11 +6,9 @@
 
 #include "base/home.h"
 #include "base/process.h"
+#include "script/evaluate.h"
 
 namespace strobe::script {
-
-struct Dependency;
-struct Limits;
 
 // Exit status of a child that could not allocate memory for its answer.
 inline constexpr int kOutOfMemory = 4;

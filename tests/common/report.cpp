@@ -26,7 +26,7 @@ class Report : public ::testing::EmptyTestEventListener {
  public:
   void OnTestProgramStart(const ::testing::UnitTest& program) override {
     const char* file = std::getenv("STROBE_TEST_RESULTS");
-    if (!file || testing::GTEST_FLAG(list_tests)) return;
+    if (!file || ::testing::GTEST_FLAG(list_tests)) return;
     std::filesystem::create_directories(std::filesystem::path(file).parent_path());
     lines_.open(file);
     lines_ << "tests " << program.test_to_run_count() << std::endl;

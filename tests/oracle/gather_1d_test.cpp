@@ -94,7 +94,7 @@ TEST(Gather, GuertinOnTheWhiteBar) {
   for (auto [offset, one, two] : kTable)
     for (bool both : {false, true}) {
       double value =
-          overJitters([&](double j) { return guertinAt(row, 20, 160 + offset, {.jitter = j, .two = both}); });
+          overJitters([&, at = 160 + offset](double j) { return guertinAt(row, 20, at, {.jitter = j, .two = both}); });
       EXPECT_NEAR(value, both ? two : one, kFourDigits) << offset;
       printed(both ? "guertin_two" : "guertin_one", {value});
     }
@@ -107,9 +107,9 @@ TEST(Gather, McGuireWithTheCentreWeightAndCylinderOfItsSuccessor) {
   Row row = rasterise(whiteBar(), 320);
   Guertin edited{.samples = 15, .two = false, .eta = 1, .hard_cylinder = true, .rounded_distance = true};
   for (const auto& [offset, expected] : table) {
-    double value = overJitters([&](double j) {
+    double value = overJitters([&, at = 160 + offset](double j) {
       edited.jitter = j;
-      return guertinAt(row, 20, 160 + offset, edited);
+      return guertinAt(row, 20, at, edited);
     });
     EXPECT_NEAR(value, expected, kFourDigits) << offset;
     printed("edited", {value});
@@ -151,7 +151,7 @@ TEST(Gather, OneSidedMcGuireOnTheWhiteBar) {
   auto dominant = dominantDisplacement({&row}, 20, kCloseAnchor);
   for (auto [x, truth, expected] : kTable) {
     double mcguire =
-        overJitters([&](double j) { return mcguireAt(row, dominant[x], x, {.jitter = j, .one_sided = true}); });
+        overJitters([&, x = x](double j) { return mcguireAt(row, dominant[x], x, {.jitter = j, .one_sided = true}); });
     EXPECT_NEAR(exposePixel(strips, kCloseAnchor, x).colour, truth, 1e-9) << x;
     EXPECT_NEAR(mcguire, expected, kThreeDigits) << x;
     printed("one_sided", {exposePixel(strips, kCloseAnchor, x).colour, mcguire});

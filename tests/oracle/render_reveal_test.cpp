@@ -196,7 +196,7 @@ TEST_F(RenderReveal, LuminanceIsOfWhatItSays) {
   const std::pair<const char*, double> depths[] = {{"radiance", 11}, {"base_color", 12}, {"material", 13}};
   for (const auto& [of, depth] : depths)
     expectDepth(
-        imageOf(picture, of), [&](int) { return depth; }, 1e-6, of);
+        imageOf(picture, of), [depth = depth](int) { return depth; }, 1e-6, of);
 }
 
 // Of one instance the planes are its own layers, of several others that were not told from it.

@@ -149,7 +149,9 @@ TEST_F(RenderShutterCurves, TruthCountsTimesByTheCurve) {
       expectWithin(
           drawn(curved(stripes(), curve.text), "ground_truth", anchor.name, settings),
           [&](int x, int) { return exact.at(x); },
-          [&](const Exposure& e) { return e.variation * (mode.per_change + .5 / Exact::kTimes + curve.stated) + 1e-4; },
+          [&, stated = curve.stated](const Exposure& e) {
+            return e.variation * (mode.per_change + .5 / Exact::kTimes + stated) + 1e-4;
+          },
           fmt::format("{} {} {}", curve.text, anchor.name, fmt::join(mode.settings, " ")));
     }
   }

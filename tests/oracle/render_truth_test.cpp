@@ -52,7 +52,7 @@ TEST_F(RenderTruth, HalfPlaneAndBarMatchTheirCoverage) {
       for (const auto& [shot, strips] : {std::pair(plane, plane_strips), std::pair(bar, bar_strips)}) {
         lab::Picture picture = render(with(shot, "ground_truth", truth(kSamples), anchor.name));
         expectWithin(
-            colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
+            colorOf(picture), [&, &strips = strips](int x, int) { return exposeCentre(strips, anchor.window, x); },
             midpointBound(kSamples), fmt::format("{} d {}", anchor.name, d));
       }
     }

@@ -45,8 +45,8 @@ TEST(Limits, WhatNeverReturnsToLuaIsStoppedToo) {
       "local function f() pcall(f) f() end f()",
       "table.concat(setmetatable({}, { __index = function() return '' end }), '', 1, 1 << 60)",
       "while true do pcall(string.rep, 'x', 1 << 30) end",
-      "local m = {} m.__index = function(t, k) return t[k + 1] end local t = setmetatable({}, m) "
-      "while true do pcall(function() return t[1] end) end",
+      ("local m = {} m.__index = function(t, k) return t[k + 1] end local t = setmetatable({}, m) "
+       "while true do pcall(function() return t[1] end) end"),
   };
   TestHome home;
   std::vector<std::future<std::string>> answers;

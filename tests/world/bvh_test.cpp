@@ -2,6 +2,7 @@
 // The runtime's own tree: what its nodes promise, on lists of boxes that make trees hard; its cost against Embree's.
 #include "world/bvh.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
