@@ -86,14 +86,14 @@ bool Fields::boolean(const std::string& key, bool fallback) {
   return value->is_boolean() ? value->get<bool>() : fallback;
 }
 
-std::string Fields::text(const std::string& key, std::optional<std::string> fallback) {
+std::string Fields::text(const std::string& key, const std::optional<std::string>& fallback) {
   const Json* value = fallback ? find(key) : need(key);
   if (!value) return fallback.value_or("");
   if (!value->is_string()) problem(fmt::format("'{}' is {}, not text", key, value->type_name()));
   return value->is_string() ? value->get<std::string>() : fallback.value_or("");
 }
 
-std::string Fields::choice(const std::string& key, std::optional<std::string> fallback,
+std::string Fields::choice(const std::string& key, const std::optional<std::string>& fallback,
                            const std::vector<std::string>& choices) {
   std::string value = text(key, fallback);
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;

@@ -52,8 +52,8 @@ class Fields {
   double number(const std::string& key, std::optional<double> fallback, double min = -1e9, double max = 1e9);
   int integer(const std::string& key, std::optional<int> fallback, int min, int max);
   bool boolean(const std::string& key, bool fallback);
-  std::string text(const std::string& key, std::optional<std::string> fallback = "");
-  std::string choice(const std::string& key, std::optional<std::string> fallback,
+  std::string text(const std::string& key, const std::optional<std::string>& fallback = "");
+  std::string choice(const std::string& key, const std::optional<std::string>& fallback,
                      const std::vector<std::string>& choices);
   // A list or a table of at most `most` entries; empty if the key is absent.
   const Json& list(const std::string& key, size_t most = 100000);

@@ -18,7 +18,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 int colourCount(const Image& image) { return std::min(image.channels, 3); }
 
-void assertAlike(const Image& test, const Image& reference) {
+void assertSameColours(const Image& test, const Image& reference) {
   STROBE_ASSERT(sameSize(test, reference), "{}x{} and {}x{}", test.width, test.height, reference.width,
                 reference.height);
   STROBE_ASSERT(colourCount(test) == colourCount(reference), "{} and {} channels", test.channels, reference.channels);
@@ -27,7 +27,7 @@ void assertAlike(const Image& test, const Image& reference) {
 // Mean of error(x, r) over the colour channels of every selected pixel, in reading order.
 template <class ErrorOf>
 std::vector<double> pixelErrors(const Image& test, const Image& reference, const Image& mask, ErrorOf errorOf) {
-  assertAlike(test, reference);
+  assertSameColours(test, reference);
   std::vector<double> errors;
   errors.reserve(size_t(test.width) * test.height);
   int colours = colourCount(test);
@@ -43,20 +43,20 @@ double squaredError(double x, double r) { return (x - r) * (x - r); }
 double relativeError(double x, double r) { return (x - r) * (x - r) / (r * r + 0.01); }
 
 // One channel in double precision, for the windowed statistics.
-struct Plane {
+struct Channel {
   int width = 0, height = 0;
   std::vector<double> values;
   double at(int x, int y) const { return values[size_t(y) * width + x]; }
 };
 
-Plane planeOf(const Image& image, int c) {
-  Plane plane{image.width, image.height, {}};
+Channel planeOf(const Image& image, int c) {
+  Channel plane{image.width, image.height, {}};
   for (size_t i = size_t(c); i < image.values.size(); i += image.channels) plane.values.push_back(image.values[i]);
   return plane;
 }
 
-Plane product(const Plane& a, const Plane& b) {
-  Plane result = a;
+Channel product(const Channel& a, const Channel& b) {
+  Channel result = a;
   for (size_t i = 0; i < result.values.size(); ++i) result.values[i] *= b.values[i];
   return result;
 }
@@ -67,7 +67,7 @@ std::vector<double> windowTaps() {
   std::vector<double> taps;
   double sum = 0;
   for (int i = 0; i < kWindow; ++i) {
-    double offset = i - kWindow / 2;
+    int offset = i - kWindow / 2;
     taps.push_back(std::exp(-offset * offset / (2 * 1.5 * 1.5)));
     sum += taps.back();
   }
@@ -76,14 +76,14 @@ std::vector<double> windowTaps() {
 }
 
 // Gaussian mean around every pixel with a window inside the plane. The result is 10 pixels smaller each way.
-Plane windowed(const Plane& plane) {
+Channel windowed(const Channel& plane) {
   static const std::vector<double> taps = windowTaps();
   int width = plane.width - kWindow + 1, height = plane.height - kWindow + 1;
-  Plane rows{width, plane.height, std::vector<double>(size_t(width) * plane.height, 0.0)};
+  Channel rows{width, plane.height, std::vector<double>(size_t(width) * plane.height, 0.0)};
   for (int y = 0; y < plane.height; ++y)
     for (int k = 0; k < kWindow; ++k)
       for (int x = 0; x < width; ++x) rows.values[size_t(y) * width + x] += taps[k] * plane.at(x + k, y);
-  Plane result{width, height, std::vector<double>(size_t(width) * height, 0.0)};
+  Channel result{width, height, std::vector<double>(size_t(width) * height, 0.0)};
   for (int y = 0; y < height; ++y)
     for (int k = 0; k < kWindow; ++k)
       for (int x = 0; x < width; ++x) result.values[size_t(y) * width + x] += taps[k] * rows.at(x, y + k);
@@ -92,14 +92,14 @@ Plane windowed(const Plane& plane) {
 
 // The two factors of SSIM around every pixel with a window inside the plane.
 struct Similarity {
-  Plane luminance, contrast_structure;
+  Channel luminance, contrast_structure;
 };
 
-Similarity similarity(const Plane& test, const Plane& reference) {
+Similarity similarity(const Channel& test, const Channel& reference) {
   constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
-  Plane mean_x = windowed(test), mean_r = windowed(reference);
-  Plane xx = windowed(product(test, test)), rr = windowed(product(reference, reference));
-  Plane xr = windowed(product(test, reference));
+  Channel mean_x = windowed(test), mean_r = windowed(reference);
+  Channel xx = windowed(product(test, test)), rr = windowed(product(reference, reference));
+  Channel xr = windowed(product(test, reference));
   Similarity result{mean_x, mean_x};
   for (size_t i = 0; i < mean_x.values.size(); ++i) {
     double x = mean_x.values[i], r = mean_r.values[i];
@@ -110,8 +110,8 @@ Similarity similarity(const Plane& test, const Plane& reference) {
   return result;
 }
 
-Plane halved(const Plane& plane) {
-  Plane result{plane.width / 2, plane.height / 2, {}};
+Channel halved(const Channel& plane) {
+  Channel result{plane.width / 2, plane.height / 2, {}};
   for (int y = 0; y < result.height; ++y)
     for (int x = 0; x < result.width; ++x)
       result.values.push_back(0.25 * (plane.at(2 * x, 2 * y) + plane.at(2 * x + 1, 2 * y) + plane.at(2 * x, 2 * y + 1) +
@@ -119,13 +119,13 @@ Plane halved(const Plane& plane) {
   return result;
 }
 
-double multiScaleOfChannel(Plane test, Plane reference) {
+double multiScaleOfChannel(Channel test, Channel reference) {
   constexpr double kWeights[] = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
   double result = 1;
   for (int scale = 0; scale < 5; ++scale) {
     if (scale > 0) test = halved(test), reference = halved(reference);
     Similarity parts = similarity(test, reference);
-    Plane last = product(parts.luminance, parts.contrast_structure);
+    Channel last = product(parts.luminance, parts.contrast_structure);
     double value = mean(scale == 4 ? last.values : parts.contrast_structure.values);
     result *= std::pow(std::max(value, 0.0), kWeights[scale]);
   }
@@ -164,14 +164,14 @@ double psnr(const Image& test, const Image& reference, const Image& mask) {
 }
 
 std::optional<double> ssim(const Image& test, const Image& reference, const Image& mask) {
-  assertAlike(test, reference);
+  assertSameColours(test, reference);
   if (std::min(test.width, test.height) < kWindow) return std::nullopt;
   Image x = encodeSrgb(test), r = encodeSrgb(reference);
   double sum = 0;
   size_t count = 0;
   for (int c = 0; c < colourCount(test); ++c) {
     Similarity parts = similarity(planeOf(x, c), planeOf(r, c));
-    Plane map = product(parts.luminance, parts.contrast_structure);
+    Channel map = product(parts.luminance, parts.contrast_structure);
     for (int py = 0; py < map.height; ++py)
       for (int px = 0; px < map.width; ++px)
         if (isIn(mask, px + kWindow / 2, py + kWindow / 2)) sum += map.at(px, py), ++count;
@@ -180,7 +180,7 @@ std::optional<double> ssim(const Image& test, const Image& reference, const Imag
 }
 
 std::optional<double> multiScaleSsim(const Image& test, const Image& reference) {
-  assertAlike(test, reference);
+  assertSameColours(test, reference);
   if (std::min(test.width, test.height) < kWindow << 4) return std::nullopt;
   Image x = encodeSrgb(test), r = encodeSrgb(reference);
   double sum = 0;
@@ -190,8 +190,8 @@ std::optional<double> multiScaleSsim(const Image& test, const Image& reference) 
 
 double temporalError(const Image& test0, const Image& test1, const Image& reference0, const Image& reference1,
                      const Image& mask) {
-  assertAlike(test0, test1);
-  assertAlike(reference0, reference1);
+  assertSameColours(test0, test1);
+  assertSameColours(reference0, reference1);
   STROBE_ASSERT(test0.channels == test1.channels && reference0.channels == reference1.channels, "channels differ");
   Image test = test1, reference = reference1;
   for (size_t i = 0; i < test.values.size(); ++i) test.values[i] -= test0.values[i];

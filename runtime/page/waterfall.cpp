@@ -9,10 +9,10 @@ namespace strobe::page {
 
 namespace {
 
-constexpr int kRow = 24, kAround = 68;  // pixels: height of a bar with its gap; space above and below the plot
+constexpr int kBar = 24, kAround = 68;  // pixels: height of a bar with its gap; space above and below the plot
 constexpr double kBarShare = 0.68;      // height of a bar as a share of its row
 constexpr double kBeside = 90;          // pixels right of the plot, for text that starts at its border
-constexpr double kWhisker = 4;          // half the height of an error bar's ends, pixels
+constexpr double kErrorBar = 4;         // half the height of an error bar's ends, pixels
 
 // Vertical axis with the names of the bars. Reversed, because slots count from the bottom.
 Axis rowsOf(const Waterfall& waterfall) {
@@ -29,14 +29,14 @@ double endOf(const Waterfall& waterfall) {
 }
 
 void drawBar(Svg& svg, const Frame& frame, const Waterfall::Bar& bar, size_t slot) {
-  double y = frame.py(double(slot)), height = kBarShare * kRow, end = frame.px(bar.start + bar.length);
+  double y = frame.py(double(slot)), height = kBarShare * kBar, end = frame.px(bar.start + bar.length);
   double left = frame.px(bar.start);
   svg.open(classOf(bar.hollow ? 0 : 2));
   svg.rectangle(bar.hollow ? "bar hollow" : "bar", left, y - height / 2, end - left, height, bar.tip);
   if (bar.end_range.given()) {
     double low = frame.px(bar.end_range.low), high = frame.px(bar.end_range.high);
     svg.path("error", fmt::format("M{:.1f} {:.1f}H{:.1f}M{:.1f} {:.1f}v{}M{:.1f} {:.1f}v{}", low, y, high, low,
-                                  y - kWhisker, 2 * kWhisker, high, y - kWhisker, 2 * kWhisker));
+                                  y - kErrorBar, 2 * kErrorBar, high, y - kErrorBar, 2 * kErrorBar));
     end = std::max(end, high);
   }
   svg.close();
@@ -57,7 +57,7 @@ void align(std::vector<Waterfall>& waterfalls) {
 std::string svgOf(const Waterfall& waterfall, int width) {
   const Axis rows = rowsOf(waterfall);
   const Scale y = rows.scaleOf({});
-  const int height = int(waterfall.bars.size()) * kRow + kAround;
+  const int height = int(waterfall.bars.size()) * kBar + kAround;
   const double left = std::max(waterfall.left, leftOf(rows, y));
   Frame frame(waterfall.x.scaleOf({0, endOf(waterfall)}), y, width, height, left, kBeside);
   Svg svg(width, height, waterfall.about);

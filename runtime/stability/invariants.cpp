@@ -70,7 +70,7 @@ Finding none() {
   return finding;
 }
 
-Finding worse(Finding a, Finding b) {
+Finding worse(const Finding& a, const Finding& b) {
   if (a.holds != b.holds) return a.holds ? b : a;
   return b.excess > a.excess ? b : a;
 }
@@ -301,7 +301,7 @@ double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<
 }
 
 // The shot by another pipeline, with the values that both pipelines have and the values of `set`.
-lab::Shot inCommon(const Subject& subject, lab::Shot shot, const std::string& pipeline,
+lab::Shot inCommon(const Subject& subject, const lab::Shot& shot, const std::string& pipeline,
                    const std::vector<std::pair<std::string, plan::Value>>& set) {
   lab::Shot result = by(shot, pipeline);
   std::shared_ptr<const plan::PipelineDesc> own = evaluated(subject, shot), other = evaluated(subject, result);

@@ -149,6 +149,7 @@ class OwnStructures : public Structures {
 
   void placeAt(const shared::SceneTransform& transform, size_t i) {
     Placed& placed = placed_[i];
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): equal bits
     if (std::memcmp(&placed.transform, &transform, sizeof transform) == 0) return;
     const size_t mesh = size_t(instances_[i].mesh);
     const Rows forward{{dvec4(transform.row_x), dvec4(transform.row_y), dvec4(transform.row_z)}};
