@@ -5,3 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_fwd.h"
+
+// Compiled once, in base/json_text.cpp.
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;

@@ -6,6 +6,8 @@
 
 #include "base/json.h"
 
+template class nlohmann::basic_json<nlohmann::ordered_map>;
+
 namespace strobe {
 
 namespace {

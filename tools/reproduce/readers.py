@@ -393,7 +393,7 @@ def build_minutes(bench):
     """Minutes of the build of a clean clone without tests, of the tests, and of the demo."""
     clone, environment = bench.out / "clone", {"CCACHE_DISABLE": "1"}
     bench.run("git", "clone", "-q", bench.root, clone)
-    build = timed(bench, "cmake", "-S", clone, "-B", clone / "build", "-G", "Ninja", environment=environment)
+    build = timed(bench, "cmake", "--preset", "release", "-S", clone, "-B", clone / "build", environment=environment)
     build += timed(bench, "ninja", "-C", clone / "build", "strobe_program", environment=environment)
     bench.run("cmake", "-B", clone / "build", "-DSTROBE_TESTS=ON", environment=environment)
     bench.run("ninja", "-C", clone / "build", environment=environment)
