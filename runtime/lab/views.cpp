@@ -25,9 +25,9 @@ std::string nameOf(const std::string& port) { return port.substr(port.rfind('.')
 
 bool has(const std::string& name, const char* part) { return name.find(part) != std::string::npos; }
 
-bool isUint(const ReadImage& image) { return !image.uints.values.empty(); }
+bool hasIntegers(const ReadImage& image) { return !image.uints.values.empty(); }
 
-int channelsOf(const ReadImage& image) { return isUint(image) ? image.uints.channels : image.floats.channels; }
+int channelsOf(const ReadImage& image) { return hasIntegers(image) ? image.uints.channels : image.floats.channels; }
 
 // Smallest and largest finite value of an image.
 struct Range {
@@ -261,7 +261,7 @@ Image floatsShown(const Image& data, const std::string& kind, const std::string&
 
 std::string automaticKind(const ReadImage& image, const std::string& port) {
   std::string name = nameOf(port);
-  if (isUint(image)) return "id";
+  if (hasIntegers(image)) return "id";
   int channels = channelsOf(image);
   if (channels == 1 && (has(name, "depth") || name == "Z")) return "depth";
   if (channels == 1) return image.format == "r8_unorm" ? "mask" : "scalar";
@@ -271,7 +271,7 @@ std::string automaticKind(const ReadImage& image, const std::string& port) {
 }
 
 std::vector<std::string> viewKinds(const ReadImage& image) {
-  if (isUint(image)) return {"auto", "id", "numbers"};
+  if (hasIntegers(image)) return {"auto", "id", "numbers"};
   int channels = channelsOf(image);
   if (channels == 1) return {"auto", "scalar", "mask", "depth", "colour", "numbers"};
   if (channels == 2) return {"auto", "velocity", "arrows", "scalar", "numbers"};
@@ -289,7 +289,7 @@ int divideOf(const plan::Plan& plan, const std::string& port) {
 Image shown(const ReadImage& image, const std::string& port, int divide, int width, int height,
             const ViewOptions& options, const Image* under, Legend* legend) {
   if (legend) *legend = {};
-  if (isUint(image)) return placed(image::idColours(image.uints), divide, width, height);
+  if (hasIntegers(image)) return placed(image::idColours(image.uints), divide, width, height);
   if (image.floats.empty()) return Image(width, height, 3);
   std::vector<std::string> kinds = viewKinds(image);
   bool known = std::find(kinds.begin(), kinds.end(), options.kind) != kinds.end();

@@ -22,13 +22,8 @@ static std::array<int, 2> sizeOf(int width, int height) {
 
 image::Image reduced(const image::Image& linear) {
   if (std::max(linear.width, linear.height) <= kCell) return linear;
-<<<<<<< HEAD
   auto [width, height] = sizeOf(linear.width, linear.height);
   return image::shrunk(linear, width, height);
-=======
-  auto [w, h] = sizeOf(linear.width, linear.height);
-  return image::shrunk(linear, w, h);
->>>>>>> e0de192565324cdb66de08c3a1d9d5ac02bc5965
 }
 
 // Crop with the largest error of all points, its pixels as squares; the whole picture until every point has an error.

@@ -3,11 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-<<<<<<< HEAD
-=======
-#include <exception>
-#include <functional>
->>>>>>> e0de192565324cdb66de08c3a1d9d5ac02bc5965
 
 #include "base/cores.h"
 #include "base/hash.h"
@@ -25,37 +20,21 @@ namespace {
 
 using image::Image;
 
-<<<<<<< HEAD
-=======
-// Calls `work` with 0 to count - 1 on all cores; rethrows the first exception.
-void inParallel(size_t count, const std::function<void(size_t)>& work) {
-  std::vector<std::exception_ptr> failures(count);
-  forEachOnAllCores(count, [&](size_t i) {
-    try {
-      work(i);
-    } catch (...) {
-      failures[i] = std::current_exception();
-    }
-  });
-  for (const std::exception_ptr& failure : failures)
-    if (failure) std::rethrow_exception(failure);
-}
-
->>>>>>> e0de192565324cdb66de08c3a1d9d5ac02bc5965
 // Size and quality of written pictures; quality 0 is PNG.
-struct Level {
+struct UrlQuality {
   int divisor, quality, flip_divisor, flip_quality;
 };
-constexpr Level kLevels[] = {{1, 0, 1, 0},   {1, 92, 1, 85}, {1, 85, 1, 70}, {1, 75, 2, 70}, {1, 60, 2, 60},
-                             {2, 80, 2, 60}, {2, 60, 3, 50}, {3, 60, 4, 50}, {4, 50, 6, 40}, {8, 50, 12, 40}};
+constexpr UrlQuality kUrlQualities[] = {{1, 0, 1, 0},   {1, 92, 1, 85}, {1, 85, 1, 70}, {1, 75, 2, 70},
+                                        {1, 60, 2, 60}, {2, 80, 2, 60}, {2, 60, 3, 50}, {3, 60, 4, 50},
+                                        {4, 50, 6, 40}, {8, 50, 12, 40}};
 
-std::string describe(const Level& level) {
+std::string qualityText(const UrlQuality& level) {
   if (level.quality == 0) return "";
   std::string size = level.divisor == 1 ? "" : fmt::format(" and 1/{} of the width", level.divisor);
   return fmt::format("JPEG of quality {}{}", level.quality, size);
 }
 
-std::string urlOf(const ImageSource& source, const Level& level) {
+std::string urlOf(const ImageSource& source, const UrlQuality& level) {
   int divisor = source.is_flip ? level.flip_divisor : level.divisor;
   int quality = source.is_flip ? level.flip_quality : level.quality;
   if (quality == 0) return "data:image/png;base64," + page::base64(source.png);
@@ -69,7 +48,7 @@ std::string urlOf(const ImageSource& source, const Level& level) {
 }
 
 // True if a sample of the pictures predicts a total size below 1.2 * `most_bytes`. Other levels are not tried.
-bool mayFit(const std::vector<ImageSource>& sources, const Level& level, size_t most_bytes) {
+bool mayFit(const std::vector<ImageSource>& sources, const UrlQuality& level, size_t most_bytes) {
   size_t step = std::max<size_t>(1, sources.size() / 24), bytes = 0, tried = 0;
   for (size_t i = 0; i < sources.size(); i += step, ++tried) bytes += urlOf(sources[i], level).size();
   return tried == 0 || double(bytes) / double(tried) * double(sources.size()) < 1.2 * double(most_bytes);
@@ -169,12 +148,12 @@ PageImages pageImagesOf(const Results& results, const Path& folder) { return Col
 
 WrittenImages written(const std::vector<ImageSource>& sources, size_t most_bytes) {
   WrittenImages images;
-  const Level& last = *std::rbegin(kLevels);
-  for (const Level& level : kLevels) {
+  const UrlQuality& last = *std::rbegin(kUrlQualities);
+  for (const UrlQuality& level : kUrlQualities) {
     if (&level != &last && !mayFit(sources, level, most_bytes)) continue;
     images.urls.assign(sources.size(), "");
     forEachOnAllCores(sources.size(), [&](size_t i) { images.urls[i] = urlOf(sources[i], level); });
-    images.reduced = describe(level);
+    images.reduced = qualityText(level);
     size_t bytes = 0;
     for (const std::string& url : images.urls) bytes += url.size();
     if (bytes <= most_bytes) break;

@@ -18,7 +18,7 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // Point of a method, with its two measures.
-struct Candidate {
+struct FrontPoint {
   const PointGroup* group;
   const Point* point;
   double x, y;
@@ -35,7 +35,7 @@ class Front {
       : results_(results), shots_(shots), layout_(layout), x_(measureNamed(layout.x)), y_(measureNamed(layout.y)) {
     for (const ShotSummary& shot : shots) add(groupsOf(results, shot));
     std::vector<std::pair<double, double>> costs;
-    for (const Candidate& one : all_) costs.emplace_back(cost(x_, one.x), cost(y_, one.y));
+    for (const FrontPoint& one : all_) costs.emplace_back(cost(x_, one.x), cost(y_, one.y));
     for (size_t i : paretoFront(costs)) front_.push_back(&all_[i]);
   }
 
@@ -63,7 +63,7 @@ class Front {
     page::Axis axis;
     axis.title = titleOf(measure, layout_.region);
     double least = kUnbounded, most = 0;
-    for (const Candidate& one : all_) {
+    for (const FrontPoint& one : all_) {
       if (layout_.together || &measure == &x_) least = std::min(least, one.x), most = std::max(most, one.x);
       if (layout_.together || &measure == &y_) least = std::min(least, one.y), most = std::max(most, one.y);
     }
@@ -80,21 +80,21 @@ class Front {
   const FrontLayout& layout_;
   const Measure& x_;
   const Measure& y_;
-  std::vector<Candidate> all_;
-  std::vector<const Candidate*> front_;
+  std::vector<FrontPoint> all_;
+  std::vector<const FrontPoint*> front_;
 };
 
 page::Series Front::line() const {
   page::Series line;
   line.style = page::kFrontStyle;
   if (layout_.together) {
-    auto [least, most] =
-        std::minmax_element(all_.begin(), all_.end(), [](const Candidate& a, const Candidate& b) { return a.x < b.x; });
+    auto [least, most] = std::minmax_element(all_.begin(), all_.end(),
+                                             [](const FrontPoint& a, const FrontPoint& b) { return a.x < b.x; });
     line.label = "y = x";
     for (double x : {least->x, most->x}) line.points.push_back({x, x});
   } else {
     line.label = "front", line.stepped = true;
-    for (const Candidate* one : front_) line.points.push_back({one->x, one->y});
+    for (const FrontPoint* one : front_) line.points.push_back({one->x, one->y});
   }
   return line;
 }
@@ -112,7 +112,7 @@ page::Chart Front::chart() const {
     if (arm.role != Role::method) continue;
     page::Series series;
     series.label = arm.name, series.style = style++, series.kind = page::Series::Kind::scatter;
-    for (const Candidate& one : all_) {
+    for (const FrontPoint& one : all_) {
       if (one.point->arm != arm.name) continue;
       page::Point point{one.x, one.y};
       point.tip = fmt::format("{}{}, {}: {}, {}", layout_.together ? one.group->shot + ", " : "", arm.name,
@@ -128,7 +128,7 @@ page::Chart Front::chart() const {
 page::Table Front::table() const {
   page::Table table;
   table.columns = {"method", "values", {titleOf(x_, layout_.region), true}, {titleOf(y_, layout_.region), true}};
-  for (const Candidate* one : front_)
+  for (const FrontPoint* one : front_)
     table.add({one->point->arm, describe(*one->group), page::Cell(one->x, shownValue(x_, one->x)),
                page::Cell(one->y, shownValue(y_, one->y))});
   return table;

@@ -15,7 +15,7 @@ namespace {
 
 using image::Image;
 
-bool has(const std::vector<std::string>& names, const std::string& name) {
+bool isAmong(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -43,12 +43,12 @@ struct Shown {
 std::vector<Shown> columnsOf(const Results& results) {
   std::vector<Shown> columns;
   for (const Measure& measure : measures()) {
-    if (!has(results.measures, measure.name) || !measure.per_region) continue;
+    if (!isAmong(results.measures, measure.name) || !measure.per_region) continue;
     bool whole = measure.name == "rmse_full";  // one column only
     for (const std::string& region : whole ? std::vector<std::string>{"whole"} : results.regions)
       columns.push_back({&measure, region, whole ? "RMSE whole, full shading" : measure.title + " " + region});
   }
-  if (has(results.measures, "ms"))
+  if (isAmong(results.measures, "ms"))
     columns.push_back({&measureNamed("ms"), "", results.software ? "time (software)" : "time"});
   return columns;
 }

@@ -90,7 +90,7 @@ Json groupJson(const PointGroup& group) {
   return json;
 }
 
-PointGroup groupOf(const Json& json) {
+PointGroup pointGroupFrom(const Json& json) {
   PointGroup group{json.at("shot"), json.at("anchor"), {}, {}};
   for (const auto& [axis, value] : json.at("at").items()) group.at.emplace_back(axis, value);
   for (const Json& point : json.at("points")) group.points.push_back(pointOf(point));
@@ -107,7 +107,7 @@ Json axisJson(const AxisSummary& axis) {
   return json;
 }
 
-AxisSummary axisOf(const Json& json) {
+AxisSummary axisFrom(const Json& json) {
   AxisSummary axis;
   takeTexts(json, axis);
   axis.same_picture = json.value("same_picture", false);
@@ -164,9 +164,9 @@ Results read(const Json& json) {
   for (const Json& arm : json.at("arms"))
     results.arms.push_back({{arm.at("name"), arm.at("pipeline"), {}}, roleOf(arm.at("role")), arm.at("shown")});
   for (const Json& shot : json.at("shots")) results.shots.push_back(shotOf(shot));
-  for (const Json& axis : json.at("axes")) results.axes.push_back(axisOf(axis));
+  for (const Json& axis : json.at("axes")) results.axes.push_back(axisFrom(axis));
   results.layout = json.at("layout");
-  for (const Json& group : json.at("groups")) results.groups.push_back(groupOf(group));
+  for (const Json& group : json.at("groups")) results.groups.push_back(pointGroupFrom(group));
   for (const Json& expectation : json.at("expectations")) takeTexts(expectation, results.expectations.emplace_back());
   results.inputs = json.value("inputs", results.inputs);
   return results;

@@ -75,7 +75,7 @@ std::shared_ptr<const lab::Picture> decoded(const std::string& key, const Path& 
     picture->warnings = Json::parse(file.texts.at("warnings")).get<std::vector<std::string>>();
     picture->frame.outputs = lab::imagesOf(file, name);
     for (const auto& [output, read] : picture->frame.outputs)
-      if (lab::hashOf(read) != picture->record.at("outputs").at(output)) return nullptr;
+      if (picture->record.at("outputs").at(output) != Json(lab::hashOf(read))) return nullptr;
     return picture;
   } catch (const std::exception&) {  // not OpenEXR, or without the fields of a truth
     return nullptr;
