@@ -52,14 +52,17 @@ class Suite {
   void checkCase(const Variant& variant, int index) {
     lab::Shot shot = generated(variant, options_.seed, index + caseOf(variant));
     const lab::Evaluated& evaluated = batch_.evaluate(shot.pipeline, shot.sets);
+    bool any = false;
     for (const Invariant* invariant : invariants_) {
       bool taken =
           variant.isBase() || Random(options_.seed, variant.name() + invariant->name).whole(1, options_.thinned) == 1;
       if (!taken) continue;
+      any = true;
       Count& count = report_.variants.back().second[invariant->name];
       if (!evaluated.pipeline) ++count.refused;
       else checkOne(variant, *invariant, shot, *evaluated.pipeline, count);
     }
+    if (!any) return;
     ++report_.drawn;
     if (evaluated.pipeline) report_.blurred += blurs(batch_, shot);
   }

@@ -9,6 +9,8 @@
 
 #include "base/error.h"
 #include "base/extension.h"
+#include "common/refusal.h"
+#include "common/temporary_folder.h"
 
 namespace strobe {
 namespace files_test {
@@ -17,12 +19,8 @@ namespace fs = std::filesystem;
 
 class Files : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "strobe_files_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  Path folder_;
+  const testing::TemporaryFolder temporary_;
+  const Path folder_ = temporary_.path();
 };
 
 TEST_F(Files, AWrittenFileIsWhole) {
@@ -40,12 +38,8 @@ TEST_F(Files, AFailedWriteKeepsTheOldFileAndLeavesNothingElse) {
   ::getrlimit(RLIMIT_FSIZE, &before);
   rlimit small = {1024, before.rlim_max};
   ::setrlimit(RLIMIT_FSIZE, &small);
-  std::string message;
-  try {
-    writeFileAtomically(folder_ / "file.txt", std::string_view(std::string(100000, 'x')));
-  } catch (const Error& error) {
-    message = error.what();
-  }
+  const std::string message = testing::refusalOf(
+      [&] { writeFileAtomically(folder_ / "file.txt", std::string_view(std::string(100000, 'x'))); });
   ::setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_NE(message.find("file.txt: cannot be written: "), std::string::npos) << message;
   EXPECT_EQ(readText(folder_ / "file.txt"), "old");
@@ -53,13 +47,8 @@ TEST_F(Files, AFailedWriteKeepsTheOldFileAndLeavesNothingElse) {
 }
 
 TEST_F(Files, AMissingFileIsNamed) {
-  try {
-    readText(folder_ / "absent.txt");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("absent.txt: cannot be read: No such file"), std::string::npos)
-        << error.what();
-  }
+  const std::string refused = testing::refusalOf([&] { readText(folder_ / "absent.txt"); });
+  EXPECT_NE(refused.find("absent.txt: cannot be read: No such file"), std::string::npos) << refused;
 }
 
 TEST_F(Files, ExtensionsMayBeInCapitals) {

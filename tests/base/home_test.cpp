@@ -3,11 +3,12 @@
 #include "base/home.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "base/error.h"
 #include "base/frozen_home.h"
+#include "common/refusal.h"
 #include "common/source.h"
+#include "common/temporary_folder.h"
 
 namespace strobe {
 namespace home_test {
@@ -16,15 +17,10 @@ namespace fs = std::filesystem;
 
 class Homes : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "strobe_home_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void write(const Path& file, const std::string& text = "") const { writeFileAtomically(folder_ / file, text); }
 
-  Path folder_;
+  const testing::TemporaryFolder temporary_;
+  const Path folder_ = temporary_.path();
 };
 
 TEST_F(Homes, FindFilesByName) {
@@ -49,12 +45,8 @@ TEST_F(Homes, ShowPathsRelativeToTheirRoot) {
   EXPECT_EQ(home.nameOf(folder_ / "ours/passes/a.lua"), "passes/a.lua");
   EXPECT_FALSE(home.nameOf(folder_ / "other/a.lua"));
   EXPECT_EQ(home.read(folder_ / "ours/passes/a.lua"), "text");
-  try {
-    home.read(folder_ / "ours/passes/b.lua");
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "passes/b.lua: cannot be read: No such file or directory");
-  }
+  EXPECT_EQ(testing::refusalOf([&] { home.read(folder_ / "ours/passes/b.lua"); }),
+            "passes/b.lua: cannot be read: No such file or directory");
 }
 
 TEST_F(Homes, AreFoundByThePlaceOfTheProgram) {
@@ -103,12 +95,7 @@ TEST_F(Homes, FollowLinksToARoot) {
 
 // What `find` says of a project's file under the name of a shipped one, or of one that says it replaces.
 std::string refusal(const Home& home, const Path& name) {
-  try {
-    home.find(name);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return testing::refusalOf([&] { home.find(name); });
 }
 
 TEST_F(Homes, ReplaceWhatIsDeclaredToBeReplaced) {

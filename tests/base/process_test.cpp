@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "common/refusal.h"
 
 namespace strobe {
 namespace process_test {
@@ -117,12 +118,8 @@ TEST(Process, ASignalIsNamed) {
 }
 
 TEST(Process, AMissingProgramIsAnError) {
-  try {
-    run({.arguments = {"/nonexistent/program"}});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "'/nonexistent/program' cannot be started: No such file or directory");
-  }
+  EXPECT_EQ(testing::refusalOf([&] { run({.arguments = {"/nonexistent/program"}}); }),
+            "'/nonexistent/program' cannot be started: No such file or directory");
 }
 
 // The child of the child holds the stream open: the whole group has to end.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/json.h"
+#include "common/refusal.h"
 
 namespace strobe {
 namespace strict_test {
@@ -12,15 +13,12 @@ const Place kOuter{"a.lua", 1};
 
 std::string problemsOf(const Json& json, void (*read)(Fields& fields)) {
   Problems problems;
-  try {
+  return testing::refusalOf([&] {
     Fields fields(json, "lamp", kOuter, problems);
     read(fields);
     fields.finish();
     problems.throwIfAny();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(Strict, ReadsEachKindOnce) {

@@ -27,4 +27,10 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+// A folder of the process, removed at its end.
+inline std::filesystem::path processFolder() {
+  static const TemporaryFolder folder;
+  return folder.path();
+}
+
 }  // namespace strobe::testing

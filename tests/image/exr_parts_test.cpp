@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Files of several parts: each keeps its own name, size and channels, and is found by its name or by a layer in it.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "base/error.h"
+#include "common/refusal.h"
+#include "common/temporary_folder.h"
 #include "image/comparison.h"
 #include "image/exr.h"
 
@@ -17,19 +18,12 @@ namespace exr_parts_test {
 
 class ExrParts : public ::testing::Test {
  protected:
-  ExrParts() : file_(std::filesystem::temp_directory_path() / fmt::format("strobe_parts_{}.exr", ::getpid())) {}
-  ~ExrParts() override { std::filesystem::remove(file_); }
-
   std::string refusalOf(const std::string& layer) const {
-    try {
-      colourOf(readExrLayer(file_, layer), layer, file_);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "nothing was refused";
+    return strobe::testing::refusalOf([&] { colourOf(readExrLayer(file_, layer), layer, file_); });
   }
 
-  const Path file_;
+  const strobe::testing::TemporaryFolder folder_;
+  const Path file_ = folder_.path() / "parts.exr";
 };
 
 Image filled(int width, int height, int channels, float from) {

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/process.h"
+#include "common/refusal.h"
 #include "common/temporary_folder.h"
 #include "image/comparison.h"
 #include "image/exr.h"
@@ -53,12 +54,7 @@ class ExrWindows : public ::testing::Test {
   }
 
   static std::string refusal(const ComparedPicture& test, const ComparedPicture& reference) {
-    try {
-      compared(test, reference);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "nothing was refused";
+    return testing::refusalOf([&] { compared(test, reference); });
   }
 
   const strobe::testing::TemporaryFolder folder_;

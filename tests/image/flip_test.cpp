@@ -211,11 +211,6 @@ TEST(HdrFlip, MostlyBlackReferenceStillShowsErrors) {
   EXPECT_EQ(largestOf(nothing.map), 0);
 }
 
-TEST(HdrFlip, IsSymmetricAtGivenExposures) {
-  const Exposures exposures{-2, 2, 5};
-  EXPECT_EQ(hdrFlip(bar(16), bar(0), exposures).map.values, hdrFlip(bar(0), bar(16), exposures).map.values);
-}
-
 TEST(Flip, MapCountsOnlyMaskedPixels) {
   Image map = ldrFlip(step(64, 36), step(64, 32)), mask(64, 64, 1);
   EXPECT_TRUE(std::isnan(meanOf(map, mask)));

@@ -3,7 +3,6 @@
 #include "image/metrics.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -13,7 +12,9 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/process.h"
+#include "common/refusal.h"
 #include "common/source.h"
+#include "common/temporary_folder.h"
 #include "image/comparison.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -68,12 +69,6 @@ std::optional<Json> fromPython(const std::string& arguments) {
   return std::nullopt;
 }
 
-struct Folder {
-  Path path = std::filesystem::temp_directory_path() / fmt::format("strobe_metrics_{}", ::getpid());
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
-
 TEST(Metrics, HandWorkedValues) {
   Image test = pixels({0.5f, 0.25f, 0}), reference = pixels({0.25f, 0.25f, 0.5f});
   EXPECT_DOUBLE_EQ(meanSquaredError(test, reference), (0.0625 + 0.25) / 3);
@@ -90,15 +85,6 @@ TEST(Metrics, EqualImages) {
   EXPECT_DOUBLE_EQ(*ssim(image, image), 1);
   EXPECT_EQ(smape(image, image), 0);
   EXPECT_EQ(temporalError(image, image, image, image), 0);
-}
-
-TEST(Metrics, SymmetricWhereTheDefinitionIs) {
-  Image a = pattern(40, 30, 0.1f), b = pattern(40, 30, 0);
-  EXPECT_EQ(meanSquaredError(a, b), meanSquaredError(b, a));
-  EXPECT_EQ(smape(a, b), smape(b, a));
-  EXPECT_EQ(psnr(a, b), psnr(b, a));
-  EXPECT_DOUBLE_EQ(*ssim(a, b), *ssim(b, a));
-  EXPECT_NE(relativeMse(a, b), relativeMse(b, a));
 }
 
 TEST(Metrics, PsnrOfAKnownError) {
@@ -152,11 +138,11 @@ TEST(Metrics, FlickerIsWhatTheReferenceDoesNotDo) {
 }
 
 TEST(AgainstScikitImage, PsnrAndSsim) {
-  Folder folder;
+  const strobe::testing::TemporaryFolder folder;
   Image reference = pattern(200, 180, 0), test = pattern(200, 180, 0.25f);
-  writePng(folder.path / "reference.png", reference);
-  writePng(folder.path / "test.png", test);
-  auto expected = fromPython(fmt::format("png '{0}/test.png' '{0}/reference.png'", folder.path.string()));
+  writePng(folder.path() / "reference.png", reference);
+  writePng(folder.path() / "test.png", test);
+  auto expected = fromPython(fmt::format("png '{0}/test.png' '{0}/reference.png'", folder.path().string()));
   if (!expected) GTEST_SKIP() << "no Python with scikit-image, imageio and OpenImageIO (python3-skimage)";
   Image x = decodeSrgb(test), r = decodeSrgb(reference);
   // The values went through decoding and encoding in float: 1e-6 each, far less in the means.
@@ -168,7 +154,7 @@ TEST(AgainstScikitImage, PsnrAndSsim) {
 
 // OpenImageIO shares no code of ours that writes the file, and names attributes by the standard.
 TEST(AgainstOpenImageIo, ExrIsReadAsWritten) {
-  Folder folder;
+  const strobe::testing::TemporaryFolder folder;
   ExrFile content;
   Image colour(5, 4, 3), velocity(5, 4, 2);
   colour.at(3, 2, 1) = 0.7f;
@@ -179,8 +165,8 @@ TEST(AgainstOpenImageIo, ExrIsReadAsWritten) {
   content.texts["run"] = "text";
   content.frames_per_second = {24, 1};
   content.camera_from_world = glm::translate(glm::mat4(1), glm::vec3(1, 2, 3));
-  writeExr(folder.path / "a.exr", content);
-  auto found = fromPython(fmt::format("exr '{}/a.exr'", folder.path.string()));
+  writeExr(folder.path() / "a.exr", content);
+  auto found = fromPython(fmt::format("exr '{}/a.exr'", folder.path().string()));
   if (!found) GTEST_SKIP() << "no Python with scikit-image, imageio and OpenImageIO (python3-openimageio)";
   EXPECT_EQ((*found)["size"], Json({5, 4}));
   EXPECT_EQ((*found)["compression"], "zip");
@@ -196,27 +182,23 @@ TEST(AgainstOpenImageIo, ExrIsReadAsWritten) {
 }
 
 TEST(Comparison, FilesAreKnownByContent) {
-  Folder folder;
+  const strobe::testing::TemporaryFolder folder;
   Image display = pattern(32, 24, 0);
-  writePng(folder.path / "picture.exr", display);
-  ComparedPicture png = readPicture(folder.path / "picture.exr");
+  writePng(folder.path() / "picture.exr", display);
+  ComparedPicture png = readPicture(folder.path() / "picture.exr");
   EXPECT_FALSE(png.hdr);
   EXPECT_EQ(png.linear.values, decodeSrgb(display).values);
-  EXPECT_THROW(readPicture(folder.path / "picture.exr", "layer"), Error);
+  EXPECT_THROW(readPicture(folder.path() / "picture.exr", "layer"), Error);
 
   ExrFile content;
   Image colour(4, 4, 3, 2.0f);
   content.add("", {"R", "G", "B"}, colour);
-  writeExr(folder.path / "good.exr", content);
-  EXPECT_TRUE(readPicture(folder.path / "good.exr").hdr);
+  writeExr(folder.path() / "good.exr", content);
+  EXPECT_TRUE(readPicture(folder.path() / "good.exr").hdr);
   content.channels[1].values[5] = NAN;
-  writeExr(folder.path / "nan.exr", content);
-  try {
-    readPicture(folder.path / "nan.exr");
-    FAIL() << "NaN was accepted";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("pixel 1,1"), std::string::npos) << error.what();
-  }
+  writeExr(folder.path() / "nan.exr", content);
+  const std::string refused = strobe::testing::refusalOf([&] { readPicture(folder.path() / "nan.exr"); });
+  EXPECT_NE(refused.find("pixel 1,1"), std::string::npos) << refused;
 }
 
 TEST(Comparison, RefusesWhatCannotBeCompared) {

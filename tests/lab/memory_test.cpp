@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/home.h"
+#include "common/refusal.h"
 #include "lab/batch.h"
 #include "oracle/render.h"
 
@@ -29,12 +30,7 @@ class FrameMemory : public ::testing::Test {
     return graph::Graph::bytes(*Batch(bench_).planOf(shot), bench_.frames_in_flight);
   }
   std::string refusalOf(const Shot& shot) {
-    try {
-      bench_.render(shot);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return testing::refusalOf([&] { bench_.render(shot); });
   }
 
   Workbench bench_;

@@ -186,15 +186,5 @@ TEST_F(Following, ItsCommandsAreAccepted) {
   EXPECT_EQ(std::count_if(listed.begin(), listed.end(), is_ours), 1);
 }
 
-// A shader that is broken is found without a device.
-TEST_F(Following, CheckFindsTheMistake) {
-  writeAll();
-  const Page::Mistake& mistake = page_.mistakes.front();
-  write(mistake.file, withLine(page_.files.at(mistake.file), mistake.number, mistake.line));
-  Outcome outcome = inside("check hybrid --set edge=dilation");
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err, "strobe: " + mistake.error + "\n");
-}
-
 }  // namespace tutorial_test
 }  // namespace strobe::lab

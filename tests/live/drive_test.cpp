@@ -6,16 +6,13 @@
 
 #include <set>
 
+#include "common/refusal.h"
+
 namespace strobe::live {
 namespace drive_test {
 
 std::string refusalOf(const std::string& text) {
-  try {
-    parseDrive(text, "a.drive");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return testing::refusalOf([&] { parseDrive(text, "a.drive"); });
 }
 
 TEST(Drive, LinesBecomeCommandsWithTheirPlaces) {
@@ -89,12 +86,7 @@ TEST(Drive, RunsInOrderAndWaitsWhereAskedTo) {
 TEST(Drive, AFailureNamesTheLine) {
   Drive drive(parseDrive("\nplay on\n", "a.drive"),
               handlersFor([](const Command&) -> bool { throw Error("no reel"); }));
-  try {
-    drive.advance();
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "a.drive:2: 'play' failed: no reel");
-  }
+  EXPECT_EQ(testing::refusalOf([&] { drive.advance(); }), "a.drive:2: 'play' failed: no reel");
 }
 
 }  // namespace drive_test

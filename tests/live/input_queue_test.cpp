@@ -15,7 +15,7 @@ namespace input_queue_test {
 
 using Kind = InputEvent::Kind;
 
-class InputQueueTest : public testing::Test {
+class InputQueueTest : public ::testing::Test {
  protected:
   void key(int code, int action, int mods = 0) { queue_.add({Kind::Key, code, 0, action, mods}); }
   // A key that prints, pressed and let go.

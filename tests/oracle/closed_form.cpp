@@ -10,12 +10,6 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-// The integral of clamp(s, 0, 1) from 0 to u.
-double ramp(double u) {
-  if (u <= 0) return 0;
-  return u < 1 ? u * u / 2 : u - 0.5;
-}
-
 // Where the edge is at the two ends of the window, the lesser first.
 std::array<double, 2> sweep(double edge, double d, Window window) {
   auto [first, last] = std::minmax({edge + d * window.open, edge + d * window.close});
@@ -156,19 +150,8 @@ double halfPlaneAtCentre(double edge, double d, Window window, int pixel) {
   return std::clamp((last - centre) / (last - first), 0.0, 1.0);
 }
 
-double halfPlaneOverPixel(double edge, double d, Window window, int pixel) {
-  auto [first, last] = sweep(edge, d, window);
-  double length = last - first;
-  if (length == 0) return std::clamp(edge - pixel, 0.0, 1.0);
-  return length * (ramp((last - pixel) / length) - ramp((last - pixel - 1) / length));
-}
-
 double barAtCentre(double left, double right, double d, Window window, int pixel) {
   return halfPlaneAtCentre(right, d, window, pixel) - halfPlaneAtCentre(left, d, window, pixel);
-}
-
-double barOverPixel(double left, double right, double d, Window window, int pixel) {
-  return halfPlaneOverPixel(right, d, window, pixel) - halfPlaneOverPixel(left, d, window, pixel);
 }
 
 double Pattern::at(double x) const {
@@ -270,19 +253,6 @@ Exposure exposeCentre(const RotatingPolygon& picture, Window window, int x, int 
       for (double sign : {-1.0, 1.0}) times.push_back((phi - psi + sign * half + kTwoPi * n) / picture.angle);
   }
   return integrateSteps(std::move(times), window, [&](double t) { return seenAt(picture, centre, t); });
-}
-
-std::vector<std::array<double, 2>> wedgeIntervals(double from, double to, double angle, Window window, double phi) {
-  std::vector<std::array<double, 2>> intervals;
-  double turns = std::ceil(std::abs(angle) / kTwoPi) + 2;
-  for (double n = -turns; n <= turns; ++n) {
-    auto [first, last] = std::minmax({(phi + kTwoPi * n - from) / angle, (phi + kTwoPi * n - to) / angle});
-    first = std::max(first, window.open);
-    last = std::min(last, window.close);
-    if (first < last) intervals.push_back({first, last});
-  }
-  std::sort(intervals.begin(), intervals.end());
-  return intervals;
 }
 
 }  // namespace strobe::oracle

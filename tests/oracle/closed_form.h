@@ -29,12 +29,8 @@ inline constexpr Window kOpenAnchor{0, 1};
 // By the half-plane x < edge + d*t, seen at the pixel's centre.
 double halfPlaneAtCentre(double edge, double d, Window window, int pixel);
 
-// By the same, averaged over the pixel's width.
-double halfPlaneOverPixel(double edge, double d, Window window, int pixel);
-
 // By the bar [left, right) + d*t.
 double barAtCentre(double left, double right, double d, Window window, int pixel);
-double barOverPixel(double left, double right, double d, Window window, int pixel);
 
 // --- What one pixel sees during the exposure ---
 
@@ -112,9 +108,5 @@ struct RotatingPolygon {
 };
 Exposure exposeCentre(const RotatingPolygon& picture, Window window, int x, int y);
 Seen seenAt(const RotatingPolygon& picture, Point at, double time);
-
-// The times, as pairs (from, to) within the window, at which the wedge of all directions [from, to] (radians, from < to
-// < from + 2 pi) turning by `angle` covers direction `phi`: the angle alone decides.
-std::vector<std::array<double, 2>> wedgeIntervals(double from, double to, double angle, Window window, double phi);
 
 }  // namespace strobe::oracle

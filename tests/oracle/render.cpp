@@ -10,6 +10,7 @@
 
 #include "common/home.h"
 #include "common/source.h"
+#include "shader/backends.h"
 
 namespace strobe::oracle {
 
@@ -33,6 +34,13 @@ lab::Workbench& RenderTest::bench() {
     the_bench->frames_in_flight = 2;
   }
   return *the_bench;
+}
+
+std::vector<std::string> RenderTest::backends() {
+  std::vector<std::string> names;
+  for (const shader::BackendRow& row : shader::backends())
+    if (shader::isPresent(row, bench().device().info())) names.push_back(row.name);
+  return names;
 }
 
 void RenderTest::TearDown() {

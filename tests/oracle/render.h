@@ -21,6 +21,8 @@ class RenderTest : public ::testing::Test {
 
   static lab::Workbench& bench();
   static lab::Picture render(const lab::Shot& shot) { return bench().render(shot); }
+  // Names of the ray tracing backends of the device.
+  static std::vector<std::string> backends();
 };
 
 using Numbers = std::vector<std::pair<std::string, double>>;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "oracle/render.h"
 
@@ -24,6 +25,14 @@ class RenderAdaptive : public RenderTest {
                          const std::string& anchor = "") {
     more.push_back(fmt::format("quality={}", quality));
     return render(with(shot, "adaptive", more, anchor));
+  }
+  // Truth of 512 samples, drawn once per scene.
+  static const image::Image& truthOf(const std::string& scene) {
+    static std::map<std::string, image::Image> truths;
+    auto [found, added] = truths.try_emplace(scene);
+    if (added)
+      found->second = colorOf(render(with(shot(scene), "ground_truth", {"samples=512", "mark_regions=false"})));
+    return found->second;
   }
   // Rays of all passes.
   static uint64_t raysOf(const lab::Picture& picture) {
@@ -59,13 +68,12 @@ TEST_F(RenderAdaptive, IsTruthAtTheOther) {
 
 TEST_F(RenderAdaptive, MoreQualityTracesMoreAndErrsLess) {
   for (const char* scene : {"stacked", "tracking_parallax", "caged_fan"}) {
-    const lab::Picture truth = render(with(shot(scene), "ground_truth", {"samples=512", "mark_regions=false"}));
     double last = INFINITY;
     uint64_t rays = 0;
     for (double quality : {0., .1, .3, .5, .7, .9}) {
       SCOPED_TRACE(fmt::format("{} {}", scene, quality));
       const lab::Picture own = at(shot(scene), quality);
-      const double error = rmsDifference(colorOf(own), colorOf(truth));
+      const double error = rmsDifference(colorOf(own), truthOf(scene));
       EXPECT_LT(error, last);
       EXPECT_GT(raysOf(own), rays);
       last = error, rays = raysOf(own);
@@ -212,8 +220,7 @@ TEST_F(RenderAdaptive, EstimatesItsError) {
   for (const char* scene : {"stacked", "tracking_parallax", "crowd"}) {
     SCOPED_TRACE(scene);
     const lab::Picture own = at(shot(scene), .4);
-    const image::Image truth =
-        colorOf(render(with(shot(scene), "ground_truth", {"samples=512", "mark_regions=false"})));
+    const image::Image& truth = truthOf(scene);
     const image::Image error = imageOf(own, "error"), color = colorOf(own);
     double estimated = 0, actual = 0;
     for (int y = 0; y < kHeight; ++y)

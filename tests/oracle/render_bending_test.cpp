@@ -9,7 +9,6 @@
 #include "common/source.h"
 #include "oracle/render.h"
 #include "scene/bend.h"
-#include "shader/backends.h"
 
 namespace strobe::oracle {
 namespace render_bending_test {
@@ -37,13 +36,6 @@ class RenderBending : public RenderTest {
 
   static std::vector<lab::Shot> samples() {
     return {sample("CesiumMan", 6), sample("RiggedSimple", 9), sample("AnimatedMorphSphere", 30)};
-  }
-
-  static std::vector<std::string> backends() {
-    std::vector<std::string> names;
-    for (const shader::BackendRow& row : shader::backends())
-      if (shader::isPresent(row, bench().device().info())) names.push_back(row.name);
-    return names;
   }
 
   static lab::Picture by(lab::Shot shot, const std::string& backend) {

@@ -336,17 +336,6 @@ TEST_F(RenderEdges, AUnitStepAnswersOne) {
   expectAnswer(step, "roberts", .1, .001, {"edge.norm=l1"});
 }
 
-// Sums of the kernels by hand: a side's two weights, along both axes.
-TEST_F(RenderEdges, ADiagonalStepAnswersWhatTheKernelAddsUpTo) {
-  lab::Shot step = shotOf("relief", 32, 32, {{"field", 1}, {"step", .1}, {"angle", 45}});
-  expectAnswer(step, "sobel", .1 * std::sqrt(2.) * 3 / 4, .001);
-  expectAnswer(step, "prewitt", .1 * std::sqrt(2.) * 2 / 3, .001);
-  expectAnswer(step, "scharr", .1 * std::sqrt(2.) * 13 / 16, .001);
-  expectAnswer(step, "roberts", .1 / std::sqrt(2.), .001);
-  expectAnswer(step, "laplacian", 2 * (1 - 1 / 1.1), .001, {"edge.kernel=four"});
-  expectAnswer(step, "laplacian", 1 - 1 / 1.1, .001, {"edge.kernel=eight"});
-}
-
 // Transfer of [side middle side] x [-1 0 1] at a wave of k rad/px along an axis and along a diagonal: Scharr answers
 // both alike within 1 %, Sobel within 3 %, Prewitt within 6 %. .002: the phase that a pixel sees is off the steepest by
 // .042 at most (.0009), and the depth there by 2 % (.0002).
@@ -385,15 +374,6 @@ TEST_F(RenderEdges, WhichPixelsOfAStepAreMarked) {
   EXPECT_EQ(columnsOf(edgesOf(detected(bar, "laplacian", {"edge.kernel=log"}))), wide);
   // Half a pixel to the right and below: the left edge falls on the background.
   EXPECT_EQ(columnsOf(edgesOf(detected(bar, "roberts"))), (std::vector<int>{95, 159}));
-}
-
-// Parallel surfaces have one normal: `and` finds no step between them.
-TEST_F(RenderEdges, DepthAndNormalCombine) {
-  lab::Shot bar = shotOf("bar", 256, 16);
-  for (const char* detector : {"sobel", "laplacian", "plane"}) {
-    EXPECT_EQ(count(edgesOf(detected(bar, detector, {"edge.combine=and"}))), 0) << detector;
-    EXPECT_EQ(count(edgesOf(detected(bar, detector, {"edge.combine=sum"}))), 64) << detector;
-  }
 }
 
 // --- Planes
@@ -445,29 +425,7 @@ TEST_F(RenderEdges, TheDistanceFromAPlaneMissesOutlinesOfABall) {
   EXPECT_GE(missed_by_distance, 1);
 }
 
-// The floor before the box is farther than the box's lower edge by less than a row's depth: id sees an edge, which is
-// none once the floor's plane counts.
-TEST_F(RenderEdges, WhereABoxTouchesTheFloorIsNoSilhouette) {
-  lab::Shot solids = shotOf("solids", 96, 64);
-  int contact = count(edgesOf(detected(solids, "id"))), standing = count(edgesOf(detected(solids, "silhouette")));
-  EXPECT_LT(standing, contact);
-}
-
 // --- Canny
-
-TEST_F(RenderEdges, CannyIsOnePixelThin) {
-  for (const std::string scene : {"crowd", "slanted_quad", "solids"}) {
-    image::Image edges = edgesOf(detected(shotOf(scene, 72, 56), "canny"));
-    int blocks = 0;
-    for (int y = 0; y + 1 < edges.height; ++y)
-      for (int x = 0; x + 1 < edges.width; ++x) {
-        auto edge = [&](int i, int j) { return edges.at(x + i, y + j, 0) > .5f; };
-        blocks += edge(0, 0) && edge(1, 0) && edge(0, 1) && edge(1, 1);
-      }
-    EXPECT_EQ(blocks, 0) << scene;
-    EXPECT_GE(count(edges), 60) << scene;
-  }
-}
 
 // Column 19 is strong down to about row 25, where the step is .1, and weak from there; column 43 is weak throughout.
 TEST_F(RenderEdges, CannyKeepsWeakEdgesThatMeetStrongOnes) {

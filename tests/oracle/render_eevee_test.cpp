@@ -125,20 +125,6 @@ TEST_F(RenderEevee, CoverageIsExactToAPixel) {
     }
 }
 
-// The default gather is too opaque inside of the silhouette; it is so over a shorter way with more steps.
-TEST_F(RenderEevee, MoreStepsAreNearerToTruth) {
-  lab::Shot shot = shotOf("bar", kWidth, kRows, {{"d_f", 40}});
-  for (const Anchor& anchor : anchors()) {
-    auto exact = [&](int x) { return barAtCentre(96, 160, 40, anchor.window, x); };
-    double before = 1;
-    for (int steps : {1, 2, 4, 8}) {
-      const double error = worst(drawn(shot, steps, anchor.name), exact);
-      EXPECT_LT(error, .75 * before) << anchor.name << ' ' << steps;
-      before = error;
-    }
-  }
-}
-
 // A bar that goes to the right and comes back has no displacement over the exposure. Eight steps follow it.
 TEST_F(RenderEevee, StepsFollowMotionThatTurnsBack) {
   lab::Shot shot = shotOf("bent", 96, kRows,

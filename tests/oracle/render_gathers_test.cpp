@@ -149,27 +149,6 @@ TEST_F(RenderGathers, JittersAreTheirDefinitions) {
   }
 }
 
-TEST_F(RenderGathers, FrozenJitterStandsStill) {
-  // Of the hybrid the layers of the capture: rays at own times have no jitter.
-  using Method = std::pair<const char*, std::vector<std::string>>;
-  for (const auto& [pipeline, set] : {Method{"guertin2014", {}}, {"hybrid_layered", {}}})
-    for (bool per_frame : {false, true}) {
-      image::Image frames[2];
-      for (int frame : {0, 1}) {
-        double left = 96 - 40 * frame;
-        std::vector<std::string> settings = set;
-        settings.insert(settings.end(),
-                        {"jitter=hash", fmt::format("jitter_frame={}", per_frame ? "per_frame" : "frozen")});
-        lab::Shot shot = rowShot("bar", pipeline, "end", settings, {{"left", left}, {"right", left + 64}});
-        shot.frame = frame;
-        frames[frame] = colorOf(render(shot));
-      }
-      // The bar is where it was up to rounding, which may put a tap on the pixel beside.
-      if (per_frame) EXPECT_GT(rmsDifference(frames[0], frames[1]), 1e-3) << pipeline;
-      if (!per_frame) EXPECT_LT(rmsDifference(frames[0], frames[1]), 1e-4) << pipeline;
-    }
-}
-
 // --- In the plane
 
 // The renderer's own color, depth, velocity and tiles, gathered again in double precision. Taps within single precision
@@ -338,39 +317,6 @@ TEST_F(RenderGathers, PathsAreTakenByAsManyPixelsAsCounted) {
   }
 }
 
-// --- What holds of any filter
-
-// A pan: everything moves alike, so the picture is a box filter of what is there. Steps are N to the exposure.
-TEST_F(RenderGathers, JimenezOfAPanIsABoxFilter) {
-  for (const Anchor& anchor : anchors())
-    for (const char* cheap : {"true", "false"}) {
-      lab::Shot shot = with(rowShot("textured_bar", "jimenez2014", anchor.name, {"samples=20"}, motions(20, 20)),
-                            "jimenez2014", {"jitter=none", fmt::format("cheap={}", cheap)});
-      image::Image color = colorOf(render(shot));
-      Strips strips = stripes(20, 20);
-      for (int x = 40; x < 216; ++x) {
-        Exposure truth = exposeCentre(strips, anchor.window, x);
-        EXPECT_NEAR(color.at(x, 0, 0), truth.colour, truth.variation / 40 + 1e-4) << anchor.name << " " << cheap << x;
-      }
-    }
-}
-
-TEST_F(RenderGathers, AreLinearInTheColours) {
-  for (const char* pipeline : {"jimenez2014", "guertin2014"}) {
-    auto color = [&](double front, double back) {
-      return colorOf(render(rowShot("bar", pipeline, "end", {}, {{"foreground", front}, {"background", back}})));
-    };
-    image::Image front = color(1, 0), back = color(0, .25), both = color(1, .25), half = color(.5, .125);
-    for (size_t i = 0; i < both.values.size(); ++i) {
-      if (i % 4 == 3) continue;
-      ASSERT_NEAR(front.values[i] + back.values[i], both.values[i], 1e-6) << pipeline;
-      ASSERT_NEAR(half.values[i] * 2, both.values[i], 1e-6) << pipeline;
-      ASSERT_GE(both.values[i], .25 - 1e-6) << pipeline;
-      ASSERT_LE(both.values[i], 1 + 1e-6) << pipeline;
-    }
-  }
-}
-
 // --- Over a revealed layer
 
 // Under alpha_over a gather gives the foreground alone where something was revealed. Over a background at rest the
@@ -420,33 +366,6 @@ TEST_F(RenderGathers, AThinForegroundAtRestKeepsItsColour) {
             EXPECT_NEAR(color.at(x, 4, 0), .9, 1e-6)
                 << pipeline << " " << anchor.name << " " << width << " " << d << " " << x;
         }
-}
-
-// --- Against truth
-
-// Over a constant background Jimenez' weights are exact, McGuire's too opaque inside, Guertin's opaque outside too.
-// Without samples along the pixel's own direction what crosses the dominant motion stays sharp.
-TEST_F(RenderGathers, OrderAgainstTruth) {
-  auto bar_error = [&](const std::string& pipeline, const std::vector<std::string>& settings) {
-    image::Image color = colorOf(render(rowShot("bar", pipeline, "centre", settings)));
-    double sum = 0;
-    for (int x = 60; x < 200; ++x)
-      sum += std::pow(color.at(x, 0, 0) - exposeCentre(kWhiteBar, kCentreAnchor, x).colour, 2);
-    return std::sqrt(sum / 140);
-  };
-  double jimenez = bar_error("jimenez2014", {}), mcguire = bar_error("mcguire2012", {});
-  EXPECT_LT(jimenez, .2 * mcguire);
-  EXPECT_LT(mcguire, bar_error("guertin2014", {}));
-
-  Numbers numbers = {{"b_left", 24}, {"b_top", 24},  {"b_y", 11},      {"a_left", 40},
-                     {"a_top", 24},  {"a_width", 8}, {"a_height", 64}, {"a_x", 14}};
-  lab::Shot scene = shotOf("crossing", 96, 96, numbers);
-  image::Image truth = colorOf(render(with(scene, "ground_truth", {"samples=64", "mark_regions=false"}, "end")));
-  auto error = [&](const char* directions) {
-    lab::Shot shot = with(scene, "guertin2014", {"tile=16", "limit=0.2", fmt::format("directions={}", directions)});
-    return rmsDifference(colorOf(render(with(shot, "guertin2014", {}, "end"))), truth);
-  };
-  EXPECT_LT(error("two"), .9 * error("one"));  // .073 and .101
 }
 
 }  // namespace render_gathers_test

@@ -197,15 +197,6 @@ TEST_F(RenderLayers, RelativeMaskCoversWhatIsUncovered) {
   }
 }
 
-// Never worse than without rays.
-TEST_F(RenderLayers, RevealingHelps) {
-  for (Case c : {kCases[1], kCases[4], kCases[6], kCases[9]}) {
-    RowError without = errorOf(layered(kHarsh, c, "none"), kHarsh, c);
-    RowError revealed = errorOf(layered(kHarsh, c, "disocclusion"), kHarsh, c);
-    EXPECT_LE(revealed.rms, without.rms + 1e-4) << c.d_front << " " << c.d_back;
-  }
-}
-
 // Without a second displacement per tile the slower of two surfaces is found at the taps along the faster one, or, if
 // it moves against it, at those to the other side.
 TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/source.h"
+#include "common/temporary_folder.h"
 #include "oracle/render.h"
 #include "scene/gltf_asset.h"
 
@@ -16,15 +17,7 @@ constexpr double kDistance = 5;  // from the camera to the card
 
 class RenderLenses : public RenderTest {
  protected:
-  void SetUp() override { std::filesystem::create_directories(file().parent_path()); }
-  void TearDown() override {
-    std::filesystem::remove_all(file().parent_path());
-    RenderTest::TearDown();
-  }
-
-  static Path file() {
-    return std::filesystem::temp_directory_path() / fmt::format("strobe_lens_{}/a.gltf", ::getpid());
-  }
+  static Path file() { return testing::processFolder() / "a.gltf"; }
 
   // A white card of 4 by 4 m that faces a camera and a directional light; `pointer` goes from one value to the other
   // within a second.

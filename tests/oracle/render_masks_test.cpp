@@ -43,12 +43,6 @@ int countMissing(const image::Image& mask, const image::Image& from) {
 
 class RenderMasks : public RenderTest {
  protected:
-  static lab::Picture masked(const lab::Shot& shot, const std::string& mask, std::vector<std::string> settings = {},
-                             const std::string& anchor = "end") {
-    settings.insert(settings.end(), {"mask=" + mask, "tile=8", "limit=0.25"});
-    return render(with(shot, hybridSteps(), settings, anchor));
-  }
-  // The mask of one detector.
   static lab::Picture marked(const lab::Shot& shot, const std::string& mask, std::vector<std::string> settings = {},
                              const std::string& anchor = "end") {
     settings.insert(settings.end(), {"mask=" + mask, "tile=8", "limit=0.25"});
@@ -86,7 +80,7 @@ TEST_F(RenderMasks, OverABackgroundAtRestEveryMaskReachesTheBound) {
   const Strips strips{{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   for (const Anchor& anchor : anchors())
     for (const char* mask : {"paper", "disocclusion", "moving", "all"}) {
-      lab::Picture picture = masked(shotOf("bar", 256, 16), mask, {"edge=silhouette"}, anchor.name);
+      lab::Picture picture = marked(shotOf("bar", 256, 16), mask, {"edge=silhouette"}, anchor.name);
       // One of 16 samples for each border of the bar, half of it by their times and half by rounding to pixels.
       expectWithin(
           colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
@@ -122,8 +116,8 @@ TEST_F(RenderMasks, TilesKnowTheFarthestThatMoves) {
 // find the right half of each tooth by one and the left by the other.
 TEST_F(RenderMasks, SeveralTapsFindGapsThatOneJumpsOver) {
   lab::Shot comb = shotOf("comb", 128, 16);
-  lab::Picture one = masked(comb, "paper", {"edge=silhouette"});
-  lab::Picture four = masked(comb, "paper", {"edge=silhouette", "mask_taps=4"});
+  lab::Picture one = marked(comb, "paper", {"edge=silhouette"});
+  lab::Picture four = marked(comb, "paper", {"edge=silhouette", "mask_taps=4"});
   int in_teeth = 0, found = 0;
   for (int x = 20; x < 88; ++x) {  // from 108 on pixels leave the picture, which counts as uncovering; 20 px before
     bool tooth = (x - 4) % 20 < 10;
@@ -240,7 +234,7 @@ TEST_F(RenderMasks, RevealingIsWorthMoreThanRevealingEverything) {
   image::Image exact = truth(crowd);
   std::map<std::string, double> error;
   for (const char* mask : {"none", "paper", "disocclusion", "moving", "all"}) {
-    lab::Picture picture = masked(crowd, mask, {"edge=silhouette", "samples=32"});
+    lab::Picture picture = marked(crowd, mask, {"edge=silhouette", "samples=32"});
     error[mask] = rmsDifference(colorOf(picture), exact);
   }
   for (const char* mask : {"paper", "disocclusion", "moving", "all"}) EXPECT_LE(error[mask], error["none"] / 4) << mask;

@@ -14,13 +14,6 @@ const std::string kTwoWays = sourceFolder() / "tests/oracle/pipelines/two_ways.l
 
 class RenderMaterials : public RenderTest {
  protected:
-  static std::vector<std::string> backends() {
-    std::vector<std::string> names;
-    for (const shader::BackendRow& row : shader::backends())
-      if (shader::isPresent(row, bench().device().info())) names.push_back(row.name);
-    return names;
-  }
-
   static double meanOf(const image::Image& color) {
     double sum = 0;
     for (size_t i = 0; i < color.values.size(); i += size_t(color.channels)) sum += color.values[i];

@@ -115,15 +115,6 @@ TEST_F(RenderPeers, Layers2024MissWhatHasLeft) {
   EXPECT_GT(exposeCentre(gone, kCloseAnchor, 230).colour, .4);
 }
 
-// Its cost: each layer draws all that lies over each other at a pixel, while one ray behind a silhouette meets one
-// surface.
-TEST_F(RenderPeers, PeelingDrawsEverythingForEachLayer) {
-  lab::Picture picture = render(with(stacked(), "lee2024", {"layer_count=4"}, "end"));
-  constexpr uint64_t kDrawn = 128 * kRows + 3 * 64 * kRows;  // wall, three cards
-  for (int layer = 2; layer <= 4; ++layer)
-    EXPECT_EQ(counterOf(picture, fmt::format("layer_{}_peel.fragments", layer)), kDrawn) << layer;
-}
-
 // A pixel that is at none of its layers' paths knows of what passes over it by its tile alone.
 TEST_F(RenderPeers, Layers2024FindNothingOutsideByOwnDisplacements) {
   lab::Shot shot = shotOf("bar", kWidth, kRows);

@@ -305,17 +305,6 @@ TEST_F(RenderShadingInMotion, ShadowsOfMoversStandOrMove) {
   EXPECT_GE(still, 80);
 }
 
-// Light from everywhere alike, and a matt plane that moves within itself: both ways of shading are one. Not green,
-// whose ground is darker.
-TEST_F(RenderShadingInMotion, EvenLightFreezesNothing) {
-  Lit lit{.light = 0, .roughness = 1, .sky = .5, .ground = .5};
-  image::Image full = truth(lit, "full", {"plane=1,0.5,0"}), frozen = truth(lit, "frozen", {"plane=1,0.5,0"});
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
-      for (int c : {0, 2}) EXPECT_NEAR(full.at(x, y, c), frozen.at(x, y, c), 1e-6) << x << " " << y;
-  EXPECT_GT(rms(full), .1);
-}
-
 // Of the middle of the picture: the mean, and the root mean square distance from one half.
 struct Contrast {
   double mean = 0, spread = 0;

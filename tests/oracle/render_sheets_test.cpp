@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "common/source.h"
+#include "common/temporary_folder.h"
 #include "oracle/render.h"
 #include "scene/gltf_asset.h"
-#include "shader/backends.h"
 
 namespace strobe::oracle {
 namespace render_sheets_test {
@@ -17,21 +17,6 @@ constexpr int kSize = 40;
 
 class RenderSheets : public RenderTest {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder()); }
-  void TearDown() override {
-    std::filesystem::remove_all(folder());
-    RenderTest::TearDown();
-  }
-
-  static Path folder() { return std::filesystem::temp_directory_path() / fmt::format("strobe_sheets_{}", ::getpid()); }
-
-  static std::vector<std::string> backends() {
-    std::vector<std::string> names;
-    for (const shader::BackendRow& row : shader::backends())
-      if (shader::isPresent(row, bench().device().info())) names.push_back(row.name);
-    return names;
-  }
-
   // A red square of 2 by 2 m, node 0, before a white wall that has its shadow. `extend` changes it.
   static lab::Shot shot(const std::function<void(scene::Asset&)>& extend) {
     scene::Asset asset;
@@ -57,7 +42,7 @@ class RenderSheets : public RenderTest {
   static lab::Shot shotOf(const std::string& ending, const std::string& text) {
     static int files = 0;
     lab::Shot result;
-    result.scene = folder() / fmt::format("{}{}", ++files, ending);
+    result.scene = testing::processFolder() / fmt::format("{}{}", ++files, ending);
     scene::writeQuickly(result.scene, text);
     result.width = result.height = kSize;
     result.fps = 24;

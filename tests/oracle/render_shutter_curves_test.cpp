@@ -157,21 +157,6 @@ TEST_F(RenderShutterCurves, TruthCountsTimesByTheCurve) {
   }
 }
 
-// Each way of tracing, each method of truth, one curve.
-TEST_F(RenderShutterCurves, TruthIsTheSameOnEveryPath) {
-  const gpu::DeviceInfo& info = bench().device().info();
-  lab::Shot shot = curved(stripes(), "gaussian:0.2");
-  image::Image first;
-  for (const shader::BackendRow& row : shader::backends()) {
-    if (!shader::isPresent(row, info)) continue;
-    shot.backend = row.name;
-    image::Image color = drawn(shot, "ground_truth", "centre", {"samples=32"});
-    if (first.values.empty()) first = color;
-    EXPECT_TRUE(identical(color, first)) << row.name;
-  }
-  EXPECT_FALSE(identical(drawn(curved(shot, "box"), "ground_truth", "centre", {"samples=32"}), first));
-}
-
 // --- Filters that estimate coverage
 
 struct Method {

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "common/temporary_folder.h"
 #include "oracle/render.h"
 #include "scene/gltf_asset.h"
 
@@ -24,15 +25,7 @@ const char* const kLeaning =
 
 class RenderTangents : public RenderTest {
  protected:
-  void SetUp() override { std::filesystem::create_directories(file().parent_path()); }
-  void TearDown() override {
-    std::filesystem::remove_all(file().parent_path());
-    RenderTest::TearDown();
-  }
-
-  static Path file() {
-    return std::filesystem::temp_directory_path() / fmt::format("strobe_tangents_{}/a.gltf", ::getpid());
-  }
+  static Path file() { return testing::processFolder() / "a.gltf"; }
 
   static std::vector<float> four(const std::vector<float>& one) {
     std::vector<float> all;

@@ -170,16 +170,6 @@ TEST(Chart, ABandFillsWhatItsPointsEnclose) {
   EXPECT_NEAR(places[3][1], frame.bottom(), 0.06) << "-infinity is the border";
 }
 
-TEST(Chart, MarksDifferByStyle) {
-  std::set<std::string> shapes;
-  for (int style = 0; style < kStyles; ++style) {
-    Svg svg(10, 10, "");
-    svg.mark(style, 5, 5);
-    shapes.insert(svg.finished());
-  }
-  EXPECT_EQ(shapes.size(), size_t(kStyles));
-}
-
 // Colours come again, with other marks.
 TEST(Chart, ManySeriesDifferByColourAndMark) {
   std::set<std::string> looks;

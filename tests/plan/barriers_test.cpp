@@ -120,28 +120,6 @@ TEST(Barriers, ReadAfterWrite) {
   EXPECT_EQ(before(compiled(b.pipeline), "second", "first.x"), expected);
 }
 
-TEST(Barriers, NoneBetweenReads) {
-  Builder b;
-  b.compute("first", {}, {"x"});
-  b.compute("second", {{"x", "first.x"}}, {"y"});
-  b.compute("third", {{"x", "first.x"}, {"y", "second.y"}}, {"z"});
-  b.output("color", "third.z");
-  expectExact(b.pipeline);
-  EXPECT_TRUE(before(compiled(b.pipeline), "third", "first.x").empty());
-}
-
-TEST(Barriers, EachReadingStageWaitsForTheWrite) {
-  Builder b;
-  b.compute("first", {}, {"x"});
-  b.compute("second", {{"x", "first.x"}}, {"y"});
-  b.raster("third", {{"x", "first.x"}, {"y", "second.y"}}, {"z"});
-  b.output("color", "third.z");
-  expectExact(b.pipeline);
-  std::vector<Found> expected = {
-      {kStageCompute, kAccessStorageWrite, kStageFragment, kAccessSampledRead, Hazard::ReadAfterWrite, false, false}};
-  EXPECT_EQ(before(compiled(b.pipeline), "third", "first.x"), expected);
-}
-
 TEST(Barriers, RasterToCompute) {
   Builder b;
   b.raster("draw", {}, {"x"});
@@ -151,17 +129,6 @@ TEST(Barriers, RasterToCompute) {
   std::vector<Found> expected = {
       {kStageColor, kAccessColorWrite, kStageCompute, kAccessSampledRead, Hazard::ReadAfterWrite, false, false}};
   EXPECT_EQ(before(compiled(b.pipeline), "look", "draw.x"), expected);
-}
-
-TEST(Barriers, ComputeToRaster) {
-  Builder b;
-  b.compute("first", {}, {"x"});
-  b.raster("draw", {{"x", "first.x"}}, {"y"});
-  b.output("color", "draw.y");
-  expectExact(b.pipeline);
-  std::vector<Found> expected = {
-      {kStageCompute, kAccessStorageWrite, kStageFragment, kAccessSampledRead, Hazard::ReadAfterWrite, false, false}};
-  EXPECT_EQ(before(compiled(b.pipeline), "draw", "first.x"), expected);
 }
 
 TEST(Barriers, TraceToComputeInEachBackend) {
@@ -175,15 +142,6 @@ TEST(Barriers, TraceToComputeInEachBackend) {
         {stage, kAccessStorageWrite, kStageCompute, kAccessSampledRead, Hazard::ReadAfterWrite, false, false}};
     EXPECT_EQ(before(compiled(b.pipeline, stage), "look", "rays.x"), expected);
   }
-}
-
-// A plan for the one backend is refused by a replay of the other: the stages matter.
-TEST(Barriers, StagesOfTheOtherBackendDoNotDo) {
-  Builder b;
-  b.trace("rays", {}, {"x"});
-  b.compute("look", {{"x", "rays.x"}}, {"y"});
-  b.output("color", "look.y");
-  EXPECT_NE(joined(replay(compiled(b.pipeline, kStageCompute), kStageTrace)), "");
 }
 
 TEST(Barriers, ClearToUpdateToReadBack) {
@@ -281,47 +239,6 @@ TEST(Barriers, LoopCarriedWriteAfterRead) {
   EXPECT_EQ(before(plan, "add", "add.sum", &Step::barriers_next), add_again);
 }
 
-TEST(Barriers, LoopCarriedWriteAfterWrite) {
-  Builder b;
-  b.beginLoop("shutter", 2);
-  b.compute("sample", {}, {"spare", "x"});
-  b.endLoop();
-  b.output("color", "sample.x");
-  expectExact(b.pipeline);
-  std::vector<Found> expected = {
-      {kStageCompute, kAccessStorageWrite, kStageCompute, kAccessStorageWrite, Hazard::WriteAfterWrite, true, false}};
-  EXPECT_EQ(before(compiled(b.pipeline), "sample", "sample.spare", &Step::barriers_next), expected);
-}
-
-TEST(Barriers, LoopCarriedAcrossStages) {
-  Builder b;
-  b.beginLoop("shutter", 3);
-  b.raster("draw", {}, {"x"});
-  b.trace("rays", {{"x", "draw.x"}}, {"y"}).counters = {{"missed", ""}};
-  b.compute("add", {{"x", "draw.x"}, {"y", "rays.y"}}, {}, {"sum"});
-  b.endLoop();
-  b.compute("last", {{"sum", "add.sum"}, {"x", "draw.x"}}, {"z"});
-  b.output("color", "last.z");
-  expectExact(b.pipeline, kStageTrace);
-  Plan plan = compiled(b.pipeline, kStageTrace);
-  std::vector<Found> expected = {{kStageColor | kStageTrace | kStageCompute, kAccessColorWrite, kStageColor,
-                                  kAccessColorWrite, Hazard::WriteAfterRead, true, false}};
-  EXPECT_EQ(before(plan, "draw", "draw.x", &Step::barriers_next), expected);
-}
-
-TEST(Barriers, WhatALoopOnlyReadsNeedsOneBarrier) {
-  Builder b;
-  b.compute("first", {}, {"x"});
-  b.beginLoop("shutter", 4);
-  b.compute("add", {{"x", "first.x"}}, {}, {"sum"});
-  b.endLoop();
-  b.output("color", "add.sum");
-  expectExact(b.pipeline);
-  Plan plan = compiled(b.pipeline);
-  EXPECT_EQ(before(plan, "add", "first.x").size(), 1u);
-  EXPECT_EQ(before(plan, "add", "first.x", &Step::barriers_next).size(), 0u);
-}
-
 // What is added to a buffer with atomics is added to what it was cleared to: it is read, too.
 TEST(Barriers, WhoWritesABufferReadsWhatItWasClearedTo) {
   Builder b;
@@ -368,19 +285,6 @@ TEST(Barriers, FirstIterationTakesOverASlot) {
   std::vector<Found> again = {
       {kStageCompute, kAccessStorageWrite, kStageCompute, kAccessStorageWrite, Hazard::WriteAfterRead, true, false}};
   EXPECT_EQ(before(plan, "sample", "sample.z", &Step::barriers_next), again);
-}
-
-TEST(Barriers, TwoLoopsInARow) {
-  Builder b;
-  b.beginLoop("one", 2);
-  b.compute("sample", {}, {"x"});
-  b.compute("add", {{"x", "sample.x"}}, {}, {"sum"});
-  b.beginLoop("two", 3);
-  b.trace("again", {{"sum", "add.sum"}}, {"x"});
-  b.compute("more", {{"x", "again.x"}}, {}, {"sum"});
-  b.endLoop();
-  b.output("color", "more.sum");
-  expectExact(b.pipeline, kStageTrace);
 }
 
 TEST(Barriers, RandomPipelinesAreSound) {

@@ -94,21 +94,6 @@ TEST(Description, KeepsEveryValue) {
   EXPECT_GT(kept, 80);
 }
 
-TEST(Description, KeepsEveryField) {
-  PipelineDesc p = pipelineFromJson(canonical());
-  EXPECT_EQ(p.params[1].type, ParamDesc::Type::Int);
-  EXPECT_EQ(std::get<int64_t>(p.values[1].second), 5);
-  EXPECT_EQ(p.passes[1].size.kind, SizeDesc::Kind::Port);
-  EXPECT_EQ(p.passes[1].size.divide, "by");
-  EXPECT_TRUE(p.passes[1].reads[0].uint);
-  EXPECT_TRUE(p.passes[1].reads[1].linear);
-  EXPECT_EQ(p.nodes[1].place.text(), "p.lua:9");
-  EXPECT_EQ(p.loops[0].until, "far.out");
-  EXPECT_EQ(formatOf(p.passes[1].writes[1], {{"p", std::string("f")}}), "rg32f");
-  EXPECT_EQ(formatOf(p.passes[1].writes[1], {{"p", std::string("h")}}), "rg16f");
-  EXPECT_EQ(p.outputs[0].second, "far.sum");
-}
-
 // Each removal, each value replaced by something of another type: refused or harmless, never a crash or another
 // exception than Error.
 static void damageAll(const Json& whole, Json& part, int& refused, int& tried) {

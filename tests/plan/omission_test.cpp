@@ -79,10 +79,6 @@ TEST(Omission, AReadStandsInAndWhatFedTheNodeAloneGoesToo) {
   EXPECT_EQ(plan.images.size(), 1u);
 }
 
-TEST(Omission, AnotherFactThatDoesNotHoldChangesNothing) {
-  EXPECT_EQ(order(planned(filtered(), {"alpha", "shadows"})).size(), 3u);
-}
-
 TEST(Omission, StandInsOfStandIns) {
   Builder b = filtered();
   b.compute("second", {{"x", "filter.z"}}, {"z"}).without = {without("motion", {{"z", "x"}})};
@@ -248,8 +244,6 @@ TEST(Omission, ZerosLiveFromTheirClearToTheirLastReader) {
   EXPECT_EQ(plan.steps[size_t(a.first)].kind, Step::Kind::ClearImage);
   EXPECT_EQ(plan.steps[size_t(a.last)].kind, Step::Kind::Pass);
 }
-
-TEST(Omission, AMaskThatRunsKeepsWhatReadsIt) { EXPECT_EQ(order(planned(masked(), {"alpha"})).size(), 4u); }
 
 // base -> mask (0 without motion) -> layer (reads the mask) -> filter, of which `layer` and `mask` need the mask
 Builder layered() {

@@ -161,14 +161,6 @@ TEST(Culling, ALoopKeepsItsStopCondition) {
   EXPECT_EQ(plan.steps.at(1).body.back().kind, Step::Kind::ReadImage);
 }
 
-TEST(Culling, ALoopWithoutNeededNodesIsGone) {
-  Builder b = chain();
-  b.beginLoop("shutter", 8);
-  b.compute("add", {}, {}, {"sum"});
-  b.endLoop();
-  EXPECT_TRUE(compiled(b.pipeline).loops.empty());
-}
-
 TEST(Sizes, FrameFixedPortAndDividedRoundingUp) {
   Builder b;
   b.compute("first", {}, {"x"});
@@ -375,20 +367,6 @@ TEST(Buffers, ARunOverAListReadsItsGroups) {
   EXPECT_NE(describe(plan).find("over list.x"), std::string::npos);
 }
 
-TEST(Memory, OtherFormatsAndSizesDoNotShare) {
-  Builder b;
-  b.compute("a", {}, {"x r32f"});
-  b.compute("b", {{"x", "a.x"}}, {"x rg16f"});
-  PassDesc& half = b.compute("c", {{"x", "b.x"}}, {"x r32f"});
-  half.size.kind = SizeDesc::Kind::Fixed;
-  half.size.width = 32, half.size.height = 64;
-  b.compute("d", {{"x", "c.x"}}, {"x r32ui"});
-  b.compute("e", {{"x", "d.x"}}, {"x rgba32f"});
-  b.output("color", "e.x");
-  Plan plan = compiled(b.pipeline);
-  EXPECT_EQ(plan.slots.size(), plan.images.size());
-}
-
 ParamDesc choiceParam(const std::string& name, const std::vector<std::string>& choices) {
   ParamDesc param;
   param.name = name;
@@ -442,28 +420,6 @@ TEST(ChosenFormats, FollowThePipelineAndWhatIsSet) {
   EXPECT_EQ(image(plan, "again.v").format, "rg16f");
 }
 
-// A chain in which every node writes what the one before the last wrote: two slots of a format in turns.
-TEST(ChosenFormats, ShareMemoryWithTheirLikeAlone) {
-  for (bool mixed : {false, true}) {
-    Builder b;
-    for (int i = 0; i < 6; ++i) {
-      Wires inputs;
-      if (i > 0) inputs = {{"x", fmt::format("n{}.x", i - 1)}};
-      PassDesc& pass = b.compute(fmt::format("n{}", i), inputs, {"x rg32f"});
-      pass.params = {choiceParam("precision", {"full", "half"})};
-      pass.writes[0].format_by = "precision";
-      pass.writes[0].formats = {{"full", "rg32f"}, {"half", "rg16f"}};
-      bool half = mixed && i % 2 == 1;
-      b.pipeline.nodes.back().params = {{"precision", bound(std::string(half ? "half" : "full"))}};
-    }
-    b.compute("last", {{"x", "n5.x"}}, {"x"});
-    b.output("color", "last.x");
-    Plan plan = compiled(b.pipeline);
-    EXPECT_EQ(plan.slots.size(), 3u) << mixed;
-    EXPECT_EQ(bytesAliased(plan), 64u * 32 * (mixed ? 8 + 4 + 4 : 8 + 8 + 4)) << mixed;
-  }
-}
-
 TEST(ChosenFormats, MistakesAreRefused) {
   auto refused = [](auto change) {
     Builder b = twoFormats("half");
@@ -512,16 +468,6 @@ TEST(Memory, UsageFollowsFromThePorts) {
   EXPECT_EQ(image(plan, "draw.@depth").format, "d32f");
   EXPECT_EQ(image(plan, "add.y").usage, uint32_t{kUsageStorage});
   EXPECT_EQ(image(plan, "add.sum").usage, kUsageStorage | kUsageTransferTarget | kUsageTransferSource);
-}
-
-TEST(Memory, ATapMovesNothingElse) {
-  Builder b = chain();
-  CompileOptions options = optionsOf(64, 32);
-  options.taps = {"first.x", "second.y"};
-  Plan plan = compile(b.pipeline, options);
-  EXPECT_EQ(order(plan), order(compiled(b.pipeline)));
-  EXPECT_EQ(plan.slots.size(), 3u);
-  EXPECT_EQ(image(plan, "first.x").last, static_cast<int>(plan.steps.size()) - 1);
 }
 
 // From the lifetimes' own definition: no two images in one slot are alive in one step.
@@ -573,16 +519,6 @@ TEST(Canonical, IgnoresTextsForPeople) {
   b.pipeline.passes[0].doc = "other";
   b.node("first").place.line = 77;
   EXPECT_EQ(hash, hashOf(compiled(b.pipeline)));
-}
-
-TEST(Canonical, DescriptionSaysWhatMatters) {
-  Builder b = chain();
-  b.compute("spare", {{"x", "first.x"}}, {"y"});
-  std::string text = describe(compiled(b.pipeline));
-  for (const char* part : {"pipeline test at 64x32", "3 nodes in order", "culled: 1", "spare: not needed by any output",
-                           "images: 3 in 3 slots", "barriers: 3 per frame", "color = third.z", "64x32"}) {
-    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
-  }
 }
 
 TEST(Refusals, UnknownNodeAndPort) {

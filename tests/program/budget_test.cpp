@@ -39,14 +39,5 @@ TEST_F(BudgetedRender, WarnsOfABudgetThatIsNotMet) {
   EXPECT_EQ(record("low")["shot"]["set"], Json({{"quality", 0.0}}));
 }
 
-// Whatever value the times of a budget in the middle choose, that value draws the picture again.
-TEST_F(BudgetedRender, AnyChosenQualityDrawsThePictureAgain) {
-  Outcome outcome = draw("--budget-ms 20", "budget");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  Json made = record("budget");
-  ASSERT_EQ(draw("--set quality=" + made["shot"]["set"]["quality"].dump(), "hand").exit_code, 0);
-  EXPECT_EQ(made, record("hand"));
-}
-
 }  // namespace budget_test
 }  // namespace strobe::testing

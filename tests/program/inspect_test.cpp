@@ -113,13 +113,6 @@ TEST(Inspect, CountersAreShownOnRequest) {
     EXPECT_EQ(verbose.err.find(name + " " + count.dump()) != std::string::npos, count != 0) << name;
 }
 
-// -1 stands for it in the plan.
-TEST(Inspect, APlanSaysAuto) {
-  std::string text = run("plan hybrid --scene oracles/bar").out;
-  EXPECT_NE(text.find(" = auto\n"), std::string::npos) << text;
-  EXPECT_EQ(text.find("-1.0"), std::string::npos) << text;
-}
-
 // Looking changes neither the picture nor its record.
 TEST(Inspect, PixelChangesNoFile) {
   TemporaryFolder folder;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/json.h"
+#include "common/all_cases.h"
 #include "program/run.h"
 
 namespace strobe::testing {
@@ -98,6 +99,7 @@ TEST_F(Installed, ChecksTheProjectsAmongItsExperiments) {
 }
 
 TEST_F(Installed, ThePackageHasTheSameFiles) {
+  if (!allCases()) GTEST_SKIP() << "runs with --all";
   if (runLine("command -v cpack dpkg-deb").exit_code != 0) GTEST_SKIP() << "cpack or dpkg-deb is not installed";
   std::string build = fs::path(programPath()).parent_path(), out = folder_->path() / "package";
   Outcome made =

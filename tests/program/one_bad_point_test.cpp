@@ -67,13 +67,6 @@ TEST_F(OneBadPoint, ThatIsNotFiniteIsWarnedAbout) {
   EXPECT_NE(Json::parse(file("a.record.json"))["warnings"].dump().find("the first at 3,3"), std::string::npos);
 }
 
-TEST_F(OneBadPoint, OfWhichNothingIsFiniteIsWarnedAbout) {
-  spoil("true", kInfinity);
-  Outcome outcome = inside("render smear --scene oracles/bar --size 64x36 -o a.png");
-  EXPECT_NE(outcome.err.find("color: 2304 of 2304 pixels are not finite, the first at 0,0 (inf)"), std::string::npos)
-      << outcome.err;
-}
-
 // A pixel that is not finite leaves the values of its arm empty, with the reason, and nothing else.
 TEST_F(OneBadPoint, IsFlaggedAndAllElseIsLaidOut) {
   for (const std::string& bad : {kNan, kInfinity}) {

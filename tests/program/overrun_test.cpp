@@ -40,13 +40,6 @@ class Overrun : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Overrun, OfARenderNamesThePass) {
-  Outcome outcome = limited("render hybrid --scene oracles/bar --size 64x36 -o " + (folder_ / "x.exr"));
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("tile_max' ran for more than 1 s on the device"), std::string::npos) << outcome.err;
-  EXPECT_FALSE(fs::exists(folder_ / "x.exr"));
-}
-
 TEST_F(Overrun, OfASweepNamesThePointAndWhatIsKept) {
   writeText(folder_ / "x.lua", kExperiment);
   Outcome outcome = limited("sweep " + (folder_ / "x.lua") + " -o " + (folder_ / "out"));

@@ -82,21 +82,6 @@ TEST_F(Project, Runs) {
   EXPECT_NE(run("plan smear").err.find("unknown pipeline 'smear'"), std::string::npos);  // outside of it
 }
 
-TEST_F(Project, AddsMembersToFamilies) {
-  addMember("edge", "roberts");
-  Outcome menu = inside("check hybrid --set edge=mine");
-  EXPECT_EQ(menu.exit_code, 0) << menu.err;
-  EXPECT_EQ(inside("render hybrid --set edge=mine" + kSmall).exit_code, 0);
-  EXPECT_NE(inside("plan hybrid --set edge=mone").err.find("did you mean 'mine'"), std::string::npos);
-}
-
-TEST_F(Project, HasScenesOfItsOwn) {
-  addScene();
-  Outcome drawn = inside("render smear --scene near --size 32x18 -o out/a.exr");
-  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
-  EXPECT_NE(contentOf(path("out/a.record.json")).find("\"project:scenes/near.lua\""), std::string::npos);
-}
-
 // A gather of one's own is a choice of those that ship, and of a pipeline of one's own.
 TEST_F(Project, HasPipelinesOfItsOwn) {
   addMember("gather", "uniform");

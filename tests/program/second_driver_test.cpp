@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Every pipeline on two drivers that share no code: a capture of the software device, verified on SwiftShader, which
+// Pipelines on two drivers that share no code: a capture of the software device, verified on SwiftShader, which
 // Debian's Chromium brings. Its vertices are snapped to 1/16 px (here 1/256), its texture filters are coarser, and it
-// has neither acceleration structures nor geometry shaders.
+// has neither acceleration structures nor geometry shaders. Catches: what only one driver leaves in memory, rounds or
+// orders so.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "base/json.h"
+#include "common/all_cases.h"
 #include "common/source.h"
 #include "program/run.h"
 
@@ -14,38 +16,30 @@ namespace second_driver_test {
 
 const char* const kDriver = "/usr/lib/chromium/vk_swiftshader_icd.json";
 
-// All pipelines; the scene's motion is that of a card before a checker.
-const char* const kCapture = R"lua(
+// The scene's motion is that of a card before a checker. In the short form one pipeline for each kind of pass: raster,
+// gather, rays over lists, adaptive rays, truth.
+std::string captureText() {
+  std::vector<std::string> arms = {"none", "mcguire2012", "hybrid_layered", "adaptive"};
+  if (allCases())
+    for (const char* more : {"ue4", "ue5", "guertin2014", "jimenez2014", "bevy", "hdrp", "eevee", "lee2024",
+                             "oberberger2022", "accumulation", "hybrid"})
+      arms.push_back(more);
+  std::string text = R"lua(
 local capture = require "strobe.capture"
 return capture {
   title = "Two drivers", size = { 64, 36 },
   shots = { { name = "card", scene = "scene.lua", move = { card = { 0.6, 0, 0 } } } },
-  arms = {
-    { name = "none", pipeline = "none" },
-    { name = "mcguire2012", pipeline = "mcguire2012" },
-    { name = "ue4", pipeline = "ue4" },
-    { name = "ue5", pipeline = "ue5" },
-    { name = "guertin2014", pipeline = "guertin2014" },
-    { name = "jimenez2014", pipeline = "jimenez2014" },
-    { name = "bevy", pipeline = "bevy" },
-    { name = "hdrp", pipeline = "hdrp" },
-    { name = "eevee", pipeline = "eevee" },
-    { name = "lee2024", pipeline = "lee2024" },
-    { name = "oberberger2022", pipeline = "oberberger2022" },
-    { name = "adaptive", pipeline = "adaptive" },
-    { name = "accumulation", pipeline = "accumulation" },
-    { name = "hybrid_layered", pipeline = "hybrid_layered" },
-    { name = "paper", pipeline = "hybrid" },
-    { name = "truth", pipeline = "ground_truth", set = { samples = 8, pixel = "box" } },
-  },
-}
+  arms = { { name = "truth", pipeline = "ground_truth", set = { samples = 8, pixel = "box" } },
 )lua";
+  for (const std::string& arm : arms) text += fmt::format("    {{ name = \"{0}\", pipeline = \"{0}\" }},\n", arm);
+  return text + "  },\n}\n";
+}
 
-TEST(SecondDriver, GivesEveryPipelineItsPicture) {
+TEST(SecondDriver, GivesPipelinesTheirPictures) {
   if (!fs::exists(kDriver)) GTEST_SKIP() << "there is no " << kDriver;
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
-  writeText(folder / "capture.lua", kCapture);
+  writeText(folder / "capture.lua", captureText());
   Outcome captured = run("capture " + (folder / "capture.lua") + " -o " + (folder / "taken"), "STROBE_VALIDATION=0");
   ASSERT_EQ(captured.exit_code, 0) << captured.err;
 
@@ -55,7 +49,7 @@ TEST(SecondDriver, GivesEveryPipelineItsPicture) {
   Json json = Json::parse(verified.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << verified.out << verified.err;
   EXPECT_FALSE(json.at("same_device").get<bool>());
-  ASSERT_EQ(json.at("pictures").size(), 16u) << verified.out;
+  ASSERT_EQ(json.at("pictures").size(), allCases() ? 16u : 5u) << verified.out;
   for (const Json& picture : json.at("pictures"))
     for (const Json& layer : picture.at("layers")) {
       std::string name = picture.at("name").get<std::string>() + " " + layer.at("image").get<std::string>();

@@ -1,43 +1,30 @@
 // SPDX-License-Identifier: MIT
 // Every C++ file is as clang-format 14 writes it; other versions break lines elsewhere.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/process.h"
 #include "common/home.h"
 
 namespace strobe::repo {
 namespace format_test {
 
-struct Outcome {
-  int code = -1;
-  std::string text;  // of both streams
-};
-
-Outcome shell(const std::string& command) {
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  Outcome outcome;
-  char part[4096];
-  while (size_t count = fread(part, 1, sizeof part, pipe)) outcome.text.append(part, count);
-  int status = pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
+// Both streams of a shell's line.
+std::string shell(const std::string& line) {
+  return run({.arguments = {"sh", "-c", line}, .errors = Program::Errors::with_output}).output;
 }
 
 // The program of version 14; "" where there is none.
 std::string clangFormat() {
   for (const char* name : {"clang-format-14", "clang-format"})
-    if (shell(std::string(name) + " --version").text.find("version 14.") != std::string::npos) return name;
+    if (shell(std::string(name) + " --version").find("version 14.") != std::string::npos) return name;
   return "";
 }
 
 std::string complaints(const std::string& program, const std::string& files) {
   return shell(files + " | xargs -0 " + program + " --style=file:'" + (home().shipped() / ".clang-format").string() +
-               "' --dry-run -Werror")
-      .text;
+               "' --dry-run -Werror");
 }
 
 TEST(Format, EveryCppFileIsAsClangFormatWritesIt) {

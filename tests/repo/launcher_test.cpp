@@ -87,7 +87,8 @@ TEST(Launcher, CountsTests) {
   std::string second = written("second.txt", "tests 3\npassed D.E 0.100\nfailed D.F/0 0.100\n");
   EXPECT_EQ(launcher("summary '" + first + "' '" + second + "'").text,
             "  skipped: A.C: no display\n  failed: D.F/0\n  second ended after 2 of 3 tests\n"
-            "4 tests in 2 processes: 2 passed, 1 skipped, 1 failed\n");
+            "4 tests in 2 processes: 2 passed, 1 skipped, 1 failed\n"
+            "long suites ran a part of their cases; ./strobe test --all runs all\n");
 }
 
 TEST(Launcher, LooksForPackagesOncePerList) {

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Every Lua file passes luacheck as .luacheckrc has it.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
 
 #include "base/error.h"
+#include "base/process.h"
 #include "common/source.h"
 
 namespace strobe::repo {
 namespace luacheck_test {
 
-std::string outputOf(const std::string& command) {
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  std::string text;
-  char part[4096];
-  while (size_t count = fread(part, 1, sizeof part, pipe)) text.append(part, count);
-  pclose(pipe);
-  return text;
+std::string outputOf(const std::string& line) {
+  return run({.arguments = {"sh", "-c", line}, .errors = Program::Errors::with_output}).output;
 }
 
 // From the top, where .luacheckrc names files.

@@ -2,6 +2,7 @@
 // glTF files at nodes of a scene described in Lua, and images as its textures.
 #include <cmath>
 
+#include "common/refusal.h"
 #include "scene/gltf_asset.h"
 #include "scene/json_scene.h"
 #include "scene/motion.h"
@@ -18,7 +19,6 @@ const std::vector<uint8_t> kPng = {137, 80,  78,  71, 13, 10,  26,  10, 0,   0, 
 class Attached : public Gltf {
  protected:
   void SetUp() override {
-    Gltf::SetUp();
     writeQuickly(folder_ / "textures/two.png", {reinterpret_cast<const char*>(kPng.data()), kPng.size()});
   }
   // A triangle "blade" under "hub", which a clip "spin" moves by x 1 within a second; a camera and a light.
@@ -56,12 +56,7 @@ class Attached : public Gltf {
                          folder_ / "test.lua");
   }
   std::string mistake(const std::string& nodes, const std::string& more = "") {
-    try {
-      build(nodes, more);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return testing::refusalOf([&] { build(nodes, more); });
   }
   static std::string at(const std::string& name, const std::string& more = "",
                         const std::string& file = "textures/fan.gltf") {
@@ -134,12 +129,7 @@ TEST_F(Attached, FilesLieInTheFolderUnlessAllowed) {
   build(at("fan"));
   std::filesystem::create_directories(folder_ / "scenes");
   auto failureIn = [&](const FilePlaces& places) -> std::string {
-    try {
-      sceneFromJson(scene, "test.lua", {}, paintPattern, places);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return testing::refusalOf([&] { sceneFromJson(scene, "test.lua", {}, paintPattern, places); });
   };
   EXPECT_NE(failureIn({folder_ / "scenes"}).find("is outside of the scene's folder; use --allow-outside"),
             std::string::npos);

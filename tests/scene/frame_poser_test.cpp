@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/refusal.h"
 #include "scene/json_scene.h"
 #include "scene/motion.h"
 
@@ -134,13 +135,10 @@ TEST(FramePoser, ClipsComeToTheirCutsEachTimeRound) {
 }
 
 std::string failure(const std::string& cuts) {
-  try {
+  return testing::refusalOf([&] {
     sceneFromJson(Json::parse(R"({"kind":"scene","nodes":[{"kind":"node","name":"a","cuts":)" + cuts + "}]}"),
                   "test.lua");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(FramePoser, CutsAreTimesThatIncrease) {

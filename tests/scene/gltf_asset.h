@@ -3,7 +3,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "common/temporary_folder.h"
 #include "scene/gltf.h"
 
 namespace strobe::scene {
@@ -23,12 +23,6 @@ inline void writeQuickly(const Path& file, std::string_view bytes) {
 
 class Gltf : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / fmt::format("strobe_gltf_{}", ::getpid());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   Scene load(const Json& json, const GltfOptions& options = {}) {
     writeQuickly(folder_ / "a.gltf", json.dump());
     return loadGltf(folder_ / "a.gltf", options);
@@ -42,7 +36,9 @@ class Gltf : public ::testing::Test {
     }
     return "";
   }
-  Path folder_;
+
+  const testing::TemporaryFolder temporary_;
+  const Path folder_ = temporary_.path();
 };
 
 inline std::string base64(const std::vector<uint8_t>& bytes) {

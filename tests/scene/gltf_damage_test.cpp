@@ -92,7 +92,7 @@ TEST(GltfValidator, AgreesOnDamagedFiles) {
   if (!hasValidator()) GTEST_SKIP() << "no node, or no gltf-validator in STROBE_NODE_MODULES";
   const char* asked = std::getenv("STROBE_DAMAGED_FILES");
   const int count = asked ? std::atoi(asked) : 100;
-  const Path folder = fs::temp_directory_path() / fmt::format("strobe_damaged_files_{}", ::getpid());
+  const testing::TemporaryFolder folder;
   const Json whole = damageable();
   std::vector<Path> files = {folder / "whole.gltf"};
   std::vector<std::string> what = {"whole"};
@@ -111,7 +111,6 @@ TEST(GltfValidator, AgreesOnDamagedFiles) {
              tally.listed);
   EXPECT_GE(tally.refused, size_t(count) / 3);
   EXPECT_GE(tally.loaded, size_t(count) / 20);
-  fs::remove_all(folder);
 }
 
 }  // namespace gltf_damage_test

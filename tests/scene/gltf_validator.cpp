@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/process.h"
+#include "common/refusal.h"
 #include "common/source.h"
 
 namespace strobe::scene {
@@ -32,12 +33,7 @@ static std::map<std::string, std::vector<std::string>> errorsIn(const std::vecto
 }
 
 std::string refusalOf(const Path& file) {
-  try {
-    loadGltf(file);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return testing::refusalOf([&] { loadGltf(file); });
 }
 
 const Exceptions& accepted() {

@@ -193,7 +193,7 @@ TEST(GltfValidator, ExceptionsAreDocumented) {
 
 TEST(GltfValidator, AgreesOnWhatIsBroken) {
   if (!hasValidator()) GTEST_SKIP() << "no node, or no gltf-validator in STROBE_NODE_MODULES";
-  const Path folder = fs::temp_directory_path() / fmt::format("strobe_validated_{}", ::getpid());
+  const testing::TemporaryFolder folder;
   const Json whole = everything().whole();
   std::vector<Path> files = {folder / "whole.gltf"};
   writeQuickly(files[0], whole.dump());
@@ -210,7 +210,6 @@ TEST(GltfValidator, AgreesOnWhatIsBroken) {
   });
   EXPECT_EQ(refusalOf(files[0]), "");
   EXPECT_GE(tally.refused, changes().size() * 7 / 10);
-  fs::remove_all(folder);
 }
 
 std::vector<Path> gltfFilesBelow(const Path& folder) {
@@ -238,11 +237,11 @@ TEST(GltfValidator, AgreesOnReportedFiles) {
   if (!hasValidator()) GTEST_SKIP() << "no node, or no gltf-validator in STROBE_NODE_MODULES";
   std::optional<Path> data = home().data();
   if (!data || !fs::is_directory(*data / "reports")) GTEST_SKIP() << "no shared reports (set STROBE_DATA)";
-  const Path folder = fs::temp_directory_path() / fmt::format("strobe_reported_{}", ::getpid());
+  const testing::TemporaryFolder temporary;
+  const Path folder = temporary.path();
   for (const char* name : {"r06_upper_case", "r09_dropped_attributes", "r10_validator_errors", "r20_zero_weights",
                            "r24_compressed_optional", "r25_uris", "r48_skins", "r58_odd_files"}) {
     if (!fs::is_directory(*data / "reports" / name)) continue;
-    fs::create_directories(folder);
     fs::copy(*data / "reports" / name, folder / name, fs::copy_options::recursive);
     fs::permissions(folder / name, fs::perms::owner_all, fs::perm_options::add);
     const ProgramEnd end =
@@ -254,7 +253,6 @@ TEST(GltfValidator, AgreesOnReportedFiles) {
   fmt::print("{} files refused, {} load without errors, {} with listed ones\n", tally.refused, tally.loaded,
              tally.listed);
   EXPECT_GE(files.size(), 100u);
-  fs::remove_all(folder);
 }
 
 }  // namespace gltf_validator_test

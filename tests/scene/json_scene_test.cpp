@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "common/refusal.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
@@ -13,12 +14,7 @@ namespace json_scene_test {
 Json parsed(const char* text) { return Json::parse(text); }
 
 std::string failure(const Json& json) {
-  try {
-    sceneFromJson(json, "test.lua", {{"fps", false, 1, 100}});
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return testing::refusalOf([&] { sceneFromJson(json, "test.lua", {{"fps", false, 1, 100}}); });
 }
 
 TEST(JsonScene, ATrackWithoutTimesIsAMistake) {

@@ -81,15 +81,6 @@ TEST(Patterns, StripesHaveTheirShares) {
   EXPECT_NEAR(linearFromSrgb(texture.levels.back()[0] / 255.0), 0.75, 0.005);
 }
 
-TEST(Patterns, AllPaintTheSameTwice) {
-  for (const std::string& type : patternNames()) {
-    const Pattern pattern = patternOf(type);
-    Texture texture = paintPattern(pattern);
-    EXPECT_EQ(texture.levels.size(), 6u) << type;
-    EXPECT_EQ(texture.levels, paintPattern(pattern).levels) << type;
-  }
-}
-
 TEST(KeptTextures, AreWhatWasPainted) {
   namespace fs = std::filesystem;
   const testing::TemporaryFolder folder;
@@ -127,16 +118,6 @@ TEST(KeptTextures, AreWhatWasPainted) {
   paintedAnew([](Pattern& p) { p.amount = 0.25; });
   paintedAnew([](Pattern& p) { p.line = 0.25; });
   paintedAnew([](Pattern& p) { p.seed = 2; });
-}
-
-// The example of KHR_texture_transform's text: offset, rotation, scale as matrices.
-TEST(UvTransform, ComposesScaleRotationOffset) {
-  double angle = 0.3;
-  glm::dmat3x2 m = uvTransform({0.1, 0.2}, angle, {2, 3});
-  dvec2 uv(0.4, 0.7), scaled = uv * dvec2(2, 3);
-  dvec2 got = m * dvec3(uv, 1);
-  EXPECT_NEAR(got.x, std::cos(angle) * scaled.x + std::sin(angle) * scaled.y + 0.1, 1e-12);
-  EXPECT_NEAR(got.y, -std::sin(angle) * scaled.x + std::cos(angle) * scaled.y + 0.2, 1e-12);
 }
 
 }  // namespace textures_test

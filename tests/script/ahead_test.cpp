@@ -121,16 +121,6 @@ TEST_F(Ahead, WhatIsBrokenIsReportedWhenItIsAskedFor) {
   EXPECT_NE(failure().find("unknown module 'passes.smear'"), std::string::npos);
 }
 
-TEST_F(Ahead, MistakesHaveTheirPlaces) {
-  std::string text = samplePasses().at("passes/smear.lua");
-  const std::string before = "min = 1";
-  home_.write("passes/smear.lua", text.replace(text.find(before), before.size(), "min = 100"));
-  const std::string plain = failure();
-  EXPECT_EQ(plain.substr(0, 19), "passes/smear.lua:6:") << plain;
-  expect();
-  EXPECT_EQ(failure(), plain);
-}
-
 TEST_F(Ahead, AProjectsFileTakesThePlaceOfAShippedOne) {
   TestHome project;
   const Home both({project.folder(), home_.folder()}, {}, home_.home().program());

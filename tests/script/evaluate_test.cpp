@@ -449,11 +449,6 @@ TEST_F(Evaluate, DependenciesAreReportedOnSuccessAndOnFailure) {
   EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](auto& file) { return file.shown == "passes/smear.lua"; }));
 }
 
-TEST_F(Evaluate, TwentyEvaluationsGiveTheSame) {
-  plan::PipelineDesc first = evaluate();
-  for (int i = 0; i < 20; ++i) ASSERT_EQ(evaluate(), first);
-}
-
 TEST_F(Evaluate, AllPassesByName) {
   std::vector<plan::PassDesc> passes = evaluateAllPasses(home_.home());
   ASSERT_EQ(passes.size(), 4u);

@@ -26,15 +26,6 @@ return pass.compute {
 }
 )";
 
-TEST(Place, FindsTheLineOfAField) {
-  EXPECT_EQ(Source(kSource).lineOfKey(3, {"name"}), 4);
-  EXPECT_EQ(Source(kSource).lineOfKey(3, {"size"}), 6);
-  EXPECT_EQ(Source(kSource).lineOfKey(3, {"reads", "normal"}), 8);
-  EXPECT_EQ(Source(kSource).lineOfKey(3, {"reads", "depth"}), 9);
-  EXPECT_EQ(Source(kSource).lineOfKey(3, {"params"}), 16);
-  EXPECT_EQ(Source(kSource).lineOfKey(3, {"params", "a", "min"}), 17);
-}
-
 TEST(Place, FindsTheLineOfAnEntryOfAList) {
   const char* source = R"(return capture {
   arms = {
@@ -65,13 +56,6 @@ TEST(Place, StaysAtTheCallWhereThereIsNoSuchField) {
   EXPECT_EQ(Source("{ a = ").lineOfKey(1, {"a", "b"}), 1);
   EXPECT_EQ(Source("{ [").lineOfKey(1, {"a"}), 1);
   EXPECT_EQ(Source("--[==[").lineOfKey(1, {"a"}), 1);
-}
-
-TEST(Place, FindsTheLastReturnOfAFunction) {
-  EXPECT_EQ(Source(kSource).lineOfReturn(11, 15, {}), 13);
-  EXPECT_EQ(Source(kSource).lineOfReturn(11, 15, {"depth"}), 14);
-  EXPECT_EQ(Source(kSource).lineOfReturn(11, 15, {"other"}), 13);
-  EXPECT_EQ(Source(kSource).lineOfReturn(16, 17, {}), 0);
 }
 
 TEST(Place, TellsWhetherAFieldIsRead) {

@@ -60,29 +60,11 @@ return result
   }
 }
 
-TEST(Types, NameTheInvariants) {
+TEST(Types, NameInvariantsFactsRolesAndFormats) {
   std::string types = readText(sourceFolder() / "scripts/types.lua");
-  for (const std::string& name : plan::invariantNames())
-    EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
-}
-
-TEST(Types, NameTheFacts) {
-  std::string types = readText(sourceFolder() / "scripts/types.lua");
-  for (const std::string& name : plan::namesOf(plan::facts()))
-    EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
-}
-
-TEST(Types, NameTheRoles) {
-  std::string types = readText(sourceFolder() / "scripts/types.lua");
-  for (const std::string& name : plan::roleNames())
-    EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
-}
-
-TEST(Types, NameTheFormats) {
-  std::string types = readText(sourceFolder() / "scripts/types.lua");
-  for (const std::string& format : plan::namesOf(plan::portFormats())) {
-    EXPECT_NE(types.find("\"" + format + "\""), std::string::npos) << format;
-  }
+  for (const auto& names :
+       {plan::invariantNames(), plan::namesOf(plan::facts()), plan::roleNames(), plan::namesOf(plan::portFormats())})
+    for (const std::string& name : names) EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
 }
 
 }  // namespace types_test

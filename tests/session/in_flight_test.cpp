@@ -202,6 +202,7 @@ TEST_F(InFlightTest, AFrameWithALongLoopIsAlone) {
 TEST_F(InFlightTest, FramesAreTimed) {
   lab::Batch batch(flying_);
   std::vector<Shot> shots = {smallShot("none"), smallShot("hybrid"), smallShot("ground_truth")};
+  lab::putSetting(shots[2].sets, "samples", std::string("16"));
   for (const lab::Timing& timing : batch.timeInTurn(shots, {2, 2})) {
     ASSERT_EQ(timing.interval_ms.size(), 2u);
     EXPECT_EQ(timing.ms.size(), 2u);

@@ -235,20 +235,6 @@ TEST_F(ReloadTest, ABrokenShaderKeepsThePicture) {
   expectColdStart(session, "after mending");
 }
 
-TEST_F(ReloadTest, ADeletedIncludeKeepsThePictureUntilItIsBack) {
-  Session session(bench(), smallShot("mcguire2012"));
-  session.reload(false);
-  std::string before = colorHash(session), text = home_.read("shaders/lib/blur.glsl");
-  home_.remove("shaders/lib/blur.glsl");
-  awaited(session);
-  EXPECT_NE(joined(session.problems()).find("blur.glsl"), std::string::npos) << joined(session.problems());
-  EXPECT_EQ(colorHash(session), before);
-  home_.write("shaders/lib/blur.glsl", text);
-  awaited(session);
-  EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
-  EXPECT_EQ(colorHash(session), before);
-}
-
 TEST_F(ReloadTest, ABrokenScriptKeepsThePicture) {
   Session session(bench(), smallShot("hybrid"));
   bench().limits.cpu_s = 0.3;

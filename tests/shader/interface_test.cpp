@@ -9,6 +9,8 @@
 #include <fstream>
 
 #include "common/home.h"
+#include "common/refusal.h"
+#include "common/temporary_folder.h"
 
 namespace strobe::shader {
 namespace interface_test {
@@ -16,8 +18,6 @@ namespace interface_test {
 class Shaders : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "strobe_shader_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
     interface_.pass = "scale";
     interface_.place = "passes/scale.lua:3";
     interface_.reads = {{"depth", false, true}};
@@ -25,7 +25,6 @@ class Shaders : public ::testing::Test {
     interface_.params = {{"factor", false}};
     interface_.variants = {{"mode", {"plain", "double"}, 1}};
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   Path write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
@@ -34,19 +33,15 @@ class Shaders : public ::testing::Test {
 
   std::string errorOf(const std::string& text) {
     Path file = write("scale.glsl", text);
-    try {
-      compilePass(home(), interface_, file, Stage::Compute);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return testing::refusalOf([&] { compilePass(home(), interface_, file, Stage::Compute); });
   }
 
   std::vector<std::string> unused(const std::vector<Path>& files) {
     return nameProblems(home(), interface_, files, namesUsed(home(), files));
   }
 
-  Path folder_;
+  const testing::TemporaryFolder temporary_;
+  const Path folder_ = temporary_.path();
   Interface interface_;
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Files with numbers that are none: what cannot be drawn is refused by name, what can is drawn, finite, and said.
-#include <unistd.h>
 
 #include <cstring>
 
 #include "base/json.h"
+#include "common/refusal.h"
+#include "common/temporary_folder.h"
 #include "oracle/render.h"
 
 namespace strobe::stability {
@@ -52,7 +53,7 @@ struct File {
     attributes["POSITION"] = add(positions, "VEC3", 3);
     json["meshes"] = {{{"name", "square"}, {"primitives", {{{"attributes", attributes}, {"material", 0}}}}}};
     static int count = 0;
-    Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_damage_{}_{}.gltf", ::getpid(), count++);
+    Path file = testing::processFolder() / fmt::format("damaged_{}.gltf", count++);
     writeFileAtomically(file, json.dump());
     lab::Shot shot;
     shot.scene = file;
@@ -78,19 +79,12 @@ class Damage : public oracle::RenderTest {
           ASSERT_TRUE(std::isfinite(value)) << pipeline << " " << output;
       std::string warnings = fmt::format("{}", fmt::join(picture.warnings, "\n"));
       EXPECT_NE(warnings.find(says), std::string::npos) << pipeline << ": " << warnings;
-      std::filesystem::remove(shot.scene);
     }
   }
   static void expectRefused(File file, const std::string& says) {
     lab::Shot shot = file.shot("none");
-    std::string said;
-    try {
-      render(shot);
-    } catch (const Error& error) {
-      said = error.what();
-    }
+    const std::string said = testing::refusalOf([&] { render(shot); });
     EXPECT_NE(said.find(says), std::string::npos) << said;
-    std::filesystem::remove(shot.scene);
   }
 };
 

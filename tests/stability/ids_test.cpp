@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ids beyond what single precision holds: everything that compares them must give the same picture as with small ones.
-#include <unistd.h>
 
+#include "common/temporary_folder.h"
 #include "image/exr.h"
 #include "lab/capture.h"
 #include "oracle/render.h"
@@ -59,8 +59,8 @@ TEST_F(Ids, AreWrittenAsTheyAre) {
   session::EditableHome home;
   raiseIds(home, "0xfffffff8u");
   lab::Picture picture = render(home, with(oracle::shotOf("crowd", 48, 30), "none"));
-  Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_ids_{}.exr", ::getpid());
-  std::vector<Path> written = lab::writePicture(picture, file, {.half = true});  // half floats leave integers alone
+  const Path file = testing::processFolder() / "ids.exr";
+  lab::writePicture(picture, file, {.half = true});  // half floats leave integers alone
   image::ExrFile read = image::readExr(file);
   const image::UintImage& ids = picture.frame.outputs.at("id").uints;
   bool found = false;
@@ -71,7 +71,6 @@ TEST_F(Ids, AreWrittenAsTheyAre) {
     for (size_t i = 0; i < channel.ids.size(); ++i) ASSERT_EQ(channel.ids[i], ids.values[2 * i]);
   }
   EXPECT_TRUE(found);
-  for (const Path& one : written) std::filesystem::remove(one);
 }
 
 }  // namespace ids_test

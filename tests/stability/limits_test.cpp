@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include "common/refusal.h"
 #include "common/source.h"
 #include "oracle/render.h"
 #include "world/fits.h"
@@ -110,12 +111,7 @@ scene::Scene smallScene() {
 }
 
 std::string refusalOf(const gpu::DeviceLimits& limits) {
-  try {
-    world::requireFits(smallScene(), 4, limits);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return testing::refusalOf([&] { world::requireFits(smallScene(), 4, limits); });
 }
 
 TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
@@ -141,12 +137,7 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
 }
 
 std::string memoryRefusalOf(shader::StructureKind structures, uint64_t free_bytes) {
-  try {
-    world::requireMemory(smallScene(), structures, {.memory_bytes = free_bytes});
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return testing::refusalOf([&] { world::requireMemory(smallScene(), structures, {.memory_bytes = free_bytes}); });
 }
 
 // Four vertices of 44 bytes, six indices of 4; the runtime's own tree has a copy of the two triangles, 48 bytes each.

@@ -103,24 +103,6 @@ Results partial() {
   return results;
 }
 
-std::string announced(const Results& results) {
-  ::testing::internal::CaptureStderr();
-  announce(results);
-  return ::testing::internal::GetCapturedStderr();
-}
-
-TEST(Counts, OfAnInterruptedRun) {
-  Results results = partial();
-  EXPECT_EQ(announced(results), "6 points and 2 truths; 6 points are left to draw\n");
-  EXPECT_EQ(keptText(results), "0 of 6 points are kept; the same command continues");
-  results.groups[0].points[1].values["rmse"]["whole"] = 1;
-  results.groups[0].points[2].failed = "it is drawn again";
-  EXPECT_EQ(keptText(results), "1 of 6 points is kept; the same command continues");
-  EXPECT_EQ(keptText(Results()), "") << "nothing is known";
-  results.groups.resize(1), results.groups[0].points.resize(2), results.groups[0].points[1].values.clear();
-  EXPECT_EQ(announced(results), "1 point and 1 truth; 1 point is left to draw\n");
-}
-
 // The line of an interrupted sweep, whatever is in its folder.
 TEST(Counts, OfADamagedFolder) {
   testing::TemporaryFolder folder;
@@ -140,23 +122,6 @@ TEST(Counts, OfADamagedFolder) {
     testing::writeText(folder / "outline.json", damaged);
     EXPECT_EQ(keptIn(folder / "outline.json"), "the same command continues") << damaged;
   }
-}
-
-// What is not measured yet is a dash in every table.
-TEST(Report, OfAnIncompleteSweepHasNoNan) {
-  Results results = partial();
-  results.title = "Partial", results.width = 64, results.height = 36, results.shots = {{"bar"}};
-  results.regions = {"whole", "inner"}, results.measures = {"rmse"};
-  results.arms = {
-      {{"none", "none"}, Role::method}, {{"hybrid", "hybrid"}, Role::method}, {{"truth", "ground_truth"}, Role::truth}};
-  results.shots.push_back({"bar", "A bar", "", "", "", 24, 0.5, {}, {}});
-  results.groups.resize(1);
-  results.groups[0].points[1].values["rmse"]["whole"] = 0.5;
-  results.layout = {{"pictures", Json::object()}};
-  const std::string text = Report(results, "").text(), markdown = Report(results, "").markdown("x.html");
-  EXPECT_NE(markdown.find("clamped px"), std::string::npos) << markdown;
-  EXPECT_EQ(text.find("nan"), std::string::npos) << text;
-  EXPECT_EQ(markdown.find("nan"), std::string::npos) << markdown;
 }
 
 }  // namespace ends_test

@@ -60,12 +60,6 @@ TEST(Points, AreShotsThenValuesThenArms) {
   EXPECT_EQ(lines[19], "20  tracking  exposure 0.5, samples 16  hybrid");
 }
 
-// `pairs` walks tables in another order in every process.
-TEST(Points, AreTheSameInEveryProcess) {
-  std::string first = listOf(readText(kSamplesAndTiles));
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(listOf(readText(kSamplesAndTiles)), first);
-}
-
 TEST(Points, SetWhatTheirAxesName) {
   Experiment experiment = readText(kSamplesAndTiles);
   const Group& group = experiment.groups.back();
@@ -149,11 +143,6 @@ TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
   expectRefusal(with("", "", "", "expect = { { \"x\", function() end, axis = \"sped\" } }"), "did you mean 'speed'?");
   expectRefusal(with("", "", "", "layout = { tabel = {} }"), "did you mean 'table'?");
   expectRefusal("return {}", "does not return experiment { ... }");
-}
-
-TEST(Mistakes, OfPipelinesAreFoundBeforeADeviceIs) {
-  expectRefusal(with("set = { preset = \"papr\" }"), "did you mean 'paper'?", true);
-  expectRefusal(with("", "", "at = function() return { sampels = 4 } end"), "did you mean 'samples'?", true);
 }
 
 // Names that an arm, an axis, a shot or truth sets: the line, and whose it is.

@@ -155,16 +155,6 @@ TEST(ReportPage, CarriesItsLibraryAndData) {
   EXPECT_NE(page.find("<div class=\"still\">"), std::string::npos) << "for print without scripts";
 }
 
-TEST(ReportPage, WithoutLibraryHasFiguresAndTablesAndSaysSo) {
-  testing::TemporaryFolder folder;
-  std::string page = Report(small(folder.path()), folder.path()).page();
-  EXPECT_EQ(page.find("<script"), std::string::npos);
-  EXPECT_EQ(page.find("class=\"still\""), std::string::npos);
-  for (const char* wanted :
-       {"node-d3", "<svg class=\"chart\"", "more is better", "samples × tile", "<th scope=\"col\">factor"})
-    EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
-}
-
 // 300 points of which half of every picture is noise: what takes most. A quarter of the pixels of 320x180 in a quarter
 // of eight megabytes.
 TEST(ReportPage, OfThreeHundredPointsIsAsSmallAsAsked) {

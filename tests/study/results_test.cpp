@@ -118,18 +118,6 @@ TEST(Results, AreTheSameFromDisk) {
   EXPECT_THROW(resultsFrom(json, "result.json"), Error);
 }
 
-// Those of a shot or an axis stand in its section too.
-TEST(Results, EveryExpectationIsInTheSummary) {
-  Results results = made();
-  results.expectations = {{"it is good", "", "", "holds", "", ""},
-                          {"it is good along the axis", "", "speed", "fails", "3 > 2", ""},
-                          {"it is good elsewhere", "elsewhere", "", "does not apply", "", ""}};
-  std::string page = Report(results, "").page(), text = Report(results, "").text();
-  EXPECT_NE(page.find("1 of 2 hold, 1 does not apply."), std::string::npos);
-  EXPECT_LT(page.find("it is good along the axis"), page.find("All else stays."));
-  EXPECT_EQ(text.find("along the axis"), text.rfind("along the axis")) << text;
-}
-
 TEST(Results, AsATable) {
   Results results = made();
   results.groups[0].points[0].values["rmse"] = {{"whole", 0.002}, {"inner", 0.001}};
@@ -232,6 +220,7 @@ TEST(Report, LaysOutWhateverPointsThereAre) {
       results = resultsFrom(toJson(results), "made");
       Report report(results, "");
       const std::string text = report.text(), page = report.page(), csv = csvOf(results);
+      EXPECT_EQ((text + report.markdown("x.html")).find("nan"), std::string::npos) << layout;
       EXPECT_EQ(text.find("Not drawn yet: ") != std::string::npos, !results.missingText().empty()) << layout;
       EXPECT_NE(page.find("</html>"), std::string::npos) << layout;
       EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 5 * 4 * 7) << layout;
@@ -268,23 +257,6 @@ TEST(Report, PageNeedsNoNetwork) {
   for (const char* wanted :
        {"nowhere", "3 (error below) to 10 (limit above)", "everywhere", "strobe render x", "<svg", "A &lt;report&gt;"})
     EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
-}
-
-// A figure of the Markdown is a file, with the text of one who cannot see it.
-TEST(Report, MarkdownShowsFigures) {
-  Results results = made();
-  results.layout["front"] = {{"x", "rmse"}, {"y", "rmse"}, {"region", "inner"}};
-  Report report(results, "");
-  std::string markdown = report.markdown("");
-  std::vector<std::string> names;
-  for (const auto& [name, svg] : report.figures()) {
-    names.push_back(name);
-    EXPECT_NE(markdown.find("](" + name + ")\n"), std::string::npos) << name;
-    EXPECT_TRUE(svg.starts_with("<svg xmlns=")) << name;
-  }
-  EXPECT_EQ(names, (std::vector<std::string>{"curve_speed.svg", "front_shot.svg"}));
-  EXPECT_NE(markdown.find("![A shot: RMSE, inner against"), std::string::npos);
-  EXPECT_EQ(report.text().find("!["), std::string::npos) << "a terminal has none";
 }
 
 TEST(Measures, HaveNamesUnitsAndWords) {

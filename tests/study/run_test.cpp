@@ -278,22 +278,5 @@ TEST_F(Measuring, BytesDifferencesAndLimits) {
   EXPECT_NE(results.expectations[2].detail.find("no value of 'flip' was measured"), std::string::npos);
 }
 
-TEST_F(Measuring, NamesThatAnExpectationDoesNotHaveAreRefusedBefore) {
-  const std::vector<std::pair<std::string, std::string>> mistakes = {
-      {R"(r.at { arm = "blurr" }.rmse < 1)", "unknown arm 'blurr'; did you mean 'blur'?"},
-      {R"(r.at { color_format = "fp8" }.rmse < 1)", "axis 'color_format' has no value fp8"},
-      {"r.at {}.rsme < 1", "unknown measure 'rsme'; did you mean 'rmse'?"}};
-  for (const auto& [code, message] : mistakes) {
-    std::string text = kFormats, from = "r.at {}.flip < 1";
-    text.replace(text.find(from), from.size(), code);
-    try {
-      measured(text.c_str());
-      ADD_FAILURE() << code;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
-    }
-  }
-}
-
 }  // namespace run_test
 }  // namespace strobe::study
