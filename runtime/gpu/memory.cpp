@@ -22,7 +22,7 @@ struct MemoryBlock {
 
   // Takes the first unused range that is large enough, and returns its offset.
   std::optional<VkDeviceSize> take(VkDeviceSize bytes, VkDeviceSize alignment) {
-    for (const auto [begin, room] : unused) {
+    for (auto [begin, room] : unused) {  // a copy: the range is erased
       const VkDeviceSize offset = (begin + alignment - 1) / alignment * alignment, end = begin + room;
       if (offset + bytes > end) continue;
       unused.erase(begin);
@@ -84,7 +84,8 @@ size_t DeviceMemory::allocations() const {
 
 uint32_t DeviceMemory::typeOf(uint32_t type_bits, bool host) const {
   const VkMemoryPropertyFlags of_host = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-  for (VkMemoryPropertyFlags wanted : {host ? of_host : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, host ? of_host : 0})
+  for (VkMemoryPropertyFlags wanted :
+       {host ? of_host : VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), host ? of_host : 0})
     for (uint32_t i = 0; i < types_.memoryTypeCount; ++i)
       if ((type_bits >> i & 1) && (types_.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
   throw Error(fmt::format("device '{}' has no memory of the required kind", device_.info().name));
