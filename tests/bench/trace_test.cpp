@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The trace of a run as its format demands, with the times of one round.
-#include "bench/report.h"
-
 #include <gtest/gtest.h>
 
+#include "bench/report.h"
 #include "bench/synthetic.h"
 
 namespace strobe::bench::test {
