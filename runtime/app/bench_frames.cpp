@@ -112,13 +112,14 @@ void requireSound(const FramesOptions& options) {
 // ---- measurement
 
 // Runs and their comparison. `comparison` points into `run` or `turns.first`, which must stay in place.
-struct Measured {
+struct MeasuredRun {
   bench::Run run;
   bench::Turns turns;
-  std::optional<bench::Comparison> comparison;
+  std::optional<bench::TimeComparison> comparison;
 };
 
-void measureAlone(const Home& home, const FramesOptions& options, const bench::Subject& subject, Measured& measured) {
+void measureAlone(const Home& home, const FramesOptions& options, const bench::Subject& subject,
+                  MeasuredRun& measured) {
   lab::Workbench bench(home, subject.shot.device, validationWanted());
   if (options.in_flight > 0) bench.frames_in_flight = options.in_flight;
   std::optional<bench::Run> saved;
@@ -131,7 +132,8 @@ void measureAlone(const Home& home, const FramesOptions& options, const bench::S
   if (saved) measured.comparison = bench::compared(measured.run, *saved, options.moved);
 }
 
-void measureInTurn(const Home& home, const FramesOptions& options, const bench::Subject& subject, Measured& measured) {
+void measureInTurn(const Home& home, const FramesOptions& options, const bench::Subject& subject,
+                   MeasuredRun& measured) {
   bench::outlineOf(*std::make_unique<lab::Workbench>(home, subject.shot.device, false), bench::shotsOf(subject));
   std::vector<std::string> words = wordsOf(options, subject);
   words.push_back("--json");
@@ -144,7 +146,7 @@ void measureInTurn(const Home& home, const FramesOptions& options, const bench::
 
 // ---- output
 
-Json jsonOf(const Measured& measured) {
+Json jsonOf(const MeasuredRun& measured) {
   Json json = bench::toJson(measured.run);
   if (!measured.comparison) return json;
   json["comparison"] = bench::toJson(*measured.comparison);
@@ -152,7 +154,7 @@ Json jsonOf(const Measured& measured) {
   return json;
 }
 
-std::vector<Path> write(const FramesOptions& options, const Measured& measured) {
+std::vector<Path> write(const FramesOptions& options, const MeasuredRun& measured) {
   std::vector<Path> files;
   auto keep = [&](const Path& file, const std::string& text) {
     files.push_back(file);
@@ -160,7 +162,7 @@ std::vector<Path> write(const FramesOptions& options, const Measured& measured) 
   };
   if (!options.save.empty()) keep(options.save, bench::toJson(measured.run).dump(1) + "\n");
   if (options.out.empty()) return files;
-  const bench::Comparison* comparison = measured.comparison ? &*measured.comparison : nullptr;
+  const bench::TimeComparison* comparison = measured.comparison ? &*measured.comparison : nullptr;
   const Path folder = options.out;
   keep(folder / "index.html", page::htmlOf(bench::pageOf(measured.run, comparison)));
   keep(folder / "bench.json", jsonOf(measured).dump(1) + "\n");
@@ -171,7 +173,7 @@ std::vector<Path> write(const FramesOptions& options, const Measured& measured) 
 void frames(const Home& home, FramesOptions options) {
   bench::Subject subject = subjectOf(home, options);
   requireSound(options);
-  Measured measured;
+  MeasuredRun measured;
   if (!options.against.empty() && isProgram(options.against)) measureInTurn(home, options, subject, measured);
   else measureAlone(home, options, subject, measured);
   measured.run.command = commandOf(options, subject);

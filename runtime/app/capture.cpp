@@ -67,7 +67,7 @@ auto ofManifests(const std::string& manifests, const Work& work) {
 void verify(const Home& home, const VerifyOptions& options) {
   if (!options.out.empty()) requireWritable(options.out);
   archive::Manifest manifest = archive::readManifest(options.manifest);
-  archive::Verdict verdict = ofManifests(options.manifest, [&] {
+  archive::Verification verdict = ofManifests(options.manifest, [&] {
     return archive::verify(home, manifest, options.device, validationWanted(), options.out,
                            [](const std::string& line) { note(line); });
   });

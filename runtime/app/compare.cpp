@@ -27,7 +27,7 @@ struct Request {
 
 std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
 
-void printTable(const image::Comparison& result) {
+void printTable(const image::ImageComparison& result) {
   page::Table table{"", {"measure", {"value", true}, "", ""}};
   auto add = [&](const char* name, const std::optional<double>& value, const char* unit = "", std::string note = "") {
     table.add({name, shown(value), unit, std::move(note)});
@@ -49,7 +49,7 @@ void printTable(const image::Comparison& result) {
 }
 
 // Writes the HDR map if there is one, else the LDR map: values in a .exr file, the colour map magma in a PNG otherwise.
-void writeMap(const Path& file, const image::Comparison& result) {
+void writeMap(const Path& file, const image::ImageComparison& result) {
   const image::Image& map = result.hdr_flip ? result.hdr_map : result.ldr_map;
   if (file.extension() != ".exr") return image::writePng(file, image::heatMap(map, 0, 1));
   image::ExrFile content;
@@ -72,7 +72,7 @@ void compare(const Request& request) {
   options.hdr = test.hdr && reference.hdr;
   options.pixels_per_degree = request.pixels_per_degree;
   if (request.given_exposures) options.exposures = request.exposures;
-  image::Comparison result = image::compareImages(test.linear, reference.linear, mask.linear, options);
+  image::ImageComparison result = image::compareImages(test.linear, reference.linear, mask.linear, options);
   if (!request.flip_map.empty()) writeMap(request.flip_map, result);
   if (!request.json) return printTable(result);
   fmt::print("{}\n", image::comparisonJson(result).dump(2));

@@ -16,16 +16,16 @@ namespace {
 using Names = std::vector<std::string>;
 
 // Command line up to the cursor, after the program's name: the complete words, and the unfinished last word.
-struct Line {
+struct TypedLine {
   Names before;
   std::string word;
 };
 
-Names pipelines(const Home& home, const Line&) { return script::pipelineNames(home); }
-Names scenes(const Home& home, const Line&) { return script::sceneNames(home); }
-Names invariants(const Home&, const Line&) { return plan::invariantNames(); }
+Names pipelines(const Home& home, const TypedLine&) { return script::pipelineNames(home); }
+Names scenes(const Home& home, const TypedLine&) { return script::sceneNames(home); }
+Names invariants(const Home&, const TypedLine&) { return plan::invariantNames(); }
 
-Names topics(const Home& home, const Line&) {
+Names topics(const Home& home, const TypedLine&) {
   Names names = script::pipelineNames(home);
   for (const plan::PassDesc& pass : script::evaluateAllPasses(home)) names.push_back(pass.name);
   return names;
@@ -42,7 +42,7 @@ Names presetFiles(const Home& home) {
 }
 
 // "PARAM=" of the pipeline named on the line. After the "=", "PARAM=CHOICE".
-Names settings(const Home& home, const Line& line) {
+Names settings(const Home& home, const TypedLine& line) {
   Names known = script::pipelineNames(home), names;
   auto named = std::find_if(line.before.begin(), line.before.end(), [&](const std::string& word) {
     return word.ends_with(".lua") || std::find(known.begin(), known.end(), word) != known.end();
@@ -63,7 +63,7 @@ Names settings(const Home& home, const Line& line) {
 }
 
 // Options with a list of known names as values. Other options list their choices in their type ("end|centre|start").
-const std::map<std::string, Names (*)(const Home&, const Line&)> kNamesOf = {
+const std::map<std::string, Names (*)(const Home&, const TypedLine&)> kNamesOf = {
     {"pipeline", pipelines}, {"pipelines", pipelines}, {"base", pipelines},
     {"vs", pipelines},       {"truth", pipelines},     {"topic", topics},
     {"scene", scenes},       {"set", settings},        {"invariant", invariants}};
@@ -90,7 +90,7 @@ Names commandsOf(const CLI::App& command) {
 }
 
 // All candidates for the last word; {} if the word is a file or free text.
-Names candidates(const CLI::App& program, const Home& home, const Line& line) {
+Names candidates(const CLI::App& program, const Home& home, const TypedLine& line) {
   const CLI::App* command = &program;
   const CLI::Option* awaits = nullptr;  // option whose value comes next
   size_t given = 0;
@@ -115,8 +115,8 @@ Names candidates(const CLI::App& program, const Home& home, const Line& line) {
   return names == kNamesOf.end() ? choicesOf(option) : names->second(home, line);
 }
 
-Line lineOf(const std::string& text) {
-  Line line;
+TypedLine lineOf(const std::string& text) {
+  TypedLine line;
   std::istringstream words(text);
   for (std::string word; words >> word;) line.before.push_back(word);
   if (!line.before.empty()) line.before.erase(line.before.begin());  // strobe
@@ -133,7 +133,7 @@ void registerCompletion(CLI::App& program, const Home& home) {
       program.add_subcommand("complete", "List completions of the last word of a command line, for shells");
   command->add_option("line", *text, "the command line up to the cursor, as one argument")->required();
   command->callback([text, &program, &home] {
-    Line line = lineOf(*text);
+    TypedLine line = lineOf(*text);
     for (const std::string& name : candidates(program, home, line))
       if (name.starts_with(line.word)) std::printf("%s\n", name.c_str());
   });

@@ -331,14 +331,14 @@ std::string sizeText(const lab::Shot& shot, const scene::Scene& scene) {
                      countText(instances.size(), "instance"));
 }
 
-std::string motionText(const lab::Shot& shot, const graph::FrameSetup& frame) {
-  const scene::PixelArea& reach = frame.motion.reach;
+std::string motionText(const lab::Shot& shot, const graph::Frame& frame) {
+  const scene::PixelArea& reach = frame.motion.moving_rect;
   return fmt::format("{}, in {}x{} of {}x{} px", frame.facts.camera_moves ? "the camera too" : "objects",
                      reach.x1 - reach.x0, reach.y1 - reach.y0, shot.width, shot.height);
 }
 
 // Facts of the frame, and the passes and memory that `planned` does not need. `whole`: the plan for any frame.
-std::string factsText(const lab::Shot& shot, const graph::FrameSetup& frame, const plan::Plan& planned,
+std::string factsText(const lab::Shot& shot, const graph::Frame& frame, const plan::Plan& planned,
                       const plan::Plan& whole) {
   std::string text = fmt::format("frame {} of {}\n", shot.frame, shot.scene);
   const std::string motion = motionText(shot, frame);
@@ -359,7 +359,7 @@ void plan(const Home& home, const PlanOptions& options) {
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
   // The plan is the same for all backends that trace rays in compute.
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
-  const graph::FrameSetup frame = lab::frameOf(in_scene, loaded.scene, plan::earlierFrames(pipeline));
+  const graph::Frame frame = lab::frameOf(in_scene, loaded.scene, plan::earlierFrames(pipeline));
   plan::Plan planned = lab::planOf(shot, pipeline, backend, lab::absentFacts(frame, pipeline));
   std::string text = options.dot    ? plan::toDot(planned)
                      : options.json ? plan::toJson(planned).dump(2) + "\n"

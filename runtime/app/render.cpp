@@ -127,9 +127,9 @@ std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::P
 void exportShot(const Home& home, const RenderOptions& options, lab::Shot shot) {
   requireWritable(options.mitsuba, "--export-mitsuba");
   const lab::LoadedScene loaded = lab::loadScene(home, shot);
-  const graph::FrameSetup frame = lab::frameOf(shot, loaded.scene);
+  const graph::Frame frame = lab::frameOf(shot, loaded.scene);
   scene::FrameView view;
-  view.capture_s = frame.capture_s, view.open_s = frame.open_s, view.close_s = frame.close_s;
+  view.raster_s = frame.raster_s, view.open_s = frame.open_s, view.close_s = frame.close_s;
   view.height = shot.height;
   scene::MitsubaExport written = scene::exportMitsuba(loaded.scene, frame.pose_at, view, options.mitsuba);
   if (shot.shutter_curve != "box")

@@ -22,12 +22,12 @@ struct StabilityOptions {
 // Declared breaks without a failing case. Empty unless all invariants and variants ran: a partial run leaves
 // declarations without a case.
 std::vector<stability::Declaration> staleIn(const StabilityOptions& options,
-                                            const std::vector<stability::Report>& reports) {
+                                            const std::vector<stability::StabilityReport>& reports) {
   bool all = options.suite.invariants.empty() && options.suite.only.empty();
   return all ? stability::stale(reports, options.pipelines.empty()) : std::vector<stability::Declaration>();
 }
 
-Json jsonOf(const std::vector<stability::Report>& reports, const std::vector<stability::Declaration>& stale) {
+Json jsonOf(const std::vector<stability::StabilityReport>& reports, const std::vector<stability::Declaration>& stale) {
   Json json;
   for (const auto& report : reports) json["pipelines"].push_back(stability::toJson(report));
   json["stale"] = Json::array();
@@ -58,7 +58,7 @@ void run(const Home& home, const StabilityOptions& options) {
   lab::Workbench bench(home, options.device, validationWanted());
   lab::Batch batch(bench);
   std::vector<std::string> pipelines = options.pipelines.empty() ? script::pipelineNames(home) : options.pipelines;
-  std::vector<stability::Report> reports;
+  std::vector<stability::StabilityReport> reports;
   int failed = 0;
   for (const std::string& pipeline : pipelines) {
     reports.push_back(stability::check(batch, pipeline, options.suite));

@@ -169,8 +169,9 @@ void sweep(const Home& home, const SweepOptions& options) {
 study::Results measured(const study::Experiment& experiment, archive::Capturing& capturing, const study::Store& store,
                         const study::Started& started) {
   lab::Batch batch(capturing.bench());
-  std::map<std::string, const archive::Frame*> frames;
-  for (const archive::Frame& frame : capturing.frames()) frames[batch.contentOf(capturing.shot(frame))] = &frame;
+  std::map<std::string, const archive::CapturedFrame*> frames;
+  for (const archive::CapturedFrame& frame : capturing.frames())
+    frames[batch.contentOf(capturing.shot(frame))] = &frame;
   batch.source = [&](const std::string& content, const lab::Batch::Progress& progress) {
     auto frame = frames.find(content);
     return frame == frames.end() ? nullptr : capturing.draw(*frame->second, progress);

@@ -145,9 +145,9 @@ std::string tableOf(const study::Wish& wish, const study::Tuned& tuned, const st
                    {study::headOf(ratio), true},
                    "changed"};
   auto add = [&](const std::string& name, const study::Measured& one) {
-    table.add({name, page::Cell(one.error, study::shownValue(error, one.error)),
-               page::Cell(one.ms, study::shownValue(ms, one.ms)),
-               page::Cell(one.ratio, study::shownValue(ratio, one.ratio)), textOf(one.changed)});
+    table.add({name, page::TableCell(one.error, study::shownValue(error, one.error)),
+               page::TableCell(one.ms, study::shownValue(ms, one.ms)),
+               page::TableCell(one.ratio, study::shownValue(ratio, one.ratio)), textOf(one.changed)});
   };
   if (tuned.chosen) add("chosen", *tuned.chosen);
   if (tuned.nearest) add("nearest", *tuned.nearest);

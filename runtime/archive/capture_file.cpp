@@ -18,8 +18,8 @@ std::optional<Layers> layersFrom(const Json& json) {
   return Layers{false, json["layers"].get<std::vector<std::string>>()};
 }
 
-std::vector<Step> stepsFrom(const Json& json) {
-  std::vector<Step> steps;
+std::vector<SequenceStep> stepsFrom(const Json& json) {
+  std::vector<SequenceStep> steps;
   for (int frame : lab::framesFrom(json))
     steps.push_back({fmt::format("frame {}", frame), Json::array({{{"name", "frame"}, {"value", frame}}}), {}});
   for (const Json& one : json.value("steps", Json::array())) {
@@ -138,7 +138,7 @@ lab::Shot shotOf(const CaptureFile& capture, const CapturedShot& captured, const
   shot.sets.insert(shot.sets.end(), arm.sets.begin(), arm.sets.end());
   if (arm.name == capture.truth)
     for (const auto& [name, value] : captured.truth) lab::putSetting(shot.sets, name, value);
-  const Step& at = captured.steps.at(step);
+  const SequenceStep& at = captured.steps.at(step);
   lab::setOptions(shot, at.options);
   for (const auto& [name, value] : at.sets) lab::putSetting(shot.sets, name, value);
   return shot;

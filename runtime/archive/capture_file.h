@@ -9,7 +9,7 @@
 namespace strobe::archive {
 
 // Options and settings of one step of a sequence.
-struct Step {
+struct SequenceStep {
   std::string label;  // "frame 3", "exposure = 0.5"; "" of a shot without a sequence
   Json options;       // of the shot, for lab::setOptions
   script::Settings sets;
@@ -19,7 +19,7 @@ struct CapturedShot {
   std::string name, title, attribution;
   lab::Shot shot;          // without pipeline; settings of the scene only
   script::Settings truth;  // added to the settings of the truth arm
-  std::vector<Step> steps = {Step()};
+  std::vector<SequenceStep> steps = {SequenceStep()};
   image::ToneMap tone;
   std::string scene_name;  // as in the script
   std::string missing;     // reason why the scene is missing; "": not missing

@@ -103,7 +103,7 @@ void Capturing::drawFigures() {
 
 // Adds the entry of a picture to the manifest. Moves inputs and files out of the entry: the manifest lists them once
 // for all pictures.
-void Capturing::collect(const Frame& frame) {
+void Capturing::collect(const CapturedFrame& frame) {
   Json entry = taker_.entry(frame);
   for (const auto& [name, input] : inputsFrom(entry["inputs"])) {
     auto known = used_.find(name);
@@ -145,7 +145,7 @@ Captured Capturing::finish() {
     if (report_) report_(fmt::format("{} of {}: {}{}", i + 1, frames_.size(), name, drawn ? "" : ", already drawn"));
   }
   if (order_.only.empty() || of_figure) drawFigures();
-  for (const Frame& frame : framesOf(capture_))
+  for (const CapturedFrame& frame : framesOf(capture_))
     if (taker_.has(frame.name())) collect(frame);
   taker_.refuseMessages();
 

@@ -37,10 +37,10 @@ class Capturing {
   lab::Workbench& bench() { return *bench_; }  // draws the pictures
 
   // Requested pictures, in order.
-  const std::vector<Frame>& frames() const { return frames_; }
-  lab::Shot shot(const Frame& frame) const { return shotOf(capture_, *frame.shot, *frame.arm, frame.step); }
+  const std::vector<CapturedFrame>& frames() const { return frames_; }
+  lab::Shot shot(const CapturedFrame& frame) const { return shotOf(capture_, *frame.shot, *frame.arm, frame.step); }
   // Takes a picture before its turn, as `Taker::draw`.
-  std::shared_ptr<const lab::Picture> draw(const Frame& frame, const Taker::Progress& progress) {
+  std::shared_ptr<const lab::Picture> draw(const CapturedFrame& frame, const Taker::Progress& progress) {
     return taker_.draw(frame, progress);
   }
 
@@ -52,7 +52,7 @@ class Capturing {
   void addFiles(const Path& folder);
   std::vector<const CapturedShot*> shotsOf(const Json& figure) const;
   void drawFigures();
-  void collect(const Frame& frame);
+  void collect(const CapturedFrame& frame);
   Json captureJson(const std::string& name) const;
 
   const Order order_;
@@ -62,7 +62,7 @@ class Capturing {
   const CaptureFile capture_;
   const std::unique_ptr<lab::Workbench> bench_;
   Taker taker_;
-  const std::vector<Frame> frames_;
+  const std::vector<CapturedFrame> frames_;
   Inputs used_;
   Json pictures_ = Json::array(), files_ = Json::object();
   std::vector<Path> figure_files_, picture_files_;

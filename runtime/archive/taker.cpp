@@ -76,7 +76,7 @@ Json recordOf(const lab::Picture& picture, const CapturedShot& shot) {
 
 // Centre of the geometry of each node at the raster time, metres.
 Json nodesOf(const lab::Shot& shot, const scene::Scene& scene) {
-  scene::Pose pose = lab::frameOf(shot, scene).pose_at(shot.captureTime());
+  scene::Pose pose = lab::frameOf(shot, scene).pose_at(shot.rasterTime());
   std::vector<scene::Instance> instances = scene::instancesOf(scene);
   std::map<std::string, Bounds> bounds;
   for (size_t i = 0; i < instances.size(); ++i)
@@ -126,17 +126,17 @@ Images layersIn(const lab::Picture& picture, const Layers& layers, const std::st
 
 }  // namespace
 
-std::string Frame::name() const {
+std::string CapturedFrame::name() const {
   std::string name = lab::fileNameOf(shot->name) + "." + lab::fileNameOf(arm->name);
   return shot->isSequence() ? fmt::format("{}.{:04}", name, step) : name;
 }
 
-std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only) {
-  std::vector<Frame> frames;
+std::vector<CapturedFrame> framesOf(const CaptureFile& capture, const std::string& only) {
+  std::vector<CapturedFrame> frames;
   for (const CapturedShot& shot : capture.shots)
     for (const CapturedArm& arm : capture.arms)
       for (size_t step = 0; step < shot.steps.size() && shot.missing.empty() && arm.draws(shot.name); ++step)
-        if (Frame frame{&shot, &arm, step}; frame.name().starts_with(only)) frames.push_back(frame);
+        if (CapturedFrame frame{&shot, &arm, step}; frame.name().starts_with(only)) frames.push_back(frame);
   if (frames.empty() && !only.empty())
     throw Error(fmt::format("--only '{}': the capture has no picture with a name that starts with this text", only), {},
                 2);
@@ -175,7 +175,7 @@ std::unique_ptr<lab::Drawing> Taker::drawingOf(lab::Workbench& bench, lab::Shot&
 }
 
 // Hash of everything that determines the files: shot, program, device, and the kept layers.
-std::string Taker::keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const {
+std::string Taker::keyOf(const CapturedFrame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const {
   const gpu::DeviceInfo& device = own_.bench.device().info();
   const Layers layers = layersOf(capture_, *frame.shot, *frame.arm);
   const image::ToneMap& tone = frame.shot->tone;
@@ -200,7 +200,7 @@ bool Taker::areCurrent(const Json& inputs) {
   return true;
 }
 
-Json Taker::entry(const Frame& frame) {
+Json Taker::entry(const CapturedFrame& frame) {
   draw(frame);
   return entries_.at(frame.name());
 }
@@ -212,7 +212,7 @@ static std::shared_ptr<const lab::Picture> withoutTaps(lab::Picture picture) {
   return std::make_shared<const lab::Picture>(std::move(picture));
 }
 
-std::shared_ptr<const lab::Picture> Taker::draw(const Frame& frame, const Progress& progress) {
+std::shared_ptr<const lab::Picture> Taker::draw(const CapturedFrame& frame, const Progress& progress) {
   const std::string name = frame.name();
   if (entries_.count(name)) return nullptr;
   lab::Shot shot = shotOf(capture_, *frame.shot, *frame.arm, frame.step);
@@ -239,7 +239,7 @@ std::shared_ptr<const lab::Picture> Taker::draw(const Frame& frame, const Progre
   return withoutTaps(std::move(picture));
 }
 
-Json Taker::take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const lab::Picture& picture,
+Json Taker::take(const CapturedFrame& frame, const lab::Shot& shot, lab::Drawing& drawing, const lab::Picture& picture,
                  uint64_t runs) {
   const std::string name = frame.name();
   timings_[name] = picture.timings;
@@ -306,7 +306,7 @@ const figure::Taken& Taker::find(const std::string& shot, const std::string& arm
     kept_.splice(kept_.begin(), kept_, known);
     return kept_.front();
   }
-  Frame frame{&capture_.shot(shot), &capture_.arm(arm), size_t(step)};
+  CapturedFrame frame{&capture_.shot(shot), &capture_.arm(arm), size_t(step)};
   if (size_t(step) >= frame.shot->steps.size())
     throw Error(fmt::format("shot '{}' has {} steps, but no step {}", shot, frame.shot->steps.size(), step));
   kept_.push_front(readBack(entry(frame)));

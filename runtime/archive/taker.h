@@ -13,7 +13,7 @@
 namespace strobe::archive {
 
 // One picture of a capture.
-struct Frame {
+struct CapturedFrame {
   const CapturedShot* shot = nullptr;
   const CapturedArm* arm = nullptr;
   size_t step = 0;
@@ -23,7 +23,7 @@ struct Frame {
 };
 // Pictures by shot, then by arm, then by step, without shots with a missing scene. `only`: "", or the beginning of
 // names. Throws `Error` (exit code 2) if no name begins so.
-std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only = "");
+std::vector<CapturedFrame> framesOf(const CaptureFile& capture, const std::string& only = "");
 
 class Taker {
  public:
@@ -37,9 +37,9 @@ class Taker {
 
   // Draws a picture and writes its files, unless the folder has the same picture. Returns the picture, without taps, if
   // it was drawn, else null.
-  std::shared_ptr<const lab::Picture> draw(const Frame& frame, const Progress& progress = {});
+  std::shared_ptr<const lab::Picture> draw(const CapturedFrame& frame, const Progress& progress = {});
   // Entry of a picture in a manifest (docs/captures.md). Draws the picture if necessary.
-  Json entry(const Frame& frame);
+  Json entry(const CapturedFrame& frame);
   // True if the picture was requested, directly or by a figure.
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
   // The picture as taken. Valid as stated at `figure::FindTaken`.
@@ -62,8 +62,8 @@ class Taker {
 
   const Place& placeOf(const CapturedArm& arm);
   std::unique_ptr<lab::Drawing> drawingOf(lab::Workbench& bench, lab::Shot& shot);
-  std::string keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const;
-  Json take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const lab::Picture& picture,
+  std::string keyOf(const CapturedFrame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const;
+  Json take(const CapturedFrame& frame, const lab::Shot& shot, lab::Drawing& drawing, const lab::Picture& picture,
             uint64_t runs);
   // True if the inputs still have the content that was recorded.
   bool areCurrent(const Json& inputs);

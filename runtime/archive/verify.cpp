@@ -62,8 +62,8 @@ Path scriptOf(const Home& home, const Manifest& manifest, bool bundle) {
 
 }  // namespace
 
-Verdict verify(const Home& home, const Manifest& manifest, const std::string& device, bool validation,
-               const Path& pictures, const std::function<void(const std::string&)>& report) {
+Verification verify(const Home& home, const Manifest& manifest, const std::string& device, bool validation,
+                    const Path& pictures, const std::function<void(const std::string&)>& report) {
   const Json& capture = manifest.json.at("capture");
   bool bundle = capture.value("bundle", false);
   if (bundle) checkBundle(manifest);
@@ -76,7 +76,7 @@ Verdict verify(const Home& home, const Manifest& manifest, const std::string& de
   order.size = capture.at("size").get<std::array<int, 2>>();
   order.bundle = bundle, order.device = device, order.validation = validation;
   Captured again = runCapture(from, order, report);
-  Verdict verdict;
+  Verification verdict;
   verdict.differences = differencesOf(manifest, again.manifest, pictures);
   verdict.same_device = verdict.differences.sameDevice();
   verdict.most_flip = capture.value("most_flip", 0.0);
@@ -85,7 +85,7 @@ Verdict verify(const Home& home, const Manifest& manifest, const std::string& de
   return verdict;
 }
 
-std::string textOf(const Verdict& verdict) {
+std::string textOf(const Verification& verdict) {
   std::string text = textOf(verdict.differences);
   if (verdict.differences.identical())
     return text + "identical: every output of every pass, every layer, every figure\n";

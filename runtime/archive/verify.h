@@ -6,7 +6,7 @@
 
 namespace strobe::archive {
 
-struct Verdict {
+struct Verification {
   Differences differences;
   bool same_device = true;
   double most_flip = 0;  // largest mean FLIP on another device
@@ -16,9 +16,9 @@ struct Verdict {
 // Takes every picture again, in a temporary folder. The files are from `home`, or from the bundle if the manifest
 // belongs to a bundle. `pictures`: a folder for maps of first differences, or empty. Throws `Error` if the capture's
 // script is missing, if a file of a bundle is missing or was altered (naming the file), and if drawing fails.
-Verdict verify(const Home& home, const Manifest& manifest, const std::string& device, bool validation,
-               const Path& pictures, const std::function<void(const std::string&)>& report = {});
+Verification verify(const Home& home, const Manifest& manifest, const std::string& device, bool validation,
+                    const Path& pictures, const std::function<void(const std::string&)>& report = {});
 
-std::string textOf(const Verdict& verdict);
+std::string textOf(const Verification& verdict);
 
 }  // namespace strobe::archive

@@ -13,7 +13,7 @@ namespace strobe {
 namespace {
 
 // Handles the library's events. Creates an object or a list at its end, with its final size.
-class Builder : public Json::json_sax_t {
+class JsonBuilder : public Json::json_sax_t {
  public:
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -70,7 +70,7 @@ class Builder : public Json::json_sax_t {
 }  // namespace
 
 Json jsonFromText(const std::string& text) {
-  Builder builder;
+  JsonBuilder builder;
   return Json::sax_parse(text, &builder) ? builder.take() : Json(Json::value_t::discarded);
 }
 

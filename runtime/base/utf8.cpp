@@ -20,29 +20,29 @@ std::vector<char32_t> codePoints(std::string_view text) {
 
 namespace {
 
-struct Range {
+struct CodePointRange {
   char32_t first, last;
 };
 
 template <size_t count>
-bool isIn(const std::array<Range, count>& ranges, char32_t point) {
+bool isIn(const std::array<CodePointRange, count>& ranges, char32_t point) {
   return std::any_of(ranges.begin(), ranges.end(),
-                     [&](const Range& range) { return point >= range.first && point <= range.last; });
+                     [&](const CodePointRange& range) { return point >= range.first && point <= range.last; });
 }
 
 // Combining marks, joiners and variation selectors.
-constexpr std::array<Range, 6> kNoColumn = {
+constexpr std::array<CodePointRange, 6> kNoColumn = {
     {{0x300, 0x36f}, {0x200b, 0x200f}, {0x1ab0, 0x1aff}, {0x1dc0, 0x1dff}, {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}}};
 
 // Blocks that Unicode's East Asian Width calls wide.
-constexpr std::array<Range, 8> kTwoColumns = {{{0x1100, 0x115f},
-                                               {0x2e80, 0x303e},
-                                               {0x3041, 0xa4cf},
-                                               {0xac00, 0xd7a3},
-                                               {0xf900, 0xfaff},
-                                               {0xff00, 0xff60},
-                                               {0x1f300, 0x1faff},
-                                               {0x20000, 0x3fffd}}};
+constexpr std::array<CodePointRange, 8> kTwoColumns = {{{0x1100, 0x115f},
+                                                        {0x2e80, 0x303e},
+                                                        {0x3041, 0xa4cf},
+                                                        {0xac00, 0xd7a3},
+                                                        {0xf900, 0xfaff},
+                                                        {0xff00, 0xff60},
+                                                        {0x1f300, 0x1faff},
+                                                        {0x20000, 0x3fffd}}};
 
 }  // namespace
 

@@ -17,23 +17,23 @@ static constexpr uint32_t kEvents =
 // Time between true results if the system cannot watch, seconds.
 static constexpr double kBlindly_s = 0.1;
 
-Watch::Watch() : descriptor_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {}
+FileWatch::FileWatch() : descriptor_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {}
 
-Watch::~Watch() {
+FileWatch::~FileWatch() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 // The system returns the same descriptor for a folder that is watched already, under any of its names.
-void Watch::addOne(const Folder& folder) {
+void FileWatch::addOne(const Folder& folder) {
   int watch = ::inotify_add_watch(descriptor_, folder.path.c_str(), kEvents);
   if (watch < 0) return;
   Folder& held = folders_[watch];
   held = {folder.path, held.deep || folder.deep};
 }
 
-void Watch::addFlat(const Path& folder) { addOne({folder, false}); }
+void FileWatch::addFlat(const Path& folder) { addOne({folder, false}); }
 
-void Watch::addBehind(const Path& link) {
+void FileWatch::addBehind(const Path& link) {
   constexpr int kMostLinks = 40;  // limit of the system
   std::error_code failed;
   Path at = link;
@@ -44,7 +44,7 @@ void Watch::addBehind(const Path& link) {
   }
 }
 
-void Watch::add(const Path& folder) {
+void FileWatch::add(const Path& folder) {
   std::error_code ignored;
   if (descriptor_ < 0 || !fs::is_directory(folder, ignored)) return;
   addOne({folder, true});
@@ -61,7 +61,7 @@ static bool isLink(const Path& file) {
   return fs::is_symlink(file, ignored) || fs::hard_link_count(file, ignored) > 1;
 }
 
-bool Watch::changed() {
+bool FileWatch::changed() {
   if (descriptor_ < 0) {
     if (clockSeconds() < look_again_s_) return false;
     look_again_s_ = clockSeconds() + kBlindly_s;

@@ -10,12 +10,12 @@ namespace strobe {
 
 // Reports files that were written and closed, renamed, linked, or removed, but not files that are still being written.
 // Watches new folders too. If the system cannot watch, `changed` is true ten times a second.
-class Watch {
+class FileWatch {
  public:
-  Watch();
-  ~Watch();
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
+  FileWatch();
+  ~FileWatch();
+  FileWatch(const FileWatch&) = delete;
+  FileWatch& operator=(const FileWatch&) = delete;
 
   // Watches `folder`, all folders below it, and the targets of links in them. Ignores a missing folder.
   void add(const Path& folder);

@@ -27,7 +27,7 @@ int directionOf(const Estimate& ratio, double share) {
 }
 
 // Names of the parts in both shots, the frame ("") first. Adds the other parts to the lists of the comparison.
-std::vector<std::string> namesOf(const ShotTimes& now, const ShotTimes& before, Comparison& comparison) {
+std::vector<std::string> namesOf(const ShotTimes& now, const ShotTimes& before, TimeComparison& comparison) {
   const std::vector<PassTimes> present = now.parts(), earlier = before.parts();
   auto lists = [](const std::vector<PassTimes>& parts, const std::string& name) {
     return std::any_of(parts.begin(), parts.end(), [&](const PassTimes& part) { return part.name == name; });
@@ -44,14 +44,14 @@ std::vector<std::string> namesOf(const ShotTimes& now, const ShotTimes& before, 
 // Medians and ratios of a part of a shot.
 using ChangeOf = std::function<Change(size_t shot, const std::string& part)>;
 
-void addChanges(Comparison& comparison, const Run& now, const Run& before, const ChangeOf& change_of) {
+void addChanges(TimeComparison& comparison, const Run& now, const Run& before, const ChangeOf& change_of) {
   for (size_t s = 0; s < now.shots.size(); ++s)
     for (const std::string& part : namesOf(now.shots[s], before.shots[s], comparison)) {
       Change change = change_of(s, part);
       change.shot = &now.shots[s], change.pass = part;
       change.is_base = part.empty() && &now.baseOf(now.shots[s]) == &now.shots[s];
       int direction = directionOf(change.ratio, comparison.share);
-      bool can_tell = comparison.kind != Comparison::Kind::base || !change.is_base;
+      bool can_tell = comparison.kind != TimeComparison::Kind::base || !change.is_base;
       change.moved = can_tell && direction != 0 && direction == directionOf(change.ms_ratio, comparison.share);
       comparison.changes.push_back(std::move(change));
     }
@@ -106,26 +106,26 @@ Change changeOfBlocks(const std::vector<Run>& now, const std::vector<Run>& befor
 
 }  // namespace
 
-size_t Comparison::moved() const {
+size_t TimeComparison::moved() const {
   return size_t(std::count_if(changes.begin(), changes.end(), [](const Change& change) { return change.moved; }));
 }
 
-Comparison compared(const Run& now, const Run& before, double share) {
-  Comparison comparison;
+TimeComparison compared(const Run& now, const Run& before, double share) {
+  TimeComparison comparison;
   comparison.share = share;
   comparison.differ = differencesOf(now, before);
   bool same_device = now.device == before.device && now.driver == before.driver && !now.software;
-  comparison.kind = same_device ? Comparison::Kind::milliseconds : Comparison::Kind::base;
+  comparison.kind = same_device ? TimeComparison::Kind::milliseconds : TimeComparison::Kind::base;
   addChanges(comparison, now, before,
              [&](size_t shot, const std::string& part) { return changeOfRuns(now, before, shot, part, !same_device); });
   return comparison;
 }
 
-Comparison compared(const std::vector<Run>& now, const std::vector<Run>& before, double share) {
+TimeComparison compared(const std::vector<Run>& now, const std::vector<Run>& before, double share) {
   STROBE_ASSERT(!now.empty() && now.size() == before.size(), "{} and {}", now.size(), before.size());
-  Comparison comparison;
+  TimeComparison comparison;
   comparison.share = share;
-  comparison.kind = Comparison::Kind::blocks;
+  comparison.kind = TimeComparison::Kind::blocks;
   comparison.blocks = now.size();
   comparison.differ = differencesOf(now.front(), before.front());
   addChanges(comparison, now.front(), before.front(),
@@ -152,7 +152,7 @@ static Json toJson(const Change& change) {
           {"moved", change.moved}};
 }
 
-Json toJson(const Comparison& comparison) {
+Json toJson(const TimeComparison& comparison) {
   static const char* const kKinds[] = {"relative to the base", "milliseconds", "alternating blocks"};
   Json json = {{"against", comparison.against}, {"compared", kKinds[int(comparison.kind)]},
                {"share", comparison.share},     {"blocks", comparison.blocks},

@@ -27,7 +27,7 @@ struct Change {
   bool moved = false;
 };
 
-struct Comparison {
+struct TimeComparison {
   enum class Kind { base, milliseconds, blocks };  // basis of the ratios, see above
   Kind kind = Kind::base;
   std::string against;              // file or program
@@ -42,11 +42,11 @@ struct Comparison {
 };
 
 // The runs have the same shots (requireSameShots). `now` must outlive the result.
-Comparison compared(const Run& now, const Run& before, double share);
+TimeComparison compared(const Run& now, const Run& before, double share);
 
 // Comparison of alternating runs, one pair per block. `now` must outlive the result.
-Comparison compared(const std::vector<Run>& now, const std::vector<Run>& before, double share);
+TimeComparison compared(const std::vector<Run>& now, const std::vector<Run>& before, double share);
 
-Json toJson(const Comparison& comparison);
+Json toJson(const TimeComparison& comparison);
 
 }  // namespace strobe::bench

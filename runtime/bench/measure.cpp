@@ -46,7 +46,7 @@ lab::Shot shotOf(const Subject& subject, const std::string& scene, const std::ar
 }
 
 // Shots with all options filled in, and their run without times.
-struct Prepared {
+struct PreparedRun {
   std::vector<lab::Shot> shots;
   Run run;
 };
@@ -60,10 +60,10 @@ void requirePlan(lab::Batch& batch, const lab::Shot& shot, const std::string& me
   }
 }
 
-Prepared prepared(lab::Batch& batch, const std::vector<NamedShot>& shots) {
+PreparedRun prepared(lab::Batch& batch, const std::vector<NamedShot>& shots) {
   lab::Workbench& bench = batch.bench();
   const gpu::DeviceInfo& device = bench.device().info();
-  Prepared result;
+  PreparedRun result;
   result.run = {"", kVersion, lab::programHash(), device.name, device.driver};
   result.run.backend = shader::backendName(bench.chooseBackend(shots.front().shot.backend));
   result.run.software = device.software;
@@ -118,7 +118,7 @@ Run outlineOf(lab::Workbench& bench, const std::vector<NamedShot>& shots) {
 
 Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const lab::Rounds& rounds) {
   lab::Batch batch(bench);
-  Prepared of = prepared(batch, shots);
+  PreparedRun of = prepared(batch, shots);
   // Keep every graph: a new graph would allocate its memory again in each round.
   batch.kept_graphs = of.shots.size();
   batch.kept_image_bytes = std::numeric_limits<size_t>::max();

@@ -13,8 +13,8 @@ namespace strobe::bench {
 
 namespace {
 
-using page::Cell;
 using page::shownShare;
+using page::TableCell;
 
 // ---- numbers
 
@@ -23,9 +23,9 @@ std::string shownRatio(double ratio) {
   return ratio < 10 ? fmt::format("{:.3f}", ratio) : fmt::format("{:.1f}", ratio);
 }
 
-Cell shareCell(uint64_t part, uint64_t whole) {
+TableCell shareCell(uint64_t part, uint64_t whole) {
   double share = whole > 0 && part > 0 ? double(part) / double(whole) : std::nan("");
-  return Cell(share, shownShare(share));
+  return TableCell(share, shownShare(share));
 }
 
 // ---- places
@@ -58,13 +58,13 @@ page::Table timesTable(const Run& run, const std::vector<const ShotTimes*>& shot
   for (const ShotTimes* shot : shots) {
     Estimate ms = estimatedMedian(shot->ms), ratio = ratioToBase(run, *shot);
     bool is_base = shot == shots.front();
-    std::vector<Cell> row = {shot->method, timeCell(ms.value), shownRange(ms, shownTime)};
+    std::vector<TableCell> row = {shot->method, timeCell(ms.value), shownRange(ms, shownTime)};
     if (has_intervals) {
       const double interval_ms = median(shot->interval_ms);
       row.push_back(timeCell(interval_ms));
-      row.push_back(Cell(1000 / interval_ms, fmt::format("{:.1f}", 1000 / interval_ms)));
+      row.push_back(TableCell(1000 / interval_ms, fmt::format("{:.1f}", 1000 / interval_ms)));
     }
-    row.push_back(Cell(ratio.value, is_base ? "1" : shownRatio(ratio.value)));
+    row.push_back(TableCell(ratio.value, is_base ? "1" : shownRatio(ratio.value)));
     row.push_back(is_base ? "base" : shownRange(ratio, shownRatio));
     row.push_back(bytesCell(bytesOf(shot->passes)));
     row.push_back(countCell(raysOf(shot->passes)));
@@ -89,7 +89,7 @@ page::Table passTable(const ShotTimes& shot) {
     Estimate ms = estimatedMedian(pass.ms);
     std::string times = pass.executions > 1 ? fmt::format(", {} times", pass.executions) : "";
     table.add({pass.name + times, timeCell(ms.value), shownRange(ms, shownTime),
-               Cell(ms.value / frame_ms, shownShare(ms.value / frame_ms)), bytesCell(pass.bytes_read),
+               TableCell(ms.value / frame_ms, shownShare(ms.value / frame_ms)), bytesCell(pass.bytes_read),
                bytesCell(pass.bytes_written), shareCell(pass.bytes(), bytesOf(shot.passes)), countCell(pass.rays),
                shareCell(pass.rays, raysOf(shot.passes))});
   }
@@ -118,8 +118,8 @@ page::Waterfall waterfallOf(const ShotTimes& shot) {
 
 // ---- the comparison
 
-std::string basisOf(const Comparison& comparison) {
-  using Kind = Comparison::Kind;
+std::string basisOf(const TimeComparison& comparison) {
+  using Kind = TimeComparison::Kind;
   std::string moved = fmt::format(
       "A time counts as moved if its ratio differs from 1 by more than {} and the 95 % interval excludes 1. Intervals "
       "are not corrected for multiple comparisons, so a few of a hundred exclude 1 by chance.",
@@ -148,16 +148,18 @@ std::string verdictOf(const Change& change) {
 }
 
 void addChange(page::Table& table, const Change& change, bool names_shot) {
-  page::Mark mark = !change.moved ? page::Mark::none : change.ratio.value > 1 ? page::Mark::bad : page::Mark::best;
+  page::Emphasis mark = !change.moved            ? page::Emphasis::none
+                        : change.ratio.value > 1 ? page::Emphasis::bad
+                                                 : page::Emphasis::best;
   std::string frame = change.is_base ? "frame of the base" : "frame";
   table.add({names_shot ? change.shot->name() : "", change.pass.empty() ? frame : change.pass,
              timeCell(change.before_ms), timeCell(change.now_ms),
-             Cell(change.ratio.value, shownRatio(change.ratio.value), mark),
-             Cell(shownRange(change.ratio, shownRatio), mark), Cell(verdictOf(change), mark)});
+             TableCell(change.ratio.value, shownRatio(change.ratio.value), mark),
+             TableCell(shownRange(change.ratio, shownRatio), mark), TableCell(verdictOf(change), mark)});
 }
 
 // Frames and moved passes, or all.
-page::Table changesTable(const Comparison& comparison, bool all) {
+page::Table changesTable(const TimeComparison& comparison, bool all) {
   page::Table table;
   table.columns = {"shot", "pass", {"before", true}, {"now", true}, {"ratio", true}, {"95 % interval", true}, "moved"};
   for (const Change& change : comparison.changes)
@@ -165,7 +167,7 @@ page::Table changesTable(const Comparison& comparison, bool all) {
   return table;
 }
 
-std::string summaryOf(const Comparison& comparison) {
+std::string summaryOf(const TimeComparison& comparison) {
   size_t moved = comparison.moved(), all = comparison.changes.size();
   std::string text = moved ? fmt::format("{} of {} frames and passes moved.", moved, all)
                            : fmt::format("None of {} frames and passes moved.", all);
@@ -182,7 +184,7 @@ std::string summaryOf(const Comparison& comparison) {
 
 page::Block paragraph(const std::string& text, page::Paragraph::Kind kind) { return page::Paragraph{text, kind}; }
 
-void addComparison(std::vector<page::Block>& blocks, const Comparison& comparison) {
+void addComparison(std::vector<page::Block>& blocks, const TimeComparison& comparison) {
   blocks.push_back(page::Heading{"Against " + comparison.against, 2, "against"});
   blocks.push_back(paragraph(summaryOf(comparison), page::Paragraph::Kind::finding));
   blocks.push_back(paragraph(basisOf(comparison), page::Paragraph::Kind::soft));
@@ -207,7 +209,7 @@ void addPlace(std::vector<page::Block>& blocks, const Run& run, const std::vecto
 
 }  // namespace
 
-std::string textOf(const Run& run, const Comparison* comparison) {
+std::string textOf(const Run& run, const TimeComparison* comparison) {
   std::string text;
   for (const auto& shots : placesOf(run))
     text += fmt::format("{}\n{}\n", shots.front()->place(), page::textOf(timesTable(run, shots)));
@@ -218,7 +220,7 @@ std::string textOf(const Run& run, const Comparison* comparison) {
                             basisOf(*comparison));
 }
 
-page::Page pageOf(const Run& run, const Comparison* comparison) {
+page::Page pageOf(const Run& run, const TimeComparison* comparison) {
   page::Page page;
   page.title = "Frame times";
   page.note = fmt::format("{}. {} {}", roundsOf(run), cautionOf(run), kWorkNote);

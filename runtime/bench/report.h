@@ -9,11 +9,11 @@ namespace strobe::bench {
 
 // Methods of each scene and size with medians, intervals and ratios; the device, and the limits of the measurement;
 // frames and moved passes of the comparison (may be null).
-std::string textOf(const Run& run, const Comparison* comparison);
+std::string textOf(const Run& run, const TimeComparison* comparison);
 
 // Self-contained page: the same tables, the whole comparison, and for each method a waterfall and a table of its
 // passes.
-page::Page pageOf(const Run& run, const Comparison* comparison);
+page::Page pageOf(const Run& run, const TimeComparison* comparison);
 
 // The run for trace viewers (Perfetto, chrome://tracing): Chrome's trace event format, JSON object form, microseconds.
 // One process per shot, with a complete event ("X") for the frame of the typical round. Below the frame, one event per

@@ -15,26 +15,27 @@ constexpr std::array kGrowths = {"constant", "linear", "logarithmic"};
 constexpr std::array kVerdicts = {"", "holds", "fails"};
 
 // Most specific expectation: for the part itself, else for every pass.
-std::optional<Expected> expectedOf(const AxisRun& axis, const std::string& method, const std::string& part) {
+std::optional<ExpectedGrowth> expectedOf(const AxisRun& axis, const std::string& method, const std::string& part) {
   auto find = [&](const std::string& name) {
-    return std::find_if(axis.expected.begin(), axis.expected.end(), [&](const Expected& one) {
+    return std::find_if(axis.expected.begin(), axis.expected.end(), [&](const ExpectedGrowth& one) {
       return one.part == name && (one.method.empty() || one.method == method);
     });
   };
   auto found = find(part);
   bool is_pass = part != kFrame && part != kRest;
   if (found == axis.expected.end() && is_pass) found = find(kEveryPass);
-  return found == axis.expected.end() ? std::nullopt : std::optional<Expected>(*found);
+  return found == axis.expected.end() ? std::nullopt : std::optional<ExpectedGrowth>(*found);
 }
 
-Verdict verdictOf(const Fit& fit) {
-  if (!fit.expected || std::isnan(fit.line.slope.low)) return Verdict::unknown;
+GrowthVerdict verdictOf(const Fit& fit) {
+  if (!fit.expected || std::isnan(fit.line.slope.low)) return GrowthVerdict::unknown;
   const Estimate& slope = fit.line.slope;
   if (fit.expected->growth != Growth::constant)
-    return slope.low > 0 && fit.line.r2 >= kLeastR2 ? Verdict::holds : Verdict::fails;
+    return slope.low > 0 && fit.line.r2 >= kLeastR2 ? GrowthVerdict::holds : GrowthVerdict::fails;
   auto [least, most] = std::minmax_element(fit.x.begin(), fit.x.end());
   double allowed_ms = kConstantShare * fit.line.at(mean(fit.x)), length = *most - *least;
-  return slope.low * length <= allowed_ms && slope.high * length >= -allowed_ms ? Verdict::holds : Verdict::fails;
+  return slope.low * length <= allowed_ms && slope.high * length >= -allowed_ms ? GrowthVerdict::holds
+                                                                                : GrowthVerdict::fails;
 }
 
 double fittedOver(double x, bool logarithmic) { return logarithmic ? std::log2(std::max(x, 1.0)) : x; }
@@ -104,7 +105,7 @@ Json toJson(const Fit& fit) {
 }  // namespace
 
 const char* nameOf(Growth growth) { return kGrowths[size_t(growth)]; }
-const char* nameOf(Verdict verdict) { return kVerdicts[size_t(verdict)]; }
+const char* nameOf(GrowthVerdict verdict) { return kVerdicts[size_t(verdict)]; }
 
 Growth growthNamed(const std::string& name) {
   auto found = std::find(kGrowths.begin(), kGrowths.end(), name);
@@ -128,7 +129,7 @@ std::vector<Fit> fitsOf(const AxisRun& axis) {
 }
 
 void requireKnownParts(const AxisRun& axis, const std::vector<Fit>& fits) {
-  for (const Expected& expected : axis.expected) {
+  for (const ExpectedGrowth& expected : axis.expected) {
     bool is_met = std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) {
       bool of_method = expected.method.empty() || expected.method == fit.method;
       return of_method && (expected.part == kEveryPass || expected.part == fit.part);

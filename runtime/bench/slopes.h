@@ -19,7 +19,7 @@ inline constexpr const char* kFrame = "frame";       // part name of the whole f
 inline constexpr const char* kEveryPass = "passes";  // in an expectation: each pass without an expectation of its own
 
 // Expected growth of the time of a part of a frame.
-struct Expected {
+struct ExpectedGrowth {
   std::string part, method;  // method "": every method
   Growth growth = Growth::linear;
   std::string why;
@@ -30,7 +30,7 @@ struct AxisRun {
   std::string name, title, unit;
   Run run;
   std::vector<double> x;  // for each shot of the run: amount of the varied quantity, at least 0
-  std::vector<Expected> expected;
+  std::vector<ExpectedGrowth> expected;
 };
 
 // Largest change of a constant time along an axis, as a share of its mean; smallest R2 of a growing time.
@@ -38,8 +38,8 @@ inline constexpr double kConstantShare = 0.1, kLeastR2 = 0.9;
 
 // Outcome of an expectation. Constant time: the 95 % interval of the change along the axis overlaps +- kConstantShare
 // of the mean time. Growing time: the interval of the slope is above 0, and R2 is at least kLeastR2.
-enum class Verdict { unknown, holds, fails };  // unknown: no expectation, or fewer than three points
-const char* nameOf(Verdict verdict);
+enum class GrowthVerdict { unknown, holds, fails };  // unknown: no expectation, or fewer than three points
+const char* nameOf(GrowthVerdict verdict);
 
 // Line of a part of a method's frames: medians of the rounds over x, or over log2(x) if logarithmic growth is expected.
 struct Fit {
@@ -47,8 +47,8 @@ struct Fit {
   std::vector<double> x;
   std::vector<Estimate> ms;
   Line line;
-  std::optional<Expected> expected;
-  Verdict verdict = Verdict::unknown;
+  std::optional<ExpectedGrowth> expected;
+  GrowthVerdict verdict = GrowthVerdict::unknown;
 
   bool isLogarithmic() const { return expected && expected->growth == Growth::logarithmic; }
   double at(double x) const;  // milliseconds of the line

@@ -12,7 +12,7 @@ namespace strobe::bench {
 
 namespace {
 
-using page::Cell;
+using page::TableCell;
 
 // ---- numbers
 
@@ -31,24 +31,24 @@ std::string unitOf(const AxisRun& axis) { return axis.unit.empty() ? axis.name :
 
 // ---- slopes
 
-Cell outcomeOf(const Fit& fit) {
-  if (fit.verdict == Verdict::unknown) return fit.expected ? "too few values" : "";
-  return {nameOf(fit.verdict), fit.verdict == Verdict::fails ? page::Mark::bad : page::Mark::none};
+TableCell outcomeOf(const Fit& fit) {
+  if (fit.verdict == GrowthVerdict::unknown) return fit.expected ? "too few values" : "";
+  return {nameOf(fit.verdict), fit.verdict == GrowthVerdict::fails ? page::Emphasis::bad : page::Emphasis::none};
 }
 
 void addFit(page::Table& table, const Fit& fit, bool names_method) {
   const Line& line = fit.line;
   std::string per = fit.isLogarithmic() ? " per doubling" : "", at = fit.isLogarithmic() ? " at 1" : "";
-  table.add({names_method ? fit.method : "", fit.part, Cell(line.slope.value, shownAny(line.slope.value) + per),
-             shownRange(line.slope, shownAny), Cell(line.intercept, shownAny(line.intercept) + at),
-             Cell(line.r2, shownR2(line.r2)), fit.expected ? nameOf(fit.expected->growth) : "", outcomeOf(fit),
+  table.add({names_method ? fit.method : "", fit.part, TableCell(line.slope.value, shownAny(line.slope.value) + per),
+             shownRange(line.slope, shownAny), TableCell(line.intercept, shownAny(line.intercept) + at),
+             TableCell(line.r2, shownR2(line.r2)), fit.expected ? nameOf(fit.expected->growth) : "", outcomeOf(fit),
              fit.expected ? fit.expected->why : ""});
 }
 
 // True for frames, for expectations by name, and for failed expectations.
 bool isShort(const Fit& fit) {
   bool is_named = fit.expected && fit.expected->part == fit.part;
-  return fit.part == kFrame || is_named || fit.verdict == Verdict::fails;
+  return fit.part == kFrame || is_named || fit.verdict == GrowthVerdict::fails;
 }
 
 page::Table slopeTable(const AxisRun& axis, const std::vector<Fit>& fits, bool all) {
@@ -111,8 +111,8 @@ std::string summaryOf(const Slopes& slopes) {
   for (const std::vector<Fit>& fits : slopes.fits)
     for (const Fit& fit : fits) {
       expected += fit.expected.has_value();
-      holds += fit.verdict == Verdict::holds;
-      fails += fit.verdict == Verdict::fails;
+      holds += fit.verdict == GrowthVerdict::holds;
+      fails += fit.verdict == GrowthVerdict::fails;
     }
   return fmt::format("{} expectations: {} hold and {} fail.", expected, holds, fails);
 }
@@ -136,7 +136,7 @@ page::Table demandTable(const Slopes& slopes) {
     const double ms = demand.leastMs(slopes.gpu);
     table.add({demand.scene, demand.method, fmt::format("{}x{}", demand.width, demand.height),
                bytesCell(bytesOf(demand.passes)), countCell(raysOf(demand.passes)), timeCell(ms),
-               Cell(1000 / ms, shownFps(1000 / ms)), shownFps(demand.published_fps), demand.published_by});
+               TableCell(1000 / ms, shownFps(1000 / ms)), shownFps(demand.published_fps), demand.published_by});
   }
   return page::withoutEmptyColumns(std::move(table));
 }

@@ -16,16 +16,16 @@ std::string shownRange(const Estimate& estimate, std::string (*shown)(double)) {
   return shown(estimate.low) + " to " + shown(estimate.high);
 }
 
-page::Cell timeCell(double ms) { return {ms, shownTime(ms)}; }
+page::TableCell timeCell(double ms) { return {ms, shownTime(ms)}; }
 
-page::Cell bytesCell(uint64_t bytes) {
+page::TableCell bytesCell(uint64_t bytes) {
   constexpr double kKilo = 1e3, kMega = 1e6;
   const double count = double(bytes);
   if (bytes == 0) return {count, page::kNotMeasured};
   return {count, count < kMega ? fmt::format("{:.1f} kB", count / kKilo) : fmt::format("{:.1f} MB", count / kMega)};
 }
 
-page::Cell countCell(uint64_t count) {
+page::TableCell countCell(uint64_t count) {
   return {double(count), count == 0 ? page::kNotMeasured : std::to_string(count)};
 }
 

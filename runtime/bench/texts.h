@@ -11,10 +11,10 @@ namespace strobe::bench {
 std::string shownTime(double ms);
 // "LOW to HIGH"; kNotMeasured without an interval.
 std::string shownRange(const Estimate& estimate, std::string (*shown)(double));
-page::Cell timeCell(double ms);
+page::TableCell timeCell(double ms);
 // kNotMeasured for 0.
-page::Cell bytesCell(uint64_t bytes);
-page::Cell countCell(uint64_t count);
+page::TableCell bytesCell(uint64_t bytes);
+page::TableCell countCell(uint64_t count);
 
 std::string roundsOf(const Run& run);
 // Device, driver, backend, threads and driver environment.

@@ -21,7 +21,7 @@ std::string written(double value, const CaptionPart& part, const std::string& ot
   return otherwise;
 }
 
-struct Measure {
+struct CaptionMeasure {
   const char* name;
   double (*of)(const Image& color, const Image& truth, const Image& mask);
   std::string (*written)(double value);
@@ -31,7 +31,7 @@ std::string decibels(double value) { return fmt::format("{:.2f} dB", value); }
 std::string similarity(double value) { return fmt::format("{:.4f}", value); }
 
 // The same measures as in experiments (study/measures.h).
-constexpr Measure kMeasures[] = {
+constexpr CaptionMeasure kMeasures[] = {
     {"rmse", image::rootMeanSquaredError, page::shownError},
     {"mse", image::meanSquaredError, page::shownError},
     {"relmse", image::relativeMse, page::shownError},
@@ -62,7 +62,7 @@ std::string measured(const CaptionPart& part, const Taken& taken, const Taken* t
     double value = lab::displacementOf(*truth->picture);
     return written(value, part, fmt::format("{:.1f} px", value));
   }
-  for (const Measure& measure : kMeasures) {
+  for (const CaptionMeasure& measure : kMeasures) {
     if (part.measure != measure.name) continue;
     Image color = colorOf(taken), reference = colorOf(*truth);
     if (!image::sameSize(color, reference))

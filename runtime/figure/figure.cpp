@@ -9,7 +9,7 @@ Layout layoutOf(const FigureData& figure, const FindTaken& find, const std::stri
                 Captions captions) {
   Problems problems;
   std::vector<Block> blocks;
-  for (const Cell& cell : figure.cells) blocks.push_back(blockOf(figure, cell, find, truth_arm, step, problems));
+  for (const FigureCell& cell : figure.cells) blocks.push_back(blockOf(figure, cell, find, truth_arm, step, problems));
   problems.throwIfAny();
   return Layout(figure, std::move(blocks), captions);
 }

@@ -40,7 +40,7 @@ void take(const Json& from, const char* name, Value& into, More&&... more) {
   if constexpr (sizeof...(more) > 0) take(from, more...);
 }
 
-void takeCommon(const Json& json, Mark& mark) {
+void takeCommon(const Json& json, FigureMark& mark) {
   take(json, "color", mark.colour, "width", mark.width, "text", mark.text);
   mark.place = placeOf(json, {});
 }
@@ -51,8 +51,8 @@ void takeOwn(const Json& json, Arrow& arrow) {
 void takeOwn(const Json& json, Circle& circle) {
   take(json, "on", circle.at.node, "at", circle.at.pixel, "radius", circle.radius);
 }
-void takeOwn(const Json& json, Box& box) { box.area = areaOf(json.at("area")); }
-void takeOwn(const Json& json, Range& range) {
+void takeOwn(const Json& json, BoxMark& box) { box.area = areaOf(json.at("area")); }
+void takeOwn(const Json& json, RangeMark& range) {
   range.at = pointOf(json.at("at"));
   take(json, "anchor", range.anchor, "along", range.along, "samples", range.samples, "displacement",
        range.displacement);
@@ -98,8 +98,8 @@ std::vector<CaptionPart> partsOf(const Json& json, const char* name) {
   return parts;
 }
 
-Cell cellOf(const Json& json, const Place& otherwise) {
-  Cell cell;
+FigureCell cellOf(const Json& json, const Place& otherwise) {
+  FigureCell cell;
   cell.place = placeOf(json, otherwise);
   cell.row = json.at("row").get<int>() - 1, cell.column = json.at("column").get<int>() - 1;
   take(json, "shot", cell.shot, "arm", cell.arm, "step", cell.step, "view", cell.view, "kind", cell.kind, "low",

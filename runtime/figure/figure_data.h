@@ -29,40 +29,40 @@ struct Area {
   std::string region;
 };
 
-struct Mark {
+struct FigureMark {
   Place place;
   Colour colour = {1.0f, 0.824f, 0.118f};
   double width = 3;  // of lines, pixels of the figure
   std::string text;
 };
-struct Arrow : Mark {
+struct Arrow : FigureMark {
   Spot to;
   std::optional<dvec2> from, by;  // position of the other end; offset of the other end from the tip
 };
-struct Circle : Mark {
+struct Circle : FigureMark {
   Spot at;
   double radius = 0;
 };
-struct Box : Mark {
+struct BoxMark : FigureMark {
   Area area;
 };
 // Sample range of a filter for a pixel, along the displacement of an image at the pixel.
-struct Range : Mark {
+struct RangeMark : FigureMark {
   dvec2 at = dvec2(0);
   std::string anchor;  // "" for the shot's anchor
   std::string along = "velocity";
   int samples = 0;
   bool displacement = false;
 };
-struct Words : Mark {
+struct Words : FigureMark {
   dvec2 at = dvec2(0);
 };
 
 struct Marks {
   std::vector<Arrow> arrows;
-  std::vector<Box> boxes;
+  std::vector<BoxMark> boxes;
   std::vector<Circle> circles;
-  std::vector<Range> ranges;
+  std::vector<RangeMark> ranges;
   std::vector<Words> texts;
 };
 
@@ -83,7 +83,7 @@ struct CaptionPart {
   char style = 0;
 };
 
-struct Cell {
+struct FigureCell {
   Place place;
   int row = 0, column = 0;  // from 0
   std::string shot, arm;
@@ -103,7 +103,7 @@ struct Cell {
 };
 
 // Text above a row. The note is filled in as a caption of the row's first cell.
-struct Heading {
+struct RowHeading {
   std::string title;
   std::vector<CaptionPart> note;
 
@@ -114,8 +114,8 @@ struct FigureData {
   std::string name, title, note;
   Place place;
   std::vector<std::string> rows, columns;  // labels; "" for no label
-  std::vector<Heading> headings;           // headings of the rows
-  std::vector<Cell> cells;
+  std::vector<RowHeading> headings;        // headings of the rows
+  std::vector<FigureCell> cells;
   bool letters = false, attribution = true;
   double gap = 6, margin = 12, border = 0, text_size = 13;  // pixels at the capture's own size
   double width_mm = 0;                                      // width of the page; 0 for 96 pixels per inch

@@ -95,7 +95,7 @@ class Frames {
 // Frame rate of the film, or of the first shot in the film.
 double fpsOf(const FigureData& film, const FindTaken& find) {
   if (film.fps > 0) return film.fps;
-  const Cell& cell = film.cells.at(0);
+  const FigureCell& cell = film.cells.at(0);
   const Taken& taken = find(cell.shot, cell.arm, cell.step.value_or(0));
   const Json& record = taken.picture->record;
   double fps = record.contains("shot") ? record["shot"].value("fps", 0.0) : 0.0;

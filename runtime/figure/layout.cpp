@@ -226,7 +226,7 @@ void Layout::placeRowLabel(size_t row, int x, int y) {
 // Returns the y coordinate where the row begins.
 int Layout::placeHeading(size_t row, int x, int y, int width) {
   if (row >= figure_.headings.size() || figure_.headings[row].empty()) return y;
-  const Heading& heading = figure_.headings[row];
+  const RowHeading& heading = figure_.headings[row];
   std::string note;
   for (const CaptionPart& part : heading.note) note += part.text;  // for a row without cells
   for (const Block& block : blocks_)
@@ -293,25 +293,25 @@ void Layout::drawPanel(Canvas& canvas, const Placed& placed) const {
   canvas.picture(placed.panel->display, area.x, area.y);
   canvas.clip(area);
   dvec2 origin(area.x, area.y);
-  for (const Shape& shape : placed.panel->shapes) {
+  for (const FigureShape& shape : placed.panel->shapes) {
     dvec2 from = origin + shape.from, to = origin + shape.to;
     switch (shape.kind) {
-      case Shape::Kind::arrow:
+      case FigureShape::Kind::arrow:
         canvas.arrow(from, to, shape.width, shape.colour);
         break;
-      case Shape::Kind::line:
+      case FigureShape::Kind::line:
         canvas.line(from, to, shape.width, shape.colour);
         break;
-      case Shape::Kind::ring:
+      case FigureShape::Kind::ring:
         canvas.ring(to, shape.radius, shape.width, shape.colour);
         break;
-      case Shape::Kind::disc:
+      case FigureShape::Kind::disc:
         canvas.disc(to, shape.radius, shape.colour);
         break;
-      case Shape::Kind::words:
+      case FigureShape::Kind::words:
         drawPlate(canvas, area, to, shape.text, kCaption * text_, shape.colour);
         break;
-      case Shape::Kind::box: {
+      case FigureShape::Kind::box: {
         Rectangle box = {int(std::lround(from.x)), int(std::lround(from.y)), 0, 0};
         box.width = std::max(3, int(std::lround(to.x)) - box.x),
         box.height = std::max(3, int(std::lround(to.y)) - box.y);

@@ -7,7 +7,7 @@ namespace strobe::figure {
 
 namespace {
 
-using ShapeKind = Shape::Kind;
+using ShapeKind = FigureShape::Kind;
 
 class Drawer {
  public:
@@ -36,7 +36,7 @@ class Drawer {
     if (!circle.text.empty()) words(circle, lens_.inFigure(*at) + dvec2(0, shapes_.back().radius + 12 * size_));
   }
 
-  void draw(const Box& box) {
+  void draw(const BoxMark& box) {
     dvec2 corner(box.area.x, box.area.y), far = corner + dvec2(box.area.width, box.area.height);
     dvec2 middle = lens_.corner(0.5 * (corner + far));
     if (!lens_.shows(middle)) return problem(box, "a box has its middle");
@@ -49,7 +49,7 @@ class Drawer {
 
   // X - d t over the times t of the exposure: raster-time position of the point that is at X at time t
   // (shaders/lib/blur.glsl).
-  void draw(const Range& range) {
+  void draw(const RangeMark& range) {
     dvec2 at = lens_.centre(range.at);
     if (!lens_.shows(at)) return problem(range, "a range is placed");
     std::optional<dvec2> found = displacementAt(range, at);
@@ -91,26 +91,26 @@ class Drawer {
     words(text, lens_.inFigure(at));
   }
 
-  std::vector<Shape> finished() { return std::move(shapes_); }
+  std::vector<FigureShape> finished() { return std::move(shapes_); }
 
  private:
-  Shape& add(ShapeKind kind, const Mark& mark) {
-    Shape& shape = shapes_.emplace_back();
+  FigureShape& add(ShapeKind kind, const FigureMark& mark) {
+    FigureShape& shape = shapes_.emplace_back();
     shape.kind = kind, shape.colour = mark.colour, shape.width = mark.width * size_;
     if (kind == ShapeKind::words) shape.text = mark.text;
     return shape;
   }
-  void words(const Mark& mark, dvec2 centre) { add(ShapeKind::words, mark).to = centre; }
-  void stroke(const Mark& mark, dvec2 from, dvec2 to) {
+  void words(const FigureMark& mark, dvec2 centre) { add(ShapeKind::words, mark).to = centre; }
+  void stroke(const FigureMark& mark, dvec2 from, dvec2 to) {
     add(ShapeKind::line, mark).from = from;
     shapes_.back().to = to;
   }
-  void problem(const Mark& mark, const std::string& what) {
+  void problem(const FigureMark& mark, const std::string& what) {
     problems_.add(mark.place, what + " outside the visible part of its cell");
   }
 
   // Position in the picture, pixels. Empty for a node that is not visible.
-  std::optional<dvec2> placed(const Spot& spot, const Mark& mark, const std::string& what) {
+  std::optional<dvec2> placed(const Spot& spot, const FigureMark& mark, const std::string& what) {
     if (spot.node.empty()) {
       dvec2 at = lens_.centre(spot.pixel);
       if (lens_.shows(at)) return at;
@@ -133,7 +133,7 @@ class Drawer {
   }
 
   // Displacement over the exposure at a position in the picture, pixels, from the image that the range follows.
-  std::optional<dvec2> displacementAt(const Range& range, dvec2 at) {
+  std::optional<dvec2> displacementAt(const RangeMark& range, dvec2 at) {
     const graph::ReadImage* read = findImage(taken_, range.along, range.place, problems_);
     if (!read) return {};
     if (read->floats.empty() || read->floats.channels < 2) {
@@ -149,7 +149,7 @@ class Drawer {
   }
 
   // Start and end of the exposure relative to the raster time, in exposures.
-  std::optional<dvec2> windowOf(const Range& range) {
+  std::optional<dvec2> windowOf(const RangeMark& range) {
     const Json& record = taken_.picture->record;
     std::string anchor = range.anchor;
     if (anchor.empty() && record.contains("shot")) anchor = record["shot"].value("anchor", "end");
@@ -164,7 +164,7 @@ class Drawer {
   const Lens& lens_;
   const double size_;
   Problems& problems_;
-  std::vector<Shape> shapes_;
+  std::vector<FigureShape> shapes_;
 };
 
 }  // namespace
@@ -186,11 +186,12 @@ const graph::ReadImage* findImage(const Taken& taken, const std::string& name, c
   return nullptr;
 }
 
-std::vector<Shape> shapesOf(const Marks& marks, const Taken& taken, const Lens& lens, double size, Problems& problems) {
+std::vector<FigureShape> shapesOf(const Marks& marks, const Taken& taken, const Lens& lens, double size,
+                                  Problems& problems) {
   Drawer drawer(taken, lens, size, problems);
-  for (const Box& box : marks.boxes) drawer.draw(box);
+  for (const BoxMark& box : marks.boxes) drawer.draw(box);
   for (const Circle& circle : marks.circles) drawer.draw(circle);
-  for (const Range& range : marks.ranges) drawer.draw(range);
+  for (const RangeMark& range : marks.ranges) drawer.draw(range);
   for (const Arrow& arrow : marks.arrows) drawer.draw(arrow);
   for (const Words& text : marks.texts) drawer.draw(text);
   return drawer.finished();

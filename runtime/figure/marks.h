@@ -11,7 +11,7 @@
 namespace strobe::figure {
 
 // Shape in pixels of the figure, relative to the picture's top left corner.
-struct Shape {
+struct FigureShape {
   enum class Kind { arrow, line, ring, box, disc, words };
   Kind kind = Kind::line;
   dvec2 from = dvec2(0), to = dvec2(0);  // `to`: tip of an arrow, centre of a ring or text, far corner of a box
@@ -46,6 +46,7 @@ const graph::ReadImage* findImage(const Taken& taken, const std::string& name, c
 
 // `size`: factor for line widths. A mark outside of the lens is a mistake, except for a mark on a node of the scene,
 // which is then omitted.
-std::vector<Shape> shapesOf(const Marks& marks, const Taken& taken, const Lens& lens, double size, Problems& problems);
+std::vector<FigureShape> shapesOf(const Marks& marks, const Taken& taken, const Lens& lens, double size,
+                                  Problems& problems);
 
 }  // namespace strobe::figure

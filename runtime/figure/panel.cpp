@@ -19,7 +19,7 @@ using image::Rectangle;
 using LegendKind = image::Legend::Kind;
 
 // Content of a cell in full size: linear colour with a tone map, or a display image.
-struct Source {
+struct CellSource {
   Image pixels;
   std::optional<image::ToneMap> tone;
   image::Legend legend;
@@ -38,14 +38,14 @@ const Image* colorImageOf(const Taken& taken) {
   return found == taken.picture->frame.outputs.end() ? nullptr : &found->second.floats;
 }
 
-bool isColour(const graph::ReadImage& image, const Cell& cell, const Image& color) {
+bool isColour(const graph::ReadImage& image, const FigureCell& cell, const Image& color) {
   std::string kind = cell.kind == "auto" ? lab::automaticKind(image, cell.view) : cell.kind;
   bool sum = cell.view.substr(cell.view.rfind('.') + 1).starts_with("sum");
   return kind == "colour" && !sum && image.floats.channels >= 3 && image.floats.width == color.width &&
          image.floats.height == color.height;
 }
 
-Source viewOf(const Cell& cell, const Taken& taken, const graph::ReadImage& image, const Image& color) {
+CellSource viewOf(const FigureCell& cell, const Taken& taken, const graph::ReadImage& image, const Image& color) {
   image::ToneMap tone = taken.tone;
   if (cell.stops) tone.stops = float(*cell.stops);
   if (isColour(image, cell, color)) return {image::threeChannels(image.floats), tone, {}};
@@ -53,17 +53,18 @@ Source viewOf(const Cell& cell, const Taken& taken, const graph::ReadImage& imag
   options.kind = cell.kind, options.low = cell.low, options.high = cell.high;
   options.exposure_stops = tone.stops;
   auto divide = taken.divides.find(cell.view);
-  Source source;
+  CellSource source;
   source.pixels = lab::shown(image, cell.view, divide == taken.divides.end() ? 1 : divide->second, color.width,
                              color.height, options, &color, &source.legend);
   return source;
 }
 
-Source flipOf(const Image& a, const Image& b) {
+CellSource flipOf(const Image& a, const Image& b) {
   return {image::heatMap(image::ldrFlip(a, b), 0, 1), {}, {LegendKind::bar, 0, 1, "FLIP"}};
 }
 
-std::optional<Source> differenceOf(const Cell& cell, const Taken& taken, const Taken& other, Problems& problems) {
+std::optional<CellSource> differenceOf(const FigureCell& cell, const Taken& taken, const Taken& other,
+                                       Problems& problems) {
   const graph::ReadImage* a = findImage(taken, cell.view, cell.place, problems);
   const graph::ReadImage* b = findImage(other, cell.view, cell.place, problems);
   if (!a || !b) return {};
@@ -75,11 +76,11 @@ std::optional<Source> differenceOf(const Cell& cell, const Taken& taken, const T
   Image first = image::threeChannels(a->floats), second = image::threeChannels(b->floats);
   if (cell.difference == "flip") return flipOf(first, second);
   if (cell.difference == "channels")
-    return Source{image::absoluteDifference(first, second, float(cell.gain)),
-                  {},
-                  {LegendKind::words, 0, 0, fmt::format("|difference from {}| × {:g}", other.arm, cell.gain)}};
+    return CellSource{image::absoluteDifference(first, second, float(cell.gain)),
+                      {},
+                      {LegendKind::words, 0, 0, fmt::format("|difference from {}| × {:g}", other.arm, cell.gain)}};
   image::Legend legend{LegendKind::bar, 0, 1 / cell.gain, fmt::format("|difference from {}|", other.arm)};
-  return Source{image::differenceHeat(first, second, float(cell.gain)), {}, legend};
+  return CellSource{image::differenceHeat(first, second, float(cell.gain)), {}, legend};
 }
 
 Rectangle scaled(const Area& area, dvec2 scale) {
@@ -109,7 +110,7 @@ std::optional<Rectangle> areaOf(const std::optional<Area>& crop, const Image& pi
 // Makes one block.
 class Maker {
  public:
-  Maker(const FigureData& figure, const Cell& cell, const FindTaken& find, int step, Problems& problems)
+  Maker(const FigureData& figure, const FigureCell& cell, const FindTaken& find, int step, Problems& problems)
       : figure_(figure),
         cell_(cell),
         find_(find),
@@ -127,13 +128,13 @@ class Maker {
       findImage(*taken, "color", cell_.place, problems_);
       return block_;
     }
-    if (std::optional<Source> source = sourceOf(*taken, *color)) show(*source, *taken);
+    if (std::optional<CellSource> source = sourceOf(*taken, *color)) show(*source, *taken);
     auto filled = [&](const std::vector<CaptionPart>& parts) {
       return captionOf(
           parts, *taken, [this] { return truth(); }, cell_.place, problems_);
     };
     block_.caption = filled(cell_.caption);
-    auto of_row = [&](const Cell& other) { return other.row == cell_.row; };
+    auto of_row = [&](const FigureCell& other) { return other.row == cell_.row; };
     bool first = &*std::find_if(figure_.cells.begin(), figure_.cells.end(), of_row) == &cell_;
     if (first && size_t(cell_.row) < figure_.headings.size())
       block_.above = filled(figure_.headings[size_t(cell_.row)].note);
@@ -183,12 +184,12 @@ class Maker {
     return areaOf(in_pixels, picture, scale_, place, problems_);
   }
 
-  std::vector<Shape> shapes(Marks marks, const Taken& taken, const Lens& lens) {
-    for (Box& box : marks.boxes) box.area = placed(box.area, box.place).value_or(Area());
+  std::vector<FigureShape> shapes(Marks marks, const Taken& taken, const Lens& lens) {
+    for (BoxMark& box : marks.boxes) box.area = placed(box.area, box.place).value_or(Area());
     return shapesOf(marks, taken, lens, figure_.size(), problems_);
   }
 
-  std::optional<Source> sourceOf(const Taken& taken, const Image& color) {
+  std::optional<CellSource> sourceOf(const Taken& taken, const Image& color) {
     if (!cell_.against.empty()) {
       std::optional<Taken> other = found(cell_.against);
       if (!other) return {};
@@ -199,7 +200,7 @@ class Maker {
     return viewOf(cell_, taken, *image, color);
   }
 
-  void show(const Source& source, const Taken& taken) {
+  void show(const CellSource& source, const Taken& taken) {
     std::optional<Rectangle> area = cropped(cell_.crop, source.pixels, cell_.place);
     if (!area) return;
     double shrink = cell_.shrink;
@@ -211,29 +212,29 @@ class Maker {
     if (cell_.key) block_.legend = source.legend;
     Lens lens(scale_, *area, zoom / shrink);
     for (const Inset& inset : cell_.insets) add(inset, source, taken, lens);
-    std::vector<Shape> own = shapes(cell_.marks, taken, lens);
+    std::vector<FigureShape> own = shapes(cell_.marks, taken, lens);
     block_.main.shapes.insert(block_.main.shapes.end(), own.begin(), own.end());
   }
 
   // Adds an inset, and a frame around its crop in the picture.
-  void add(const Inset& inset, const Source& source, const Taken& taken, const Lens& outer) {
+  void add(const Inset& inset, const CellSource& source, const Taken& taken, const Lens& outer) {
     std::optional<Rectangle> area = cropped(inset.crop, source.pixels, inset.place);
     if (!area) return;
     Panel panel{image::magnify(source.cut(*area), inset.zoom), {}, inset.frame, inset.at};
     panel.shapes = shapes(inset.marks, taken, Lens(scale_, *area, inset.zoom));
     block_.insets.push_back(std::move(panel));
-    Shape frame{Shape::Kind::box,
-                outer.inFigure({area->x, area->y}),
-                outer.inFigure({area->x + area->width, area->y + area->height}),
-                0,
-                2 * figure_.size(),
-                inset.frame,
-                ""};
+    FigureShape frame{FigureShape::Kind::box,
+                      outer.inFigure({area->x, area->y}),
+                      outer.inFigure({area->x + area->width, area->y + area->height}),
+                      0,
+                      2 * figure_.size(),
+                      inset.frame,
+                      ""};
     block_.main.shapes.push_back(frame);
   }
 
   const FigureData& figure_;
-  const Cell& cell_;
+  const FigureCell& cell_;
   const FindTaken& find_;
   const int step_;
   Problems& problems_;
@@ -245,8 +246,8 @@ class Maker {
 
 }  // namespace
 
-Block blockOf(const FigureData& figure, const Cell& cell, const FindTaken& find, const std::string& truth_arm, int step,
-              Problems& problems) {
+Block blockOf(const FigureData& figure, const FigureCell& cell, const FindTaken& find, const std::string& truth_arm,
+              int step, Problems& problems) {
   return Maker(figure, cell, find, step, problems).make(truth_arm);
 }
 

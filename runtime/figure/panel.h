@@ -9,7 +9,7 @@ namespace strobe::figure {
 
 struct Panel {
   image::Image display;
-  std::vector<Shape> shapes;
+  std::vector<FigureShape> shapes;
   std::optional<Colour> frame;
   std::string at;  // place of an inset: a corner, or "below"
 };
@@ -27,7 +27,7 @@ struct Block {
 
 // Block of a cell. `step`: step of a cell that does not set one. Mistakes (missing image, node or region, crop outside
 // of the picture) are added to `problems`; the block is then incomplete.
-Block blockOf(const FigureData& figure, const Cell& cell, const FindTaken& find, const std::string& truth_arm, int step,
-              Problems& problems);
+Block blockOf(const FigureData& figure, const FigureCell& cell, const FindTaken& find, const std::string& truth_arm,
+              int step, Problems& problems);
 
 }  // namespace strobe::figure

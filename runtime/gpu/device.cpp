@@ -137,12 +137,12 @@ std::vector<std::string> faultyManifests(bool absent) {
   return faults;
 }
 
-struct Loader {
+struct VulkanLoader {
   void* library = nullptr;
   PFN_vkGetInstanceProcAddr get = nullptr;
   std::vector<std::string> extensions;
 
-  Loader() {
+  VulkanLoader() {
     const std::vector<std::string> damaged = faultyManifests(false);
     if (!damaged.empty()) throw Error(fmt::format("{}", fmt::join(damaged, "; ")));
     get = openLoader(&library);
@@ -240,7 +240,7 @@ DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
 
   // A device older than Vulkan 1.3 lacks the structures below: all features count as absent.
   std::vector<std::string> extensions = deviceExtensions(vk, device);
-  info.measures_memory = Loader::contains(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+  info.measures_memory = VulkanLoader::contains(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   FeatureChain chain;
   if (core.apiVersion >= VK_API_VERSION_1_3) vk.GetPhysicalDeviceFeatures2(device, chain.chain(extensions));
   for (const WantedFeature& wanted : wantedFeatures())
@@ -276,7 +276,7 @@ std::string DeviceInfo::missing() const {
 std::vector<DeviceInfo> listDevices() {
   std::vector<DeviceInfo> infos;
   try {
-    Loader loader;
+    VulkanLoader loader;
     VkInstance instance = loader.create(false);
     Dispatch vk;
     loadInstanceCalls(vk, loader.get, instance);
@@ -310,7 +310,7 @@ std::vector<std::string> driverProblems() {
   sink.pfnUserCallback = onLoaderMessage;
   sink.pUserData = &messages;
   try {
-    Loader loader;
+    VulkanLoader loader;
     VkInstance instance = loader.create(false, {}, &sink);
     Dispatch vk;
     loadInstanceCalls(vk, loader.get, instance);
@@ -325,7 +325,7 @@ std::vector<std::string> driverProblems() {
 }
 
 void Device::createInstance(const DeviceOptions& options) {
-  Loader loader;
+  VulkanLoader loader;
   library_ = loader.library;
   instance_ = loader.create(options.validation, options.instance_extensions);
   loadInstanceCalls(vk_, loader.get, instance_);

@@ -49,7 +49,7 @@ Buffer::Buffer(const Device& device, const std::string& name, size_t size, VkBuf
   address_ = device.vk().GetBufferDeviceAddress(device.handle(), &address);
 }
 
-Image::Image(const Device& device, const std::string& name, const ImageDesc& desc) : desc_(desc) {
+DeviceImage::DeviceImage(const Device& device, const std::string& name, const ImageDesc& desc) : desc_(desc) {
   VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   info.imageType = VK_IMAGE_TYPE_2D;
   info.format = desc.format;

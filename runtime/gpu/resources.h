@@ -98,10 +98,10 @@ struct ImageDesc {
 };
 
 // A 2-D image in device memory, always in the GENERAL layout after the first transition.
-class Image {
+class DeviceImage {
  public:
-  Image() = default;
-  Image(const Device& device, const std::string& name, const ImageDesc& desc);
+  DeviceImage() = default;
+  DeviceImage(const Device& device, const std::string& name, const ImageDesc& desc);
   VkImage handle() const { return image_.get(); }
   VkImageView view() const { return view_.get(); }
   const ImageDesc& desc() const { return desc_; }

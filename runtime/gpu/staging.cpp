@@ -30,7 +30,7 @@ void* Staging::placeFor(const Buffer& to, size_t at, size_t bytes) {
   return place;
 }
 
-void Staging::write(const Image& to, const std::vector<std::vector<uint8_t>>& levels) {
+void Staging::write(const DeviceImage& to, const std::vector<std::vector<uint8_t>>& levels) {
   STROBE_ASSERT(levels.size() == to.desc().levels, "{} levels of {}", levels.size(), to.desc().levels);
   for (uint32_t l = 0; l < levels.size(); ++l) {
     const Buffer& part = partWith(levels[l].size());
@@ -88,9 +88,9 @@ void* Uploads::placeFor(const Buffer& to, size_t at, size_t bytes) {
   return staging_.placeFor(to, at, bytes);
 }
 
-Image Uploads::image(const std::string& name, ImageDesc desc, const std::vector<std::vector<uint8_t>>& levels) {
+DeviceImage Uploads::image(const std::string& name, ImageDesc desc, const std::vector<std::vector<uint8_t>>& levels) {
   desc.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-  Image image(device_, name, desc);
+  DeviceImage image(device_, name, desc);
   size_t bytes = 0;
   for (const auto& level : levels) bytes += level.size();
   reserve(bytes);

@@ -29,7 +29,7 @@ class Staging {
   // Host memory for `bytes` bytes (at least one), to be copied to `to` from byte `at` on.
   void* placeFor(const Buffer& to, size_t at, size_t bytes);
   // Writes all levels of a new image (size of level l: max(1, size >> l)). The image must live until the copies.
-  void write(const Image& to, const std::vector<std::vector<uint8_t>>& levels);
+  void write(const DeviceImage& to, const std::vector<std::vector<uint8_t>>& levels);
   bool isEmpty() const { return copies_.empty() && image_copies_.empty(); }
 
   // Records copies of all writes since the last call, with barriers to earlier and later commands.
@@ -80,7 +80,7 @@ class Uploads {
       for (; i < end; ++i) *place++ = item(i);
     }
   }
-  Image image(const std::string& name, ImageDesc desc, const std::vector<std::vector<uint8_t>>& levels);
+  DeviceImage image(const std::string& name, ImageDesc desc, const std::vector<std::vector<uint8_t>>& levels);
   // Waits for all copies.
   void finish();
 

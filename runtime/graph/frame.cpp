@@ -26,7 +26,7 @@ static void setCurve(const ShutterCurve& curve, shared::FrameData& frame) {
 
 static ivec4 vectorOf(const scene::PixelArea& area) { return ivec4(area.x0, area.y0, area.x1, area.y1); }
 
-shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, const FrameSetup& setup) {
+shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, const Frame& setup) {
   shared::FrameData frame{};
   frame.size = uvec2(plan.width, plan.height);
   frame.subpixel = setup.subpixel;
@@ -41,7 +41,7 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   frame.light_count = scene.lightCount();
   frame.sky = setup.environment.sky;
   frame.ground = setup.environment.ground;
-  frame.moving_rect = vectorOf(setup.motion.reach);
+  frame.moving_rect = vectorOf(setup.motion.moving_rect);
   frame.camera_rests = setup.facts.camera_moves ? 0 : 1;
   frame.moving_count = scene.movingCount();
   frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
@@ -51,19 +51,19 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
 }
 
 // One origin for every pose of the frame: the camera at the raster time.
-static dvec3 frameOrigin(const FrameSetup& setup) { return dvec3(setup.pose_at(setup.capture_s).world_from_camera[3]); }
+static dvec3 frameOrigin(const Frame& setup) { return dvec3(setup.pose_at(setup.raster_s).world_from_camera[3]); }
 
-static void setPose(world::GpuScene& scene, gpu::Staging& staging, uint32_t slice, const Plan& plan,
-                    const FrameSetup& setup, double time_s, const dvec3& origin) {
+static void setPose(world::GpuScene& scene, gpu::Staging& staging, uint32_t slice, const Plan& plan, const Frame& setup,
+                    double time_s, const dvec3& origin) {
   const scene::Pose pose = setup.pose_at(time_s);
-  const ivec4 moving = vectorOf(setup.motion.area_at ? setup.motion.area_at(pose) : setup.motion.reach);
+  const ivec4 moving = vectorOf(setup.motion.area_at ? setup.motion.area_at(pose) : setup.motion.moving_rect);
   scene.setPose(staging, slice, pose, double(plan.width) / plan.height, origin, moving);
 }
 
-void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const FrameSetup& setup) {
+void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const Frame& setup) {
   dvec3 origin = frameOrigin(setup);
   scene.setMotion(staging, setup.facts.moves, setup.motion.paths);
-  const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
+  const double times[] = {setup.raster_s, setup.open_s, setup.close_s, setup.raster_s - setup.frame_s};
   for (uint32_t slice : {SLICE_RASTER, SLICE_SHUTTER_OPEN, SLICE_SHUTTER_CLOSE, SLICE_PREVIOUS})
     setPose(scene, staging, slice, plan, setup, times[slice], origin);
 }
@@ -75,14 +75,14 @@ int partOf(const plan::PlanLoop& loop, int iteration) {
   return int(iteration * stride % loop.parts);
 }
 
-FrameSetup partSetup(const FrameSetup& setup, const Plan& plan, const plan::PlanLoop& loop, int iteration) {
+Frame partSetup(const Frame& setup, const Plan& plan, const plan::PlanLoop& loop, int iteration) {
   const int part = partOf(loop, iteration);
   auto endOf = [&](int parts) {
     return glm::mix(setup.open_s, setup.close_s, setup.curve.timeOf(double(parts) / loop.parts));
   };
-  FrameSetup frame = setup;
+  Frame frame = setup;
   frame.open_s = endOf(part), frame.close_s = endOf(part + 1);
-  frame.capture_s = 0.5 * (frame.open_s + frame.close_s);
+  frame.raster_s = 0.5 * (frame.open_s + frame.close_s);
   frame.curve = {};
   frame.anchor = ANCHOR_CENTRE;
   frame.motion = {{0, 0, plan.width, plan.height}, {}, {}};
@@ -91,8 +91,8 @@ FrameSetup partSetup(const FrameSetup& setup, const Plan& plan, const plan::Plan
 }
 
 // Time of slice `q` of a part, seconds.
-static double sampleTime(const FrameSetup& setup, const plan::PlanLoop& loop, int part, int q) {
-  if (loop.times == "frames") return setup.capture_s - (double(part) * loop.slices + q + 1) * setup.frame_s;
+static double sampleTime(const Frame& setup, const plan::PlanLoop& loop, int part, int q) {
+  if (loop.times == "frames") return setup.raster_s - (double(part) * loop.slices + q + 1) * setup.frame_s;
   // Midpoints of the stratum's equal parts, or one random time in each. Loops differ in their random times.
   double in_stratum = (q + 0.5) / loop.slices;
   if (loop.times == "stratified") {
@@ -104,7 +104,7 @@ static double sampleTime(const FrameSetup& setup, const plan::PlanLoop& loop, in
   return setup.open_s + (setup.close_s - setup.open_s) * share;
 }
 
-void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const FrameSetup& setup,
+void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const Frame& setup,
                  const plan::PlanLoop& loop, int iteration) {
   dvec3 origin = frameOrigin(setup);
   int part = partOf(loop, iteration);

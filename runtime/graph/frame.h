@@ -18,9 +18,9 @@
 namespace strobe::graph {
 
 // Times, camera poses and random seed of a frame: all inputs of an image besides plan and scene.
-struct FrameSetup {
+struct Frame {
   std::function<scene::Pose(double time_s)> pose_at;
-  double capture_s = 0;            // scene time of the raster image
+  double raster_s = 0;             // scene time of the raster image
   double open_s = 0, close_s = 0;  // scene time of shutter open and close
   ShutterCurve curve;              // weight of each time of the exposure
   double frame_s = 0;              // time between two frames
@@ -58,22 +58,22 @@ struct FrameResult {
 };
 
 // Returns the shader constants of a frame, outside of loops.
-shared::FrameData frameData(const plan::Plan& plan, const world::GpuScene& scene, const FrameSetup& setup);
+shared::FrameData frameData(const plan::Plan& plan, const world::GpuScene& scene, const Frame& setup);
 
 // Returns a part of the exposure as a frame, for a loop over parts; `iteration` counts from `loop.first`. Parts have
 // equal shares of the shutter curve's weight; the weight within a part is constant. The raster time is the middle of
 // the part. All instances count as moving, and the moving rectangle is the image.
-FrameSetup partSetup(const FrameSetup& setup, const plan::Plan& plan, const plan::PlanLoop& loop, int iteration);
+Frame partSetup(const Frame& setup, const plan::Plan& plan, const plan::PlanLoop& loop, int iteration);
 
 // Poses the slices of every frame: raster time, shutter open, shutter close, previous frame.
-void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const FrameSetup& setup);
+void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const Frame& setup);
 // Returns the part of the exposure of an iteration, which counts from `loop.first`. A loop that may stop early, or that
 // samples only some parts, steps by the golden ratio: the parts done so far are spread over the whole exposure.
 int partOf(const plan::PlanLoop& loop, int iteration);
 // Poses the sample slices of an iteration, which counts from `loop.first`. Sample times are midpoints of the stratum's
 // equal parts, or one random time in each. Strata have equal shares of the shutter curve's weight; with `times` "even",
 // equal durations. With `times` "frames", slice q of part p is (p * slices + q + 1) frames before the raster time.
-void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const FrameSetup& setup,
+void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const Frame& setup,
                  const plan::PlanLoop& loop, int iteration);
 
 }  // namespace strobe::graph

@@ -111,7 +111,7 @@ Graph::~Graph() {
   }
 }
 
-FrameResult Graph::run(const FrameSetup& setup, const OnIteration& on_iteration) {
+FrameResult Graph::run(const Frame& setup, const OnIteration& on_iteration) {
   drop();
   begin(setup, on_iteration);
   return finish();
@@ -129,7 +129,7 @@ Graph::UnderWay Graph::takeFirst() {
   return frame;
 }
 
-void Graph::begin(const FrameSetup& setup, const OnIteration& on_iteration) {
+void Graph::begin(const Frame& setup, const OnIteration& on_iteration) {
   STROBE_ASSERT(underWay() < mostUnderWay(), "{} frames are under way", underWay());
   UnderWay frame{next_};
   if (setup.wanted) frame.wanted = *setup.wanted;
@@ -148,12 +148,12 @@ void Graph::begin(const FrameSetup& setup, const OnIteration& on_iteration) {
 }
 
 // Poses the scene for a frame or a part of its exposure, and returns the frame's shader constants.
-shared::FrameData Graph::posed(const FrameSetup& setup, const UnderWay& frame) {
+shared::FrameData Graph::posed(const Frame& setup, const UnderWay& frame) {
   poseFixedSlices(scene_, submission_.staging(frame.index), *plan_, setup);
   return frameData(*plan_, scene_, setup);
 }
 
-void Graph::draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on_iteration) {
+void Graph::draw(const Frame& setup, UnderWay& frame, const OnIteration& on_iteration) {
   gpu::Staging& staging = submission_.staging(frame.index);
   recording_.setFrame(*plan_, frame.index, setup);
   nodes_.begin(frame.index);
@@ -184,7 +184,7 @@ void Graph::draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on
   submission_.submit(frame.index, part);
 }
 
-void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData data, UnderWay& frame,
+void Graph::runLoop(const Frame& setup, const Step& step, shared::FrameData data, UnderWay& frame,
                     const OnIteration& on_iteration) {
   const plan::PlanLoop& loop = plan_->loops[size_t(step.index)];
   gpu::Staging& staging = submission_.staging(frame.index);

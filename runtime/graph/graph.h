@@ -28,7 +28,7 @@ class Graph {
 
   // Draws one frame and waits for it; drops the frames in flight. `on_iteration` (may be empty) is called after each
   // iteration of a loop.
-  FrameResult run(const FrameSetup& setup, const OnIteration& on_iteration = {});
+  FrameResult run(const Frame& setup, const OnIteration& on_iteration = {});
 
   // Frames in flight: the device executes frames while the host prepares the next ones and reads earlier ones. Frames
   // execute in the order of `begin`; the result of a frame does not depend on the others. A plan with a long loop, or
@@ -36,7 +36,7 @@ class Graph {
   size_t mostUnderWay() const { return in_flight_; }
   size_t underWay() const { return under_way_.size(); }
   // Begins a frame; requires `underWay() < mostUnderWay()`.
-  void begin(const FrameSetup& setup, const OnIteration& on_iteration = {});
+  void begin(const Frame& setup, const OnIteration& on_iteration = {});
   // Waits for the oldest frame in flight and returns its results.
   FrameResult finish();
   // Waits for all frames in flight and discards their results.
@@ -72,9 +72,9 @@ class Graph {
     bool wants(const std::string& name) const { return !wanted || wanted->count(name); }
   };
   UnderWay takeFirst();
-  void draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on_iteration);
-  shared::FrameData posed(const FrameSetup& setup, const UnderWay& frame);
-  void runLoop(const FrameSetup& setup, const plan::Step& step, shared::FrameData data, UnderWay& frame,
+  void draw(const Frame& setup, UnderWay& frame, const OnIteration& on_iteration);
+  shared::FrameData posed(const Frame& setup, const UnderWay& frame);
+  void runLoop(const Frame& setup, const plan::Step& step, shared::FrameData data, UnderWay& frame,
                const OnIteration& on_iteration);
   void collect(UnderWay& frame) const;
 
@@ -89,7 +89,7 @@ class Graph {
   uint64_t runs_ = 0;
   PlanNodes nodes_;
   Clears clears_;
-  Recording recording_;
+  CommandRecording recording_;
   Submission submission_;
   PlanImages images_;  // last: takes images from the previous graph only after all other members exist
 };

@@ -27,10 +27,11 @@ static VkFormat vulkanFormat(const std::string& format) {
 }
 
 // Moves the image with an equal description out of `previous`; empty if no image matches.
-gpu::Image PlanImages::takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous) {
+gpu::DeviceImage PlanImages::takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc,
+                                      PlanImages& previous) {
   for (size_t i = 0; i < previous.plan_->images.size(); ++i) {
     const plan::VirtualImage& other = previous.plan_->images[i];
-    gpu::Image& held = previous.slots_[size_t(other.slot)];
+    gpu::DeviceImage& held = previous.slots_[size_t(other.slot)];
     bool alike = other.name == image.name && other.history == image.history && held.desc() == desc;
     if (!alike || !held.handle()) continue;
     auto history = previous.history_.find(int(i));
@@ -108,9 +109,9 @@ std::vector<size_t> PlanImages::makeSlots(PlanImages* previous) {
     const plan::VirtualImage* held = nullptr;
     for (const auto& image : plan_->images)
       if (image.slot == int(i)) held = &image;
-    gpu::Image taken = held && previous ? takeOver(*held, desc, *previous) : gpu::Image();
+    gpu::DeviceImage taken = held && previous ? takeOver(*held, desc, *previous) : gpu::DeviceImage();
     if (!taken.handle()) fresh.push_back(i);
-    if (!taken.handle()) taken = gpu::Image(device_, held ? held->name : fmt::format("slot {}", i), desc);
+    if (!taken.handle()) taken = gpu::DeviceImage(device_, held ? held->name : fmt::format("slot {}", i), desc);
     slots_.push_back(std::move(taken));
   }
   for (size_t i = 0; i < plan_->images.size(); ++i)
@@ -126,7 +127,7 @@ void PlanImages::initialize(const std::vector<size_t>& fresh) {
       VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
       gpu::recordFirstLayout(device_, commands, slots_[i].handle(), aspect);
     }
-    for (const gpu::Image* image : {&unwired_.image, &unwired_.uint_image})
+    for (const gpu::DeviceImage* image : {&unwired_.image, &unwired_.uint_image})
       gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
   });
 }
@@ -160,9 +161,9 @@ void PlanImages::makeUnwired() {
   gpu::ImageDesc one;
   one.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
   one.format = VK_FORMAT_R32_SFLOAT;
-  unwired_.image = gpu::Image(device_, "unwired", one);
+  unwired_.image = gpu::DeviceImage(device_, "unwired", one);
   one.format = VK_FORMAT_R32_UINT;
-  unwired_.uint_image = gpu::Image(device_, "unwired uint", one);
+  unwired_.uint_image = gpu::DeviceImage(device_, "unwired uint", one);
   unwired_.buffer = madeBuffer(device_, "unwired buffer", plan::kBufferHead);
 }
 
@@ -184,7 +185,7 @@ void PlanImages::keepReadBack(size_t frames, const PlanImages* previous) {
   }
 }
 
-const gpu::Image& PlanImages::of(int image) const { return slots_[size_t(plan_->images[size_t(image)].slot)]; }
+const gpu::DeviceImage& PlanImages::of(int image) const { return slots_[size_t(plan_->images[size_t(image)].slot)]; }
 
 const gpu::Buffer& PlanImages::buffer(int image) const { return *buffers_.at(plan_->images[size_t(image)].slot); }
 

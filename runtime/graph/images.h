@@ -28,10 +28,10 @@ class PlanImages {
   void giveBack(PlanImages& previous);
 
   // Image or buffer of a virtual image; the format of the virtual image decides which one exists.
-  const gpu::Image& of(int image) const;
+  const gpu::DeviceImage& of(int image) const;
   const gpu::Buffer& buffer(int image) const;
   // Placeholders bound to optional reads that are not wired.
-  const gpu::Image& unwired(bool uint) const { return uint ? unwired_.uint_image : unwired_.image; }
+  const gpu::DeviceImage& unwired(bool uint) const { return uint ? unwired_.uint_image : unwired_.image; }
   const gpu::Buffer& unwiredBuffer() const { return unwired_.buffer; }
   const gpu::Buffer& readBack(int image, size_t frame) const { return *read_back_.at(image)[frame]; }
   ReadImage fetch(int image, size_t frame) const;
@@ -45,7 +45,7 @@ class PlanImages {
  private:
   using SharedBuffer = std::shared_ptr<const gpu::Buffer>;
   struct Unwired {
-    gpu::Image image, uint_image;
+    gpu::DeviceImage image, uint_image;
     gpu::Buffer buffer;
   };
 
@@ -54,11 +54,11 @@ class PlanImages {
   void initialize(const std::vector<size_t>& fresh);
   void keepReadBack(size_t frames, const PlanImages* previous);
   std::vector<SharedBuffer> readBackOf(const std::string& name, size_t bytes) const;
-  gpu::Image takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous);
+  gpu::DeviceImage takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous);
 
   const gpu::Device& device_;
   const plan::Plan* plan_;
-  std::vector<gpu::Image> slots_;
+  std::vector<gpu::DeviceImage> slots_;
   std::map<int, SharedBuffer> buffers_;  // by slot; the slot's image is then empty
   Unwired unwired_;
   std::map<int, std::vector<SharedBuffer>> read_back_;  // by virtual image, then frame

@@ -19,7 +19,7 @@ void NodeInFrame::takeCounts() {
 PlanNodes::PlanNodes(const gpu::Device& device, const plan::Plan& plan)
     : device_(device), plan_(&plan), nodes_(plan.nodes.size()) {}
 
-const Node* PlanNodes::named(const std::string& name) const {
+const GraphNode* PlanNodes::named(const std::string& name) const {
   for (size_t i = 0; i < nodes_.size(); ++i)
     if (this->name(i) == name) return &nodes_[i];
   return nullptr;
@@ -41,7 +41,7 @@ static bool hasDoubles(Backend backend) { return backend != Backend::None && sha
 
 void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene, Backend backend,
                               const PlanNodes* previous, std::vector<std::string>* problems) {
-  std::vector<PipelineRequest> requests;
+  std::vector<CompileRequest> requests;
   for (size_t i = 0; i < nodes_.size(); ++i) {
     shader::Interface wanted = interfaceOf(*plan_, planned(i), backend, scene.slices());
     wanted.doubles = hasDoubles(wanted.backend) && device_.info().has("shaderFloat64");
@@ -57,7 +57,7 @@ void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene
     try {
       std::rethrow_exception(found[i].error);
     } catch (const Error& error) {
-      const Node* before = previous ? previous->named(name(i)) : nullptr;
+      const GraphNode* before = previous ? previous->named(name(i)) : nullptr;
       if (before && problems) nodes_[i].pipeline = ifItServes(before->pipeline, requests[i].interface);
       (nodes_[i].pipeline ? *problems : fatal).push_back(error.what());
     }
@@ -76,7 +76,7 @@ void PlanNodes::layOut(size_t frames) {
     end += (part.bytes + kAlignment - 1) / kAlignment * kAlignment;
     return part;
   };
-  for (Node& node : nodes_) {
+  for (GraphNode& node : nodes_) {
     const shader::Interface& in = node.pipeline->interface;
     node.frames.resize(frames);
     for (NodeInFrame& frame : node.frames) {
@@ -89,7 +89,7 @@ void PlanNodes::layOut(size_t frames) {
       gpu::Buffer(device_, "parameters and counters", end,
                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Buffer::Memory::Host);
   std::memset(numbers_.mapped(), 0, numbers_.size());
-  for (Node& node : nodes_)
+  for (GraphNode& node : nodes_)
     for (NodeInFrame& frame : node.frames)
       frame.counted = reinterpret_cast<uint32_t*>(static_cast<char*>(numbers_.mapped()) + frame.counters.offset);
 }
@@ -100,7 +100,7 @@ void PlanNodes::make(const PlanImages& images, size_t frames) {
   has_params_.assign(frames, false);
   layOut(frames);
   for (size_t i = 0; i < nodes_.size(); ++i) {
-    Node& node = nodes_[i];
+    GraphNode& node = nodes_[i];
     for (size_t frame = 0; frame < frames; ++frame) {
       node.frames[frame].set =
           gpu::DescriptorSet(device_, name(i), node.pipeline->driver->set_layout.get(), node.pipeline->bindings);
@@ -116,14 +116,14 @@ void PlanNodes::setPlan(const plan::Plan& plan) {
 }
 
 void PlanNodes::begin(size_t frame) {
-  for (Node& node : nodes_) node.frames[frame].begin();
+  for (GraphNode& node : nodes_) node.frames[frame].begin();
   if (has_params_[frame]) return;
   for (size_t i = 0; i < nodes_.size(); ++i) writeParams(i, frame);
   has_params_[frame] = true;
 }
 
 void PlanNodes::writeParams(size_t i, size_t frame) {
-  const Node& node = nodes_[i];
+  const GraphNode& node = nodes_[i];
   std::vector<uint32_t> words;
   for (const auto& param : node.pipeline->interface.params) {
     const plan::Value* value = plan::valueIn(planned(i).params, param.name);
@@ -153,7 +153,7 @@ void PlanNodes::fillSet(size_t i, size_t frame, const PlanImages& images) {
   auto write_part = [&](uint32_t binding, const BufferPart& part) {
     own.set.write(binding, {numbers_.handle(), part.offset, part.bytes});
   };
-  auto write_image = [&](uint32_t binding, const gpu::Image& image, VkSampler sampler) {
+  auto write_image = [&](uint32_t binding, const gpu::DeviceImage& image, VkSampler sampler) {
     own.set.write(binding, std::vector{gpu::inGeneral(image.view(), sampler)});
   };
   if (in.hasParams()) write_part(shader::Interface::kParamsBinding, own.params);

@@ -26,7 +26,7 @@ struct NodeInFrame {
   void takeCounts();
 };
 
-struct Node {
+struct GraphNode {
   std::shared_ptr<const NodePipeline> pipeline;
   std::vector<NodeInFrame> frames;
 };
@@ -49,10 +49,10 @@ class PlanNodes {
   void begin(size_t frame);
 
   size_t size() const { return nodes_.size(); }
-  Node& operator[](size_t i) { return nodes_[i]; }
-  const Node& operator[](size_t i) const { return nodes_[i]; }
-  std::vector<Node>::iterator begin() { return nodes_.begin(); }
-  std::vector<Node>::iterator end() { return nodes_.end(); }
+  GraphNode& operator[](size_t i) { return nodes_[i]; }
+  const GraphNode& operator[](size_t i) const { return nodes_[i]; }
+  std::vector<GraphNode>::iterator begin() { return nodes_.begin(); }
+  std::vector<GraphNode>::iterator end() { return nodes_.end(); }
   const plan::PlanNode& planned(size_t i) const { return plan_->nodes[i]; }
   const std::string& name(size_t i) const { return plan_->pipeline.nodes[size_t(planned(i).node)].name; }
   const plan::PassDesc& pass(size_t i) const { return plan_->pipeline.passes[size_t(planned(i).pass)]; }
@@ -61,11 +61,11 @@ class PlanNodes {
   void layOut(size_t frames);
   void writeParams(size_t i, size_t frame);
   void fillSet(size_t i, size_t frame, const PlanImages& images);
-  const Node* named(const std::string& name) const;
+  const GraphNode* named(const std::string& name) const;
 
   const gpu::Device& device_;
   const plan::Plan* plan_;
-  std::vector<Node> nodes_;
+  std::vector<GraphNode> nodes_;
   // Parameters and counters of all nodes and frames.
   gpu::Buffer numbers_;
   std::vector<bool> has_params_;  // by frame: holds the plan's parameters

@@ -17,7 +17,7 @@ namespace strobe::graph {
 
 using plan::ParamDesc;
 using plan::PassDesc;
-using shader::Stage;
+using shader::ShaderStage;
 
 static shader::Interface::Variant variantOf(const ParamDesc& param, const plan::Value& value) {
   shader::Interface::Variant variant{param.name, param.choices, 0};
@@ -186,23 +186,23 @@ static Path backendFile(const Home& home, const char* name) { return home.at(Pat
 
 struct StageFile {
   Path file;
-  Stage stage;
+  ShaderStage stage;
 };
 
 // Stages of the pass itself.
 static std::vector<StageFile> ownStages(const Home& home, const shader::Interface& in, const PassDesc& pass) {
   requireFiles(home, pass);
   if (in.raster)
-    return {{shaderFile(home, pass, ".vert.glsl"), Stage::Vertex},
-            {shaderFile(home, pass, ".frag.glsl"), Stage::Fragment}};
-  return {{shaderFile(home, pass, ".glsl"), hasStages(in) ? Stage::RayGeneration : Stage::Compute}};
+    return {{shaderFile(home, pass, ".vert.glsl"), ShaderStage::Vertex},
+            {shaderFile(home, pass, ".frag.glsl"), ShaderStage::Fragment}};
+  return {{shaderFile(home, pass, ".glsl"), hasStages(in) ? ShaderStage::RayGeneration : ShaderStage::Compute}};
 }
 
 // Stages shared by all passes of a backend with shader stages.
 static std::vector<StageFile> sharedStages(const Home& home) {
-  return {{backendFile(home, "miss.glsl"), Stage::Miss},
-          {backendFile(home, "closest_hit.glsl"), Stage::ClosestHit},
-          {backendFile(home, "any_hit.glsl"), Stage::AnyHit}};
+  return {{backendFile(home, "miss.glsl"), ShaderStage::Miss},
+          {backendFile(home, "closest_hit.glsl"), ShaderStage::ClosestHit},
+          {backendFile(home, "any_hit.glsl"), ShaderStage::AnyHit}};
 }
 
 // SPIR-V of a pass's stages, in the order that `make` and `compileAlone` expect.
@@ -216,7 +216,9 @@ static std::vector<shader::Compiled> compileStages(const Home& home, const shade
 }
 
 std::string textOf(const shader::Interface& in) {
-  Stage stage = in.raster ? Stage::Fragment : hasStages(in) ? Stage::RayGeneration : Stage::Compute;
+  ShaderStage stage = in.raster       ? ShaderStage::Fragment
+                      : hasStages(in) ? ShaderStage::RayGeneration
+                                      : ShaderStage::Compute;
   std::string text = fmt::format("{}|{}|{}", backendName(in.backend), preamble(in, stage), epilogue(in, stage));
   for (const auto& write : in.writes) text += write.format + ",";
   return text;
@@ -339,7 +341,7 @@ void ShaderCheck::start() {
     std::sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.key < b.key; });
     // Passes with the same preamble share the compiled shared stages.
     for (Job& job : jobs)
-      job.with_shared = hasStages(job.interface) && noted_.insert(preamble(job.interface, Stage::Miss)).second;
+      job.with_shared = hasStages(job.interface) && noted_.insert(preamble(job.interface, ShaderStage::Miss)).second;
     shaders.push_back(std::move(jobs));
   }
   jobs_.clear();
@@ -355,7 +357,7 @@ std::vector<std::string> ShaderCheck::finish() {
 }
 
 struct PipelineCache::Making {
-  const PipelineRequest* request;
+  const CompileRequest* request;
   std::string key;
   std::vector<shader::Compiled> stages;
   std::shared_ptr<NodePipeline> pipeline;
@@ -373,14 +375,14 @@ static std::exception_ptr thrownBy(const Work& work) {
   return nullptr;
 }
 
-std::vector<PipelineFound> PipelineCache::get(const std::vector<PipelineRequest>& requests,
+std::vector<PipelineFound> PipelineCache::get(const std::vector<CompileRequest>& requests,
                                               const world::GpuScene& scene) {
   std::vector<PipelineFound> found(requests.size());
   std::vector<std::string> keys(requests.size());
   std::vector<Making> making;
   std::map<std::string, std::exception_ptr> failed;  // by key
   for (size_t i = 0; i < requests.size(); ++i) {
-    const PipelineRequest& request = requests[i];
+    const CompileRequest& request = requests[i];
     // Scenes with equal set layouts share pipelines.
     found[i].error =
         thrownBy([&] { keys[i] = contentOf(request.interface, *request.pass) + "|" + scene.layoutText(); });
@@ -512,8 +514,8 @@ const DriverPipeline& PipelineCache::clearOf(const std::string& format) {
   const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1, VK_SHADER_STAGE_COMPUTE_BIT,
                                              nullptr};
   clear.set_layout = gpu::makeSetLayout(device_, "clear", {binding});
-  clear.pipeline =
-      gpu::Pipeline::compute(device_, "clear", shader::compileText(glsl, Stage::Compute), {clear.set_layout.get()});
+  clear.pipeline = gpu::Pipeline::compute(device_, "clear", shader::compileText(glsl, ShaderStage::Compute),
+                                          {clear.set_layout.get()});
   return clears_.emplace(format, std::move(clear)).first->second;
 }
 

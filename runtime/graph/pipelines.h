@@ -96,7 +96,7 @@ class ShaderCheck {
 };
 
 // A pass and its interface in one node. The pass must outlive the request.
-struct PipelineRequest {
+struct CompileRequest {
   shader::Interface interface;
   const plan::PassDesc* pass;
 };
@@ -113,7 +113,7 @@ class PipelineCache {
  public:
   PipelineCache(const Home& home, const gpu::Device& device) : home_(home), device_(device) {}
   // Returns one result per request, in order. Compiles missing pipelines on all cores, the driver's part included.
-  std::vector<PipelineFound> get(const std::vector<PipelineRequest>& requests, const world::GpuScene& scene);
+  std::vector<PipelineFound> get(const std::vector<CompileRequest>& requests, const world::GpuScene& scene);
   // Pipeline that clears an image of `format`, the only binding of its only set, to zero, with one work group per 8x8
   // pixels. The shader is generated source: a bundle need not contain it.
   const DriverPipeline& clearOf(const std::string& format);

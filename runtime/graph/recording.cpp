@@ -44,7 +44,7 @@ static VkAccessFlags2 vulkanAccess(uint32_t access) {
 static uint32_t widthOf(const scene::PixelArea& area) { return area.empty() ? 0 : uint32_t(area.x1 - area.x0); }
 static uint32_t heightOf(const scene::PixelArea& area) { return area.empty() ? 0 : uint32_t(area.y1 - area.y0); }
 
-void Recording::barriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) const {
+void CommandRecording::barriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) const {
   std::vector<VkMemoryBarrier2> memory;
   for (const plan::Barrier& barrier : barriers) {
     VkMemoryBarrier2 dependency{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
@@ -61,7 +61,7 @@ void Recording::barriers(VkCommandBuffer commands, const std::vector<plan::Barri
   device_.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
-void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, PassStamps& stamps) const {
+void CommandRecording::step(VkCommandBuffer commands, const Step& step, int iteration, PassStamps& stamps) const {
   barriers(commands, iteration == 0 ? step.barriers : step.barriers_next);
   switch (step.kind) {
     case Step::Kind::ClearImage:
@@ -81,13 +81,13 @@ void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, 
   }
 }
 
-void Recording::frameBarrier(VkCommandBuffer commands) const {
+void CommandRecording::frameBarrier(VkCommandBuffer commands) const {
   gpu::recordBarrier(
       device_, commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
       {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT});
 }
 
-void Recording::clear(VkCommandBuffer commands, int image) const {
+void CommandRecording::clear(VkCommandBuffer commands, int image) const {
   if (images_.holdsEarlierFrame(image)) return frameBarrier(commands);
   if (isBuffer(image)) {
     device_.vk().CmdFillBuffer(commands, images_.buffer(image).handle(), 0, VK_WHOLE_SIZE, 0);
@@ -99,7 +99,7 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
 }
 
-void Recording::copyOutside(VkCommandBuffer commands, int image) const {
+void CommandRecording::copyOutside(VkCommandBuffer commands, int image) const {
   if (reaches_all_) return;
   const plan::VirtualImage& target = plan_->images[size_t(image)];
   VkImageCopy all{};
@@ -109,7 +109,7 @@ void Recording::copyOutside(VkCommandBuffer commands, int image) const {
                             images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, 1, &all);
 }
 
-void Recording::read(VkCommandBuffer commands, int image) const {
+void CommandRecording::read(VkCommandBuffer commands, int image) const {
   if (wanted_ && !isRead(image)) return;
   if (isBuffer(image)) {
     const gpu::Buffer& target = images_.readBack(image, frame_);
@@ -125,7 +125,7 @@ void Recording::read(VkCommandBuffer commands, int image) const {
                                     images_.readBack(image, frame_).handle(), 1, &copy);
 }
 
-void Recording::bind(VkCommandBuffer commands, const Node& node) const {
+void CommandRecording::bind(VkCommandBuffer commands, const GraphNode& node) const {
   const gpu::Pipeline& pipeline = node.pipeline->driver->pipeline;
   VkDescriptorSet sets[] = {scene_.set(), node.frames[frame_].set.handle()};
   device_.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
@@ -133,27 +133,28 @@ void Recording::bind(VkCommandBuffer commands, const Node& node) const {
 }
 
 // Dispatches or traces `width` x `height` pixels.
-void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const {
+void CommandRecording::work(VkCommandBuffer commands, const GraphNode& node, uint32_t width, uint32_t height) const {
   if (hasStages(node.pipeline->interface)) return node.pipeline->driver->pipeline.recordTrace(commands, width, height);
   const uint32_t group = node.pipeline->interface.group ? 1 : shader::kGroupSize;
   device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
 }
 
 // Dispatches over the texels that cover the moving rectangle; the shader adds the first texel (shader/interface.cpp).
-void Recording::workInMovingRect(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
+void CommandRecording::workInMovingRect(VkCommandBuffer commands, const GraphNode& node,
+                                        const PlanNode& planned) const {
   auto texels = [](int from_px, int to_px, int texels, int pixels) {
     if (texels == pixels) return uint32_t(to_px - from_px);
     return uint32_t((to_px * texels + pixels - 1) / pixels - from_px * (texels - 1) / pixels);
   };
-  if (reach_.empty()) return;
-  work(commands, node, texels(reach_.x0, reach_.x1, planned.width, plan_->width),
-       texels(reach_.y0, reach_.y1, planned.height, plan_->height));
+  if (moving_rect_.empty()) return;
+  work(commands, node, texels(moving_rect_.x0, moving_rect_.x1, planned.width, plan_->width),
+       texels(moving_rect_.y0, moving_rect_.y1, planned.height, plan_->height));
 }
 
-void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps& stamps) const {
+void CommandRecording::pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps& stamps) const {
   const auto& vk = device_.vk();
   const PlanNode& planned = nodes_.planned(node_index);
-  const Node& node = nodes_[node_index];
+  const GraphNode& node = nodes_[node_index];
   if (device_.debugLabels()) {
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
     label.pLabelName = nodes_.name(node_index).c_str();
@@ -173,13 +174,14 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
 
 // With a static camera, moving instances stay within the moving rectangle. In a loop, the first iteration has cleared
 // the other pixels.
-VkRect2D Recording::drawnArea(const PlanNode& planned, int iteration) const {
+VkRect2D CommandRecording::drawnArea(const PlanNode& planned, int iteration) const {
   const bool of_reach = isOfMoving(planned) && planned.divide == 1 && iteration > 0;
   if (!of_reach) return {{0, 0}, {uint32_t(planned.width), uint32_t(planned.height)}};
-  return {{reach_.x0, reach_.y0}, {widthOf(reach_), heightOf(reach_)}};
+  return {{moving_rect_.x0, moving_rect_.y0}, {widthOf(moving_rect_), heightOf(moving_rect_)}};
 }
 
-void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNode& planned, int iteration) const {
+void CommandRecording::raster(VkCommandBuffer commands, const GraphNode& node, const PlanNode& planned,
+                              int iteration) const {
   const auto& vk = device_.vk();
   const VkRect2D area = drawnArea(planned, iteration);
   if (area.extent.width == 0 || area.extent.height == 0) return;
@@ -217,19 +219,19 @@ void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNod
   vk.CmdEndRendering(commands);
 }
 
-void Recording::hostBarrier(VkCommandBuffer commands) const {
+void CommandRecording::hostBarrier(VkCommandBuffer commands) const {
   gpu::recordBarrier(device_, commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
                      {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }
 
-void Recording::emptyPass(VkCommandBuffer commands, const Node& node) const {
+void CommandRecording::emptyPass(VkCommandBuffer commands, const GraphNode& node) const {
   bind(commands, node);
   work(commands, node, 0, 0);
 }
 
-bool Recording::isBuffer(int image) const { return plan::isBuffer(plan_->images[size_t(image)].format); }
+bool CommandRecording::isBuffer(int image) const { return plan::isBuffer(plan_->images[size_t(image)].format); }
 
-bool Recording::isRead(int image) const {
+bool CommandRecording::isRead(int image) const {
   for (const auto& loop : plan_->loops)
     if (loop.until == image) return true;
   for (const auto* named : {&plan_->outputs, &plan_->taps})

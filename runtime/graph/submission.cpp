@@ -7,7 +7,7 @@ namespace strobe::graph {
 
 using plan::Step;
 
-Submission::Submission(const gpu::Device& device, const world::GpuScene& scene, const Recording& recording,
+Submission::Submission(const gpu::Device& device, const world::GpuScene& scene, const CommandRecording& recording,
                        PlanNodes& nodes, size_t frames)
     : device_(device), scene_(scene), recording_(recording), nodes_(nodes), frames_(frames) {
   for (Frame& frame : frames_) frame.staging = gpu::Staging(device);
@@ -44,7 +44,7 @@ static constexpr double kCompileAllowance_s = 120;
 
 double Submission::compileBeforeUse(const Step& step) {
   if (step.kind != Step::Kind::Pass) return 0;
-  const Node& node = nodes_[size_t(step.index)];
+  const GraphNode& node = nodes_[size_t(step.index)];
   if (std::exchange(node.pipeline->ran, true)) return 0;
   if (node.pipeline->interface.raster) return kCompileAllowance_s;
   auto record_nothing = [&](VkCommandBuffer commands) { recording_.emptyPass(commands, node); };
@@ -94,7 +94,7 @@ void Submission::wait(size_t index) {
   }
   if (std::exchange(frame.pending, 0) == 0) return;
   frame.staging.reset();
-  for (Node& node : nodes_) node.frames[index].takeCounts();
+  for (GraphNode& node : nodes_) node.frames[index].takeCounts();
 }
 
 }  // namespace strobe::graph

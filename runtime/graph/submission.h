@@ -12,8 +12,8 @@ namespace strobe::graph {
 class Submission {
  public:
   // `frames`: maximum number of frames in flight.
-  Submission(const gpu::Device& device, const world::GpuScene& scene, const Recording& recording, PlanNodes& nodes,
-             size_t frames);
+  Submission(const gpu::Device& device, const world::GpuScene& scene, const CommandRecording& recording,
+             PlanNodes& nodes, size_t frames);
 
   // Steps of a frame that are submitted together.
   struct Part {
@@ -57,7 +57,7 @@ class Submission {
 
   const gpu::Device& device_;
   const world::GpuScene& scene_;
-  const Recording& recording_;
+  const CommandRecording& recording_;
   PlanNodes& nodes_;
   std::vector<Frame> frames_;
 };

@@ -152,9 +152,10 @@ static void requireComparable(const Image& test, const Image& reference, const I
   if (countedPixels(test, mask) == 0) throw Error("the mask is empty: all its pixels are below 0.5");
 }
 
-Comparison compareImages(const Image& test, const Image& reference, const Image& mask, const CompareOptions& options) {
+ImageComparison compareImages(const Image& test, const Image& reference, const Image& mask,
+                              const CompareOptions& options) {
   requireComparable(test, reference, mask);
-  Comparison result;
+  ImageComparison result;
   result.pixels = countedPixels(test, mask);
   result.mse = meanSquaredError(test, reference, mask);
   result.rmse = std::sqrt(result.mse);
@@ -184,8 +185,8 @@ static Json number(const std::optional<double>& value) {
   return *value;
 }
 
-Json comparisonJson(const Comparison& comparison) {
-  const Comparison& c = comparison;
+Json comparisonJson(const ImageComparison& comparison) {
+  const ImageComparison& c = comparison;
   const std::pair<const char*, std::optional<double>> values[] = {{"mse", c.mse},
                                                                   {"rmse", c.rmse},
                                                                   {"psnr", c.psnr},

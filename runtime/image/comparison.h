@@ -42,7 +42,7 @@ struct CompareOptions {
 };
 
 // Absent values were not measured: SSIM of an image smaller than its window, HDR-FLIP if it was not requested.
-struct Comparison {
+struct ImageComparison {
   double mse = 0, rmse = 0, psnr = 0, relmse = 0, relmse_trimmed = 0, smape = 0;
   std::optional<double> ssim, ms_ssim;  // ms_ssim takes no mask; absent with a mask
   double ldr_flip = 0, ldr_flip_max = 0;
@@ -54,12 +54,12 @@ struct Comparison {
 
 // Compares linear colour of the same size; `mask` as in metrics.h (empty: all pixels). Throws `Error` if sizes differ
 // or the mask selects no pixel.
-Comparison compareImages(const Image& test, const Image& reference, const Image& mask = {},
-                         const CompareOptions& options = {});
+ImageComparison compareImages(const Image& test, const Image& reference, const Image& mask = {},
+                              const CompareOptions& options = {});
 
 // Keys mse rmse psnr relmse relmse_trimmed smape ssim ms_ssim ldr_flip ldr_flip_max hdr_flip hdr_flip_max pixels; with
 // HDR also hdr_flip_start hdr_flip_stop hdr_flip_exposures hdr_flip_source. Absent values are null. The PSNR of
 // identical images is the string "inf".
-Json comparisonJson(const Comparison& comparison);
+Json comparisonJson(const ImageComparison& comparison);
 
 }  // namespace strobe::image

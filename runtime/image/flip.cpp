@@ -145,7 +145,7 @@ FeatureTaps featureTaps(double pixels_per_degree) {
 
 // ---- an image as perceived ----------------------------------------------------------------------------------------
 
-struct Seen {
+struct PerceivedImage {
   std::vector<Vec3> colour;  // Hunt-adjusted CIELab after the blur of the eye
   Plane edge, point;         // strength of features
 };
@@ -183,7 +183,7 @@ std::vector<Vec3> seenColours(const Plane& y, const Plane& cx, const Plane& cz) 
 }
 
 // `image`: linear RGB in [0,1], three channels.
-Seen see(const Image& image, double ppd) {
+PerceivedImage see(const Image& image, double ppd) {
   Plane y(image.width, image.height), cx = y, cz = y;
   for (size_t i = 0; i < y.values.size(); ++i) {
     Vec3 xyz = xyzFromLinear({image.values[3 * i], image.values[3 * i + 1], image.values[3 * i + 2]});
@@ -216,7 +216,7 @@ float remapColourError(float error, float largest) {
   return 0.95f + (error - knee) / (largest - knee) * 0.05f;
 }
 
-Image differenceOf(const Seen& test, const Seen& reference) {
+Image differenceOf(const PerceivedImage& test, const PerceivedImage& reference) {
   static const float largest = largestColourError();
   Image map(test.edge.width, test.edge.height, 1);
   for (size_t i = 0; i < map.values.size(); ++i) {
@@ -232,7 +232,7 @@ Image differenceOf(const Seen& test, const Seen& reference) {
 // `test` and `reference`: three channels in [0,1]. The two images are filtered in parallel.
 Image flipOfDisplayable(const Image& test, const Image& reference, double ppd) {
   auto seen_test = std::async(std::launch::async, [&] { return see(test, ppd); });
-  Seen seen_reference = see(reference, ppd);
+  PerceivedImage seen_reference = see(reference, ppd);
   return differenceOf(seen_test.get(), seen_reference);
 }
 

@@ -42,7 +42,7 @@ void writePng(const Path& file, const Image& display) { writeFileAtomically(file
 namespace {
 
 // Samples of a file, and the colour that its chunks state.
-struct Decoded {
+struct DecodedPng {
   uint32_t width = 0, height = 0;
   int channels = 0, bytes_per_sample = 1;
   std::vector<png_byte> samples;  // 16 bits: the high byte first
@@ -57,12 +57,12 @@ struct Decoded {
 };
 
 void refuse(png_structp png, png_const_charp why) {
-  static_cast<Decoded*>(png_get_error_ptr(png))->why = why;
+  static_cast<DecodedPng*>(png_get_error_ptr(png))->why = why;
   png_longjmp(png, 1);
 }
 
 void keepWarning(png_structp png, png_const_charp warning) {
-  static_cast<Decoded*>(png_get_error_ptr(png))->warnings.emplace_back(warning);
+  static_cast<DecodedPng*>(png_get_error_ptr(png))->warnings.emplace_back(warning);
 }
 
 void takeBytes(png_structp png, png_bytep into, size_t count) {
@@ -74,14 +74,14 @@ void takeBytes(png_structp png, png_bytep into, size_t count) {
 
 // A header may state any size, so the size is checked before memory is allocated. Deflate shrinks by a factor of 1032
 // at most.
-void takeSize(png_structp png, png_infop info, size_t file_bytes, Decoded& into) {
+void takeSize(png_structp png, png_infop info, size_t file_bytes, DecodedPng& into) {
   into.width = png_get_image_width(png, info), into.height = png_get_image_height(png, info);
   if (into.width > 65536 || into.height > 65536) png_error(png, "its width or height is above 65536 pixels");
   uint64_t packed = uint64_t(into.width) * into.height * png_get_bit_depth(png, info) * png_get_channels(png, info) / 8;
   if (packed / 1032 > file_bytes) png_error(png, "its size is too large for the bytes of the file");
 }
 
-void takeColour(png_structp png, png_infop info, Decoded& into) {
+void takeColour(png_structp png, png_infop info, DecodedPng& into) {
   into.says_srgb = png_get_valid(png, info, PNG_INFO_sRGB) != 0;
   if (png_get_valid(png, info, PNG_INFO_gAMA)) png_get_gAMA(png, info, &into.gamma);
   Primaries& p = into.primaries;
@@ -99,7 +99,7 @@ void takeColour(png_structp png, png_infop info, Decoded& into) {
 
 // False if the file is refused, with the reason in `into.why`. Objects with a destructor must be in `into`, since
 // libpng leaves by longjmp.
-bool decode(png_structp png, png_infop info, size_t file_bytes, Decoded& into) {
+bool decode(png_structp png, png_infop info, size_t file_bytes, DecodedPng& into) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, reinterpret_cast<png_const_bytep>("cICP"), 1);
   png_read_info(png, info);
@@ -119,8 +119,8 @@ bool decode(png_structp png, png_infop info, size_t file_bytes, Decoded& into) {
   return true;
 }
 
-Decoded decodedFrom(std::string_view bytes, const std::string& name) {
-  Decoded decoded;
+DecodedPng decodedFrom(std::string_view bytes, const std::string& name) {
+  DecodedPng decoded;
   std::string_view rest = bytes;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoded, refuse, keepWarning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -132,7 +132,7 @@ Decoded decodedFrom(std::string_view bytes, const std::string& name) {
   return decoded;
 }
 
-Image storedImage(const Decoded& decoded) {
+Image storedImage(const DecodedPng& decoded) {
   Image stored(int(decoded.width), int(decoded.height), decoded.channels);
   const png_byte* sample = decoded.samples.data();
   for (float& value : stored.values) {
@@ -143,11 +143,11 @@ Image storedImage(const Decoded& decoded) {
 }
 
 // True for sRGB values. Their gAMA is 1/2.2, for programs without support for the chunk sRGB.
-bool isSrgb(const Decoded& decoded) {
+bool isSrgb(const DecodedPng& decoded) {
   return decoded.says_srgb || decoded.gamma == 0 || std::abs(decoded.gamma - 1 / 2.2) < 5e-4;
 }
 
-std::vector<std::string> unusedColour(const Decoded& decoded) {
+std::vector<std::string> unusedColour(const DecodedPng& decoded) {
   std::vector<std::string> notes = decoded.warnings;
   const std::vector<int> kSrgbCodePoints = {1, 13, 0, 1};
   if (!decoded.code_points.empty() && decoded.code_points != kSrgbCodePoints)
@@ -165,7 +165,7 @@ Image decodePng(std::string_view bytes, const std::string& name) { return stored
 Image readPng(const Path& file) { return decodePng(readText(file), file.string()); }
 
 LinearPng readLinearPng(const Path& file) {
-  Decoded decoded = decodedFrom(readText(file), file.string());
+  DecodedPng decoded = decodedFrom(readText(file), file.string());
   LinearPng read{threeChannels(storedImage(decoded)), unusedColour(decoded)};
   if (isSrgb(decoded)) {
     read.linear = decodeSrgb(read.linear);

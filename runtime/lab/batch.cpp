@@ -95,7 +95,7 @@ const Batch::KnownPlan& Batch::known(const Shot& shot, HeldScene& scene, const O
   constexpr size_t kMost = 512;
   Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
   if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
-  const graph::FrameSetup& frame = scene.frame(shot, plan::earlierFrames(*evaluated.pipeline));
+  const graph::Frame& frame = scene.frame(shot, plan::earlierFrames(*evaluated.pipeline));
   std::string key = fmt::format("{}x{}|{}|{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
                                 settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","),
                                 fmt::join(absentFacts(frame, *evaluated.pipeline), ","), fmt::join(outputs, ","));

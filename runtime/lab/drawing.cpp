@@ -137,19 +137,19 @@ void Drawing::become(Planned planned, std::shared_ptr<const Evaluation> evaluati
   evaluation_ = std::move(evaluation);
 }
 
-graph::FrameSetup Drawing::frameOf(const Shot& shot) const {
+graph::Frame Drawing::frameOf(const Shot& shot) const {
   return scene_->frame(shot, plan::earlierFrames(plan().pipeline));
 }
 
 graph::FrameResult Drawing::draw(const Shot& shot, const std::set<std::string>* outputs,
                                  const std::function<void(int, int)>& progress) {
-  graph::FrameSetup frame = frameOf(shot);
+  graph::Frame frame = frameOf(shot);
   frame.wanted = outputs;
   return graph_->run(frame, progress);
 }
 
 void Drawing::begin(const Shot& shot, const std::set<std::string>* outputs) {
-  graph::FrameSetup frame = frameOf(shot);
+  graph::Frame frame = frameOf(shot);
   frame.wanted = outputs;
   graph_->begin(frame);
 }
@@ -215,8 +215,8 @@ static void divide(graph::FrameResult& sum, int n) {
 
 // Fills in the camera matrices, id names, warnings and record of a picture.
 static void describe(const Home& home, Picture& picture, const Drawing& drawing, const Shot& shot,
-                     const graph::FrameSetup& setup, const gpu::DeviceInfo& device) {
-  scene::Pose pose = setup.pose_at(setup.capture_s);
+                     const graph::Frame& setup, const gpu::DeviceInfo& device) {
+  scene::Pose pose = setup.pose_at(setup.raster_s);
   dmat4 camera_from_world = glm::inverse(pose.world_from_camera);
   picture.camera_from_world = mat4(camera_from_world);
   double aspect = double(shot.width) / shot.height;
@@ -242,7 +242,7 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
   if (id_coverage) requireIds(plan());
   auto seen = std::make_shared<image::IdCoverage>();
   double started_s = clockSeconds();
-  graph::FrameSetup setup = frameOf(shot);
+  graph::Frame setup = frameOf(shot);
   setup.wanted = outputs;
   Picture picture;
   double ready_s = clockSeconds();

@@ -68,7 +68,7 @@ class Drawing {
   std::vector<std::string> limitsMet(const Shot& shot, const graph::FrameResult& frame) const;
 
  private:
-  graph::FrameSetup frameOf(const Shot& shot) const;
+  graph::Frame frameOf(const Shot& shot) const;
 
   Workbench& bench_;
   // Destruction is in reverse order: the graph before the objects that it uses.

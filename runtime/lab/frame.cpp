@@ -37,11 +37,11 @@ static scene::PixelArea inWholeGroups(const scene::PixelArea& area, int width, i
 // because extrapolated displacements then have no length.
 static scene::FrameView viewOf(const Shot& shot, const scene::Scene& scene, int earlier_frames) {
   scene::FrameView view;
-  view.capture_s = shot.captureTime();
+  view.raster_s = shot.rasterTime();
   view.open_s = shot.window()[0], view.close_s = shot.window()[1];
   const bool uses_previous = earlier_frames > 0 || view.open_s < view.close_s;
-  view.previous_s = uses_previous ? view.capture_s - 1 / shot.fps : view.capture_s;
-  for (int k = 2; k <= earlier_frames; ++k) view.earlier_s.push_back(view.capture_s - k * (1 / shot.fps));
+  view.previous_s = uses_previous ? view.raster_s - 1 / shot.fps : view.raster_s;
+  for (int k = 2; k <= earlier_frames; ++k) view.earlier_s.push_back(view.raster_s - k * (1 / shot.fps));
   view.width = shot.width, view.height = shot.height;
   view.camera_share = shot.camera_blur, view.object_share = shot.object_blur;
   view.cuts = scene::cutsFromOption(shot.cuts);
@@ -56,11 +56,11 @@ static std::optional<bool> movesOfItself(const Shot& shot) {
   return shot.path.size() > 1;
 }
 
-graph::FrameSetup frameOf(const Shot& shot, const scene::Scene& scene, int earlier_frames) {
+graph::Frame frameOf(const Shot& shot, const scene::Scene& scene, int earlier_frames) {
   auto poser = std::make_shared<scene::FramePoser>(scene, scene::cameraNode(scene, shot.camera), shot.animation,
                                                    viewOf(shot, scene, earlier_frames));
   const scene::FrameView& view = poser->view();
-  graph::FrameSetup frame;
+  graph::Frame frame;
   frame.pose_at = [poser, view = shot.view, keys = cameraKeys(shot.path), fps = shot.fps](double time_s) {
     scene::Pose pose = poser->at(time_s);
     if (view) pose.world_from_camera = worldFromView(*view);
@@ -69,12 +69,12 @@ graph::FrameSetup frameOf(const Shot& shot, const scene::Scene& scene, int earli
   };
   std::vector<double> shares;  // share of its motion that each instance keeps; empty: all keep their whole motion
   if (!shot.motion_depths.empty()) {
-    shares = scene::motionShares(scene, frame.pose_at(view.capture_s), scene::DepthBounds::from(shot.motion_depths));
-    frame.pose_at = [true_pose = frame.pose_at, shares, capture_s = view.capture_s](double time_s) {
-      return scene::boundedPose(true_pose, shares, capture_s, time_s);
+    shares = scene::motionShares(scene, frame.pose_at(view.raster_s), scene::DepthBounds::from(shot.motion_depths));
+    frame.pose_at = [true_pose = frame.pose_at, shares, raster_s = view.raster_s](double time_s) {
+      return scene::boundedPose(true_pose, shares, raster_s, time_s);
     };
   }
-  frame.capture_s = view.capture_s, frame.open_s = view.open_s, frame.close_s = view.close_s;
+  frame.raster_s = view.raster_s, frame.open_s = view.open_s, frame.close_s = view.close_s;
   frame.curve = ShutterCurve::from(shot.shutter_curve);
   frame.frame_s = 1 / shot.fps;
   frame.anchor = anchorCode(shot.anchor);
@@ -82,10 +82,10 @@ graph::FrameSetup frameOf(const Shot& shot, const scene::Scene& scene, int earli
   frame.seed = shot.seed;
   frame.environment = scene.environment;
   frame.motion = scene::screenMotionOf(scene, frame.pose_at, view);
-  frame.motion.reach = inWholeGroups(frame.motion.reach, shot.width, shot.height);
+  frame.motion.moving_rect = inWholeGroups(frame.motion.moving_rect, shot.width, shot.height);
   frame.model_everything = shot.model_everything;
   if (shot.model_everything) {
-    frame.motion.reach = {0, 0, shot.width, shot.height};
+    frame.motion.moving_rect = {0, 0, shot.width, shot.height};
     return frame;
   }
   frame.facts = scene::factsOf(*poser, movesOfItself(shot));
@@ -103,7 +103,7 @@ static bool isOfMotion(const std::string& name) {
   return !fact->compiled_in && !fact->compiled_into_all;
 }
 
-std::vector<std::string> absentFacts(const graph::FrameSetup& frame, const plan::PipelineDesc& pipeline) {
+std::vector<std::string> absentFacts(const graph::Frame& frame, const plan::PipelineDesc& pipeline) {
   if (frame.model_everything) return {};
   const scene::Facts& facts = frame.facts;
   const std::vector<scene::ScreenPath>& paths = frame.motion.paths;
@@ -116,8 +116,8 @@ std::vector<std::string> absentFacts(const graph::FrameSetup& frame, const plan:
   if (!facts.one_sided) absent.push_back("one_sided");
   if (!facts.shadows) absent.push_back("shadows");
   if (!facts.deforms) absent.push_back("deforms");
-  if (!(frame.open_s < frame.capture_s)) absent.push_back("before");
-  if (!(frame.close_s > frame.capture_s)) absent.push_back("after");
+  if (!(frame.open_s < frame.raster_s)) absent.push_back("before");
+  if (!(frame.close_s > frame.raster_s)) absent.push_back("after");
   if (frame.curve.isBox()) absent.push_back("weighted");
   if (plan::hasParts(pipeline) && frame.open_s < frame.close_s) std::erase_if(absent, isOfMotion);
   return absent;

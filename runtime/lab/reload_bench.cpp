@@ -15,14 +15,14 @@ namespace strobe::lab {
 namespace {
 
 // An edit that puts a new number into a file.
-struct Kind {
+struct EditKind {
   std::string what;
   std::string file;
   std::string line;   // inserted line; {} is the number
   std::string after;  // text before the inserted line; "" for the end of the file
 };
 
-std::vector<Kind> kindsFor(const Session& session) {
+std::vector<EditKind> kindsFor(const Session& session) {
   // Edits: the shader of the last pass in the plan, the library that most shaders share, the script of that pass, and
   // the script of the pipeline.
   const plan::Plan& plan = session.plan();
@@ -36,18 +36,19 @@ std::vector<Kind> kindsFor(const Session& session) {
         ++uses[home.shown(file)];
   auto most =
       std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::vector<Kind> kinds = {{"shader of one pass", home.shown(graph::shaderFiles(home, last).front()),
-                              "\n  if (frame.frame == {}u) return;\n", ") {"}};
+  std::vector<EditKind> kinds = {{"shader of one pass", home.shown(graph::shaderFiles(home, last).front()),
+                                  "\n  if (frame.frame == {}u) return;\n", ") {"}};
   if (most != uses.end())
     kinds.push_back({fmt::format("shader library of {} passes", most->second), most->first,
                      "\nconst int kTouched = {};\n", "#define"});
   kinds.push_back({"declaration of a pass", last.place.file, "\n-- {}\n", ""});
   kinds.push_back({"pipeline", plan.pipeline.file, "\n-- {}\n", ""});
-  std::erase_if(kinds, [&](const Kind& kind) { return !home.nameOf(home.fileShown(kind.file)); });  // not in the copy
+  std::erase_if(kinds,
+                [&](const EditKind& kind) { return !home.nameOf(home.fileShown(kind.file)); });  // not in the copy
   return kinds;
 }
 
-ReloadTiming once(Session& session, const Kind& kind, int number) {
+ReloadTiming once(Session& session, const EditKind& kind, int number) {
   Path file = session.bench().home().fileShown(kind.file);
   std::string good = readText(file);
   std::string line = fmt::format(fmt::runtime(kind.line), number);
@@ -105,7 +106,7 @@ std::vector<ReloadTiming> benchReload(Workbench& bench, const Shot& shot, int re
   std::vector<ReloadTiming> timings;
   // The number differs from other runs. Otherwise the shader cache of the driver on disk would shorten the first frame.
   int number = int(::getpid()) * 1000;
-  for (const Kind& kind : kindsFor(session)) {
+  for (const EditKind& kind : kindsFor(session)) {
     std::vector<ReloadTiming> all;
     for (int i = 0; i < repeats; ++i) all.push_back(once(session, kind, ++number % 2000000000));
     timings.push_back(medianOf(all));
@@ -121,7 +122,7 @@ std::string tableOf(const std::vector<ReloadTiming>& timings) {
     table.add({t.edit});
     for (double ms : {t.watch, t.evaluate, t.compile, t.build, t.first_frame, t.later_frame})
       table.rows.back().push_back(fmt::format("{:.1f}", ms));
-    table.rows.back().push_back({fmt::format("{:.1f}", t.added()), page::Mark::best});
+    table.rows.back().push_back({fmt::format("{:.1f}", t.added()), page::Emphasis::best});
   }
   return page::markdownOf(table);
 }

@@ -12,7 +12,7 @@ namespace strobe::lab {
 std::array<double, 2> Shot::window() const {
   double length_s = exposureSeconds();
   double before = anchor == "end" ? 1 : anchor == "centre" ? 0.5 : 0;
-  return {captureTime() - before * length_s, captureTime() + (1 - before) * length_s};
+  return {rasterTime() - before * length_s, rasterTime() + (1 - before) * length_s};
 }
 
 uint32_t anchorCode(const std::string& anchor) {

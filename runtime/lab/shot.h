@@ -48,7 +48,7 @@ struct Shot {
   std::vector<std::string> taps;  // additional images "node.port" to keep
   bool model_everything = false;  // also run passes that the scene does not require
 
-  double captureTime() const { return frame / fps; }
+  double rasterTime() const { return frame / fps; }
   double restTime() const { return (rest_frame < 0 ? frame : rest_frame) / fps; }
   // Length of the exposure, seconds.
   double exposureSeconds() const { return exposure_time >= 0 ? exposure_time : exposure / fps; }

@@ -30,13 +30,13 @@ bool hasIntegers(const ReadImage& image) { return !image.uints.values.empty(); }
 int channelsOf(const ReadImage& image) { return hasIntegers(image) ? image.uints.channels : image.floats.channels; }
 
 // Smallest and largest finite value of an image.
-struct Range {
+struct ValueRange {
   float low = INFINITY, high = -INFINITY;
 };
 
 template <class ValueAt>
-Range rangeOf(const Image& image, ValueAt valueAt) {
-  Range range;
+ValueRange rangeOf(const Image& image, ValueAt valueAt) {
+  ValueRange range;
   for (size_t i = 0; i < image.values.size() / size_t(image.channels); ++i) {
     float value = valueAt(&image.values[i * size_t(image.channels)]);
     if (!std::isfinite(value)) continue;
@@ -133,14 +133,14 @@ float scalarOf(const float* texel, int channels) {
   return channels == 2 ? std::hypot(texel[0], texel[1]) : (texel[0] + texel[1] + texel[2]) / 3;
 }
 
-Range scaleOf(Range found, const ViewOptions& options) {
+ValueRange scaleOf(ValueRange found, const ViewOptions& options) {
   if (options.high > options.low) return {float(options.low), float(options.high)};
   if (!(found.high >= found.low)) return {0, 1};
   float widened = std::max(std::abs(found.high) * 1e-3f, 1e-6f);
-  return found.high > found.low ? found : Range{found.low, found.low + widened};
+  return found.high > found.low ? found : ValueRange{found.low, found.low + widened};
 }
 
-Image scalarView(const Image& image, Range range) {
+Image scalarView(const Image& image, ValueRange range) {
   Image values(image.width, image.height, 1);
   for (size_t i = 0; i < values.values.size(); ++i)
     values.values[i] = scalarOf(&image.values[i * size_t(image.channels)], image.channels);
@@ -149,13 +149,13 @@ Image scalarView(const Image& image, Range range) {
   return display;
 }
 
-Range depthScale(const Image& image, const ViewOptions& options) {
+ValueRange depthScale(const Image& image, const ViewOptions& options) {
   if (options.high > options.low && options.low > 0) return {float(options.low), float(options.high)};
-  Range found = rangeOf(image, [](const float* depth) { return *depth > 0 ? *depth : INFINITY; });
-  return found.high > 0 ? found : Range{1, 2};
+  ValueRange found = rangeOf(image, [](const float* depth) { return *depth > 0 ? *depth : INFINITY; });
+  return found.high > 0 ? found : ValueRange{1, 2};
 }
 
-Image depthView(const Image& image, Range range) {
+Image depthView(const Image& image, ValueRange range) {
   float far_m = std::max(range.high, range.low * 1.0001f);
   Image display = image::depthColours(image, range.low, far_m);
   image::markNotFinite(display, image, 1, true);
@@ -245,12 +245,12 @@ Image floatsShown(const Image& data, const std::string& kind, const std::string&
     return placed(display, divide, width, height);
   }
   if (kind == "depth") {
-    Range range = depthScale(data, options);
+    ValueRange range = depthScale(data, options);
     legend = {Legend::Kind::depth, range.low, range.high, ""};
     return placed(depthView(data, range), divide, width, height);
   }
   if (kind == "scalar") {
-    Range range = scaleOf(rangeOf(data, [&](const float* t) { return scalarOf(t, data.channels); }), options);
+    ValueRange range = scaleOf(rangeOf(data, [&](const float* t) { return scalarOf(t, data.channels); }), options);
     legend = {Legend::Kind::bar, range.low, range.high, middleOf(data.channels)};
     return placed(scalarView(data, range), divide, width, height);
   }

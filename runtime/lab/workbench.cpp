@@ -150,7 +150,7 @@ std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, 
   return copy;
 }
 
-const graph::FrameSetup& HeldScene::frame(const Shot& shot, int earlier_frames) {
+const graph::Frame& HeldScene::frame(const Shot& shot, int earlier_frames) {
   std::string key = fmt::format("{}|{}x{}|{}|{}|{}", frameIdentity(shot), shot.width, shot.height, shot.camera,
                                 shot.model_everything, earlier_frames);
   if (key != frame_key_) frame_ = frameOf(shot, loaded.scene, earlier_frames);

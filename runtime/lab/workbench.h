@@ -52,11 +52,11 @@ struct HeldScene {
                                             shader::StructureKind structures);
   // Frame of a shot of this scene (lab/frame.h). The frame of the last call is kept: plan and pictures of a shot use
   // the same frame.
-  const graph::FrameSetup& frame(const Shot& shot, int earlier_frames);
+  const graph::Frame& frame(const Shot& shot, int earlier_frames);
 
  private:
   std::string frame_key_;
-  graph::FrameSetup frame_;
+  graph::Frame frame_;
 };
 
 // One picture, its record and its timings.

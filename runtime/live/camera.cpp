@@ -13,15 +13,15 @@ static const dvec3 kUp(0, 1, 0);
 static const double kSteepest = glm::radians(89.5);
 
 // Unit direction as angles, radians. Yaw is 0 along -z and grows to the right. Pitch is the angle above the horizon.
-struct Heading {
+struct ViewDirection {
   double yaw = 0, pitch = 0;
 };
 
-static Heading headingOf(const dvec3& direction) {
+static ViewDirection headingOf(const dvec3& direction) {
   return {std::atan2(direction.x, -direction.z), std::asin(std::clamp(direction.y, -1.0, 1.0))};
 }
 
-static dvec3 directionOf(const Heading& heading) {
+static dvec3 directionOf(const ViewDirection& heading) {
   return {std::sin(heading.yaw) * std::cos(heading.pitch), std::sin(heading.pitch),
           -std::cos(heading.yaw) * std::cos(heading.pitch)};
 }
@@ -29,7 +29,7 @@ static dvec3 directionOf(const Heading& heading) {
 static double distanceOf(const Viewpoint& view) { return glm::length(view.target - view.eye); }
 
 static dvec3 turnedDirection(const Viewpoint& view, double yaw, double pitch) {
-  Heading heading = headingOf(forwardOf(view));
+  ViewDirection heading = headingOf(forwardOf(view));
   heading.yaw += yaw;
   heading.pitch = std::clamp(heading.pitch + pitch, -kSteepest, kSteepest);
   return directionOf(heading);

@@ -8,8 +8,8 @@
 
 namespace strobe::live {
 
-const std::vector<Key>& keys() {
-  static const std::vector<Key> table = {
+const std::vector<KeyBinding>& keys() {
+  static const std::vector<KeyBinding> table = {
       {"Space", ' ', Action::TogglePlay, "play or pause"},
       {"Left", GLFW_KEY_LEFT, Action::StepBack, "one frame back"},
       {"Right", GLFW_KEY_RIGHT, Action::StepAhead, "one frame ahead"},
@@ -68,14 +68,14 @@ const std::vector<Gesture>& gestures() {
 }
 
 Action actionOf(int code) {
-  for (const Key& key : keys())
+  for (const KeyBinding& key : keys())
     if (key.code == code) return key.action;
   return Action::None;
 }
 
 Action actionNamed(const std::string& shown) {
   std::vector<std::string> names;
-  for (const Key& key : keys()) {
+  for (const KeyBinding& key : keys()) {
     if (shown == key.shown) return key.action;
     names.push_back(key.shown);
   }

@@ -38,13 +38,13 @@ enum class Action {
   Quit,
 };
 
-struct Key {
+struct KeyBinding {
   const char* shown;  // name in the help
   int code;           // typed character in lower case, or GLFW's key code (256 or more)
   Action action;
   const char* doc;
 };
-const std::vector<Key>& keys();
+const std::vector<KeyBinding>& keys();
 
 // Key that acts while it is held. `right`, `up`, `ahead`: speed, metres per second for each metre of distance to the
 // target.

@@ -133,7 +133,7 @@ class Live {
   PictureView view_;
   SweepPanel sweep_panel_;
   std::unique_ptr<Recording> recording_;
-  std::unique_ptr<Texture> picture_;
+  std::unique_ptr<PanelTexture> picture_;
   std::unique_ptr<DrivenWindow> drive_;
   std::unique_ptr<lab::Tev> tev_;
   std::string title_;
@@ -324,7 +324,7 @@ void Live::drawWindow() {
   Gui::beginFrame(window_);
   if (drive_) drive_->point(view_);
   ImGui::NewFrame();
-  Area area = drawPanels(gui_.fonts(), desk_, state_);
+  WindowArea area = drawPanels(gui_.fonts(), desk_, state_);
   area = sweep_panel_.draw(gui_.fonts(), desk_, sweeper_, state_, area);
   view_.interact(desk_, state_, area, window_.input());
   view_.draw(gui_.fonts(), desk_, state_, area, *picture_);

@@ -441,7 +441,7 @@ void attempt(PanelState& state, const std::function<void()>& change) {
   }
 }
 
-Area drawPanels(const Fonts& fonts, Desk& desk, PanelState& state) {
+WindowArea drawPanels(const Fonts& fonts, Desk& desk, PanelState& state) {
   ImVec2 size = ImGui::GetIO().DisplaySize;
   if (!state.panels) return {0, 0, size.x, size.y};
   float bottom = kBottom + commandHeight(fonts, lab::commandOf(desk.shot()), size.x);
@@ -460,7 +460,7 @@ Area drawPanels(const Fonts& fonts, Desk& desk, PanelState& state) {
 
 namespace {
 
-void drawProblems(const Fonts& fonts, const std::vector<std::string>& problems, const Area& area) {
+void drawProblems(const Fonts& fonts, const std::vector<std::string>& problems, const WindowArea& area) {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   list->AddRectFilled(ImVec2(float(area.x), float(area.y)),
                       ImVec2(float(area.x + area.width), float(area.y + area.height)), IM_COL32(10, 8, 8, 170));
@@ -532,7 +532,7 @@ void drawHelp(const Fonts& fonts) {
   ImGui::PopStyleVar(2);
 }
 
-void drawMessage(const Fonts& fonts, const PanelState& state, const Area& area) {
+void drawMessage(const Fonts& fonts, const PanelState& state, const WindowArea& area) {
   ImGui::SetNextWindowPos(ImVec2(float(area.x + area.width / 2), float(area.y + area.height - 14)), 0, ImVec2(0.5f, 1));
   ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(float(area.width - 40), 200));
   ImGui::PushStyleColor(ImGuiCol_WindowBg,
@@ -547,7 +547,7 @@ void drawMessage(const Fonts& fonts, const PanelState& state, const Area& area) 
 
 }  // namespace
 
-void drawOverlays(const Fonts& fonts, const Desk& desk, PanelState& state, const Area& area) {
+void drawOverlays(const Fonts& fonts, const Desk& desk, PanelState& state, const WindowArea& area) {
   std::vector<std::string> problems = desk.problems();
   if (!problems.empty()) drawProblems(fonts, problems, area);
   if (state.speaks()) drawMessage(fonts, state, area);

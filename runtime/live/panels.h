@@ -43,9 +43,9 @@ void beginPanel(const char* name, float x, float y, float width, float height, b
 void attempt(PanelState& state, const std::function<void()>& change);
 
 // Draws the panels at the sides of the window. Returns the remaining area for the picture.
-Area drawPanels(const Fonts& fonts, Desk& desk, PanelState& state);
+WindowArea drawPanels(const Fonts& fonts, Desk& desk, PanelState& state);
 
 // Draws over the picture: problems, help, last message.
-void drawOverlays(const Fonts& fonts, const Desk& desk, PanelState& state, const Area& area);
+void drawOverlays(const Fonts& fonts, const Desk& desk, PanelState& state, const WindowArea& area);
 
 }  // namespace strobe::live

@@ -13,7 +13,7 @@ static const double kWipeGrip = 7;      // distance at which a press grabs the w
 static ImVec2 toIm(const dvec2& at) { return ImVec2(float(at.x), float(at.y)); }
 static dvec2 fromIm(const ImVec2& at) { return {at.x, at.y}; }
 
-static bool inside(const Area& area, const dvec2& at) {
+static bool inside(const WindowArea& area, const dvec2& at) {
   return at.x >= area.x && at.y >= area.y && at.x < area.x + area.width && at.y < area.y + area.height;
 }
 
@@ -30,8 +30,8 @@ static std::string valueText(const PixelValue& value, const char* between) {
   return text;
 }
 
-void PictureView::draw(const Fonts& fonts, Desk& desk, const PanelState& state, const Area& area,
-                       const Texture& picture) {
+void PictureView::draw(const Fonts& fonts, Desk& desk, const PanelState& state, const WindowArea& area,
+                       const PanelTexture& picture) {
   width_ = picture.width();
   height_ = picture.height();
   placement_ = placed(area, width_, height_, state.magnification);
@@ -66,14 +66,14 @@ void PictureView::prepare(Surface& surface, const Desk& desk) {
 
 // Draws legends unscaled: below the picture if there is room, otherwise over its lower corners. A's legend is at the
 // left corner if B has a different one; every other legend is at the right corner.
-void PictureView::drawLegends(const Fonts& fonts, const Area& area) const {
+void PictureView::drawLegends(const Fonts& fonts, const WindowArea& area) const {
   constexpr double kGap = 8;
   const bool two = legend_pictures_[1] != nullptr;
   dvec2 low = placement_.toWindow({0, 0}), high = placement_.toWindow({width_, height_});
   low.x = std::max(low.x, area.x), high.x = std::min(high.x, area.x + area.width);
   for (size_t i = 0; i < legend_pictures_.size(); ++i) {
     if (!legend_pictures_[i]) continue;
-    const Texture& picture = *legend_pictures_[i];
+    const PanelTexture& picture = *legend_pictures_[i];
     bool below = high.y + kGap + picture.height() <= area.y + area.height;
     double bottom = std::min(high.y, area.y + area.height);
     dvec2 at(two && i == 0 ? low.x + kGap : high.x - kGap - picture.width(),
@@ -88,7 +88,7 @@ void PictureView::drawLegends(const Fonts& fonts, const Area& area) const {
   }
 }
 
-void PictureView::drawWipe(const Fonts& fonts, const Desk& desk, const Area& area) const {
+void PictureView::drawWipe(const Fonts& fonts, const Desk& desk, const WindowArea& area) const {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   double x = placement_.toWindow({desk.look().wipe * width_, 0}).x;
   double top = std::max(area.y, placement_.origin.y);
@@ -110,7 +110,8 @@ void PictureView::drawWipe(const Fonts& fonts, const Desk& desk, const Area& are
 }
 
 // Writes the values of each texel on the texel.
-void PictureView::drawNumbers(const Fonts& fonts, const Desk& desk, const PanelState& state, const Area& area) const {
+void PictureView::drawNumbers(const Fonts& fonts, const Desk& desk, const PanelState& state,
+                              const WindowArea& area) const {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   dvec2 first = glm::floor(placement_.toPicture({area.x, area.y})),
         last = placement_.toPicture({area.x + area.width, area.y + area.height});
@@ -159,7 +160,7 @@ void PictureView::grip(Desk& desk, Grip grip) {
   if (grip_ == Grip::Orbit) pivot_ = desk.sides().pivotAt(placement_.toPicture(fromIm(ImGui::GetIO().MousePos)));
 }
 
-void PictureView::drag(Desk& desk, PanelState& state, const Area& area, const dvec2& by) {
+void PictureView::drag(Desk& desk, PanelState& state, const WindowArea& area, const dvec2& by) {
   dragged_ += glm::length(by);
   if (by == dvec2(0) || dragged_ < kClick) return;
   if (grip_ == Grip::Wipe)
@@ -187,7 +188,7 @@ void PictureView::fly(Desk& desk, PanelState& state, const InputQueue& input, do
   });
 }
 
-void PictureView::interact(Desk& desk, PanelState& state, const Area& area, const InputQueue& input) {
+void PictureView::interact(Desk& desk, PanelState& state, const WindowArea& area, const InputQueue& input) {
   ImGuiIO& io = ImGui::GetIO();
   dvec2 pointer = fromIm(io.MousePos);
   bool over = !io.WantCaptureMouse && inside(area, pointer);

@@ -13,9 +13,10 @@ class PictureView {
   // Uploads changed legends for `draw`.
   void prepare(Surface& surface, const Desk& desk);
   // Draws the picture into the area, and the values under the pointer.
-  void draw(const Fonts& fonts, Desk& desk, const PanelState& state, const Area& area, const Texture& picture);
+  void draw(const Fonts& fonts, Desk& desk, const PanelState& state, const WindowArea& area,
+            const PanelTexture& picture);
   // Handles the mouse (camera, wipe, magnification, pinning) and held keys (flying).
-  void interact(Desk& desk, PanelState& state, const Area& area, const InputQueue& input);
+  void interact(Desk& desk, PanelState& state, const WindowArea& area, const InputQueue& input);
 
   // Position of a picture's pixel in the window, pixels, as last drawn.
   dvec2 inWindow(const dvec2& pixel) const { return placement_.toWindow(pixel); }
@@ -23,18 +24,18 @@ class PictureView {
  private:
   enum class Grip { None, Wipe, Picture, Orbit, Look, Pan };
   Grip gripAt(const Desk& desk, bool right, bool control, bool shift) const;
-  void drag(Desk& desk, PanelState& state, const Area& area, const dvec2& by);
+  void drag(Desk& desk, PanelState& state, const WindowArea& area, const dvec2& by);
   void fly(Desk& desk, PanelState& state, const InputQueue& input, double seconds);
   void grip(Desk& desk, Grip grip);
-  void drawWipe(const Fonts& fonts, const Desk& desk, const Area& area) const;
-  void drawLegends(const Fonts& fonts, const Area& area) const;
-  void drawNumbers(const Fonts& fonts, const Desk& desk, const PanelState& state, const Area& area) const;
+  void drawWipe(const Fonts& fonts, const Desk& desk, const WindowArea& area) const;
+  void drawLegends(const Fonts& fonts, const WindowArea& area) const;
+  void drawNumbers(const Fonts& fonts, const Desk& desk, const PanelState& state, const WindowArea& area) const;
   void drawPointed(const Fonts& fonts, const Desk& desk, const PanelState& state) const;
 
-  Placement placement_;
+  PicturePlacement placement_;
   int width_ = 1, height_ = 1;
   std::array<image::Legend, 2> legends_;  // legends in the textures
-  std::array<std::unique_ptr<Texture>, 2> legend_pictures_;
+  std::array<std::unique_ptr<PanelTexture>, 2> legend_pictures_;
   Grip grip_ = Grip::None;
   dvec3 pivot_ = dvec3(0);  // of an orbit, world space
   double dragged_ = 0;      // pixels since the button went down

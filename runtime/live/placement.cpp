@@ -8,7 +8,7 @@ namespace strobe::live {
 
 static const double kLeast = 0.25, kMost = 256;  // limits of the zoom
 
-static double fittedScale(const Area& area, int width, int height) {
+static double fittedScale(const WindowArea& area, int width, int height) {
   double scale = std::max(1e-3, std::min(area.width / width, area.height / height));
   return scale >= 2 ? std::floor(scale) : scale;
 }
@@ -16,16 +16,16 @@ static double fittedScale(const Area& area, int width, int height) {
 // Rounds to whole window pixels, so that enlarged pixels have sharp borders.
 static dvec2 rounded(const dvec2& at) { return {std::round(at.x), std::round(at.y)}; }
 
-Placement placed(const Area& area, int width, int height, const Magnification& magnification) {
-  Placement result;
+PicturePlacement placed(const WindowArea& area, int width, int height, const Magnification& magnification) {
+  PicturePlacement result;
   result.scale = fittedScale(area, width, height) * magnification.zoom;
   dvec2 middle(area.x + area.width / 2, area.y + area.height / 2);
   result.origin = rounded(middle - magnification.centre * dvec2(width, height) * result.scale);
   return result;
 }
 
-Magnification magnified(const Magnification& from, double factor, const dvec2& window, const Area& area, int width,
-                        int height) {
+Magnification magnified(const Magnification& from, double factor, const dvec2& window, const WindowArea& area,
+                        int width, int height) {
   Magnification result = from;
   result.zoom = std::clamp(from.zoom * factor, kLeast, kMost);
   dvec2 middle(area.x + area.width / 2, area.y + area.height / 2);
@@ -34,7 +34,8 @@ Magnification magnified(const Magnification& from, double factor, const dvec2& w
   return result;
 }
 
-Magnification dragged(const Magnification& from, const dvec2& by_window, const Area& area, int width, int height) {
+Magnification dragged(const Magnification& from, const dvec2& by_window, const WindowArea& area, int width,
+                      int height) {
   Magnification result = from;
   double scale = fittedScale(area, width, height) * from.zoom;
   result.centre = glm::clamp(from.centre - by_window / scale / dvec2(width, height), dvec2(-0.5), dvec2(1.5));

@@ -7,7 +7,7 @@
 namespace strobe::live {
 
 // Left, top, width and height, pixels of the window.
-struct Area {
+struct WindowArea {
   double x = 0, y = 0, width = 0, height = 0;
 };
 
@@ -19,7 +19,7 @@ struct Magnification {
 };
 
 // Window position = origin + scale * pixel of the picture.
-struct Placement {
+struct PicturePlacement {
   dvec2 origin = dvec2(0);
   double scale = 1;
   dvec2 toWindow(const dvec2& pixel) const { return origin + pixel * scale; }
@@ -28,13 +28,13 @@ struct Placement {
 
 // Placement of a picture. A fitted scale of 2 or more is rounded down to a whole number, so that all pixels have equal
 // size.
-Placement placed(const Area& area, int width, int height, const Magnification& magnification);
+PicturePlacement placed(const WindowArea& area, int width, int height, const Magnification& magnification);
 
 // Multiplies the zoom by `factor`. The point at `window` stays in place.
-Magnification magnified(const Magnification& from, double factor, const dvec2& window, const Area& area, int width,
-                        int height);
+Magnification magnified(const Magnification& from, double factor, const dvec2& window, const WindowArea& area,
+                        int width, int height);
 
 // Moves the picture by a drag of `by_window` pixels.
-Magnification dragged(const Magnification& from, const dvec2& by_window, const Area& area, int width, int height);
+Magnification dragged(const Magnification& from, const dvec2& by_window, const WindowArea& area, int width, int height);
 
 }  // namespace strobe::live

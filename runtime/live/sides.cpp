@@ -152,7 +152,7 @@ Viewpoint Sides::viewpoint() const {
     return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
   }
   scene::Poser poser(a_.session->scene(), cameraNodeOf(*a_.session), shot.animation);
-  scene::Pose pose = poser.at(shot.captureTime());
+  scene::Pose pose = poser.at(shot.rasterTime());
   return viewpointOf(pose.world_from_camera, distanceToMiddle(a_.session->scene(), pose));
 }
 

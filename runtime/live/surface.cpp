@@ -19,7 +19,7 @@ struct WindowConstants {
 const std::vector<VkDescriptorSetLayoutBinding> kBindings = {
     {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
 
-gpu::Spirv compiled(const Home& home, const char* file, shader::Stage stage) {
+gpu::Spirv compiled(const Home& home, const char* file, shader::ShaderStage stage) {
   return shader::compile(home, {"#version 460\n", home.at(Path("shaders/live") / file), ""}, stage).spirv;
 }
 
@@ -47,8 +47,8 @@ Surface::Surface(const Home& home, const gpu::Device& device, VkSurfaceKHR surfa
 
 void Surface::makePipeline(const Home& home) {
   gpu::RasterShaders shaders;
-  shaders.vertex = compiled(home, "panel.vert.glsl", shader::Stage::Vertex);
-  shaders.fragment = compiled(home, "panel.frag.glsl", shader::Stage::Fragment);
+  shaders.vertex = compiled(home, "panel.vert.glsl", shader::ShaderStage::Vertex);
+  shaders.fragment = compiled(home, "panel.frag.glsl", shader::ShaderStage::Fragment);
   shaders.color_formats = {swapchain_.format()};
   shaders.overlay = true;
   shaders.constant_bytes = sizeof(WindowConstants);
@@ -59,24 +59,24 @@ void Surface::makePipeline(const Home& home) {
   pipeline_ = gpu::Pipeline::raster(device_, "panels", shaders, {set_layout_.get()});
 }
 
-std::unique_ptr<Texture> Surface::makeTexture(const std::string& name, uint32_t width, uint32_t height,
-                                              VkSampler sampler) {
-  auto texture = std::make_unique<Texture>();
+std::unique_ptr<PanelTexture> Surface::makeTexture(const std::string& name, uint32_t width, uint32_t height,
+                                                   VkSampler sampler) {
+  auto texture = std::make_unique<PanelTexture>();
   texture->sampler_ = sampler;
   VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  texture->image_ = gpu::Image(device_, name, {VK_FORMAT_R8G8B8A8_UNORM, width, height, 1, usage});
+  texture->image_ = gpu::DeviceImage(device_, name, {VK_FORMAT_R8G8B8A8_UNORM, width, height, 1, usage});
   texture->set_ = gpu::DescriptorSet(device_, name, set_layout_.get(), kBindings);
   texture->set_.write(0, std::vector{gpu::inGeneral(texture->image_.view(), sampler)});
   return texture;
 }
 
-void Surface::fill(Texture& texture, std::vector<uint8_t> rgba) {
+void Surface::fill(PanelTexture& texture, std::vector<uint8_t> rgba) {
   staging_.write(texture.image_, {std::move(rgba)});
   device_.submit([&](VkCommandBuffer commands) { staging_.recordCopies(commands); });
   staging_.reset();
 }
 
-void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display,
+void Surface::upload(std::unique_ptr<PanelTexture>& texture, const std::string& name, const image::Image& display,
                      bool smooth) {
   VkSampler sampler = smooth ? linear_.get() : nearest_.get();
   bool fits = texture && texture->width() == display.width && texture->height() == display.height &&
@@ -125,7 +125,7 @@ void Surface::recordCommand(VkCommandBuffer commands, const ImDrawData& frame, c
   VkRect2D scissor{{int32_t(x0), int32_t(y0)}, {uint32_t(x1 - x0), uint32_t(y1 - y0)}};
   const gpu::Dispatch& vk = device_.vk();
   vk.CmdSetScissor(commands, 0, 1, &scissor);
-  const VkDescriptorSet set = ((const Texture*)(intptr_t)command.GetTexID())->set_.handle();
+  const VkDescriptorSet set = ((const PanelTexture*)(intptr_t)command.GetTexID())->set_.handle();
   vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1, &set, 0, nullptr);
   vk.CmdDrawIndexed(commands, command.ElemCount, 1, first_index + command.IdxOffset,
                     first_vertex + int32_t(command.VtxOffset), 0);

@@ -20,7 +20,7 @@
 namespace strobe::live {
 
 // Image on the device for the panels. The surface that made the texture must outlive it.
-class Texture {
+class PanelTexture {
  public:
   int width() const { return int(image_.desc().width); }
   int height() const { return int(image_.desc().height); }
@@ -29,7 +29,7 @@ class Texture {
 
  private:
   friend class Surface;
-  gpu::Image image_;
+  gpu::DeviceImage image_;
   VkSampler sampler_ = VK_NULL_HANDLE;  // owned by the surface
   gpu::DescriptorSet set_;
 };
@@ -41,7 +41,8 @@ class Surface {
 
   // Uploads a display image (sRGB-encoded, three channels) into `texture`. Makes a new texture if the size or filter
   // differs. `smooth`: linear filter instead of nearest.
-  void upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display, bool smooth);
+  void upload(std::unique_ptr<PanelTexture>& texture, const std::string& name, const image::Image& display,
+              bool smooth);
 
   // Draws ImGui's frame and presents it. `shot` (may be null) receives the window's pixels. Returns false if nothing
   // was presented because the window is hidden or was resized; call again with the next frame.
@@ -50,8 +51,9 @@ class Surface {
  private:
   void makePipeline(const Home& home);
   void makeFont();
-  std::unique_ptr<Texture> makeTexture(const std::string& name, uint32_t width, uint32_t height, VkSampler sampler);
-  void fill(Texture& texture, std::vector<uint8_t> rgba);
+  std::unique_ptr<PanelTexture> makeTexture(const std::string& name, uint32_t width, uint32_t height,
+                                            VkSampler sampler);
+  void fill(PanelTexture& texture, std::vector<uint8_t> rgba);
   void takeGeometry(const ImDrawData& frame);
   void record(VkCommandBuffer commands, const ImDrawData& frame, const gpu::Swapchain::Target& target,
               const gpu::Buffer* shot) const;
@@ -66,7 +68,7 @@ class Surface {
   gpu::Owned<VkDescriptorSetLayout> set_layout_;
   gpu::Pipeline pipeline_;
   gpu::Owned<VkSampler> nearest_, linear_;
-  std::unique_ptr<Texture> font_;
+  std::unique_ptr<PanelTexture> font_;
   gpu::Buffer vertices_, indices_;
   bool outdated_ = false;
 };

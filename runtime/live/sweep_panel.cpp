@@ -143,14 +143,14 @@ bool pointButton(Desk& desk, Sweeper& sweeper, PanelState& state, size_t point, 
 }
 
 // Curve over columns. A point without a value leaves a gap. Points of categories are not joined.
-struct Curve {
+struct PanelCurve {
   std::vector<std::optional<double>> values;
   double full = 1;  // value at the top
   ImU32 color = 0;
   bool joined = true;
 };
 
-void drawCurve(const Curve& curve, ImVec2 at, float column, float height) {
+void drawCurve(const PanelCurve& curve, ImVec2 at, float column, float height) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   auto place = [&](size_t i) {
     return ImVec2(at.x + (float(i) + 0.5f) * column,
@@ -164,8 +164,8 @@ void drawCurve(const Curve& curve, ImVec2 at, float column, float height) {
     if (curve.values[i]) list->AddCircleFilled(place(i), 3.5f, curve.color);
 }
 
-Curve curveOf(const Sweep& sweep, const std::function<std::optional<double>(const SweepPoint&)>& of, ImU32 color) {
-  Curve curve{
+PanelCurve curveOf(const Sweep& sweep, const std::function<std::optional<double>(const SweepPoint&)>& of, ImU32 color) {
+  PanelCurve curve{
       {}, image::niceCeiling(largest(sweep, of).value_or(0)), color, hasRange(sweep.axes().front().declaration)};
   for (const SweepPoint& point : sweep.points()) {
     std::optional<double> value = of(point);
@@ -214,7 +214,7 @@ SweepPanel::Grid gridOf(const Sweep& sweep, ImVec2 room) {
   return grid;
 }
 
-float heightOf(const Sweeper& sweeper, const Area& area) {
+float heightOf(const Sweeper& sweeper, const WindowArea& area) {
   const Sweep& sweep = sweeper.sweep();
   float head = 2 * kPad + kRow * float(1 + sweep.axes().size()) + kLine + 4;
   float most = 0.62f * float(area.height);
@@ -333,10 +333,10 @@ void SweepPanel::drawStrip(const Fonts& fonts, Desk& desk, Sweeper& sweeper, Pan
     bool hovered = pointButton(desk, sweeper, state, i, corner, ImVec2(strip.column, strip.height()));
     drawColumn(fonts, sweep, strip, i, {current == i, hovered});
   }
-  Curve errors = curveOf(sweep, errorOf, kErrors), times = curveOf(sweep, msOf, kTimes);
+  PanelCurve errors = curveOf(sweep, errorOf, kErrors), times = curveOf(sweep, msOf, kTimes);
   drawCurve(times, chart, strip.column, strip.chart);
   drawCurve(errors, chart, strip.column, strip.chart);
-  auto label = [&](const Curve& curve, const char* what, bool right) {
+  auto label = [&](const PanelCurve& curve, const char* what, bool right) {
     std::string text = fmt::format("{} to {}", what, page::shownNumber(curve.full));
     float width = fonts.small->CalcTextSizeA(11, FLT_MAX, 0, text.c_str()).x;
     ImVec2 corner(right ? at.x + room.x - width - 4 : at.x + 4, strip.chart_y - kLine + 1);
@@ -383,10 +383,11 @@ void SweepPanel::drawGrid(const Fonts& fonts, Desk& desk, Sweeper& sweeper, Pane
   }
 }
 
-Area SweepPanel::draw(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelState& state, const Area& area) {
+WindowArea SweepPanel::draw(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelState& state,
+                            const WindowArea& area) {
   if (!sweeper.isOpen() || !state.panels) return area;
   float height = std::floor(heightOf(sweeper, area));
-  Area rest = area;
+  WindowArea rest = area;
   rest.height = std::max(20.0, area.height - height - 1);
   beginPanel("sweep", float(area.x), float(area.y + area.height) - height, float(area.width), height, true);
   drawHead(fonts, desk, sweeper, state);

@@ -17,7 +17,7 @@ class SweepPanel {
   // Gives the keyboard focus to the first field.
   void focus() { focus_ = true; }
   // Draws an open sweep at the bottom of an area. Returns the remaining area for the picture.
-  Area draw(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelState& state, const Area& area);
+  WindowArea draw(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelState& state, const WindowArea& area);
 
   struct Mark {
     bool current = false, hovered = false;
@@ -54,7 +54,7 @@ class SweepPanel {
   void drawPicture(const Sweep& sweep, size_t point, ImVec2 at, ImVec2 size) const;
   void describe(const Fonts& fonts, const Sweep& sweep, size_t point) const;
 
-  std::unique_ptr<Texture> sheet_;
+  std::unique_ptr<PanelTexture> sheet_;
   Thumbnails thumbnails_;
   std::optional<Made> made_;
   bool focus_ = false;

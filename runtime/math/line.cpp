@@ -7,8 +7,8 @@
 
 namespace strobe {
 
-Line lineThrough(const std::vector<double>& x, const std::vector<double>& y) {
-  Line line;
+LineFit lineThrough(const std::vector<double>& x, const std::vector<double>& y) {
+  LineFit line;
   line.slope = slopeWithin(x, y, std::vector<int>(x.size(), 0)).slope;
   line.intercept = mean(y) - line.slope.value * mean(x);
   double all = 0, rest = 0;

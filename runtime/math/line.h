@@ -8,7 +8,7 @@
 
 namespace strobe {
 
-struct Line {
+struct LineFit {
   Estimate slope;  // t interval with n - 2 degrees of freedom; the interval is NaN for fewer than three points
   double intercept = std::numeric_limits<double>::quiet_NaN();
   double r2 = std::numeric_limits<double>::quiet_NaN();  // coefficient of determination; NaN if y does not vary
@@ -17,6 +17,6 @@ struct Line {
 };
 
 // `x` and `y` have the same size and finite values. All results are NaN if x does not vary.
-Line lineThrough(const std::vector<double>& x, const std::vector<double>& y);
+LineFit lineThrough(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace strobe

@@ -16,9 +16,9 @@ constexpr double kSwatchAt = 30, kSwatch = 26, kTextAt = 31, kLabelStep = 17;
 constexpr double kNear = 30;    // pixels; a line with its end nearer to the right border has its label there
 constexpr double kWhisker = 4;  // half the width of an error bar's ends, pixels
 
-class Drawing {
+class ChartDrawing {
  public:
-  Drawing(const Chart& chart, int width, int height)
+  ChartDrawing(const Chart& chart, int width, int height)
       : chart_(chart), frame_(frameOf(chart, width, height)), svg_(width, height, chart.about) {}
 
   std::string text();
@@ -35,32 +35,32 @@ class Drawing {
 
   double lowest(double value) const { return value == -INFINITY ? frame_.bottom() : frame_.py(value); }
   void guide(const Guide& guide);
-  void errorBar(const Point& point);
+  void errorBar(const ChartPoint& point);
   std::vector<Label> placedLabels() const;
   void labels();
   void swatch(const Series& series, double x, double y);
 
   const Chart& chart_;
-  Frame frame_;
+  ChartFrame frame_;
   Svg svg_;
 };
 
 // Draw function of each kind, in drawing order.
 struct DrawnAs {
   Series::Kind kind;
-  void (Drawing::*draw)(const Series&);
+  void (ChartDrawing::*draw)(const Series&);
 };
-constexpr DrawnAs kDrawings[] = {{Series::Kind::band, &Drawing::band},
-                                 {Series::Kind::line, &Drawing::line},
-                                 {Series::Kind::scatter, &Drawing::marks}};
+constexpr DrawnAs kDrawings[] = {{Series::Kind::band, &ChartDrawing::band},
+                                 {Series::Kind::line, &ChartDrawing::line},
+                                 {Series::Kind::scatter, &ChartDrawing::marks}};
 
 std::string at(double x, double y) { return fmt::format("{:.1f} {:.1f}", x, y); }
 
-void Drawing::guide(const Guide& guide) {
+void ChartDrawing::guide(const Guide& guide) {
   svg_.path("guide", fmt::format("M{:.1f} {}V{}", frame_.px(guide.at), frame_.top(), frame_.bottom()), guide.tip);
 }
 
-void Drawing::errorBar(const Point& point) {
+void ChartDrawing::errorBar(const ChartPoint& point) {
   if (!point.y_range.given()) return;
   double x = frame_.px(point.x), low = lowest(point.y_range.low), high = frame_.py(point.y_range.high);
   std::string d = fmt::format("M{} V{:.1f}", at(x, low), high);
@@ -68,8 +68,8 @@ void Drawing::errorBar(const Point& point) {
   svg_.path("error", d);
 }
 
-void Drawing::marks(const Series& series) {
-  for (const Point& point : series.points) {
+void ChartDrawing::marks(const Series& series) {
+  for (const ChartPoint& point : series.points) {
     if (std::isnan(point.y)) continue;
     errorBar(point);
     svg_.mark(series.style, frame_.px(point.x), frame_.py(point.y), point.hollow, point.tip);
@@ -77,10 +77,10 @@ void Drawing::marks(const Series& series) {
 }
 
 // Draws segments beside a faint point as a path of their own.
-void Drawing::line(const Series& series) {
+void ChartDrawing::line(const Series& series) {
   std::string solid, faint;
   for (size_t i = 0; i + 1 < series.points.size(); ++i) {
-    const Point &from = series.points[i], &to = series.points[i + 1];
+    const ChartPoint &from = series.points[i], &to = series.points[i + 1];
     if (std::isnan(from.y) || std::isnan(to.y)) continue;
     std::string& d = from.faint || to.faint ? faint : solid;
     std::string start = at(frame_.px(from.x), frame_.py(from.y)), end = at(frame_.px(to.x), frame_.py(to.y));
@@ -93,9 +93,9 @@ void Drawing::line(const Series& series) {
   marks(series);
 }
 
-void Drawing::band(const Series& series) {
+void ChartDrawing::band(const Series& series) {
   std::string there, back;
-  for (const Point& point : series.points) {
+  for (const ChartPoint& point : series.points) {
     if (!point.y_range.given()) continue;
     double x = frame_.px(point.x);
     there += (there.empty() ? "M" : "L") + at(x, frame_.py(point.y_range.high));
@@ -106,12 +106,13 @@ void Drawing::band(const Series& series) {
 
 // Labels from top to bottom, moved apart. A line that reaches the right border has its label at the height of its last
 // value; other labels start at the top.
-std::vector<Drawing::Label> Drawing::placedLabels() const {
+std::vector<ChartDrawing::Label> ChartDrawing::placedLabels() const {
   std::vector<Label> labels;
   for (const Series& series : chart_.series) {
     if (series.label.empty()) continue;
     double wanted = frame_.top();
-    auto last = std::find_if(series.points.rbegin(), series.points.rend(), [](const Point& p) { return p.y == p.y; });
+    auto last =
+        std::find_if(series.points.rbegin(), series.points.rend(), [](const ChartPoint& p) { return p.y == p.y; });
     bool reaches = series.kind == Series::Kind::line && last != series.points.rend() &&
                    frame_.px(last->x) > frame_.right() - kNear;
     if (reaches) wanted = frame_.py(last->y);
@@ -126,13 +127,13 @@ std::vector<Drawing::Label> Drawing::placedLabels() const {
   return labels;
 }
 
-void Drawing::swatch(const Series& series, double x, double y) {
+void ChartDrawing::swatch(const Series& series, double x, double y) {
   if (series.kind == Series::Kind::band) return svg_.rectangle("band", x, y - 6, kSwatch, 12);
   if (series.kind == Series::Kind::line) svg_.path("", "M" + at(x, y) + fmt::format("h{}", kSwatch));
   svg_.mark(series.style, x + kSwatch / 2, y);
 }
 
-void Drawing::labels() {
+void ChartDrawing::labels() {
   for (const Label& label : placedLabels()) {
     double x = frame_.right() + kSwatchAt;
     svg_.open(classOf(label.series->style));
@@ -143,7 +144,7 @@ void Drawing::labels() {
   }
 }
 
-std::string Drawing::text() {
+std::string ChartDrawing::text() {
   frame_.draw(svg_, chart_.x, chart_.y);
   for (const Guide& one : chart_.guides) guide(one);
   for (const DrawnAs& drawn : kDrawings)
@@ -160,7 +161,7 @@ std::string Drawing::text() {
 std::vector<double> xValues(const Chart& chart) {
   std::vector<double> values;
   for (const Series& series : chart.series)
-    for (const Point& point : series.points) values.push_back(point.x);
+    for (const ChartPoint& point : series.points) values.push_back(point.x);
   for (const Guide& guide : chart.guides) values.push_back(guide.at);
   return values;
 }
@@ -169,7 +170,7 @@ std::vector<double> xValues(const Chart& chart) {
 std::vector<double> yValues(const Chart& chart) {
   std::vector<double> values, of_bands;
   for (const Series& series : chart.series)
-    for (const Point& point : series.points) {
+    for (const ChartPoint& point : series.points) {
       bool band = series.kind == Series::Kind::band;
       if (!band) values.push_back(point.y);
       if (point.y_range.given())
@@ -188,12 +189,12 @@ double labelsWidth(const Chart& chart) {
 
 }  // namespace
 
-Frame frameOf(const Chart& chart, int width, int height) {
+ChartFrame frameOf(const Chart& chart, int width, int height) {
   Scale y = chart.y.scaleOf(yValues(chart));
   double left = leftOf(chart.y, y);
-  return Frame(chart.x.scaleOf(xValues(chart)), std::move(y), width, height, left, labelsWidth(chart));
+  return ChartFrame(chart.x.scaleOf(xValues(chart)), std::move(y), width, height, left, labelsWidth(chart));
 }
 
-std::string svgOf(const Chart& chart, int width, int height) { return Drawing(chart, width, height).text(); }
+std::string svgOf(const Chart& chart, int width, int height) { return ChartDrawing(chart, width, height).text(); }
 
 }  // namespace strobe::page

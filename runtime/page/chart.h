@@ -22,7 +22,7 @@ struct Interval {
   bool given() const { return low == low && high == high; }
 };
 
-struct Point {
+struct ChartPoint {
   double x = 0, y = 0;  // y: NaN leaves a gap
   std::string tip;      // tooltip
   bool hollow = false;  // mark without filling, for example if a limit was met
@@ -34,7 +34,7 @@ struct Series {
   enum class Kind { line, band, scatter };
   std::string label;  // "": no label
   int style = 0;      // style of svg.h
-  std::vector<Point> points;
+  std::vector<ChartPoint> points;
   Kind kind = Kind::line;
   bool stepped = false;  // line as a staircase, first along x, then along y (Pareto front)
 };
@@ -47,7 +47,7 @@ struct Guide {
 
 struct Chart {
   std::string about;  // alternative text
-  Axis x, y;
+  ChartAxis x, y;
   std::vector<Series> series;
   std::vector<Guide> guides;
 };
@@ -56,6 +56,6 @@ struct Chart {
 std::string svgOf(const Chart& chart, int width = 940, int height = 430);
 
 // Frame of the chart, which maps values to pixels.
-Frame frameOf(const Chart& chart, int width = 940, int height = 430);
+ChartFrame frameOf(const Chart& chart, int width = 940, int height = 430);
 
 }  // namespace strobe::page

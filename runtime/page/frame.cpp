@@ -14,7 +14,7 @@ constexpr double kTop = 14, kBottom = 54, kLeastLeft = 76, kTitleWidth = 40;
 
 }  // namespace
 
-Scale Axis::scaleOf(std::vector<double> values) const {
+Scale ChartAxis::scaleOf(std::vector<double> values) const {
   values.insert(values.end(), ends.begin(), ends.end());
   if (kind == Scale::Kind::slots)
     for (size_t i = 0; i < names.size(); ++i) values.push_back(double(i));
@@ -25,30 +25,30 @@ Scale Axis::scaleOf(std::vector<double> values) const {
   return Scale(kind, values, rounded);
 }
 
-std::string Axis::labelOf(const Tick& tick, size_t index) const {
+std::string ChartAxis::labelOf(const Tick& tick, size_t index) const {
   if (!names.empty()) return index < names.size() ? names[index] : "";
   return tick.label.empty() ? "" : tick.label + unit;
 }
 
-Axis slotAxis(const std::string& title, std::vector<std::string> names) {
-  Axis axis;
+ChartAxis slotAxis(const std::string& title, std::vector<std::string> names) {
+  ChartAxis axis;
   axis.title = title;
   axis.kind = Scale::Kind::slots;
   axis.names = std::move(names);
   return axis;
 }
 
-double leftOf(const Axis& axis, const Scale& scale) {
+double leftOf(const ChartAxis& axis, const Scale& scale) {
   double widest = 0;
   std::vector<Tick> ticks = scale.ticks();
   for (size_t i = 0; i < ticks.size(); ++i) widest = std::max(widest, estimatedWidth(axis.labelOf(ticks[i], i)));
   return std::max(kLeastLeft, widest + kTitleWidth);
 }
 
-Frame::Frame(Scale x, Scale y, int width, int height, double left, double right)
+ChartFrame::ChartFrame(Scale x, Scale y, int width, int height, double left, double right)
     : x_(std::move(x)), y_(std::move(y)), left_(left), right_(width - right), top_(kTop), bottom_(height - kBottom) {}
 
-void Frame::drawX(Svg& svg, const Axis& axis) const {
+void ChartFrame::drawX(Svg& svg, const ChartAxis& axis) const {
   std::vector<Tick> ticks = x_.ticks();
   for (size_t i = 0; i < ticks.size(); ++i) {
     double x = xAt(ticks[i].at);
@@ -64,7 +64,7 @@ void Frame::drawX(Svg& svg, const Axis& axis) const {
   svg.text("title", (left_ + right_) / 2, bottom_ + 44, axis.title, Svg::Anchor::middle);
 }
 
-void Frame::drawY(Svg& svg, const Axis& axis) const {
+void ChartFrame::drawY(Svg& svg, const ChartAxis& axis) const {
   std::vector<Tick> ticks = y_.ticks();
   for (size_t i = 0; i < ticks.size(); ++i) {
     double y = yAt(ticks[i].at);
@@ -80,7 +80,7 @@ void Frame::drawY(Svg& svg, const Axis& axis) const {
   svg.upwardText("title", 16, (top_ + bottom_) / 2, axis.title);
 }
 
-void Frame::draw(Svg& svg, const Axis& x, const Axis& y) const {
+void ChartFrame::draw(Svg& svg, const ChartAxis& x, const ChartAxis& y) const {
   svg.rectangle("plot", left_, top_, right_ - left_, bottom_ - top_);
   drawX(svg, x);
   drawY(svg, y);

@@ -10,7 +10,7 @@
 
 namespace strobe::page {
 
-struct Axis {
+struct ChartAxis {
   std::string title;
   Scale::Kind kind = Scale::Kind::linear;
   std::string unit;      // follows the label of each tick: " %"
@@ -26,13 +26,13 @@ struct Axis {
 };
 
 // Axis of slots with these names.
-Axis slotAxis(const std::string& title, std::vector<std::string> names);
+ChartAxis slotAxis(const std::string& title, std::vector<std::string> names);
 
 // Maps the values of two axes to pixels of the chart, x right and y down.
-class Frame {
+class ChartFrame {
  public:
   // `left`, `right`: margins for labels, pixels.
-  Frame(Scale x, Scale y, int width, int height, double left, double right);
+  ChartFrame(Scale x, Scale y, int width, int height, double left, double right);
 
   double px(double value) const { return xAt(x_.at(value)); }
   double py(double value) const { return yAt(y_.at(value)); }
@@ -48,19 +48,19 @@ class Frame {
   const Scale& y() const { return y_; }
 
   // Draws grid, ticks and titles, and a break mark on an axis with a gap after 0.
-  void draw(Svg& svg, const Axis& x, const Axis& y) const;
+  void draw(Svg& svg, const ChartAxis& x, const ChartAxis& y) const;
 
  private:
   static constexpr double kInset = 12;  // pixels between the border and the first value
   static double inset(const Scale& scale) { return scale.slot() > 0 ? 0 : kInset; }
-  void drawX(Svg& svg, const Axis& axis) const;
-  void drawY(Svg& svg, const Axis& axis) const;
+  void drawX(Svg& svg, const ChartAxis& axis) const;
+  void drawY(Svg& svg, const ChartAxis& axis) const;
 
   Scale x_, y_;
   double left_, right_, top_, bottom_;
 };
 
 // Width of the left margin for the labels of a vertical axis, pixels.
-double leftOf(const Axis& axis, const Scale& scale);
+double leftOf(const ChartAxis& axis, const Scale& scale);
 
 }  // namespace strobe::page

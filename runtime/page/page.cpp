@@ -36,7 +36,7 @@ class Writer {
  private:
   void remember(const Block& block) {
     if (const auto* pictures = std::get_if<Pictures>(&block))
-      for (const Picture& picture : pictures->pictures)
+      for (const PagePicture& picture : pictures->pictures)
         if (!picture.name.empty())
           STROBE_ASSERT(captions_.emplace(picture.name, picture.caption).second, "{}", picture.name);
   }
@@ -62,7 +62,7 @@ class Writer {
 
   std::string written(const Pictures& pictures) {
     Json list = Json::array();
-    for (const Picture& picture : pictures.pictures)
+    for (const PagePicture& picture : pictures.pictures)
       list.push_back({{"id", picture.name},
                       {"width", picture.width},
                       {"height", picture.height},
@@ -73,7 +73,7 @@ class Writer {
     return rendered("pictures.mustache", {{"pixels", pictures.pixels}, {"pictures", list}});
   }
 
-  std::string written(const Comparison& comparison) {
+  std::string written(const PictureComparison& comparison) {
     compares_ = true;
     Json others = Json::array();
     const std::string& chosen = comparison.chosen.empty() ? comparison.others.at(0) : comparison.chosen;

@@ -35,7 +35,7 @@ struct Figure {
   std::string alt;   // alternative text in documents; on pages, the SVG has its own
 };
 
-struct Picture {
+struct PagePicture {
   std::string file;  // bytes of a PNG or JPEG
   int width = 0, height = 0;
   std::string caption;
@@ -45,13 +45,13 @@ struct Picture {
 
 // Pictures side by side, in as many columns as fit.
 struct Pictures {
-  std::vector<Picture> pictures;
+  std::vector<PagePicture> pictures;
   bool pixels = false;  // enlarged without interpolation, for crops
 };
 
 // Pictures of the page over a reference. The pointer wipes between the two, or they alternate. The pictures have the
 // same size and are on the page under these names. Without scripts, the page leaves out the comparison.
-struct Comparison {
+struct PictureComparison {
   std::string reference;            // name of a picture
   std::vector<std::string> others;  // names of pictures; their captions label the buttons
   std::string chosen;               // picture shown first; "": the first of `others`
@@ -72,7 +72,8 @@ struct Explorer {
 struct Details;  // blocks that a click on the summary unfolds
 struct Still;    // blocks that an explorer replaces if scripts run
 
-using Block = std::variant<Heading, Paragraph, Table, Figure, Pictures, Comparison, Code, Explorer, Details, Still>;
+using Block =
+    std::variant<Heading, Paragraph, Table, Figure, Pictures, PictureComparison, Code, Explorer, Details, Still>;
 
 struct Details {
   std::string summary;

@@ -15,18 +15,18 @@ namespace strobe::page {
 namespace {
 
 // Shape of a mark: corners (0: circle), radius in pixels, rotation in degrees.
-struct Shape {
+struct MarkShape {
   int corners;
   double radius, turn;
 };
-constexpr Shape kShapes[kStyles] = {{0, 4.2, 0},   {4, 5, 45}, {3, 5.4, 0}, {4, 5.2, 0},
-                                    {3, 5.4, 180}, {5, 5, 0},  {6, 5, 0},   {3, 5.4, 90}};
+constexpr MarkShape kShapes[kStyles] = {{0, 4.2, 0},   {4, 5, 45}, {3, 5.4, 0}, {4, 5.2, 0},
+                                        {3, 5.4, 180}, {5, 5, 0},  {6, 5, 0},   {3, 5.4, 90}};
 
 std::string titled(const std::string& tip) { return tip.empty() ? "" : "<title>" + escaped(tip) + "</title>"; }
 
 std::string classed(const std::string& classes) { return classes.empty() ? "" : fmt::format(" class=\"{}\"", classes); }
 
-std::string cornersOf(const Shape& shape, double x, double y) {
+std::string cornersOf(const MarkShape& shape, double x, double y) {
   std::string points;
   for (int i = 0; i < shape.corners; ++i) {
     double angle = (shape.turn + 360.0 * i / shape.corners) * kPi / 180;
@@ -80,7 +80,7 @@ void Svg::upwardText(const std::string& classes, double x, double y, const std::
 
 void Svg::mark(int style, double x, double y, bool hollow, const std::string& tip) {
   if (style < 0) return;
-  const Shape& shape = kShapes[(style + style / kStyles) % kStyles];
+  const MarkShape& shape = kShapes[(style + style / kStyles) % kStyles];
   std::string classes = classed(hollow ? "hollow" : "");
   if (shape.corners == 0)
     text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}>{}</circle>", x, y, shape.radius, classes,

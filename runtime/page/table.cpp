@@ -14,8 +14,8 @@ namespace strobe::page {
 
 namespace {
 
-const Cell& cellOf(const Row& row, size_t column) {
-  static const Cell kEmpty;
+const TableCell& cellOf(const Row& row, size_t column) {
+  static const TableCell kEmpty;
   return column < row.size() ? row[column] : kEmpty;
 }
 
@@ -47,33 +47,33 @@ std::string markdownLine(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-std::string markedMarkdown(const Cell& cell) {
-  bool bold = cell.mark == Mark::best || cell.mark == Mark::bad;
+std::string markedMarkdown(const TableCell& cell) {
+  bool bold = cell.mark == Emphasis::best || cell.mark == Emphasis::bad;
   std::string text = markdownCell(cell.text);
   return bold && !text.empty() && text.find("**") == std::string::npos ? "**" + text + "**" : text;
 }
 
-const char* cellClassOf(Mark mark) {
+const char* cellClassOf(Emphasis mark) {
   switch (mark) {
-    case Mark::best:
+    case Emphasis::best:
       return "best";
-    case Mark::bad:
+    case Emphasis::bad:
       return "bad";
-    case Mark::faint:
+    case Emphasis::faint:
       return "faint";
-    case Mark::none:
+    case Emphasis::none:
       break;
   }
   return "";
 }
 
-std::string classesOf(const Column& column, Mark mark) {
+std::string classesOf(const Column& column, Emphasis mark) {
   std::string classes = column.numeric ? "number" : "";
-  if (mark != Mark::none) classes += (classes.empty() ? "" : " ") + std::string(cellClassOf(mark));
+  if (mark != Emphasis::none) classes += (classes.empty() ? "" : " ") + std::string(cellClassOf(mark));
   return classes;
 }
 
-Json cellJson(const Column& column, const Cell& cell, bool names_the_row) {
+Json cellJson(const Column& column, const TableCell& cell, bool names_the_row) {
   return {{"cell_html", inlineHtml(cell.text)},
           {"classes", classesOf(column, cell.mark)},
           {"tip", cell.tip},
@@ -96,9 +96,9 @@ Table withoutEmptyColumns(Table table) {
 
 void markBest(Table& table, size_t column, bool largest) {
   auto competes = [&](const Row& row) {
-    return column < row.size() && row[column].mark == Mark::none && std::isfinite(row[column].value);
+    return column < row.size() && row[column].mark == Emphasis::none && std::isfinite(row[column].value);
   };
-  const Cell* best = nullptr;
+  const TableCell* best = nullptr;
   int competing = 0;
   for (const Row& row : table.rows) {
     if (!competes(row)) continue;
@@ -108,7 +108,7 @@ void markBest(Table& table, size_t column, bool largest) {
   if (competing < 2) return;
   std::string text = best->text;
   for (Row& row : table.rows)
-    if (competes(row) && row[column].text == text) row[column].mark = Mark::best;
+    if (competes(row) && row[column].text == text) row[column].mark = Emphasis::best;
 }
 
 std::string textOf(const Table& table) {
@@ -156,7 +156,8 @@ std::string htmlOf(const Table& table) {
                {"rows", Json::array()},
                {"notes", Json::array()}};
   for (const Column& column : table.columns)
-    json["columns"].push_back({{"title_html", inlineHtml(column.title)}, {"classes", classesOf(column, Mark::none)}});
+    json["columns"].push_back(
+        {{"title_html", inlineHtml(column.title)}, {"classes", classesOf(column, Emphasis::none)}});
   for (const Row& row : table.rows) {
     Json cells = Json::array();
     for (size_t c = 0; c < table.columns.size(); ++c)

@@ -10,23 +10,25 @@
 namespace strobe::page {
 
 // Emphasis of a cell in Markdown and HTML. `best` and `bad` are bold, so that emphasis does not depend on colour.
-enum class Mark { none, best, bad, faint };
+enum class Emphasis { none, best, bad, faint };
 
-struct Cell {
-  Cell() = default;
-  Cell(std::string shown, Mark how = Mark::none, std::string hint = "")
+struct TableCell {
+  TableCell() = default;
+  TableCell(std::string shown, Emphasis how = Emphasis::none, std::string hint = "")
       : text(std::move(shown)), mark(how), tip(std::move(hint)) {}
-  Cell(const char* shown, Mark how = Mark::none, std::string hint = "") : Cell(std::string(shown), how, hint) {}
+  TableCell(const char* shown, Emphasis how = Emphasis::none, std::string hint = "")
+      : TableCell(std::string(shown), how, hint) {}
   // Number and its text (number.h).
-  Cell(double number, std::string shown, Mark how = Mark::none) : text(std::move(shown)), mark(how), value(number) {}
+  TableCell(double number, std::string shown, Emphasis how = Emphasis::none)
+      : text(std::move(shown)), mark(how), value(number) {}
 
   std::string text;
-  Mark mark = Mark::none;
+  Emphasis mark = Emphasis::none;
   std::string tip;                                          // tooltip, HTML only
   double value = std::numeric_limits<double>::quiet_NaN();  // number in `text`; NaN: not a number
 };
 
-using Row = std::vector<Cell>;
+using Row = std::vector<TableCell>;
 
 struct Column {
   Column(std::string name, bool right = false) : title(std::move(name)), numeric(right) {}

@@ -15,7 +15,7 @@ constexpr double kBeside = 90;          // pixels right of the plot, for text th
 constexpr double kErrorBar = 4;         // half the height of an error bar's ends, pixels
 
 // Vertical axis with the names of the bars. Reversed, because slots count from the bottom.
-Axis rowsOf(const Waterfall& waterfall) {
+ChartAxis rowsOf(const Waterfall& waterfall) {
   std::vector<std::string> names;
   for (auto bar = waterfall.bars.rbegin(); bar != waterfall.bars.rend(); ++bar) names.push_back(bar->name);
   return slotAxis("", std::move(names));
@@ -28,7 +28,7 @@ double endOf(const Waterfall& waterfall) {
   return end;
 }
 
-void drawBar(Svg& svg, const Frame& frame, const Waterfall::Bar& bar, size_t slot) {
+void drawBar(Svg& svg, const ChartFrame& frame, const Waterfall::Bar& bar, size_t slot) {
   double y = frame.py(double(slot)), height = kBarShare * kBar, end = frame.px(bar.start + bar.length);
   double left = frame.px(bar.start);
   svg.open(classOf(bar.hollow ? 0 : 2));
@@ -48,18 +48,18 @@ void drawBar(Svg& svg, const Frame& frame, const Waterfall::Bar& bar, size_t slo
 void align(std::vector<Waterfall>& waterfalls) {
   double end = 0, left = 0;
   for (const Waterfall& one : waterfalls) {
-    const Axis rows = rowsOf(one);
+    const ChartAxis rows = rowsOf(one);
     end = std::max(end, endOf(one)), left = std::max(left, leftOf(rows, rows.scaleOf({})));
   }
   for (Waterfall& one : waterfalls) one.x.ends = {0, end}, one.left = left;
 }
 
 std::string svgOf(const Waterfall& waterfall, int width) {
-  const Axis rows = rowsOf(waterfall);
+  const ChartAxis rows = rowsOf(waterfall);
   const Scale y = rows.scaleOf({});
   const int height = int(waterfall.bars.size()) * kBar + kAround;
   const double left = std::max(waterfall.left, leftOf(rows, y));
-  Frame frame(waterfall.x.scaleOf({0, endOf(waterfall)}), y, width, height, left, kBeside);
+  ChartFrame frame(waterfall.x.scaleOf({0, endOf(waterfall)}), y, width, height, left, kBeside);
   Svg svg(width, height, waterfall.about);
   frame.draw(svg, waterfall.x, rows);
   for (size_t i = 0; i < waterfall.bars.size(); ++i)

@@ -19,7 +19,7 @@ struct Waterfall {
     bool hollow = false;  // time between steps, not a step
   };
   std::string about;  // alternative text
-  Axis x;             // starts at 0
+  ChartAxis x;        // starts at 0
   double left = 0;    // minimum width of the names beside the plot, pixels
   std::vector<Bar> bars;
 };

@@ -16,7 +16,7 @@ namespace strobe::plan {
 struct Plan;
 
 // Device stages, as bits.
-enum Stage : uint32_t {
+enum PipelineStage : uint32_t {
   kStageCompute = 1 << 0,
   kStageTrace = 1 << 1,  // ray tracing pipelines
   kStageFragment = 1 << 2,

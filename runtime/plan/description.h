@@ -312,12 +312,12 @@ bool hasParts(const PipelineDesc& pipeline);
 PassDesc passFromJson(const Json& json);
 // Data that several descriptions of one pipeline have in common. These descriptions have a number n in place of the nth
 // pass of `passes`, counted from 1, and no field "params".
-struct Known {
+struct SharedParts {
   std::vector<PassDesc> passes;
   std::vector<ParamDesc> params;
 };
-Known knownFromJson(const Json& json);
-PipelineDesc pipelineFromJson(const Json& json, const Known& known = {});
+SharedParts knownFromJson(const Json& json);
+PipelineDesc pipelineFromJson(const Json& json, const SharedParts& known = {});
 
 // The checks of `passFromJson` that concern several fields. Throws `Error` at the place of the first mistake.
 void checkPass(const PassDesc& pass);

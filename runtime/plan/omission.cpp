@@ -31,7 +31,7 @@ class Omitter {
       if (loop.until.node >= 0) stops_.push_back(loop.until.node);
     for (size_t i = 0; i < wiring_.nodes.size(); ++i) visit(int(i));
     for (auto* kept : {&wiring_.outputs, &wiring_.taps})
-      for (Source& source : *kept) source = standIn(source);
+      for (PortSource& source : *kept) source = standIn(source);
     std::vector<std::string> reasons;
     for (const WithoutDesc* without : chosen_) reasons.push_back(without ? reasonOf(*without) : "");
     return reasons;
@@ -43,7 +43,7 @@ class Omitter {
     if (seen_[size_t(index)]) return;
     seen_[size_t(index)] = true;
     WiredNode& node = wiring_.nodes[size_t(index)];
-    for (Source& source : node.reads) {
+    for (PortSource& source : node.reads) {
       if (source.node < 0) continue;
       visit(source.node);
       source = standIn(source);
@@ -60,14 +60,14 @@ class Omitter {
   // Unwires optional reads if all their `needs` are unwired or zero.
   void unwireUseless(WiredNode& node) {
     const std::vector<PortDesc>& reads = pipeline_.passes[size_t(node.pass)].reads;
-    const std::vector<Source> sources = node.reads;
+    const std::vector<PortSource> sources = node.reads;
     auto isWithout = [&](const std::string& needed) {
-      const Source& source = sources[size_t(indexOf(reads, needed))];
+      const PortSource& source = sources[size_t(indexOf(reads, needed))];
       return source.node < 0 || isZero(source);
     };
     for (size_t r = 0; r < reads.size(); ++r) {
       const std::vector<std::string>& needs = reads[r].needs;
-      if (!needs.empty() && std::all_of(needs.begin(), needs.end(), isWithout)) node.reads[r] = Source();
+      if (!needs.empty() && std::all_of(needs.begin(), needs.end(), isWithout)) node.reads[r] = PortSource();
     }
   }
 
@@ -78,34 +78,34 @@ class Omitter {
   }
 
   // True if the source is a node that is left out. Stand-ins are wired before, so the remaining source is zeros.
-  bool isZero(const Source& source) const { return source.node >= 0 && chosen_[size_t(source.node)]; }
+  bool isZero(const PortSource& source) const { return source.node >= 0 && chosen_[size_t(source.node)]; }
 
   bool readsBackAlike(int index, const WithoutDesc& without) {
     if (contains(stops_, index)) return false;
     return std::all_of(without.writes.begin(), without.writes.end(), [&](const auto& port) {
       if (port.second.empty()) return true;
-      Source write = {index, indexOf(passOf(index).writes, port.first)};
+      PortSource write = {index, indexOf(passOf(index).writes, port.first)};
       return isAlike(write, readOf(index, indexOf(passOf(index).reads, port.second)));
     });
   }
 
-  bool isAlike(const Source& a, const Source& b) {
+  bool isAlike(const PortSource& a, const PortSource& b) {
     const NodeSize &of_a = sizes_.of(a.node), &of_b = sizes_.of(b.node);
     return of_a.width == of_b.width && of_a.height == of_b.height && formatOf(a) == formatOf(b);
   }
 
-  Source standIn(const Source& source) const {
+  PortSource standIn(const PortSource& source) const {
     const WithoutDesc* without = source.node < 0 ? nullptr : chosen_[size_t(source.node)];
     if (!without) return source;
     const std::string& read = without->writes[size_t(source.port)].second;
     return read.empty() ? source : readOf(source.node, indexOf(passOf(source.node).reads, read));
   }
 
-  const std::string& formatOf(const Source& source) const {
+  const std::string& formatOf(const PortSource& source) const {
     return plan::formatOf(portOf(pipeline_, wiring_, source), wiring_.nodes[size_t(source.node)].params);
   }
 
-  const Source& readOf(int index, int read) const { return wiring_.nodes[size_t(index)].reads[size_t(read)]; }
+  const PortSource& readOf(int index, int read) const { return wiring_.nodes[size_t(index)].reads[size_t(read)]; }
   const PassDesc& passOf(int index) const { return pipeline_.passes[size_t(wiring_.nodes[size_t(index)].pass)]; }
 
   const PipelineDesc& pipeline_;

@@ -13,7 +13,7 @@ using Dependencies = std::vector<std::set<int>>;
 Dependencies nodeDependencies(const Wiring& wiring) {
   Dependencies dependencies(wiring.nodes.size());
   for (size_t i = 0; i < wiring.nodes.size(); ++i) {
-    for (const Source& source : wiring.nodes[i].reads) {
+    for (const PortSource& source : wiring.nodes[i].reads) {
       if (source.node >= 0) dependencies[i].insert(source.node);
     }
   }
@@ -136,18 +136,18 @@ std::vector<int> topological(const Dependencies& dependencies, std::vector<int> 
 std::vector<bool> neededNodes(const Wiring& wiring) {
   std::vector<bool> needed(wiring.nodes.size(), false);
   std::vector<int> open;
-  auto need = [&](const Source& source) {
+  auto need = [&](const PortSource& source) {
     if (source.node < 0 || needed[source.node]) return;
     needed[source.node] = true;
     open.push_back(source.node);
   };
-  for (const Source& source : wiring.outputs) need(source);
-  for (const Source& source : wiring.taps) need(source);
+  for (const PortSource& source : wiring.outputs) need(source);
+  for (const PortSource& source : wiring.taps) need(source);
   while (!open.empty()) {
     const WiredNode& node = wiring.nodes[open.back()];
     open.pop_back();
     if (node.blank) continue;
-    for (const Source& source : node.reads) need(source);
+    for (const PortSource& source : node.reads) need(source);
     if (node.loop >= 0) need(wiring.loops[node.loop].until);
   }
   return needed;

@@ -135,7 +135,7 @@ void refuseTwinRoles(const Reader& reader, const std::vector<ParamDesc>& params)
   }
 }
 
-PassDesc passOf(const Reader& reader, const Json& json, const Known& known) {
+PassDesc passOf(const Reader& reader, const Json& json, const SharedParts& known) {
   if (!json.is_number_integer()) return passFromJson(json);
   const int64_t number = json.get<int64_t>();
   if (number < 1 || uint64_t(number) > known.passes.size()) reader.fail(fmt::format("unknown pass number {}", number));
@@ -144,16 +144,16 @@ PassDesc passOf(const Reader& reader, const Json& json, const Known& known) {
 
 }  // namespace
 
-Known knownFromJson(const Json& json) {
+SharedParts knownFromJson(const Json& json) {
   Reader reader(json, "known declarations");
-  Known known;
+  SharedParts known;
   known.params = itemsOf(reader.list("params"), readParam);
   for (const Json& pass : reader.list("passes")) known.passes.push_back(passFromJson(pass));
   reader.finish();
   return known;
 }
 
-PipelineDesc pipelineFromJson(const Json& json, const Known& known) {
+PipelineDesc pipelineFromJson(const Json& json, const SharedParts& known) {
   Reader reader(json, "pipeline");
   PipelineDesc pipeline;
   pipeline.name = reader.text("name", std::nullopt);

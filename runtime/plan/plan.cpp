@@ -66,7 +66,7 @@ class Compiler {
     }
   }
 
-  int untilImage(const Source& source, int loop) {
+  int untilImage(const PortSource& source, int loop) {
     int image = imageOf(source);
     const VirtualImage& until = plan_.images[image];
     if (until.width == 1 && until.height == 1) return image;
@@ -96,7 +96,7 @@ class Compiler {
     const Runs runs = in_parts ? Runs::Everywhere : plan_.pipeline.nodes[size_t(index)].runs;
     node.moving_only = runs == Runs::MovingInstances;
     node.counters = !pass.counters.empty();
-    for (const Source& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
+    for (const PortSource& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
     const NodeSize& size = sizes_.of(index);
     node.width = size.width, node.height = size.height, node.divide = size.divide;
 
@@ -214,7 +214,7 @@ class Compiler {
     plan_.images[image].usage |= kUsageSampled;
   }
 
-  int imageOf(const Source& source) {
+  int imageOf(const PortSource& source) {
     if (wiring_.nodes[source.node].blank) return zerosOf(source);
     const PlanNode& node = plan_.nodes[of_desc_[source.node]];
     size_t writes = node.writes.size();
@@ -223,7 +223,7 @@ class Compiler {
   }
 
   // Image of zeros in place of a port of a node that is left out.
-  int zerosOf(const Source& source) {
+  int zerosOf(const PortSource& source) {
     auto [known, is_new] = zeros_.try_emplace({source.node, source.port}, -1);
     if (!is_new) return known->second;
     const NodeSize& size = sizes_.of(source.node);
@@ -251,7 +251,7 @@ class Compiler {
     }
   }
 
-  int keep(const Source& source) {
+  int keep(const PortSource& source) {
     int image = imageOf(source);
     plan_.images[image].kept = true;
     plan_.images[image].usage |= kUsageTransferSource;

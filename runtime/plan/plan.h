@@ -130,9 +130,10 @@ struct Plan {
 };
 
 struct CompileOptions {
-  int width = 0, height = 0;          // frame size, pixels
-  std::vector<std::string> taps;      // "node.port" of images that are also kept and read back
-  Stage trace_stage = kStageCompute;  // stage of trace passes: kStageCompute (queries) or kStageTrace (pipelines)
+  int width = 0, height = 0;      // frame size, pixels
+  std::vector<std::string> taps;  // "node.port" of images that are also kept and read back
+  PipelineStage trace_stage =
+      kStageCompute;  // stage of trace passes: kStageCompute (queries) or kStageTrace (pipelines)
   // Facts that do not hold in the frame. Passes with a stand-in for a missing fact do not run.
   std::vector<std::string> absent;
   // Requested outputs; empty: all outputs. Nodes that no requested output needs do not run.

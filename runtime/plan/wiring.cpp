@@ -127,7 +127,7 @@ class Wirer {
   }
 
   // The port with the name "node.port". Otherwise adds a problem and returns node -1.
-  Source sourceOf(const std::string& text, const std::string& reader, const Place& place) {
+  PortSource sourceOf(const std::string& text, const std::string& reader, const Place& place) {
     size_t dot = text.find('.');
     std::string node_name = text.substr(0, dot);
     std::string port_name = dot == std::string::npos ? "" : text.substr(dot + 1);
@@ -158,7 +158,7 @@ class Wirer {
   void resolveInputs(int index) {
     const NodeDesc& node = pipeline_.nodes[index];
     const PassDesc& pass = passOf(index);
-    std::vector<Source>& reads = wiring_.nodes[index].reads;
+    std::vector<PortSource>& reads = wiring_.nodes[index].reads;
     reads.resize(pass.reads.size());
     std::set<std::string> wired;
     for (const auto& [port_name, text] : node.inputs) {
@@ -180,7 +180,7 @@ class Wirer {
     }
   }
 
-  void checkTexels(const NodeDesc& node, const PortDesc& read, const Source& source, const std::string& text) {
+  void checkTexels(const NodeDesc& node, const PortDesc& read, const PortSource& source, const std::string& text) {
     const PortDesc& written = portOf(pipeline_, wiring_, source);
     if (isBuffer(written.format) != read.buffer) {
       problem(node.place, "node '{}' reads '{}' as {}, but '{}' is {} ({})", node.name, read.name,
@@ -225,7 +225,7 @@ class Wirer {
     if (wired.first < 0 || wired.count > wired.parts - wired.first)
       problem(loop.place, "loop '{}' takes {} parts of {} from number {} on, which is out of range", loop.name,
               wired.count, wired.parts, wired.first);
-    wiring_.loops.push_back({wired, loop.until.empty() ? Source() : untilOf(loop)});
+    wiring_.loops.push_back({wired, loop.until.empty() ? PortSource() : untilOf(loop)});
   }
 
   // Checks a loop of parts: a part has the poses of a frame, so the loop has no sample times.
@@ -246,8 +246,8 @@ class Wirer {
     return 1;
   }
 
-  Source untilOf(const LoopDesc& loop) {
-    Source source = sourceOf(loop.until, fmt::format("loop '{}'", loop.name), loop.place);
+  PortSource untilOf(const LoopDesc& loop) {
+    PortSource source = sourceOf(loop.until, fmt::format("loop '{}'", loop.name), loop.place);
     if (source.node < 0) return source;
     if (pipeline_.nodes[source.node].loop != loop.name) {
       problem(loop.place, "loop '{}' stops on '{}', which is not in the loop", loop.name, loop.until);
@@ -262,11 +262,11 @@ class Wirer {
   void resolveOutputs() {
     Place place{pipeline_.file};
     for (const auto& [name, text] : pipeline_.outputs) {
-      Source source = sourceOf(text, fmt::format("output '{}'", name), place);
+      PortSource source = sourceOf(text, fmt::format("output '{}'", name), place);
       if (source.node >= 0 && isBuffer(portOf(pipeline_, wiring_, source).format))
         problem(place, "output '{}' is '{}', a buffer instead of an image", name, text);
       bool asked_for = options_.outputs.empty() || options_.outputs.count(name);
-      wiring_.outputs.push_back(asked_for ? source : Source());
+      wiring_.outputs.push_back(asked_for ? source : PortSource());
     }
     if (!valueIn(pipeline_.outputs, "color")) problem(place, "pipeline '{}' has no output 'color'", pipeline_.name);
   }
@@ -284,7 +284,7 @@ class Wirer {
 
 }  // namespace
 
-const PortDesc& portOf(const PipelineDesc& pipeline, const Wiring& wiring, const Source& source) {
+const PortDesc& portOf(const PipelineDesc& pipeline, const Wiring& wiring, const PortSource& source) {
   const PassDesc& pass = pipeline.passes[wiring.nodes[source.node].pass];
   size_t writes = pass.writes.size();
   size_t port = source.port;

@@ -10,7 +10,7 @@
 namespace strobe::plan {
 
 // Port of an image: index of a node, and index of a port in the writes of the pass followed by its updates.
-struct Source {
+struct PortSource {
   int node = -1;
   int port = -1;
 };
@@ -18,26 +18,26 @@ struct Source {
 struct WiredNode {
   int pass = -1;
   int loop = -1;
-  std::vector<Source> reads;  // per read port of the pass; node -1 if not wired
+  std::vector<PortSource> reads;  // per read port of the pass; node -1 if not wired
   std::vector<std::pair<std::string, Value>> params;
   bool blank = false;  // the node does not run, and its ports read as zero
 };
 
 struct WiredLoop {
   PlanLoop loop;  // without `until`
-  Source until;
+  PortSource until;
 };
 
 struct Wiring {
   std::vector<std::pair<std::string, Value>> values;  // of the pipeline's parameters
   std::vector<WiredNode> nodes;                       // as in the description
   std::vector<WiredLoop> loops;
-  std::vector<Source> outputs;  // as in the description; node -1 for outputs that are not requested
-  std::vector<Source> taps;
+  std::vector<PortSource> outputs;  // as in the description; node -1 for outputs that are not requested
+  std::vector<PortSource> taps;
 };
 
 // The port of `source`.
-const PortDesc& portOf(const PipelineDesc& pipeline, const Wiring& wiring, const Source& source);
+const PortDesc& portOf(const PipelineDesc& pipeline, const Wiring& wiring, const PortSource& source);
 
 // Throws `Error` with every unknown name, mismatch and value out of range, or with the path of a cycle. The passes must
 // be valid (`checkPass`).

@@ -57,14 +57,14 @@ static void place(Pose& pose, const Pose& own, size_t index) {
   for (dmat4& joint : joints) joint = along * joint;
 }
 
-Pose boundedPose(const std::function<Pose(double)>& pose_at, const std::vector<double>& shares, double capture_s,
+Pose boundedPose(const std::function<Pose(double)>& pose_at, const std::vector<double>& shares, double raster_s,
                  double time_s) {
   Pose pose = pose_at(time_s);
   std::map<double, Pose> others;  // by share
   for (size_t i = 0; i < shares.size(); ++i) {
     if (shares[i] == 1) continue;
     auto [other, added] = others.try_emplace(shares[i]);
-    if (added) other->second = pose_at(capture_s + shares[i] * (time_s - capture_s));
+    if (added) other->second = pose_at(raster_s + shares[i] * (time_s - raster_s));
     place(pose, other->second, i);
   }
   return pose;

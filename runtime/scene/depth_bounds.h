@@ -26,9 +26,9 @@ struct DepthBounds {
 // Share of its motion that each instance keeps, by the view depth of the middle of its bounds at the raster time.
 std::vector<double> motionShares(const Scene& scene, const Pose& capture, const DepthBounds& bounds);
 
-// Pose at `time_s` with shares of motion. Relative to the camera, each instance has its true pose of the time capture_s
-// + share * (time_s - capture_s). Lights, and instances with share 1, are as in `pose_at`.
-Pose boundedPose(const std::function<Pose(double)>& pose_at, const std::vector<double>& shares, double capture_s,
+// Pose at `time_s` with shares of motion. Relative to the camera, each instance has its true pose of the time raster_s
+// + share * (time_s - raster_s). Lights, and instances with share 1, are as in `pose_at`.
+Pose boundedPose(const std::function<Pose(double)>& pose_at, const std::vector<double>& shares, double raster_s,
                  double time_s);
 
 }  // namespace strobe::scene

@@ -138,7 +138,7 @@ class Driven {
 Facts factsOf(const FramePoser& poser, std::optional<bool> camera_moves) {
   const Scene& scene = poser.scene();
   const FrameView& view = poser.view();
-  const std::array<double, 4> times = {view.capture_s, view.open_s, view.close_s, view.previous_s};
+  const std::array<double, 4> times = {view.raster_s, view.open_s, view.close_s, view.previous_s};
   std::vector<Pose> poses;
   for (double time_s : times) poses.push_back(poser.at(time_s));
   auto differs = [&](auto part) {

@@ -7,10 +7,10 @@
 
 namespace strobe::scene {
 
-class Fields : public strobe::Fields {
+class SceneFields : public strobe::Fields {
  public:
   // Constructors in Lua add these keys to their tables.
-  Fields(const Json& json, std::string what, const Place& outer, Problems& problems)
+  SceneFields(const Json& json, std::string what, const Place& outer, Problems& problems)
       : strobe::Fields(json, std::move(what), outer, problems) {
     allow("kind");
     allow("type");

@@ -74,24 +74,24 @@ bool FramePoser::isCut(const NodeTime& node, double from_s, double to_s) const {
 // A frame with a cut in its exposure is static, on the raster time's side of the cut. Other poses of the frame are held
 // at the raster time only if a cut is between them and the raster time.
 double FramePoser::timeOf(const NodeTime& node, double time_s) const {
-  const double capture_s = view_.capture_s;
-  if (isCut(node, std::min(view_.open_s, capture_s), std::max(view_.close_s, capture_s))) return capture_s;
-  if (isCut(node, std::min(time_s, capture_s), std::max(time_s, capture_s))) return capture_s;
+  const double raster_s = view_.raster_s;
+  if (isCut(node, std::min(view_.open_s, raster_s), std::max(view_.close_s, raster_s))) return raster_s;
+  if (isCut(node, std::min(time_s, raster_s), std::max(time_s, raster_s))) return raster_s;
   const double share = node.clock == Clock::Camera ? view_.camera_share : view_.object_share;
-  return share == 1 ? time_s : capture_s + share * (time_s - capture_s);
+  return share == 1 ? time_s : raster_s + share * (time_s - raster_s);
 }
 
 const Pose& FramePoser::posed(double time_s, std::vector<std::pair<double, Pose>>& poses) const {
   auto known = std::find_if(poses.begin(), poses.end(), [&](const auto& one) { return one.first == time_s; });
   if (known != poses.end()) return known->second;
-  poses.emplace_back(time_s, poser_.at(time_s, view_.capture_s));
+  poses.emplace_back(time_s, poser_.at(time_s, view_.raster_s));
   return poses.back().second;
 }
 
 Pose FramePoser::at(double time_s) const {
   std::vector<std::pair<double, Pose>> poses;  // by time
   const double camera_s = cameraTime(time_s);
-  Pose pose = poser_.at(camera_s, view_.capture_s);
+  Pose pose = poser_.at(camera_s, view_.raster_s);
   for (size_t i = 0; i < instances_.size(); ++i) {
     const double own_s = instanceTime(i, time_s);
     if (own_s == camera_s) continue;

@@ -9,7 +9,7 @@ namespace strobe::scene {
 
 // Times of a frame, the motion that it keeps, and the size of its picture.
 struct FrameView {
-  double capture_s = 0, open_s = 0, close_s = 0;
+  double raster_s = 0, open_s = 0, close_s = 0;
   double previous_s = 0;               // raster time of the previous frame
   std::vector<double> earlier_s = {};  // raster times of frames before the previous frame, if the pipeline uses them
   int width = 0, height = 0;           // of the picture, px

@@ -21,9 +21,9 @@ namespace strobe::scene {
 
 namespace {
 
-class Loader {
+class GltfLoader {
  public:
-  Loader(const Path& path, const GltfOptions& options) : file_(path, options.allow_outside) {
+  GltfLoader(const Path& path, const GltfOptions& options) : file_(path, options.allow_outside) {
     variant_ = options.variant;
     most_bytes_ = std::min(options.most_bytes, availableMemory());
   }
@@ -253,6 +253,6 @@ class Loader {
 
 }  // namespace
 
-Scene loadGltf(const Path& file, const GltfOptions& options) { return Loader(file, options).load(); }
+Scene loadGltf(const Path& file, const GltfOptions& options) { return GltfLoader(file, options).load(); }
 
 }  // namespace strobe::scene

@@ -158,9 +158,9 @@ class MaterialReader {
                                  bytesText(bytes), bytesText(most_bytes_), largest));
   }
 
-  Decoded decode(int image) {
+  DecodedImage decode(int image) {
     const std::vector<uint8_t>& bytes = bytes_.at(image);
-    std::optional<Decoded> decoded = decodeImage(bytes.data(), bytes.size());
+    std::optional<DecodedImage> decoded = decodeImage(bytes.data(), bytes.size());
     if (decoded) return *std::move(decoded);
     const std::string uri = file_.text(file_.all("images").at(image), "uri");
     file_.refuse(fmt::format("images[{}]", image),
@@ -181,7 +181,7 @@ class MaterialReader {
   Scene& scene_;
   const uint64_t most_bytes_;
   std::map<int, std::vector<uint8_t>> bytes_;  // encoded images
-  std::map<int, Decoded> images_;
+  std::map<int, DecodedImage> images_;
   std::vector<int> images_of_;  // by texture
   std::map<Lookup, int> textures_;
 };

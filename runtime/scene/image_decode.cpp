@@ -25,9 +25,9 @@ std::optional<ImageSize> imageSize(const uint8_t* bytes, size_t size) {
   return is_known ? std::optional(image) : std::nullopt;
 }
 
-std::optional<Decoded> decodeImage(const uint8_t* bytes, size_t size) {
+std::optional<DecodedImage> decodeImage(const uint8_t* bytes, size_t size) {
   if (size > INT_MAX) return std::nullopt;
-  Decoded image;
+  DecodedImage image;
   int channels = 0;
   uint8_t* texels = stbi_load_from_memory(bytes, int(size), &image.width, &image.height, &channels, 4);
   if (!texels) return std::nullopt;

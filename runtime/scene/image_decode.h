@@ -8,7 +8,7 @@
 
 namespace strobe::scene {
 
-struct Decoded {
+struct DecodedImage {
   int width = 0, height = 0;
   std::vector<uint8_t> rgba;  // 8 bits per channel, top row first
 };
@@ -21,6 +21,6 @@ struct ImageSize {
 std::optional<ImageSize> imageSize(const uint8_t* bytes, size_t size);
 
 // Nothing if the bytes are not an image, are cut short in their header, or state more than 16384 texels per side.
-std::optional<Decoded> decodeImage(const uint8_t* bytes, size_t size);
+std::optional<DecodedImage> decodeImage(const uint8_t* bytes, size_t size);
 
 }  // namespace strobe::scene

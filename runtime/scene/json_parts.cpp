@@ -44,7 +44,7 @@ std::string contentOf(const Json& json) {
   return text;
 }
 
-static dquat lookingAt(Fields& fields, const dvec3& from, const dvec3& at) {
+static dquat lookingAt(SceneFields& fields, const dvec3& from, const dvec3& at) {
   dvec3 back = from - at;
   double length = glm::length(back);
   if (length == 0) {
@@ -57,7 +57,7 @@ static dquat lookingAt(Fields& fields, const dvec3& from, const dvec3& at) {
   return glm::quat_cast(dmat3(right, glm::cross(back, right), back));
 }
 
-Placement readPlacement(Fields& fields) {
+Placement readPlacement(SceneFields& fields) {
   Placement placement;
   placement.translation = fields.vector3("position", dvec3(0));
   dvec3 turn = glm::radians(fields.vector3("rotation", dvec3(0)));
@@ -75,33 +75,33 @@ Placement readPlacement(Fields& fields) {
 
 // --- shapes -------------------------------------------------------------------------------------------------------
 
-static int segmentsOf(Fields& f, int fallback, int min = 3) { return f.integer("segments", fallback, min, 2048); }
+static int segmentsOf(SceneFields& f, int fallback, int min = 3) { return f.integer("segments", fallback, min, 2048); }
 
-static Shape readQuad(Fields& f) {
+static Shape readQuad(SceneFields& f) {
   dvec2 size = f.vector2("size", dvec2(1), 1e-9);
   int segments = segmentsOf(f, 1, 1);
   return quad(size, ivec2(segments), f.number("tile", 0, 0));
 }
 
-static Shape readBox(Fields& f) {
+static Shape readBox(SceneFields& f) {
   dvec3 size = f.vector3("size", dvec3(1), 1e-9);
   double radius = f.number("radius", 0, 0);
   return box(size, radius, f.integer("segments", 3, 1, 64), f.number("tile", 0, 0));
 }
 
-static Shape readSphere(Fields& f) { return sphere(f.number("radius", 0.5, 1e-9), segmentsOf(f, 32)); }
+static Shape readSphere(SceneFields& f) { return sphere(f.number("radius", 0.5, 1e-9), segmentsOf(f, 32)); }
 
-static Shape readTorus(Fields& f) {
+static Shape readTorus(SceneFields& f) {
   double radius = f.number("radius", 0.5, 1e-9), tube_radius = f.number("tube_radius", 0.1, 1e-9);
   return torus(radius, tube_radius, segmentsOf(f, 48), f.integer("tube_segments", 16, 3, 512));
 }
 
-static Shape readSuperellipsoid(Fields& f) {
+static Shape readSuperellipsoid(SceneFields& f) {
   dvec3 size = f.vector3("size", dvec3(1), 1e-9);
   return superellipsoid(size, f.number("north", 1, 0.02, 2), f.number("east", 1, 0.02, 2), segmentsOf(f, 32));
 }
 
-static Shape readLathe(Fields& f) {
+static Shape readLathe(SceneFields& f) {
   std::vector<dvec2> profile;
   for (const auto& row : f.rows("profile", 2, 2, 4096)) {
     if (row[0] < 0) f.problem(fmt::format("'profile' has radius {}; a radius must not be negative", row[0]));
@@ -112,14 +112,14 @@ static Shape readLathe(Fields& f) {
   return profile.empty() ? Shape() : lathe(profile, segments, smooth, crease);
 }
 
-static Shape readCylinder(Fields& f) {
+static Shape readCylinder(SceneFields& f) {
   double radius = f.number("radius", 0.5, 0), top = f.number("top_radius", radius, 0);
   if (radius + top <= 0) f.problem("'radius' and 'top_radius' are both 0");
   double height = f.number("height", 1, 1e-9);
   return cylinder(radius, top, height, segmentsOf(f, 48), f.number("bevel", 0, 0));
 }
 
-static Shape readTube(Fields& f) {
+static Shape readTube(SceneFields& f) {
   std::vector<dvec3> path;
   for (const auto& row : f.rows("path", 3, 2, 4096)) path.push_back({row[0], row[1], row[2]});
   std::vector<double> radii;
@@ -135,7 +135,7 @@ static Shape readTube(Fields& f) {
                                                                : tube(path, radii, segments, smooth, flatten, up);
 }
 
-static Shape readCushion(Fields& f) {
+static Shape readCushion(SceneFields& f) {
   dvec3 size = f.vector3("size", dvec3(0.5, 0.5, 0.16), 1e-9);
   double pinch = f.number("pinch", 0.06, 0, 0.5);
   int quilt = f.integer("quilt", 0, 0, 64);
@@ -143,14 +143,14 @@ static Shape readCushion(Fields& f) {
   return cushion(size, pinch, quilt, depth, segmentsOf(f, 32, 4));
 }
 
-static Shape readCloth(Fields& f) {
+static Shape readCloth(SceneFields& f) {
   dvec3 size = f.vector3("size", dvec3(1, 2, 0.1), 1e-9);
   double folds = f.number("folds", 6, 0, 500), flare = f.number("flare", 0.3, 0, 1);
   double thickness = f.number("thickness", 0.004, 1e-9);
   return cloth(size, folds, flare, thickness, {segmentsOf(f, 96), f.integer("segments_down", 12, 1, 2048)});
 }
 
-static Shape readTriangles(Fields& f) {
+static Shape readTriangles(SceneFields& f) {
   std::vector<dvec3> positions, normals;
   std::vector<dvec2> uvs;
   std::vector<uint32_t> indices;
@@ -181,7 +181,7 @@ static std::string typeOf(const Json& json) {
 }
 
 Shape readShape(const Json& json, const Place& place, Problems& problems) {
-  using Reader = Shape (*)(Fields&);
+  using Reader = Shape (*)(SceneFields&);
   static const std::map<std::string, Reader> readers = {
       {"quad", readQuad},          {"box", readBox},
       {"sphere", readSphere},      {"torus", readTorus},
@@ -191,7 +191,7 @@ Shape readShape(const Json& json, const Place& place, Problems& problems) {
       {"triangles", readTriangles}};
   std::string type = typeOf(json);
   auto reader = readers.find(type);
-  Fields fields(json, reader == readers.end() ? "shape" : type, place, problems);
+  SceneFields fields(json, reader == readers.end() ? "shape" : type, place, problems);
   if (!isKind(json, "shape") || reader == readers.end()) {
     fields.problem("is not a shape; write scene.box { ... } or another shape of strobe.scene");
     return {};
@@ -203,7 +203,7 @@ Shape readShape(const Json& json, const Place& place, Problems& problems) {
 
 // --- textures -----------------------------------------------------------------------------------------------------
 
-static Texture readTexels(Fields& f) {
+static Texture readTexels(SceneFields& f) {
   int width = f.integer("width", std::nullopt, 1, 16384), height = f.integer("height", 1, 1, 16384);
   std::vector<vec4> texels;
   for (const auto& row : f.rows("texels", 3, 1, size_t(1) << 24, 4, 3.4e38))
@@ -215,7 +215,7 @@ static Texture readTexels(Fields& f) {
   return texelTexture(width, height, texels);
 }
 
-static Texture readPattern(Fields& f, const std::string& type, const Painter& paint) {
+static Texture readPattern(SceneFields& f, const std::string& type, const Painter& paint) {
   Pattern pattern;
   pattern.type = type;
   dvec2 size = f.vector2("size", dvec2(512), 1, 4096);
@@ -238,7 +238,7 @@ static Texture readPattern(Fields& f, const std::string& type, const Painter& pa
   return paint(pattern);
 }
 
-static Texture readImage(Fields& fields, SceneFiles& files) {
+static Texture readImage(SceneFields& fields, SceneFiles& files) {
   const std::string name = fields.text("file", std::nullopt);
   return name.empty() ? Texture() : files.image(name, fields).value_or(Texture());
 }
@@ -247,7 +247,7 @@ Texture readTexture(const Json& json, const Place& place, Problems& problems, co
   std::string type = typeOf(json);
   const std::vector<std::string>& names = patternNames();
   bool pattern = std::find(names.begin(), names.end(), type) != names.end();
-  Fields fields(json, type.empty() ? "texture" : "texture " + type, place, problems);
+  SceneFields fields(json, type.empty() ? "texture" : "texture " + type, place, problems);
   if (!isKind(json, "texture") || !(pattern || type == "texels" || type == "image")) {
     fields.problem("is not a texture; write scene.texture.stripes { ... } or another texture of strobe.scene");
     return {};
@@ -272,7 +272,7 @@ Texture readTexture(const Json& json, const Place& place, Problems& problems, co
 // --- lights and cameras -------------------------------------------------------------------------------------------
 
 Light readLight(const Json& json, const Place& place, Problems& problems) {
-  Fields fields(json, "light", place, problems);
+  SceneFields fields(json, "light", place, problems);
   Light light;
   if (!isKind(json, "light")) {
     fields.problem("is not a light; write scene.point_light { ... }, scene.spot_light or scene.directional_light");
@@ -297,7 +297,7 @@ Light readLight(const Json& json, const Place& place, Problems& problems) {
 }
 
 Camera readCamera(const Json& json, const Place& place, Problems& problems) {
-  Fields fields(json, "camera", place, problems);
+  SceneFields fields(json, "camera", place, problems);
   Camera camera;
   if (!isKind(json, "camera")) {
     fields.problem("is not a camera; write scene.camera { ... } or scene.orthographic_camera { ... }");

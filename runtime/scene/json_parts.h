@@ -16,7 +16,7 @@ struct Placement {
   dquat rotation = dquat(1, 0, 0, 0);
   dvec3 scale = dvec3(1);
 };
-Placement readPlacement(Fields& fields);
+Placement readPlacement(SceneFields& fields);
 
 Shape readShape(const Json& json, const Place& place, Problems& problems);
 // An image has only level 0. Its further levels depend on its use, for colours or for numbers.

@@ -20,17 +20,17 @@ constexpr size_t kMostNodes = 100000;
 constexpr size_t kMostSceneVertices = 20000000;
 constexpr int kDeepest = 100;
 
-class Builder {
+class SceneBuilder {
  public:
-  Builder(const std::string& file, const std::vector<Suggestion>& suggestions, const Painter& paint,
-          const std::optional<FilePlaces>& places)
+  SceneBuilder(const std::string& file, const std::vector<Suggestion>& suggestions, const Painter& paint,
+               const std::optional<FilePlaces>& places)
       : file_{file},
         suggestions_(suggestions),
         paint_(paint),
         files_(places ? *places : FilePlaces{Path(file).parent_path()}) {}
 
   Scene build(const Json& json) {
-    Fields fields(json, "scene", file_, problems_);
+    SceneFields fields(json, "scene", file_, problems_);
     if (!isKind(json, "scene")) fields.problem("a scene file must return scene { ... } of strobe.scene");
     scene_.materials.push_back(plain());
     scene_.name = fields.text("name", file_.file);
@@ -59,7 +59,7 @@ class Builder {
   }
 
   // List in a table. Empty, with a mistake, if the member is not a list; a table with string keys is not a list.
-  const Json& listIn(const Json& json, const std::string& key, Fields& fields) {
+  const Json& listIn(const Json& json, const std::string& key, SceneFields& fields) {
     static const Json kNone = Json::array();
     bool empty = json.is_structured() && json.empty();
     if (json.is_array() || empty) return json.is_array() ? json : kNone;
@@ -69,7 +69,7 @@ class Builder {
 
   // Checks the values that the scene suggests for its pictures. The values are read from the description later.
   void checkShot(const Json& json, const Place& outer) {
-    Fields fields(json, "shot", outer, problems_);
+    SceneFields fields(json, "shot", outer, problems_);
     for (const Suggestion& one : suggestions_) {
       if (one.whole) fields.integer(one.name, int(one.min), int(one.min), int(one.max));
       else fields.number(one.name, one.min, one.min, one.max);
@@ -78,7 +78,7 @@ class Builder {
   }
 
   // Times of cuts, s.
-  std::vector<double> readCuts(Fields& fields) {
+  std::vector<double> readCuts(SceneFields& fields) {
     if (!fields.has("cuts")) return {};
     std::vector<double> cuts = fields.numbers("cuts", 1, 100000);
     if (!increase(cuts)) fields.problem("'cuts' do not increase");
@@ -86,14 +86,14 @@ class Builder {
   }
 
   void readEnvironment(const Json& json, const Place& outer) {
-    Fields fields(json, "environment", outer, problems_);
+    SceneFields fields(json, "environment", outer, problems_);
     scene_.environment.sky = vec3(fields.color("sky", vec4(0), 1e6));
     scene_.environment.ground = vec3(fields.color("ground", vec4(scene_.environment.sky, 1), 1e6));
     if (fields.has("background")) scene_.environment.background = vec3(fields.color("background", std::nullopt, 1e6));
     fields.finish();
   }
 
-  void readNodes(const Json& json, int parent, Fields& outer, int depth) {
+  void readNodes(const Json& json, int parent, SceneFields& outer, int depth) {
     std::string key = parent < 0 ? "nodes" : "children";
     if (depth > kDeepest) return outer.problem(fmt::format("'{}' are nested deeper than {} levels", key, kDeepest));
     for (const Json& node : listIn(json, key, outer)) {
@@ -104,7 +104,7 @@ class Builder {
   }
 
   void readNode(const Json& json, int parent, const Place& outer, int depth) {
-    Fields fields(json, "node", outer, problems_);
+    SceneFields fields(json, "node", outer, problems_);
     if (!isKind(json, "node")) return fields.problem("is not a node; write scene.node { ... }");
     int index = int(scene_.nodes.size());
     Node node;
@@ -138,7 +138,7 @@ class Builder {
   // Stores a glTF file for attachment after all nodes of the description, so that the first camera is the
   // description's.
   void readGltf(const Json& json, int node, const Place& outer) {
-    Fields fields(json, "gltf", outer, problems_);
+    SceneFields fields(json, "gltf", outer, problems_);
     if (!isKind(json, "gltf")) return fields.problem("is not a glTF file; write scene.gltf { ... }");
     const std::string name = fields.text("file", std::nullopt), animation = fields.text("animation", "all");
     const GltfOptions options{files_.allowOutside(), fields.text("variant", "")};
@@ -166,8 +166,8 @@ class Builder {
         throw Error(fmt::format("another node is called '{}'", scene_.nodes[i].name));
   }
 
-  void readMotion(const Json& json, int node, Fields& outer) {
-    Fields fields(json, "motion", outer.place(), problems_);
+  void readMotion(const Json& json, int node, SceneFields& outer) {
+    SceneFields fields(json, "motion", outer.place(), problems_);
     ConstantMotion motion;
     motion.node = node;
     motion.velocity = fields.vector3("velocity", dvec3(0));
@@ -182,7 +182,7 @@ class Builder {
 
   // Reads `shape` and `material`, or `parts` for several; -1 without a shape. Shapes of a part may have their own
   // placement.
-  int readMesh(Fields& fields, const Json& json, const std::string& name) {
+  int readMesh(SceneFields& fields, const Json& json, const std::string& name) {
     const Json *shape = fields.find("shape"), *material = fields.find("material"), *parts = fields.find("parts");
     if (material && !shape) fields.problem("has 'material' but no 'shape'");
     if (shape && parts) fields.problem("has both 'shape' and 'parts'");
@@ -191,11 +191,11 @@ class Builder {
     auto [known, is_new] = meshes_.emplace(contentOf(key), int(scene_.meshes.size()));
     if (!is_new) return known->second;
 
-    std::vector<Part> made;
+    std::vector<MeshPart> made;
     if (shape) made.push_back({readShape(*shape, fields.place(), problems_), materialIndex(material, fields.place())});
     if (parts)
       for (const Json& part : listIn(json["parts"], "parts", fields)) made.push_back(readPart(part, fields.place()));
-    for (const Part& part : made) vertices_ += part.shape.points.size();
+    for (const MeshPart& part : made) vertices_ += part.shape.points.size();
     if (vertices_ > kMostSceneVertices) {
       fields.problem(fmt::format("the scene has more than {} vertices", kMostSceneVertices));
       made.clear();
@@ -204,9 +204,9 @@ class Builder {
     return known->second;
   }
 
-  Part readPart(const Json& json, const Place& outer) {
-    Fields fields(json, "part", outer, problems_);
-    Part part;
+  MeshPart readPart(const Json& json, const Place& outer) {
+    SceneFields fields(json, "part", outer, problems_);
+    MeshPart part;
     const Json* shape = fields.need("shape");
     part.material = materialIndex(fields.find("material"), fields.place());
     Placement at = readPlacement(fields);
@@ -226,7 +226,7 @@ class Builder {
   }
 
   Material readMaterial(const Json& json, const Place& outer) {
-    Fields fields(json, "material", outer, problems_);
+    SceneFields fields(json, "material", outer, problems_);
     Material material;
     if (!isKind(json, "material")) {
       fields.problem("is not a material; write scene.material { ... }");
@@ -256,7 +256,7 @@ class Builder {
   }
 
   // Reads a texture, or scene.use { texture = ... } with its placement. Textures without colours are stored unchanged.
-  TextureUse readUse(Fields& outer, const std::string& key, bool is_color) {
+  TextureUse readUse(SceneFields& outer, const std::string& key, bool is_color) {
     TextureUse use;
     const Json* json = outer.find(key);
     if (!json) return use;
@@ -264,7 +264,7 @@ class Builder {
       use.texture = textureIndex(*json, outer.place(), is_color);
       return use;
     }
-    Fields fields(*json, "use", outer.place(), problems_);
+    SceneFields fields(*json, "use", outer.place(), problems_);
     const Json* texture = fields.need("texture");
     dvec2 scale = fields.vector2("scale", dvec2(1)), offset = fields.vector2("offset", dvec2(0));
     double rotation = glm::radians(fields.number("rotation", 0));
@@ -285,7 +285,7 @@ class Builder {
   }
 
   void readAnimation(const Json& json, const Place& outer) {
-    Fields fields(json, "animation", outer, problems_);
+    SceneFields fields(json, "animation", outer, problems_);
     if (!isKind(json, "animation")) return fields.problem("is not an animation; write scene.animation { ... }");
     Animation animation;
     animation.name = fields.text("name", std::nullopt);
@@ -301,7 +301,7 @@ class Builder {
   }
 
   void readTrack(const Json& json, const Place& outer, Animation& animation) {
-    Fields fields(json, "track", outer, problems_);
+    SceneFields fields(json, "track", outer, problems_);
     if (!isKind(json, "track")) return fields.problem("is not a track; write scene.track { ... }");
     Track track;
     std::string name = fields.text("node", std::nullopt);
@@ -359,7 +359,7 @@ class Builder {
 
 Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions,
                     const Painter& paint, const std::optional<FilePlaces>& places) {
-  return Builder(file, suggestions, paint, places).build(description);
+  return SceneBuilder(file, suggestions, paint, places).build(description);
 }
 
 void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions,
@@ -368,7 +368,7 @@ void checkScene(const Json& description, const std::string& file, const std::vec
     pattern.width = pattern.height = 1;
     return paintPattern(pattern);
   };
-  Builder(file, suggestions, of_one_texel, places).build(description);
+  SceneBuilder(file, suggestions, of_one_texel, places).build(description);
 }
 
 }  // namespace strobe::scene

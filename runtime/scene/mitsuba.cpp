@@ -163,7 +163,7 @@ class Exporter {
         frame_(frame),
         folder_(folder),
         instances_(instancesOf(scene)),
-        raster_(pose_at(frame.capture_s)),
+        raster_(pose_at(frame.raster_s)),
         paths_(scene, pose_at, frame) {
     for (const Instance& instance : instances_)
       for (const Geometry& geometry : meshOf(instance).geometries) used_.insert(size_t(geometry.material));

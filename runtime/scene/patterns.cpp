@@ -167,13 +167,13 @@ vec3 leaf(const Pattern& p, dvec2 uv) {
   return mixed(p.colors[0], p.colors[1], std::max(stroke(from_rib, 0.04), 0.5 * veins));
 }
 
-struct Known {
+struct KnownPattern {
   size_t colors;
   vec3 (*color_at)(const Pattern&, dvec2);
 };
 
-const std::map<std::string, Known>& known() {
-  static const std::map<std::string, Known> patterns = {
+const std::map<std::string, KnownPattern>& known() {
+  static const std::map<std::string, KnownPattern> patterns = {
       {"stripes", {1, stripes}},   {"checker", {2, checker}},   {"quilt", {3, quilt}}, {"rug", {4, rug}},
       {"wood", {2, wood}},         {"noise", {2, speckle}},     {"weave", {2, weave}}, {"spine", {3, spine}},
       {"painting", {5, painting}}, {"gradient", {2, gradient}}, {"leaf", {2, leaf}}};
@@ -194,7 +194,7 @@ const std::vector<std::string>& patternNames() {
 size_t patternColors(const std::string& type) { return known().at(type).colors; }
 
 Texture paintPattern(const Pattern& pattern) {
-  const Known& painter = known().at(pattern.type);
+  const KnownPattern& painter = known().at(pattern.type);
   STROBE_ASSERT(pattern.colors.size() >= painter.colors, "{} {}", pattern.type, pattern.colors.size());
   Texture texture = paint(pattern.width, pattern.height, 2,
                           [&](dvec2 uv) { return vec4(glm::clamp(painter.color_at(pattern, uv), 0.0f, 1.0f), 1); });

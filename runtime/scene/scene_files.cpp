@@ -10,7 +10,7 @@
 
 namespace strobe::scene {
 
-std::optional<Path> SceneFiles::find(const std::string& name, Fields& fields) const {
+std::optional<Path> SceneFiles::find(const std::string& name, SceneFields& fields) const {
   const Path folder = std::filesystem::absolute(places_.folder);
   const Path file = (folder / name).lexically_normal();
   std::error_code missing;
@@ -25,12 +25,12 @@ std::optional<Path> SceneFiles::find(const std::string& name, Fields& fields) co
   return std::nullopt;
 }
 
-std::optional<Texture> SceneFiles::image(const std::string& name, Fields& fields) {
+std::optional<Texture> SceneFiles::image(const std::string& name, SceneFields& fields) {
   const std::optional<Path> file = find(name, fields);
   if (!file) return std::nullopt;
   const std::string bytes = readText(*file);
   add({*file, hashText(bytes)});
-  std::optional<Decoded> decoded = decodeImage(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
+  std::optional<DecodedImage> decoded = decodeImage(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
   if (!decoded) {
     fields.problem(fmt::format("'{}' is not a readable PNG or JPEG", name));
     return std::nullopt;

@@ -19,9 +19,9 @@ class SceneFiles {
 
   bool allowOutside() const { return places_.allow_outside; }
   // Absolute path of the file `name`. Nothing, with a mistake in `fields`, if it does not exist or may not be read.
-  std::optional<Path> find(const std::string& name, Fields& fields) const;
+  std::optional<Path> find(const std::string& name, SceneFields& fields) const;
   // PNG or JPEG `name` as level 0 of a texture. Nothing, with a mistake in `fields`, if it cannot be read.
-  std::optional<Texture> image(const std::string& name, Fields& fields);
+  std::optional<Texture> image(const std::string& name, SceneFields& fields);
   void add(const SourceFile& file);
   // Files that were read, without duplicates.
   const std::vector<SourceFile>& read() const { return read_; }

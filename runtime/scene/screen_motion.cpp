@@ -125,7 +125,7 @@ static bool isFollowed(const Scene& scene, double from_s, double to_s, double st
 // Times of the poses: evenly over the exposure, and at keys in between.
 static std::vector<double> timesOf(const Scene& scene, const FrameView& frame) {
   std::vector<double> times = frame.earlier_s;
-  times.insert(times.end(), {frame.capture_s, frame.previous_s});
+  times.insert(times.end(), {frame.raster_s, frame.previous_s});
   for (int i = 0; i < kTimes; ++i) times.push_back(glm::mix(frame.open_s, frame.close_s, i / (kTimes - 1.0)));
   auto [first, last] = std::minmax_element(times.begin(), times.end());
   const double from_s = *first, to_s = *last;
@@ -164,16 +164,16 @@ static const Corners& cornersAt(const Track8& box, const std::vector<double>& ti
 // Upper bound of the error at shutter open and close, px, if the motion since the previous frame is extrapolated.
 // Points of a box are between its corners, but their shares vary with the depth: the error of random points is below
 // the error of the corners times the ratio of depths.
-static double offTheForetold(const Track8& box, const std::vector<double>& times, const FrameView& frame) {
+static double offTheExtrapolated(const Track8& box, const std::vector<double>& times, const FrameView& frame) {
   double off_px = 0, least_z = INFINITY, most_z = 0;
-  if (!(frame.previous_s < frame.capture_s)) return off_px;
-  const Corners &now = cornersAt(box, times, frame.capture_s), &previous = cornersAt(box, times, frame.previous_s);
+  if (!(frame.previous_s < frame.raster_s)) return off_px;
+  const Corners &now = cornersAt(box, times, frame.raster_s), &previous = cornersAt(box, times, frame.previous_s);
   for (double end_s : {frame.open_s, frame.close_s})
     for (size_t c = 0; c < now.size(); ++c) {
-      const double frames = (end_s - frame.capture_s) / (frame.capture_s - frame.previous_s);
-      const dvec2 foretold = pixelOf(now[c]) + frames * (pixelOf(now[c]) - pixelOf(previous[c]));
+      const double frames = (end_s - frame.raster_s) / (frame.raster_s - frame.previous_s);
+      const dvec2 extrapolated = pixelOf(now[c]) + frames * (pixelOf(now[c]) - pixelOf(previous[c]));
       const Homogeneous& there = cornersAt(box, times, end_s)[c];
-      off_px = std::max(off_px, glm::length(foretold - pixelOf(there)));
+      off_px = std::max(off_px, glm::length(extrapolated - pixelOf(there)));
       least_z = std::min({least_z, now[c].z, previous[c].z, there.z});
       most_z = std::max({most_z, now[c].z, previous[c].z, there.z});
     }
@@ -197,13 +197,13 @@ static double offTheLine(const Track8& box, const std::vector<double>& times, co
 }
 
 // Adds the pixels around a box during the exposure.
-static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>& times, const FrameView& frame) {
+static void addTo(PixelArea& moving_rect, const Track8& box, const std::vector<double>& times, const FrameView& frame) {
   Extent extent;
   double step_px = 0;
   const Corners* before = nullptr;
   for (size_t k = 0; k < times.size(); ++k) {
     if (times[k] < frame.open_s || times[k] > frame.close_s) {
-      if (times[k] == frame.capture_s) extent.add(box[k]);
+      if (times[k] == frame.raster_s) extent.add(box[k]);
       continue;
     }
     extent.add(box[k]);
@@ -211,9 +211,9 @@ static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>
       step_px = std::max(step_px, glm::length(pixelOf(box[k][c]) - pixelOf((*before)[c])));
     before = &box[k];
   }
-  const double bent_px = offTheForetold(box, times, frame) + 2 * offTheLine(box, times, frame);
+  const double bent_px = offTheExtrapolated(box, times, frame) + 2 * offTheLine(box, times, frame);
   const double margin = step_px + 2 + bent_px;
-  include(reach, areaOf(extent.low - margin, extent.high + margin, frame));
+  include(moving_rect, areaOf(extent.low - margin, extent.high + margin, frame));
 }
 
 // ---- paths
@@ -281,7 +281,7 @@ static bool follow(const Hull& hull, const std::vector<Pose>& poses, const std::
   for (size_t box = 0; box < hull.boxes(); ++box) {
     std::optional<Track8> posed = posedBox(hull, box, poses, index, view);
     if (!posed) return false;
-    addTo(motion.reach, *posed, times, frame);
+    addTo(motion.moving_rect, *posed, times, frame);
     Extent extent;
     for (const Corners& corners : *posed) extent.add(corners);
     path.curved = path.curved || !(bentBy(*posed, times, extent) <= kTolerancePx);
@@ -301,13 +301,13 @@ static bool isSmall(const Scene& scene, const std::vector<Instance>& instances) 
 ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const FrameView& frame) {
   const std::vector<Instance> instances = instancesOf(scene);
   ScreenMotion unknown;
-  unknown.reach = {0, 0, frame.width, frame.height};
+  unknown.moving_rect = {0, 0, frame.width, frame.height};
   unknown.paths.resize(instances.size());
   const std::vector<double> times = timesOf(scene, frame);
   if (!isFollowed(scene, times.front(), times.back(), (frame.close_s - frame.open_s) / (kTimes - 1))) return unknown;
   std::vector<Pose> poses;
   for (double time_s : times) poses.push_back(pose_at(time_s));
-  const std::vector<Pose> capture = {pose_at(frame.capture_s)};
+  const std::vector<Pose> capture = {pose_at(frame.raster_s)};
   const bool camera_moves = std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
     return pose.world_from_camera != capture[0].world_from_camera || pose.camera != capture[0].camera;
   });
@@ -340,7 +340,7 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
     path.may_be_occluded = path.turns || mayBeCovered(extents, i);
   }
   // Paths through poses of earlier frames may continue anywhere.
-  if (!frame.earlier_s.empty()) motion.reach = unknown.reach;
+  if (!frame.earlier_s.empty()) motion.moving_rect = unknown.moving_rect;
   auto moving = std::make_shared<std::vector<std::pair<size_t, Hull>>>();
   for (size_t i = 0; i < instances.size(); ++i)
     if (moves[i]) moving->emplace_back(i, std::move(*hulls[i]));

@@ -34,8 +34,8 @@ struct ScreenMotion {
   // moves, a moving object comes near the camera, or the frame uses earlier frames. It is also the whole picture if
   // these times do not show the motion (turns of more than a right angle between two times, many keys, a clip that
   // repeats).
-  PixelArea reach;
-  // Pixels of all moving objects at one of the frame's poses. If empty, only `reach` is available.
+  PixelArea moving_rect;
+  // Pixels of all moving objects at one of the frame's poses. If empty, only `moving_rect` is available.
   std::function<PixelArea(const Pose&)> area_at;
   std::vector<ScreenPath> paths;  // by instance, from the same poses; all flags are false for a static instance
 };

@@ -345,14 +345,14 @@ dvec3 originFor(const Bounds& bounds) {
   return glm::round(middle / grid) * grid;
 }
 
-Mesh meshOf(const std::string& name, const std::vector<Part>& parts) {
+Mesh meshOf(const std::string& name, const std::vector<MeshPart>& parts) {
   Mesh mesh;
   mesh.name = name;
   Bounds bounds;
-  for (const Part& part : parts)
+  for (const MeshPart& part : parts)
     for (const Shape::Point& point : part.shape.points) bounds.add(point.position);
   mesh.origin = originFor(bounds);
-  for (const Part& part : parts) {
+  for (const MeshPart& part : parts) {
     Geometry geometry;
     geometry.material = part.material;
     geometry.indices = part.shape.indices;

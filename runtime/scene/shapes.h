@@ -65,11 +65,11 @@ Shape transformed(Shape shape, const dmat4& matrix);
 // Mesh of several parts, with positions relative to its `origin`. The origin is the middle of the bounds, rounded to a
 // grid. The grid is fine enough for an origin near the middle, and coarse enough that the subtraction is exact in
 // single precision except for the last bits.
-struct Part {
+struct MeshPart {
   Shape shape;
   int material = 0;
 };
-Mesh meshOf(const std::string& name, const std::vector<Part>& parts);
+Mesh meshOf(const std::string& name, const std::vector<MeshPart>& parts);
 
 // Middle of the bounds on that grid; 0 for empty bounds.
 dvec3 originFor(const Bounds& bounds);

@@ -191,15 +191,15 @@ Json evaluate(const Home& home, const Main& main, const std::string& function, c
 }
 
 // One of many evaluations: a request, or the error that prevented the request.
-struct Prepared {
+struct PreparedRequest {
   Main main;
   Json request;
   std::exception_ptr error;
 };
 
 template <class Prepare>
-Prepared prepared(const Prepare& prepare) {
-  Prepared one;
+PreparedRequest prepared(const Prepare& prepare) {
+  PreparedRequest one;
   try {
     prepare(one);
   } catch (const Error&) {
@@ -209,7 +209,7 @@ Prepared prepared(const Prepare& prepare) {
 }
 
 // Data shared by several answers. Each text is parsed once, on all cores.
-class Shared {
+class SharedTexts {
  public:
   void add(const std::vector<Answer>& answers) {
     std::vector<std::shared_ptr<const std::string>> texts;
@@ -217,14 +217,14 @@ class Shared {
       if (answer.shared && known_.try_emplace(answer.shared).second) texts.push_back(answer.shared);
     forEachOnAllCores(texts.size(), [&](size_t i) { known_.find(texts[i])->second = read(*texts[i]); });
   }
-  const plan::Known& of(const Answer& answer) const {
-    static const plan::Known none;
+  const plan::SharedParts& of(const Answer& answer) const {
+    static const plan::SharedParts none;
     return answer.shared ? known_.find(answer.shared)->second : none;
   }
 
  private:
   // Data of a text; empty if the text has a mistake, so that answers that refer to the data are refused.
-  static plan::Known read(const std::string& text) {
+  static plan::SharedParts read(const std::string& text) {
     try {
       return plan::knownFromJson(jsonFromText(text));
     } catch (const Error&) {
@@ -234,12 +234,12 @@ class Shared {
   }
 
   // Keys own the texts, so that an address is not reused for another text.
-  std::map<std::shared_ptr<const std::string>, plan::Known> known_;
+  std::map<std::shared_ptr<const std::string>, plan::SharedParts> known_;
 };
 
 // Outcomes of all evaluations, with the results converted by `read` on all cores.
 template <class Value, class Read>
-std::vector<Outcome<Value>> outcomesOf(Children& children, Shared& shared, const std::vector<Prepared>& all,
+std::vector<Outcome<Value>> outcomesOf(Children& children, SharedTexts& shared, const std::vector<PreparedRequest>& all,
                                        const Limits& limits, const Read& read) {
   std::vector<Json> requests;
   std::vector<size_t> asked;
@@ -320,7 +320,7 @@ static Json pipelineRequest(const Home& home, const Main& main, const PipelineRe
 }
 
 static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<DroppedSetting>* dropped,
-                                     const plan::Known& known = {}) {
+                                     const plan::SharedParts& known = {}) {
   try {
     if (dropped) *dropped = droppedSettings(result.at("dropped"));
     result.erase("dropped");
@@ -356,7 +356,7 @@ struct PipelineEvaluator::State {
   Home home;
   Limits limits;
   Children children;
-  Shared shared = {};
+  SharedTexts shared = {};
 };
 
 PipelineEvaluator::PipelineEvaluator(const Home& home, const Limits& limits)
@@ -365,14 +365,14 @@ PipelineEvaluator::PipelineEvaluator(const Home& home, const Limits& limits)
 PipelineEvaluator::~PipelineEvaluator() = default;
 
 std::vector<Outcome<plan::PipelineDesc>> PipelineEvaluator::evaluate(const std::vector<PipelineRequest>& requests) {
-  std::vector<Prepared> all;
+  std::vector<PreparedRequest> all;
   for (const PipelineRequest& request : requests)
-    all.push_back(prepared([&](Prepared& one) {
+    all.push_back(prepared([&](PreparedRequest& one) {
       one.main = mainOf(state_->home, request.name_or_path, "pipeline", request.texts);
       one.request = pipelineRequest(state_->home, one.main, request, false, state_->limits);
     }));
   return outcomesOf<plan::PipelineDesc>(state_->children, state_->shared, all, state_->limits,
-                                        [](const Main& main, Json result, const plan::Known& known) {
+                                        [](const Main& main, Json result, const plan::SharedParts& known) {
                                           return pipelineOf(main, std::move(result), nullptr, known);
                                         });
 }
@@ -401,15 +401,15 @@ Path sceneScript(const Home& home, const std::string& name_or_path) {
 
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
                                           const Limits& limits) {
-  std::vector<Prepared> all;
+  std::vector<PreparedRequest> all;
   for (const std::string& name : names_or_paths)
-    all.push_back(prepared([&](Prepared& one) {
+    all.push_back(prepared([&](PreparedRequest& one) {
       one.main = mainOf(home, name, "scene", {});
       Json argument = {{"file", one.main.shown}, {"sets", Json::array()}};
       one.request = requestOf(home, one.main, "scene", argument, limits, {});
     }));
   Children children(home.program(), limits);
-  Shared none;
+  SharedTexts none;
   return outcomesOf<Json>(children, none, all, limits, [](const Main&, Json result, const auto&) { return result; });
 }
 

@@ -47,7 +47,7 @@ struct Limits {
 
 // Passes and parameters of an earlier evaluation. The next answer refers to unchanged ones in place of a copy.
 struct Described {
-  plan::Known known;
+  plan::SharedParts known;
   std::vector<std::string> pass_hashes;  // hashes of the passes' descriptions in the child
   std::string params_hash;
 };

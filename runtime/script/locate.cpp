@@ -140,16 +140,16 @@ Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vect
 
 }  // namespace
 
-struct Source::Read {
+struct LuaSource::Read {
   std::vector<Token> tokens;
   std::set<std::string_view> fields;  // names of fields that are read
 };
 
-Source::Source(std::string text) : text_(std::move(text)) {}
+LuaSource::LuaSource(std::string text) : text_(std::move(text)) {}
 
-Source::~Source() = default;
+LuaSource::~LuaSource() = default;
 
-const Source::Read& Source::read() const {
+const LuaSource::Read& LuaSource::read() const {
   if (read_) return *read_;
   auto read = std::make_unique<Read>();
   read->tokens = Lexer(text_).tokens();
@@ -162,9 +162,9 @@ const Source::Read& Source::read() const {
   return *read_;
 }
 
-void Source::prepare() const { read(); }
+void LuaSource::prepare() const { read(); }
 
-int Source::lineOfKey(int line, const std::vector<std::string>& path) const {
+int LuaSource::lineOfKey(int line, const std::vector<std::string>& path) const {
   const std::vector<Token>& tokens = read().tokens;
   auto firstOn = [&](int on) {
     return std::lower_bound(tokens.begin(), tokens.end(), on, [](const Token& t, int at) { return t.line < at; });
@@ -181,7 +181,7 @@ int Source::lineOfKey(int line, const std::vector<std::string>& path) const {
   return best.line;
 }
 
-int Source::lineOfReturn(int first, int last, const std::vector<std::string>& path) const {
+int LuaSource::lineOfReturn(int first, int last, const std::vector<std::string>& path) const {
   const std::vector<Token>& tokens = read().tokens;
   int best = 0;
   for (size_t i = 0; i < tokens.size(); ++i) {
@@ -194,9 +194,9 @@ int Source::lineOfReturn(int first, int last, const std::vector<std::string>& pa
   return best;
 }
 
-bool Source::readsField(std::string_view name) const { return read().fields.count(name) > 0; }
+bool LuaSource::readsField(std::string_view name) const { return read().fields.count(name) > 0; }
 
-std::vector<int> Source::conditionsOn(std::string_view name) const {
+std::vector<int> LuaSource::conditionsOn(std::string_view name) const {
   static const std::set<std::string_view> before = {"if", "elseif", "while", "until", "not", "and", "or", "==", "~="};
   static const std::set<std::string_view> after = {"then", "do", "and", "or", "==", "~="};
   std::vector<int> lines;

@@ -10,12 +10,12 @@
 namespace strobe::script {
 
 // A Lua source. Its tokens are read at the first use.
-class Source {
+class LuaSource {
  public:
-  explicit Source(std::string text);
-  ~Source();
-  Source(const Source&) = delete;
-  Source& operator=(const Source&) = delete;
+  explicit LuaSource(std::string text);
+  ~LuaSource();
+  LuaSource(const LuaSource&) = delete;
+  LuaSource& operator=(const LuaSource&) = delete;
 
   // Reads the tokens now.
   void prepare() const;

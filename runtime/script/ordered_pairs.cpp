@@ -10,14 +10,14 @@ namespace strobe::script {
 namespace {
 
 // A key of a table. The table owns the text.
-struct Key {
+struct TableKey {
   int type = LUA_TNIL;
   bool whole = false;
   lua_Integer integer = 0;  // 0 or 1 for a boolean
   lua_Number number = 0;
   std::string_view text;
 
-  bool operator<(const Key& other) const {
+  bool operator<(const TableKey& other) const {
     if (type != other.type) return type < other.type;
     if (type == LUA_TSTRING) return text < other.text;
     if (type == LUA_TBOOLEAN || (whole && other.whole)) return integer < other.integer;
@@ -29,8 +29,8 @@ struct Key {
 static_assert(LUA_TBOOLEAN < LUA_TNUMBER && LUA_TNUMBER < LUA_TSTRING);
 
 // The key on top of the stack.
-Key keyOnTop(lua_State* lua) {
-  Key key{lua_type(lua, -1)};
+TableKey keyOnTop(lua_State* lua) {
+  TableKey key{lua_type(lua, -1)};
   if (key.type == LUA_TBOOLEAN) {
     key.integer = lua_toboolean(lua, -1);
   } else if (key.type == LUA_TSTRING) {
@@ -47,7 +47,7 @@ Key keyOnTop(lua_State* lua) {
   return key;
 }
 
-void push(lua_State* lua, const Key& key) {
+void push(lua_State* lua, const TableKey& key) {
   if (key.type == LUA_TBOOLEAN) lua_pushboolean(lua, int(key.integer));
   else if (key.type == LUA_TSTRING) lua_pushlstring(lua, key.text.data(), key.text.size());
   else if (key.whole) lua_pushinteger(lua, key.integer);
@@ -55,12 +55,12 @@ void push(lua_State* lua, const Key& key) {
 }
 
 // Buffer for sorting. It is kept per thread, because Lua's errors skip destructors.
-std::vector<Key>& room() {
-  thread_local std::vector<Key> keys;
+std::vector<TableKey>& room() {
+  thread_local std::vector<TableKey> keys;
   return keys;
 }
 
-bool enlarge(std::vector<Key>& keys) {
+bool enlarge(std::vector<TableKey>& keys) {
   try {
     keys.resize(2 * keys.size() + 16);
     return true;
@@ -71,7 +71,7 @@ bool enlarge(std::vector<Key>& keys) {
 
 // Pushes the sorted list of the keys of the table at index 1.
 void pushOrderedKeys(lua_State* lua) {
-  std::vector<Key>& keys = room();
+  std::vector<TableKey>& keys = room();
   size_t count = 0;
   for (lua_pushnil(lua); lua_next(lua, 1); ++count) {
     lua_pop(lua, 1);

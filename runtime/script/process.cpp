@@ -47,19 +47,19 @@ static Program expectedChild(const Home& home, const Limits& limits, const std::
 
 namespace {
 
-struct Expected {
+struct ExpectedRun {
   Path path;
   Limits limits;
   WaitingProgram program;
 
-  Expected(const Home& home, const Limits& limits, const std::vector<Dependency>& files)
+  ExpectedRun(const Home& home, const Limits& limits, const std::vector<Dependency>& files)
       : path(home.program()), limits(limits), program(expectedChild(home, limits, files)) {}
   bool serves(const Path& wanted, const Limits& within) const { return path == wanted && limits == within; }
 };
 
 struct AllExpected {
   std::mutex mutex;
-  std::list<Expected> children;
+  std::list<ExpectedRun> children;
 };
 
 AllExpected& allExpected() {
@@ -68,10 +68,10 @@ AllExpected& allExpected() {
 }
 
 // Removes the first waiting child with this program and these limits from the list; empty without one.
-std::list<Expected> taken(const Path& path, const Limits& limits) {
+std::list<ExpectedRun> taken(const Path& path, const Limits& limits) {
   AllExpected& all = allExpected();
   std::lock_guard lock(all.mutex);
-  std::list<Expected> first;
+  std::list<ExpectedRun> first;
   for (auto it = all.children.begin(); it != all.children.end(); ++it) {
     if (!it->serves(path, limits) || !it->program.waits()) continue;
     first.splice(first.begin(), all.children, it);
@@ -83,7 +83,7 @@ std::list<Expected> taken(const Path& path, const Limits& limits) {
 }  // namespace
 
 ProgramEnd runChild(const Path& path, const std::string& input, const Limits& limits) {
-  std::list<Expected> expected = taken(path, limits);
+  std::list<ExpectedRun> expected = taken(path, limits);
   if (!expected.empty()) return expected.front().program.run(input);
   Program program = childOf(path, limits);
   program.input = input;
@@ -91,7 +91,7 @@ ProgramEnd runChild(const Path& path, const std::string& input, const Limits& li
 }
 
 WaitingProgram startedChild(const Path& path, const Limits& limits) {
-  std::list<Expected> expected = taken(path, limits);
+  std::list<ExpectedRun> expected = taken(path, limits);
   if (!expected.empty()) return std::move(expected.front().program);
   return WaitingProgram(childOf(path, limits));
 }
@@ -99,9 +99,9 @@ WaitingProgram startedChild(const Path& path, const Limits& limits) {
 void expectChildren(const Home& home, const Limits& limits, size_t count, const std::vector<Dependency>& files) {
   AllExpected& all = allExpected();
   std::lock_guard lock(all.mutex);
-  all.children.remove_if([](const Expected& one) { return !one.program.waits(); });
+  all.children.remove_if([](const ExpectedRun& one) { return !one.program.waits(); });
   size_t waiting = 0;
-  for (const Expected& one : all.children) waiting += one.serves(home.program(), limits);
+  for (const ExpectedRun& one : all.children) waiting += one.serves(home.program(), limits);
   try {
     for (; waiting < count; ++waiting) all.children.emplace_back(home, limits, files);
   } catch (const Error&) {

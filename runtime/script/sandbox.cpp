@@ -44,7 +44,7 @@ void Sandbox::readAhead(const Path& file, const std::string& shown) {
   lua_settop(lua_, 0);
   lua_pushcfunction(lua_, Callbacks::keepChunk);
   if (lua_pcall(lua_, 0, 0, 0) != LUA_OK) return;
-  std::map<std::string, Source> sources;
+  std::map<std::string, LuaSource> sources;
   sources.try_emplace(shown, source_).first->second.prepare();
   ahead.shown = shown, ahead.text = source_, ahead.hash = hashText(source_);
   ahead.chunk = ready_chunk_;

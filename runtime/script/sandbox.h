@@ -76,7 +76,7 @@ class Sandbox {
     std::string shown, text, hash;
     Stamps stamps;  // taken before the file was read
     int chunk = 0;  // number of the compiled function in the registry
-    std::map<std::string, Source>::node_type source;
+    std::map<std::string, LuaSource>::node_type source;
   };
 
   void openLibraries();
@@ -103,8 +103,8 @@ class Sandbox {
   size_t used_bytes_ = 0;
   bool out_of_memory_ = false;
   std::vector<Dependency> files_;
-  std::map<std::string, Source> sources_;  // by shown name
-  std::map<std::string, Ahead> ahead_;     // by path
+  std::map<std::string, LuaSource> sources_;  // by shown name
+  std::map<std::string, Ahead> ahead_;        // by path
   std::vector<Problem> problems_;
   std::string text_;                // result or error of a callback
   plan::Value value_;               // result of a callback

@@ -81,21 +81,21 @@ class Includer : public glslang::TShader::Includer {
   std::vector<uint32_t> included_;
 };
 
-EShLanguage language(Stage stage) {
+EShLanguage language(ShaderStage stage) {
   switch (stage) {
-    case Stage::Vertex:
+    case ShaderStage::Vertex:
       return EShLangVertex;
-    case Stage::Fragment:
+    case ShaderStage::Fragment:
       return EShLangFragment;
-    case Stage::Compute:
+    case ShaderStage::Compute:
       return EShLangCompute;
-    case Stage::RayGeneration:
+    case ShaderStage::RayGeneration:
       return EShLangRayGen;
-    case Stage::Miss:
+    case ShaderStage::Miss:
       return EShLangMiss;
-    case Stage::ClosestHit:
+    case ShaderStage::ClosestHit:
       return EShLangClosestHit;
-    case Stage::AnyHit:
+    case ShaderStage::AnyHit:
       return EShLangAnyHit;
   }
   return EShLangCompute;
@@ -181,7 +181,7 @@ constexpr auto kRules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgC
 void startCompiler(const Home& home) {
   if (!SpirvCache(home.cache()).empty()) return;
   startOnce();
-  for (Stage stage : {Stage::Vertex, Stage::Fragment, Stage::Compute}) {
+  for (ShaderStage stage : {ShaderStage::Vertex, ShaderStage::Fragment, ShaderStage::Compute}) {
     glslang::TShader shader(language(stage));
     const char* text = "#version 460\nvoid main() {}\n";
     shader.setStrings(&text, 1);
@@ -192,7 +192,7 @@ void startCompiler(const Home& home) {
 
 // Cache key of all inputs of a compilation: the compiler and its settings, the stage, every text, and the text of each
 // include.
-static std::string keyOf(const Source& source, Stage stage, const Texts& texts) {
+static std::string keyOf(const ShaderSource& source, ShaderStage stage, const Texts& texts) {
   const glslang::Version compiler = glslang::GetVersion();
   std::string key = fmt::format("{} {}.{}.{}{} {} ", kVersion, compiler.major, compiler.minor, compiler.patch,
                                 compiler.flavor, glslang::GetSpirvGeneratorVersion());
@@ -206,8 +206,8 @@ static std::string keyOf(const Source& source, Stage stage, const Texts& texts) 
   return hashText(key);
 }
 
-static KeptCode compileAnew(const Home& home, const Source& source, Stage stage, Sources& sources, const Texts& texts,
-                            Output output) {
+static KeptCode compileAnew(const Home& home, const ShaderSource& source, ShaderStage stage, Sources& sources,
+                            const Texts& texts, Output output) {
   startOnce();
   bool calls_run = source.epilogue.find("run(") != std::string::npos;
   if (int line = calls_run ? lineOfMain(*texts.all.front().text) : 0)
@@ -235,7 +235,7 @@ static KeptCode compileAnew(const Home& home, const Source& source, Stage stage,
   return code;
 }
 
-Compiled compile(const Home& home, const Source& source, Stage stage, Output output, Sources* shared) {
+Compiled compile(const Home& home, const ShaderSource& source, ShaderStage stage, Output output, Sources* shared) {
   Sources own(home);
   Sources& sources = shared ? *shared : own;
   Texts texts;
@@ -254,7 +254,7 @@ Compiled compile(const Home& home, const Source& source, Stage stage, Output out
   return result;
 }
 
-std::vector<uint32_t> compileText(const std::string& glsl, Stage stage) {
+std::vector<uint32_t> compileText(const std::string& glsl, ShaderStage stage) {
   startOnce();
   glslang::TShader shader(language(stage));
   const char* text = glsl.c_str();

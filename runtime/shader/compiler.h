@@ -14,12 +14,12 @@ namespace strobe::shader {
 
 class Sources;
 
-enum class Stage { Vertex, Fragment, Compute, RayGeneration, Miss, ClosestHit, AnyHit };
+enum class ShaderStage { Vertex, Fragment, Compute, RayGeneration, Miss, ClosestHit, AnyHit };
 
 // Result of a compilation. Mistakes are found before SPIR-V is generated, so a check does not need SPIR-V.
 enum class Output { Spirv, None };
 
-struct Source {
+struct ShaderSource {
   std::string preamble;  // generated declarations before the file; not counted in line numbers
   Path file;             // shader text of the pass, below shaders/ or elsewhere
   std::string epilogue;  // generated code after the file
@@ -33,11 +33,11 @@ struct Compiled {
 // Compiles a shader. Throws `Error` with a line "file:line: message" for each error of the compiler.
 // `#include "a/b.glsl"` is searched in the folder of the including file, then in the shaders folder.
 // `sources` (may be null) keeps the files for later calls.
-Compiled compile(const Home& home, const Source& source, Stage stage, Output output = Output::Spirv,
+Compiled compile(const Home& home, const ShaderSource& source, ShaderStage stage, Output output = Output::Spirv,
                  Sources* sources = nullptr);
 
 // Compiles GLSL of the program itself, without includes. Throws `Error`.
-std::vector<uint32_t> compileText(const std::string& glsl, Stage stage);
+std::vector<uint32_t> compileText(const std::string& glsl, ShaderStage stage);
 
 // Joined text of `file` and all files that it includes, for checks without the compiler. `files` receives the paths.
 std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files = nullptr,

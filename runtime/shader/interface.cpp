@@ -80,7 +80,7 @@ static std::string accessorText(const Interface& in) {
   return declared + defined;
 }
 
-static std::string resourceText(const Interface& in, Stage stage) {
+static std::string resourceText(const Interface& in, ShaderStage stage) {
   std::string text;
   if (in.hasParams()) {
     text += fmt::format("layout(set = 1, binding = {}, scalar) uniform Params {{\n", Interface::kParamsBinding);
@@ -104,7 +104,7 @@ static std::string resourceText(const Interface& in, Stage stage) {
   text += accessorText(in);
   for (size_t i = 0; i < in.writes.size(); ++i) {
     const auto& write = in.writes[i];
-    if (in.raster && stage == Stage::Fragment)
+    if (in.raster && stage == ShaderStage::Fragment)
       text += fmt::format("layout(location = {}) out {}vec4 {}_out;\n", i, write.uint ? "u" : "", write.name);
     if (in.raster) continue;
     if (write.buffer) text += bufferText("", in.writeBinding(i), write.name + "_write_", write.name);
@@ -119,11 +119,12 @@ static std::string resourceText(const Interface& in, Stage stage) {
   return text;
 }
 
-std::string preamble(const Interface& in, Stage stage) {
-  bool shared = stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
+std::string preamble(const Interface& in, ShaderStage stage) {
+  bool shared = stage == ShaderStage::Miss || stage == ShaderStage::ClosestHit || stage == ShaderStage::AnyHit;
   std::string text = header(in) + (shared ? "" : variantText(in)) + factText(in) + frameText(in);
   if (!shared) text += resourceText(in, stage);
-  if (stage == Stage::Compute) text += fmt::format("layout(local_size_x = {0}, local_size_y = {0}) in;\n", kGroupSize);
+  if (stage == ShaderStage::Compute)
+    text += fmt::format("layout(local_size_x = {0}, local_size_y = {0}) in;\n", kGroupSize);
   return text;
 }
 
@@ -152,9 +153,9 @@ static const char* kGroup = "gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGrou
 static const char* kGroups = "gl_NumWorkGroups.x * gl_NumWorkGroups.y";
 static const char* kIndexOfLaunch = "gl_LaunchIDEXT.y * gl_LaunchSizeEXT.x + gl_LaunchIDEXT.x";
 
-std::string epilogue(const Interface& in, Stage stage) {
-  if (stage != Stage::Compute && stage != Stage::RayGeneration) return "";
-  const bool compute = stage == Stage::Compute;
+std::string epilogue(const Interface& in, ShaderStage stage) {
+  if (stage != ShaderStage::Compute && stage != ShaderStage::RayGeneration) return "";
+  const bool compute = stage == ShaderStage::Compute;
   const bool dealt = compute && in.deal_rows;
   std::string pixel = compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
   if (in.group) pixel = "gl_WorkGroupID.xy";
@@ -324,7 +325,7 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
   return text;
 }
 
-Compiled compilePass(const Home& home, const Interface& in, const Path& file, Stage stage, Output output,
+Compiled compilePass(const Home& home, const Interface& in, const Path& file, ShaderStage stage, Output output,
                      Sources* sources) {
   try {
     return compile(home, {preamble(in, stage), file, epilogue(in, stage)}, stage, output, sources);

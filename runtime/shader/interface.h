@@ -76,8 +76,8 @@ struct Interface {
 // Side of a compute work group, invocations.
 constexpr uint32_t kGroupSize = 8;
 
-std::string preamble(const Interface& interface, Stage stage);
-std::string epilogue(const Interface& interface, Stage stage);
+std::string preamble(const Interface& interface, ShaderStage stage);
+std::string epilogue(const Interface& interface, ShaderStage stage);
 
 // All names in the code of shader files and their includes, for all choices. Members are also listed as "params.x".
 // Comments are ignored.
@@ -91,7 +91,7 @@ std::vector<std::string> nameProblems(const Home& home, const Interface& interfa
                                       const std::unordered_set<std::string>& used);
 
 // Compiles `file` as `stage` of the pass. Errors about unknown names list the similar names that the pass declares.
-Compiled compilePass(const Home& home, const Interface& interface, const Path& file, Stage stage,
+Compiled compilePass(const Home& home, const Interface& interface, const Path& file, ShaderStage stage,
                      Output output = Output::Spirv, Sources* sources = nullptr);
 
 }  // namespace strobe::shader

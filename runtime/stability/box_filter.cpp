@@ -8,14 +8,14 @@
 namespace strobe::stability {
 
 // Appends the times within the window when the coordinate `start` + `speed` * t crosses a pixel border.
-static void addCrossings(std::vector<double>& times, double start, double speed, const Window& window) {
+static void addCrossings(std::vector<double>& times, double start, double speed, const ExposureInterval& window) {
   if (speed == 0) return;
   double a = start + speed * window.from, b = start + speed * window.to;
   for (double border = std::ceil(std::min(a, b)); border <= std::max(a, b); ++border)
     times.push_back((border - start) / speed);
 }
 
-Mean meanAlong(const image::Image& picture, int x, int y, double dx, double dy, const Window& window) {
+Mean meanAlong(const image::Image& picture, int x, int y, double dx, double dy, const ExposureInterval& window) {
   double start_x = x + 0.5, start_y = y + 0.5;
   std::vector<double> times = {window.from, window.to};
   addCrossings(times, start_x, -dx, window);

@@ -9,7 +9,7 @@
 namespace strobe::stability {
 
 // Interval [from, to] of a picture's exposure, in exposures; 0 is the raster time.
-struct Window {
+struct ExposureInterval {
   double from = -1, to = 0;
 };
 
@@ -22,6 +22,6 @@ struct Mean {
 
 // Exact mean over t in the window of the pixel at centre(x, y) - d * t; d in px over the exposure, x right, y down.
 // Each pixel counts by the length of the segment in it, without sampling.
-Mean meanAlong(const image::Image& picture, int x, int y, double dx, double dy, const Window& window);
+Mean meanAlong(const image::Image& picture, int x, int y, double dx, double dy, const ExposureInterval& window);
 
 }  // namespace strobe::stability

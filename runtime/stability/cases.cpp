@@ -60,11 +60,11 @@ lab::Shot sized(lab::Shot shot, int width, int height) {
 }
 
 // A picture size, and tile sizes that divide both sides.
-struct Frame {
+struct CaseSize {
   int width, height;
   std::vector<int> tiles;
 };
-static const std::vector<Frame> kFrames = {
+static const std::vector<CaseSize> kFrames = {
     {64, 40, {8, 4, 2, 1}}, {48, 48, {16, 12, 6, 48}}, {60, 40, {20, 10, 5}}, {64, 64, {64, 32, 16}}};
 
 // Scene of a case; equal for all variants.
@@ -75,7 +75,7 @@ static lab::Shot sceneOf(uint64_t seed, int index) {
   shot.fps = 24;
   shot.frame = 0;
   shot.exposure = 0.5;
-  const Frame& frame = kFrames[size_t(index) % kFrames.size()];
+  const CaseSize& frame = kFrames[size_t(index) % kFrames.size()];
   shot = sized(shot, frame.width, frame.height);
   shot = with(shot, "scene.seed", random.whole(1, 9999));
   shot = with(shot, "scene.cards", random.whole(2, 7));
@@ -116,7 +116,7 @@ lab::Shot generated(const Variant& variant, uint64_t seed, int index) {
   shot.sets = variant.sets;
   for (const auto& set : of_scene) shot.sets.push_back(set);
 
-  const Frame& frame = kFrames[size_t(index) % kFrames.size()];
+  const CaseSize& frame = kFrames[size_t(index) % kFrames.size()];
   if (const auto* samples = plan::paramOf(pipeline, plan::Role::SampleCount))
     shot = with(shot, samples->name, random.chance(.3) ? random.whole(1, 33) : 16);
   if (const auto* tile = plan::paramOf(pipeline, plan::Role::Tile))

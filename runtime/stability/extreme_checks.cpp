@@ -163,7 +163,7 @@ const std::map<std::string, Number> kNumbers = {
     {"share", {&ExtremeCheck::share, 0, 1}}, {"tolerance_px", {&ExtremeCheck::tolerance_px, 0}}};
 
 // Data that a check reads besides its shot.
-struct Kind {
+struct CheckKind {
   void (*holds)(Probe&, const ExtremeCheck&);
   std::vector<std::string> numbers;
   const char* text = "";  // key of a text
@@ -173,8 +173,8 @@ struct Kind {
   bool other_needed = false;
 };
 
-const std::map<std::string, Kind>& kinds() {
-  static const std::map<std::string, Kind> table = {
+const std::map<std::string, CheckKind>& kinds() {
+  static const std::map<std::string, CheckKind> table = {
       {"draws", {drawn, {}}},
       {"as_captured", {.holds = asCaptured, .other = "of"}},
       {"within", {.holds = within, .numbers = {"low", "high"}, .text = "unless", .text_needed = false}},
@@ -208,7 +208,7 @@ ExtremeCheck readCheck(const Json& json, const std::string& what, const Place& p
   for (const auto& [name, kind] : kinds()) names.push_back(name);
   Fields fields(json, what, place, problems);
   std::string name = fields.choice("check", std::nullopt, names);  // a valid name even after a mistake
-  const Kind& kind = kinds().at(name);
+  const CheckKind& kind = kinds().at(name);
   ExtremeCheck check;
   check.holds = kind.holds;
   check.by = fields.choice("by", "all", groups);

@@ -156,7 +156,7 @@ static page::Table countsOf(const std::vector<ExtremeOutcome>& outcomes) {
     table.add({count.clause,
                std::to_string(count.cases.size()),
                std::to_string(count.checks),
-               {std::to_string(count.failed), count.failed ? page::Mark::bad : page::Mark::none},
+               {std::to_string(count.failed), count.failed ? page::Emphasis::bad : page::Emphasis::none},
                which});
   };
   for (const Count& clause : clauses) add(clause, fmt::format("{}", fmt::join(clause.cases, ", ")));

@@ -16,13 +16,13 @@ namespace strobe::stability {
 
 using plan::Role;
 
-Random Subject::draw(const char* what) const { return Random(uint64_t(knob(shot, "seed", 1)), what); }
+Random CheckedCase::draw(const char* what) const { return Random(uint64_t(knob(shot, "seed", 1)), what); }
 
-lab::Shot Subject::sharp(const lab::Shot& shot) const {
+lab::Shot CheckedCase::sharp(const lab::Shot& shot) const {
   return by(shot, batch.nameOf(plan::PipelineDesc::Kind::Sharp));
 }
 
-lab::Shot Subject::truth(const lab::Shot& shot, int samples) const {
+lab::Shot CheckedCase::truth(const lab::Shot& shot, int samples) const {
   auto pipeline = batch.evaluate(batch.nameOf(plan::PipelineDesc::Kind::Truth), {}).pipeline;
   if (!pipeline) throw lab::Refusal("the pipeline of kind \"truth\" cannot be evaluated");
   return with(by(shot, pipeline->name), *pipeline, Role::SampleCount, samples);
@@ -35,9 +35,9 @@ bool blurs(lab::Batch& batch, const lab::Shot& shot) {
 
 namespace {
 
-Window windowOf(const lab::Shot& shot) {
+ExposureInterval windowOf(const lab::Shot& shot) {
   if (shot.anchor == "centre") return {-.5, .5};
-  return shot.anchor == "start" ? Window{0, 1} : Window{-1, 0};
+  return shot.anchor == "start" ? ExposureInterval{0, 1} : ExposureInterval{-1, 0};
 }
 
 lab::Shot without(lab::Shot shot, std::initializer_list<const char*> knobs) {
@@ -46,7 +46,7 @@ lab::Shot without(lab::Shot shot, std::initializer_list<const char*> knobs) {
 }
 
 // Changes the size; keeps the maximum displacement in pixels.
-lab::Shot resized(const Subject& subject, const lab::Shot& shot, int width, int height) {
+lab::Shot resized(const CheckedCase& subject, const lab::Shot& shot, int width, int height) {
   lab::Shot result = sized(shot, width, height);
   const plan::ParamDesc* reach = plan::paramOf(subject.pipeline, Role::Reach);
   if (!reach) return result;
@@ -56,7 +56,7 @@ lab::Shot resized(const Subject& subject, const lab::Shot& shot, int width, int 
   return limit < 0 ? result : with(result, reach->name, limit * shot.width / width);
 }
 
-std::shared_ptr<const plan::PipelineDesc> evaluated(const Subject& subject, const lab::Shot& shot) {
+std::shared_ptr<const plan::PipelineDesc> evaluated(const CheckedCase& subject, const lab::Shot& shot) {
   lab::Evaluated now = subject.batch.evaluate(shot.pipeline, shot.sets);
   if (!now.pipeline) throw lab::Refusal(now.refusal);
   return now.pipeline;
@@ -77,7 +77,7 @@ Finding worse(const Finding& a, const Finding& b) {
 
 // ---- constant
 
-Finding constant(const Subject& subject) {
+Finding constant(const CheckedCase& subject) {
   Random draw = subject.draw("constant");
   const double values[] = {.7, 1.0 / 3, 6e4, 1e-20, 1e-40, 1e6};  // the sky's maximum is 1e6
   float value = float(values[draw.whole(0, 5)]);
@@ -91,13 +91,13 @@ Finding constant(const Subject& subject) {
 
 // ---- still, brief
 
-Finding same(const Subject& subject, const lab::Shot& shot, const lab::Shot& right, double tolerance) {
+Finding same(const CheckedCase& subject, const lab::Shot& shot, const lab::Shot& right, double tolerance) {
   Picture picture = subject.batch.color(shot), wanted = subject.batch.color(right);
   auto at = [&](int x, int y, int c) { return exactly(wanted->at(x, y, c), tolerance); };
   return compare(*picture, at, {shot, right});
 }
 
-Finding still(const Subject& subject) {
+Finding still(const CheckedCase& subject) {
   lab::Shot at_rest = with(subject.shot, "scene.speed", 0);
   lab::Shot closed = subject.shot;
   closed.exposure = 0;
@@ -117,7 +117,7 @@ std::optional<Right> rangeAround(const std::vector<Picture>& pictures, int x, in
   return right;
 }
 
-Finding brief(const Subject& subject) {
+Finding brief(const CheckedCase& subject) {
   lab::Shot shot = without(subject.shot, {"lit", "boxes", "balls", "spin"});
   // A pipeline with loops draws other times too. A gap between two cards, narrower than a pixel, may then show a
   // surface that no pixel centre of the sharp picture shows.
@@ -134,7 +134,7 @@ Finding brief(const Subject& subject) {
 
 // ---- mirrored, shifted, reversed
 
-Finding mirrored(const Subject& subject) {
+Finding mirrored(const CheckedCase& subject) {
   Random draw = subject.draw("mirrored");
   lab::Shot shot = without(subject.shot, {"balls", "spin"});
   int sides = draw.whole(0, 3);
@@ -169,7 +169,7 @@ Finding mirrored(const Subject& subject) {
   return compare(*one, at, {shot, other});
 }
 
-Finding shifted(const Subject& subject) {
+Finding shifted(const CheckedCase& subject) {
   Random draw = subject.draw("shifted");
   lab::Shot shot = with(without(subject.shot, {"perspective", "lit", "boxes", "balls", "spin"}), "scene.wall", 1);
   if (const auto* tile = plan::paramOf(subject.pipeline, Role::Tile))
@@ -194,7 +194,7 @@ Finding shifted(const Subject& subject) {
   return compare(*one, at, {shot, other});
 }
 
-Finding reversed(const Subject& subject) {
+Finding reversed(const CheckedCase& subject) {
   lab::Shot shot = subject.shot, other = with(subject.shot, "scene.speed", -1);
   other.anchor = shot.anchor == "end" ? "start" : shot.anchor == "start" ? "end" : "centre";
   Picture right = subject.batch.color(other);
@@ -203,7 +203,7 @@ Finding reversed(const Subject& subject) {
 
 // ---- convex, uniform
 
-Finding convex(const Subject& subject) {
+Finding convex(const CheckedCase& subject) {
   lab::Shot shot = without(subject.shot, {"lit"});
   lab::Shot layer = subject.sharp(shot);
   std::vector<Picture> layers;
@@ -221,7 +221,7 @@ Finding convex(const Subject& subject) {
   return compare(*subject.batch.color(shot), at, {shot});
 }
 
-Finding uniform(const Subject& subject) {
+Finding uniform(const CheckedCase& subject) {
   Random draw = subject.draw("uniform");
   lab::Shot shot = with(without(subject.shot, {"perspective", "lit", "speed", "spin"}), "scene.wall", 1);
   double reach = knob(shot, "reach", 10), angle = draw.unit() * 6.283185307;
@@ -232,7 +232,7 @@ Finding uniform(const Subject& subject) {
     shot = with(shot, samples->name, draw.whole(16, 33));
   std::shared_ptr<const plan::PipelineDesc> held = evaluated(subject, shot);
   const plan::PipelineDesc& now = *held;
-  Window window = windowOf(shot);
+  ExposureInterval window = windowOf(shot);
   double along = std::max(std::abs(dx), std::abs(dy));
   double samples = std::min(numberOf(now, Role::SampleCount, along), std::max(2.0, 2 * std::floor(along / 2)));
   double share = 1 / samples + .5 / along;
@@ -257,7 +257,7 @@ Finding uniform(const Subject& subject) {
 
 // ---- linear, scaled
 
-Finding linear(const Subject& subject) {
+Finding linear(const CheckedCase& subject) {
   lab::Shot shot = without(subject.shot, {"lit"});
   if (subject.draw("linear").chance(.3)) {
     lab::Shot bright = with(shot, "scene.brightness", 3);
@@ -271,7 +271,7 @@ Finding linear(const Subject& subject) {
   return compare(*subject.batch.color(shot), at, {shot, first, second});
 }
 
-Finding scaled(const Subject& subject) {
+Finding scaled(const CheckedCase& subject) {
   Random draw = subject.draw("scaled");
   bool exact = draw.chance(.6);
   double scale = exact ? std::exp2(draw.whole(-19, 19)) : std::pow(10, draw.unit() * 11.6 - 5.8);
@@ -289,7 +289,7 @@ Finding scaled(const Subject& subject) {
 
 // ---- converging, unmasked
 
-double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<lab::Shot>& scenes) {
+double errorOf(const CheckedCase& subject, const lab::Shot& shot, const std::vector<lab::Shot>& scenes) {
   double sum = 0;
   for (const lab::Shot& scene : scenes) {
     lab::Shot here = shot;
@@ -301,7 +301,7 @@ double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<
 }
 
 // The shot by another pipeline, with the values that both pipelines have and the values of `set`.
-lab::Shot inCommon(const Subject& subject, const lab::Shot& shot, const std::string& pipeline,
+lab::Shot inCommon(const CheckedCase& subject, const lab::Shot& shot, const std::string& pipeline,
                    const std::vector<std::pair<std::string, plan::Value>>& set) {
   lab::Shot result = by(shot, pipeline);
   std::shared_ptr<const plan::PipelineDesc> own = evaluated(subject, shot), other = evaluated(subject, result);
@@ -320,7 +320,7 @@ Finding moreErrorThan(double error, double bound, const std::string& text, const
   return finding;
 }
 
-Finding converging(const Subject& subject) {
+Finding converging(const CheckedCase& subject) {
   const plan::ParamDesc* samples = plan::paramOf(subject.pipeline, Role::SampleCount);
   if (!samples) return none();
   lab::Shot shot = without(subject.shot, {"lit", "spin"});
@@ -349,7 +349,7 @@ bool isSet(const lab::Shot& shot, const std::string& name, const plan::Value& va
                      [&](const auto& s) { return s.first == name && plan::textOf(s.second) != plan::textOf(value); });
 }
 
-Finding unmasked(const Subject& subject) {
+Finding unmasked(const CheckedCase& subject) {
   Finding worst = none();
   if (setsNodes(subject.shot)) return worst;
   for (const plan::EqualDesc& equal : subject.pipeline.equals) {
@@ -371,7 +371,7 @@ Finding unmasked(const Subject& subject) {
 
 // ---- finite, permuted
 
-Finding finite(const Subject& subject) {
+Finding finite(const CheckedCase& subject) {
   // Times 3e38: finite, finite, infinity; negative: infinity times 0.
   const double factors[] = {1, 1.1, 1e6, -1e6};
   lab::Shot shot = with(without(subject.shot, {"lit"}), "scene.hot", 3e38);
@@ -385,7 +385,7 @@ Finding finite(const Subject& subject) {
   return compare(*subject.batch.color(shot), at, {shot});
 }
 
-Finding permuted(const Subject& subject) {
+Finding permuted(const CheckedCase& subject) {
   lab::Shot other = with(subject.shot, "scene.order", subject.draw("permuted").whole(1, 99));
   return same(subject, subject.shot, other, 0);
 }

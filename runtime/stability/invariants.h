@@ -18,7 +18,7 @@ struct Finding {
 };
 
 // A case to check: the shot and its pipeline.
-struct Subject {
+struct CheckedCase {
   lab::Batch& batch;
   const plan::PipelineDesc& pipeline;
   bool is_base;  // the variant is the defaults or a preset
@@ -34,7 +34,7 @@ struct Subject {
 struct Invariant {
   std::string name, says;
   std::string tolerance;  // with its reason
-  Finding (*check)(const Subject&);
+  Finding (*check)(const CheckedCase&);
 };
 
 // All invariants, in the order of plan::invariantNames().

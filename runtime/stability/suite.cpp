@@ -31,9 +31,9 @@ class Suite {
     report_.pipeline = pipeline;
   }
 
-  Report run() {
+  StabilityReport run() {
     int before = batch_.drawn();
-    Walk found = walk(batch_, report_.pipeline);
+    VariantList found = walk(batch_, report_.pipeline);
     report_.refused = found.refused;
     report_.same = found.same;
     int number = 0;
@@ -130,16 +130,16 @@ class Suite {
   lab::Batch& batch_;
   Options options_;
   std::vector<const Invariant*> invariants_;
-  Report report_;
+  StabilityReport report_;
 };
 
 }  // namespace
 
-Report check(lab::Batch& batch, const std::string& pipeline, const Options& options) {
+StabilityReport check(lab::Batch& batch, const std::string& pipeline, const Options& options) {
   return Suite(batch, pipeline, options).run();
 }
 
-Count Report::total(const std::string& invariant) const {
+Count StabilityReport::total(const std::string& invariant) const {
   Count sum;
   for (const auto& [variant, counts] : variants)
     for (const auto& [name, count] : counts) {
@@ -152,9 +152,9 @@ Count Report::total(const std::string& invariant) const {
   return sum;
 }
 
-static std::map<std::string, Declaration> merged(const std::vector<Report>& reports) {
+static std::map<std::string, Declaration> merged(const std::vector<StabilityReport>& reports) {
   std::map<std::string, Declaration> all;
-  for (const Report& report : reports)
+  for (const StabilityReport& report : reports)
     for (const auto& [key, one] : report.declarations) {
       Declaration& sum = all[key];
       int used = sum.used + one.used, seen = sum.seen + one.seen;
@@ -165,7 +165,7 @@ static std::map<std::string, Declaration> merged(const std::vector<Report>& repo
   return all;
 }
 
-std::vector<Declaration> stale(const std::vector<Report>& reports, bool all_pipelines) {
+std::vector<Declaration> stale(const std::vector<StabilityReport>& reports, bool all_pipelines) {
   std::vector<Declaration> list;
   for (const auto& [key, one] : merged(reports)) {
     const bool whole = all_pipelines || one.where.starts_with("pipeline ");
@@ -177,7 +177,7 @@ std::vector<Declaration> stale(const std::vector<Report>& reports, bool all_pipe
 // ---- as text
 
 // Number of failed cases by invariant, and formats that may be the reason.
-static std::string summaryOf(const Report& report) {
+static std::string summaryOf(const StabilityReport& report) {
   std::vector<std::string> parts;
   for (const Invariant& one : invariants()) {
     Count sum = report.total(one.name);
@@ -194,7 +194,7 @@ static std::string summaryOf(const Report& report) {
              fmt::join(report.rounded, "; "));
 }
 
-std::string textOf(const Report& report) {
+std::string textOf(const StabilityReport& report) {
   Count sum = report.total();
   std::string text = fmt::format(
       "{}: {} variants, {} values that change nothing, {} refused; {} cases hold, {} break as declared, {} refused, "
@@ -209,17 +209,17 @@ std::string textOf(const Report& report) {
 }
 
 // A number of cases; empty for 0.
-static page::Cell countCell(int count, page::Mark mark = page::Mark::none) {
+static page::TableCell countCell(int count, page::Emphasis mark = page::Emphasis::none) {
   if (count == 0) return {};
   return {std::to_string(count), mark};
 }
 
-static page::Table totalsOf(const Report& report) {
+static page::Table totalsOf(const StabilityReport& report) {
   page::Table table{"", {"invariant"}};
   for (const char* what : {"hold", "break as declared", "refused", "failed"}) table.columns.push_back({what, true});
   auto add = [&](const std::string& name, const Count& sum) {
     table.add({name, countCell(sum.held), countCell(sum.broken), countCell(sum.refused),
-               countCell(sum.failed, page::Mark::bad)});
+               countCell(sum.failed, page::Emphasis::bad)});
   };
   for (const Invariant& one : invariants()) {
     Count sum = report.total(one.name);
@@ -248,7 +248,7 @@ static std::string exceptionsIn(const std::map<std::string, Count>& counts) {
 }
 
 // Variants with equal exceptions share a row.
-static page::Table exceptionsOf(const Report& report) {
+static page::Table exceptionsOf(const StabilityReport& report) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;
   for (const auto& [variant, counts] : report.variants) {
     std::string text = exceptionsIn(counts);
@@ -263,7 +263,7 @@ static page::Table exceptionsOf(const Report& report) {
   return table;
 }
 
-static std::string refusalsOf(const Report& report) {
+static std::string refusalsOf(const StabilityReport& report) {
   std::map<std::string, std::string> reasons;
   for (const Refused& one : report.refused) reasons.emplace(one.name, one.reason);
   std::string text = reasons.empty() ? "" : "Refused settings, each with the message of the program:\n\n";
@@ -271,7 +271,7 @@ static std::string refusalsOf(const Report& report) {
   return reasons.empty() ? "" : text + "\n";
 }
 
-static std::string sectionOf(const Report& report) {
+static std::string sectionOf(const StabilityReport& report) {
   auto holds_all = [](const auto& variant) { return exceptionsIn(variant.second).empty(); };
   auto whole = std::count_if(report.variants.begin(), report.variants.end(), holds_all);
   std::string text = fmt::format(
@@ -283,7 +283,7 @@ static std::string sectionOf(const Report& report) {
   return text + refusalsOf(report);
 }
 
-std::string pageOf(const std::vector<Report>& reports, const Options& options) {
+std::string pageOf(const std::vector<StabilityReport>& reports, const Options& options) {
   std::string text =
       "<!-- Written by `strobe stability --write docs/stability.md`; do not edit. -->\n\n# Invariants held\n\n";
   text += fmt::format(
@@ -293,7 +293,7 @@ std::string pageOf(const std::vector<Report>& reports, const Options& options) {
       "pipeline declares, cases that the pipeline refuses, and failed cases. The second table lists the variants that "
       "do not hold all invariants. The last table of the page has the declared breaks with their reasons.\n\n",
       options.cases, options.seed);
-  for (const Report& report : reports) text += sectionOf(report);
+  for (const StabilityReport& report : reports) text += sectionOf(report);
   page::Table declared{"", {"with", "invariant", "broken in", "reason"}};
   for (const auto& [key, one] : merged(reports))
     declared.add({"`" + one.where + "`", one.invariant, fmt::format("{} of {} cases", one.seen, one.used), one.reason});
@@ -304,7 +304,7 @@ std::string pageOf(const std::vector<Report>& reports, const Options& options) {
          page::markdownOf(declared);
 }
 
-Json toJson(const Report& report) {
+Json toJson(const StabilityReport& report) {
   Json json;
   json["pipeline"] = report.pipeline;
   json["same"] = report.same;

@@ -33,7 +33,7 @@ struct Declaration {
   int used = 0, seen = 0;  // cases it applies to; cases among them that break the invariant
 };
 
-struct Report {
+struct StabilityReport {
   std::string pipeline;
   std::vector<std::pair<std::string, std::map<std::string, Count>>> variants;  // by variant, then invariant
   std::vector<Refused> refused;
@@ -48,15 +48,15 @@ struct Report {
 };
 
 // Throws `Error` if the pipeline cannot be evaluated; a refused variant is counted.
-Report check(lab::Batch& batch, const std::string& pipeline, const Options& options);
+StabilityReport check(lab::Batch& batch, const std::string& pipeline, const Options& options);
 
 // Declarations that no case of at least twelve needed, summed over `reports`. Without `all_pipelines`, only
 // declarations of pipelines, because other pipelines may need the declarations of passes and values.
-std::vector<Declaration> stale(const std::vector<Report>& reports, bool all_pipelines = true);
+std::vector<Declaration> stale(const std::vector<StabilityReport>& reports, bool all_pipelines = true);
 
 // Text for the terminal: counts, failures, failed cases by invariant; the page docs/stability.md; data.
-std::string textOf(const Report& report);
-std::string pageOf(const std::vector<Report>& reports, const Options& options);
-Json toJson(const Report& report);
+std::string textOf(const StabilityReport& report);
+std::string pageOf(const std::vector<StabilityReport>& reports, const Options& options);
+Json toJson(const StabilityReport& report);
 
 }  // namespace strobe::stability

@@ -89,7 +89,7 @@ class Walker {
  public:
   Walker(lab::Batch& batch, const std::string& pipeline) : batch_(batch), pipeline_(pipeline) {}
 
-  Walk run() {
+  VariantList run() {
     lab::Evaluated plain = batch_.evaluate(pipeline_, {});
     if (!plain.pipeline) throw Error(plain.refusal);
     std::vector<script::Settings> bases;
@@ -141,13 +141,13 @@ class Walker {
 
   lab::Batch& batch_;
   std::string pipeline_;
-  Walk walk_;
+  VariantList walk_;
   std::set<std::string> seen_;
 };
 
 }  // namespace
 
-Walk walk(lab::Batch& batch, const std::string& pipeline) { return Walker(batch, pipeline).run(); }
+VariantList walk(lab::Batch& batch, const std::string& pipeline) { return Walker(batch, pipeline).run(); }
 
 // ---- declarations
 

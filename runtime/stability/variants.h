@@ -21,7 +21,7 @@ struct Refused {
   std::string name, reason;
 };
 
-struct Walk {
+struct VariantList {
   std::vector<Variant> variants;
   std::vector<Refused> refused;  // values that the pipeline refuses
   int same = 0;                  // values that give a known plan
@@ -29,7 +29,7 @@ struct Walk {
 
 // Walks the bases, their values, and the parameters of nodes that only a value adds to the graph. Settings with equal
 // plans are one variant. Throws `Error` if the pipeline without settings cannot be evaluated.
-Walk walk(lab::Batch& batch, const std::string& pipeline);
+VariantList walk(lab::Batch& batch, const std::string& pipeline);
 
 // A declared break of an invariant.
 struct Declared {

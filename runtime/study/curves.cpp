@@ -57,7 +57,7 @@ double Curve::contrast() const { return groups_[benign_]->truth().value("contras
 std::vector<std::string> Curve::arms() const {
   std::vector<std::string> names;
   for (const ArmSummary& arm : results_.arms)
-    if (arm.role == Role::method && groups_[benign_]->find(arm.name)) names.push_back(arm.name);
+    if (arm.role == ArmRole::method && groups_[benign_]->find(arm.name)) names.push_back(arm.name);
   return names;
 }
 

@@ -29,7 +29,7 @@ std::vector<Levelled> pointsOf(const Results& results, const std::string& shot, 
   for (const PointGroup& group : results.groups)
     for (const Point& point : group.points) {
       double value = point.value(measure, region);
-      if (point.role == Role::method && (shot.empty() || group.shot == shot) && std::isfinite(value))
+      if (point.role == ArmRole::method && (shot.empty() || group.shot == shot) && std::isfinite(value))
         points.push_back({&group, &point, value});
     }
   return points;
@@ -115,14 +115,14 @@ Slope slopeOf(const Effects& effects, const Observations& observations, size_t f
 
 FactorEffect mainOf(const Effects& effects, const Observations& observations, size_t factor) {
   const Factor& of = effects.factors[factor];
-  FactorEffect result{factor, Comparison::paired, mainEffect(observations, factor, of.levels()), {}, false};
+  FactorEffect result{factor, LevelComparison::paired, mainEffect(observations, factor, of.levels()), {}, false};
   if (result.effect.blocks > 0) return result;
   if (of.numbers.size() >= 3) {
-    result.comparison = Comparison::slope;
+    result.comparison = LevelComparison::slope;
     result.doubling = byDoubling(of.numbers);
     result.slope = slopeOf(effects, observations, factor, result.doubling);
   } else {
-    result.comparison = Comparison::unpaired;
+    result.comparison = LevelComparison::unpaired;
     result.effect = unpairedEffect(observations, factor, of.levels());
   }
   return result;

@@ -20,7 +20,7 @@ struct Factor {
 };
 
 // Method of comparison between the levels of a factor.
-enum class Comparison {
+enum class LevelComparison {
   paired,    // within complete blocks
   unpaired,  // no block is complete: no conditions have measurements of all levels
   slope,     // no block is complete, three or more numeric levels: line with an offset per stratum
@@ -28,7 +28,7 @@ enum class Comparison {
 
 struct FactorEffect {
   size_t factor = 0;
-  Comparison comparison = Comparison::paired;
+  LevelComparison comparison = LevelComparison::paired;
   MainEffect effect;  // by level; unused for a slope
   Slope slope;
   bool doubling = false;  // the slope is per doubling, not per unit

@@ -44,7 +44,7 @@ StudiedArm armOf(const Json& json, const Path& script) {
   take(json, "shown", arm.shown);
   if (json.contains("timed")) arm.timed = json["timed"].get<bool>();
   arm.box = lab::settingsFrom(json, "box");
-  if (json.value("role", "") == "floor") arm.role = Role::floor;
+  if (json.value("role", "") == "floor") arm.role = ArmRole::floor;
   if (json.contains("published")) {
     const Json& published = json["published"];
     arm.published = Published{published.at("fps"), published.at("shot"), published.at("by")};
@@ -136,7 +136,7 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
   for (const Json& shot : json.at("shots"))
     experiment.shots.push_back(shotOf(home, shot, script, json.value("seed", 0u)));
   experiment.truth = armOf(json.at("truth"), script);
-  experiment.truth.role = Role::truth;
+  experiment.truth.role = ArmRole::truth;
   if (json.at("truth").contains("full")) experiment.full_truth = lab::settingsFrom(json.at("truth"), "full");
   for (const Json& axis : json.at("axes")) experiment.axes.push_back(axisOf(axis));
   for (const Json& group : json.at("groups")) experiment.groups.push_back(groupOf(group));
@@ -228,9 +228,9 @@ void collect(std::vector<std::string>& problems, const Origin& origin, const Ste
   }
 }
 
-class Evaluation {
+class ExperimentReader {
  public:
-  Evaluation(const Home& home, std::vector<std::string>& problems) : home_(home), problems_(problems) {}
+  ExperimentReader(const Home& home, std::vector<std::string>& problems) : home_(home), problems_(problems) {}
 
   void pipeline(const lab::Shot& shot, const Origin& origin) {
     if (!known_.insert(formOf(shot, false)).second) return;
@@ -256,7 +256,7 @@ class Evaluation {
 };
 
 void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std::string>& problems) {
-  Evaluation evaluation(home, problems);
+  ExperimentReader evaluation(home, problems);
   auto with = [](lab::Shot shot, const script::Settings& more) {
     shot.sets = joined(shot.sets, more);
     return shot;
@@ -319,7 +319,9 @@ Json given() {
 
 }  // namespace
 
-std::string nameOf(Role role) { return role == Role::truth ? "truth" : role == Role::floor ? "floor" : "method"; }
+std::string nameOf(ArmRole role) {
+  return role == ArmRole::truth ? "truth" : role == ArmRole::floor ? "floor" : "method";
+}
 
 void Experiment::setSize(int w, int h) { width = w, height = h; }
 

@@ -14,8 +14,8 @@
 
 namespace strobe::study {
 
-enum class Role { method, floor, truth };
-std::string nameOf(Role role);
+enum class ArmRole { method, floor, truth };
+std::string nameOf(ArmRole role);
 
 // Hashes (base/inputs.h) of the files that results depend on, by the names of the files in run records.
 using Inputs = std::map<std::string, std::string>;
@@ -39,7 +39,7 @@ struct Published {
 
 // Part of an arm that results keep; a file of results does not have the settings.
 struct ArmSummary : lab::Arm {
-  Role role = Role::method;
+  ArmRole role = ArmRole::method;
   bool shown = true;  // on sheet and page; tables have every arm
 };
 

@@ -93,19 +93,19 @@ void putImages(Json& json, const PointImages& images) {
   json["worst"] = {images.worst.x, images.worst.y, images.worst.width, images.worst.height};
 }
 
-struct Counts {
+struct PointCounts {
   size_t undrawn = 0, failed = 0, without_picture = 0;
 };
 
 // Points have the same numbers as in table.csv.
-Json pointsJson(const Results& results, const PageImages& images, Counts& counts) {
+Json pointsJson(const Results& results, const PageImages& images, PointCounts& counts) {
   Json list = Json::array();
   size_t row = 0;
   for (size_t g = 0; g < results.groups.size(); ++g)
     for (size_t i = 0; i < results.groups[g].points.size(); ++i) {
       const PointGroup& group = results.groups[g];
       const Point& point = group.points[i];
-      if (point.role == Role::truth) continue;
+      if (point.role == ArmRole::truth) continue;
       auto arm =
           std::find_if(results.arms.begin(), results.arms.end(), [&](const auto& a) { return a.name == point.arm; });
       Json json = {{"n", ++row},
@@ -154,7 +154,7 @@ Json estimateJson(const Estimate& estimate) {
 Json mainJson(const FactorEffect& one) {
   static const char* const kComparisons[] = {"paired", "unpaired", "slope"};
   Json json = {{"factor", one.factor}, {"comparison", kComparisons[int(one.comparison)]}};
-  if (one.comparison == Comparison::slope) {
+  if (one.comparison == LevelComparison::slope) {
     json["slope"] = estimateJson(one.slope.slope);
     json["doubling"] = one.doubling;
     return json;
@@ -201,7 +201,7 @@ Json effectsJson(const Results& results) {
   return list;
 }
 
-Json noticesOf(const Counts& counts, const std::string& reduced) {
+Json noticesOf(const PointCounts& counts, const std::string& reduced) {
   Json notices = Json::array();
   auto say = [&](size_t count, const char* one, const char* more, const char* what) {
     if (count) notices.push_back(fmt::format("{} {}{}", count, count == 1 ? one : more, what));
@@ -228,7 +228,7 @@ FirstView firstViewOf(const Results& results) {
 Json explorerData(const Results& results, const Path& folder, size_t most_bytes) {
   PageImages images = pageImagesOf(results, folder);
   FirstView view = firstViewOf(results);
-  Counts counts;
+  PointCounts counts;
   Json data = {{"title", results.title},       {"command", results.command},
                {"software", results.software}, {"size", {results.width, results.height}},
                {"regions", results.regions},   {"measures", measuresJson(results)},

@@ -12,7 +12,7 @@ struct ShownPoint {
   const ArmSummary* arm = nullptr;
   image::Image measured, shown;  // linear colour
 
-  bool isTruth() const { return point->role == Role::truth; }
+  bool isTruth() const { return point->role == ArmRole::truth; }
 };
 
 // Shown arms of a shot at its first point, in the order of the results' arms (truth last).

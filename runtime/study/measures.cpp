@@ -25,9 +25,9 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 // than the floor.
 double rmse(const Sight& sight, const Region& in) {
   double own = sight.truth->sigma.at(in.name);
-  if (sight.role == Role::truth) return own;
+  if (sight.role == ArmRole::truth) return own;
   double mse = image::meanSquaredError(sight.color, sight.truth->color, in.mask);
-  return std::sqrt(mse + (sight.role == Role::floor ? own * own : 0));
+  return std::sqrt(mse + (sight.role == ArmRole::floor ? own * own : 0));
 }
 
 double rmseFull(const Sight& sight, const Region& in) {

@@ -28,7 +28,7 @@ struct TruthPicture {
 
 // Input of a measure: a picture and the pictures for comparison.
 struct Sight {
-  Role role = Role::method;
+  ArmRole role = ArmRole::method;
   const TruthPicture* truth = nullptr;
   const lab::Picture* picture = nullptr;  // outputs and record
   image::Image color;

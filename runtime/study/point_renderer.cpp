@@ -181,7 +181,7 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
   requireSize(sight.truth->color, sight.color, "truth");
   sight.bytes = plan::bytesAliased(*batch_.planOf(task.shot));
   if (std::optional<Group> benign = benignOf(experiment_, *group.group); benign && task.compares) {
-    bool is_truth = task.arm->role == Role::truth;
+    bool is_truth = task.arm->role == ArmRole::truth;
     lab::Shot shot = atFrame(is_truth ? truthShotOf(experiment_, *benign) : shotOf(experiment_, *benign, *task.arm));
     auto truth = [&] {
       return store_.truth(truthKeyOf(experiment_, batch_, shot), [&] { return drawnTruth(shot, task.cost); });
@@ -231,7 +231,7 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   std::string images;
   Point point;
   for (size_t i = 0; i < shots.size(); ++i) {
-    picture = task.arm->role == Role::truth ? truths_[i] : drawn(shots[i], task.cost / int(shots.size()));
+    picture = task.arm->role == ArmRole::truth ? truths_[i] : drawn(shots[i], task.cost / int(shots.size()));
     Stopwatch watch(spent_.measuring_s);
     Sight sight = sightOf(group, task, *picture, i);
     if (before) sight.before = &*before;
@@ -247,7 +247,7 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   }
   point.values = meanOf(frames);
   point.image = shots.size() > 1 ? hashText(images) : images;
-  if (experiment_.truth_error > 0 && task.arm->role == Role::truth) {
+  if (experiment_.truth_error > 0 && task.arm->role == ArmRole::truth) {
     lab::Shot shot = task.shot;
     for (const auto& [name, value] : truths_.front()->record["shot"]["set"].items())
       lab::putSetting(shot.sets, name, plan::valueFromJson(value));
@@ -289,7 +289,7 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
   for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].labels[at.value]);
   std::string stem = lab::fileNameOf(studied.title) + "/" + name;
   std::set<std::string> kept = {"color", "error"};
-  if (arm.role == Role::truth) kept.insert(experiment_.regions.begin(), experiment_.regions.end());
+  if (arm.role == ArmRole::truth) kept.insert(experiment_.regions.begin(), experiment_.regions.end());
   lab::Picture written = picture;
   std::erase_if(written.frame.outputs, [&](const auto& output) { return !kept.count(output.first); });
   lab::writePicture(written, store_.folder() / (stem + ".exr"));

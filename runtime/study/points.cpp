@@ -88,7 +88,7 @@ bool isAt(const Experiment& experiment, const Group& group, const Conditions& co
 std::optional<size_t> baseAmong(const Experiment& experiment, const Group& group) {
   for (size_t arm : group.arms) {
     const StudiedArm& one = experiment.arms[arm];
-    if (experiment.base.empty() ? one.role == Role::method : one.name == experiment.base) return arm;
+    if (experiment.base.empty() ? one.role == ArmRole::method : one.name == experiment.base) return arm;
   }
   return std::nullopt;
 }
@@ -110,7 +110,7 @@ void keepOnly(Experiment& experiment, const std::string& expression) {
   auto isAsked = [&](const Group& group, size_t arm) {
     const StudiedArm& one = experiment.arms[arm];
     return allows(conditions, "shot", experiment.shots[group.shot].name) && isAt(experiment, group, conditions) &&
-           (one.role != Role::method || allows(conditions, "arm", one.name));
+           (one.role != ArmRole::method || allows(conditions, "arm", one.name));
   };
   std::set<size_t> shots;  // shots with a selected point
   for (const Group& group : experiment.groups)

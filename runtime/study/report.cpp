@@ -37,10 +37,10 @@ page::Table outcomeTable(const Expectations& expectations) {
   page::Table table;
   table.columns = {"expected", "outcome", "numbers", "known to fail"};
   for (const Expectation* one : expectations) {
-    page::Mark mark = one->contradicts()        ? page::Mark::bad
-                      : one->outcome == "holds" ? page::Mark::best
-                                                : page::Mark::none;
-    table.add({one->text, page::Cell(one->outcome, mark), one->detail, one->known});
+    page::Emphasis mark = one->contradicts()        ? page::Emphasis::bad
+                          : one->outcome == "holds" ? page::Emphasis::best
+                                                    : page::Emphasis::none;
+    table.add({one->text, page::TableCell(one->outcome, mark), one->detail, one->known});
   }
   return page::withoutEmptyColumns(std::move(table));
 }
@@ -49,8 +49,8 @@ page::Table outcomeTable(const Expectations& expectations) {
 Parts sentencesOf(const Expectations& expectations) {
   Parts parts;
   for (const Expectation* one : expectations)
-    parts.push_back(
-        text(sentenceOf(*one), one->contradicts() ? Tone::failure : Tone::finding, Part::kTerminal | Part::kDocument));
+    parts.push_back(text(sentenceOf(*one), one->contradicts() ? Tone::failure : Tone::finding,
+                         ReportPart::kTerminal | ReportPart::kDocument));
   return parts;
 }
 
@@ -60,13 +60,13 @@ Parts summaryOf(const Results& results) {
   for (const Expectation& one : results.expectations) all.push_back(&one);
   if (all.empty()) return {};
   bool contradicts = std::any_of(all.begin(), all.end(), [](const auto* one) { return one->contradicts(); });
-  return {heading("Expectations", 2, "expectations", Part::kPage),
-          text(countOf(all), contradicts ? Tone::failure : Tone::finding, Part::kPage),
-          {outcomeTable(all), Part::kPage}};
+  return {heading("Expectations", 2, "expectations", ReportPart::kPage),
+          text(countOf(all), contradicts ? Tone::failure : Tone::finding, ReportPart::kPage),
+          {outcomeTable(all), ReportPart::kPage}};
 }
 
 bool tells(const Parts& sections, const std::string& sentence) {
-  return std::any_of(sections.begin(), sections.end(), [&](const Part& part) {
+  return std::any_of(sections.begin(), sections.end(), [&](const ReportPart& part) {
     const auto* paragraph = std::get_if<page::Paragraph>(&part.block);
     return paragraph && paragraph->text == sentence;
   });
@@ -87,7 +87,7 @@ Parts expectationParts(const Results& results, const std::string& shot, const st
   for (const Expectation& one : results.expectations)
     if (one.shot == shot && one.axis == axis) list.push_back(&one);
   Parts parts = sentencesOf(list);
-  if (!list.empty()) parts.push_back({outcomeTable(list), Part::kPage});
+  if (!list.empty()) parts.push_back({outcomeTable(list), ReportPart::kPage});
   return parts;
 }
 
@@ -124,7 +124,7 @@ struct Markdown {
 // ---- as a page
 
 Parts still(Parts parts) {
-  for (Part& part : parts) part.still = true;
+  for (ReportPart& part : parts) part.still = true;
   return parts;
 }
 
@@ -136,8 +136,8 @@ std::vector<page::Block> blocksOf(Parts parts, const std::optional<page::Explore
     if (!placed) blocks.push_back(*explorer);
     placed = true;
   };
-  for (Part& part : parts) {
-    if (!(part.media & Part::kPage)) continue;
+  for (ReportPart& part : parts) {
+    if (!(part.media & ReportPart::kPage)) continue;
     if (!explorer || !part.still) {
       blocks.push_back(std::move(part.block));
       continue;
@@ -181,7 +181,7 @@ Parts Report::parts(const std::optional<PictureSize>& size) const {
     parts.push_back(
         study::text("Not drawn yet: " + missing + ". Run the same sweep again to draw them.", Tone::failure));
   append(parts, std::move(sections));
-  std::erase_if(parts, [](const Part& part) {
+  std::erase_if(parts, [](const ReportPart& part) {
     const auto* paragraph = std::get_if<page::Paragraph>(&part.block);
     return paragraph && paragraph->text.empty();
   });
@@ -196,8 +196,8 @@ image::Image Report::sheet() const { return sheetOf(results_, galleries_); }
 
 std::string Report::text() const {
   std::string text;
-  for (const Part& part : parts())
-    if (part.media & Part::kTerminal) text += std::visit(Plain(), part.block);
+  for (const ReportPart& part : parts())
+    if (part.media & ReportPart::kTerminal) text += std::visit(Plain(), part.block);
   return text + "\n" + describeDevice(results_) + "\n";
 }
 
@@ -206,16 +206,16 @@ std::string Report::markdown(const std::string& page) const {
   for (const std::string& one : {results_.question, results_.note})
     if (!one.empty()) text += one + "\n\n";
   if (!page.empty()) text += fmt::format("[The page]({}) opens from disk in a browser.\n\n", page);
-  for (const Part& part : parts())
-    if (part.media & Part::kDocument) text += std::visit(Markdown(), part.block);
+  for (const ReportPart& part : parts())
+    if (part.media & ReportPart::kDocument) text += std::visit(Markdown(), part.block);
   return text + "Strobe " + results_.strobe + " on " + describeDevice(results_) + ".\n";
 }
 
 std::vector<std::pair<std::string, std::string>> Report::figures() const {
   std::vector<std::pair<std::string, std::string>> figures;
-  for (const Part& part : parts()) {
+  for (const ReportPart& part : parts()) {
     const auto* figure = std::get_if<page::Figure>(&part.block);
-    if (figure && (part.media & Part::kDocument))
+    if (figure && (part.media & ReportPart::kDocument))
       figures.emplace_back(figure->name + ".svg", page::standaloneSvg(figure->svg));
   }
   return figures;

@@ -10,21 +10,21 @@ namespace strobe::study {
 
 // A block and the media that show it. `still`: the explorer of the page replaces the block if scripts run. Terminal and
 // Markdown show headings, paragraphs and tables; Markdown also shows figures, which have a name.
-struct Part {
+struct ReportPart {
   enum Media : uint32_t { kTerminal = 1, kDocument = 2, kPage = 4, kRead = kDocument | kPage, kEverywhere = 7 };
 
   page::Block block;
   uint32_t media = kEverywhere;
   bool still = false;
 };
-using Parts = std::vector<Part>;
+using Parts = std::vector<ReportPart>;
 
 using Tone = page::Paragraph::Kind;
-inline Part text(const std::string& text, Tone tone = Tone::plain, uint32_t media = Part::kEverywhere) {
+inline ReportPart text(const std::string& text, Tone tone = Tone::plain, uint32_t media = ReportPart::kEverywhere) {
   return {page::Paragraph{text, tone}, media};
 }
-inline Part heading(const std::string& text, int level = 2, const std::string& id = "",
-                    uint32_t media = Part::kEverywhere) {
+inline ReportPart heading(const std::string& text, int level = 2, const std::string& id = "",
+                          uint32_t media = ReportPart::kEverywhere) {
   return {page::Heading{text, level, id}, media};
 }
 void append(Parts& parts, Parts more);

@@ -49,18 +49,18 @@ page::Table benignTable(const Results& results, const std::vector<Curve>& curves
   table.columns = {"method"};
   for (const Curve& curve : curves)
     table.columns.push_back({curve.axis().title + " " + shownNumber(curve.value(curve.benign())), true});
-  auto add = [&](const std::string& label, page::Mark mark, auto error) {
-    page::Row row = {page::Cell(label, mark)};
+  auto add = [&](const std::string& label, page::Emphasis mark, auto error) {
+    page::Row row = {page::TableCell(label, mark)};
     for (const Curve& curve : curves) {
       double share = error(curve);
-      row.push_back(page::Cell(share, shownShare(share), mark));
+      row.push_back(page::TableCell(share, shownShare(share), mark));
     }
     table.add(std::move(row));
   };
   for (const std::string& arm : armsOf(curves))
-    add(arm, page::Mark::none, [&](const Curve& curve) { return curve.error(arm, curve.benign()); });
-  add("floor", page::Mark::faint, [](const Curve& curve) { return curve.floor(curve.benign()); });
-  add(results.arms.back().name + " ±", page::Mark::faint, [](const Curve& c) { return c.sigma(c.benign()); });
+    add(arm, page::Emphasis::none, [&](const Curve& curve) { return curve.error(arm, curve.benign()); });
+  add("floor", page::Emphasis::faint, [](const Curve& curve) { return curve.floor(curve.benign()); });
+  add(results.arms.back().name + " ±", page::Emphasis::faint, [](const Curve& c) { return c.sigma(c.benign()); });
   return table;
 }
 
@@ -102,7 +102,7 @@ page::Series armSeries(const Curve& curve, const std::string& arm, int style, co
   for (size_t i = 0; i < curve.size(); ++i) {
     const Point* point = curve.group(i).find(arm);
     if (!point) continue;
-    page::Point drawn{curve.value(i), 100 * curve.error(arm, i, region)};
+    page::ChartPoint drawn{curve.value(i), 100 * curve.error(arm, i, region)};
     drawn.hollow = !point->limits.empty();
     drawn.faint = !usual.holds(i);
     drawn.tip =
@@ -121,7 +121,7 @@ page::Series bandSeries(const Curve& curve, double factor, const std::string& re
   band.style = page::kReferenceStyle;
   for (size_t i = 0; i < curve.size(); ++i) {
     double least = 100 * curve.floor(i, region);
-    page::Point point{curve.value(i), least};
+    page::ChartPoint point{curve.value(i), least};
     if (!std::isnan(least)) point.y_range = {-INFINITY, factor * least};
     band.points.push_back(point);
   }
@@ -195,7 +195,7 @@ page::Details commandsOf(const Curve& curve) {
   for (size_t i = 0; i < curve.size(); ++i) {
     text += fmt::format("# {} {}\n", curve.label(i), curve.axis().unit);
     for (const Point& point : curve.group(i).points)
-      if (point.role != Role::floor) text += point.command + "\n";
+      if (point.role != ArmRole::floor) text += point.command + "\n";
   }
   return {"Commands that repeat one point", {page::Code{text}}};
 }
@@ -212,22 +212,22 @@ void addDetails(const Results& results, const Curve& curve, double factor, Parts
     others.blocks.push_back(page::Figure{page::svgOf(chartOf(curve, factor, region), 940, 330), ""});
   }
   for (page::Details& details : std::vector<page::Details>{numbers, others, commandsOf(curve)})
-    parts.push_back({std::move(details), Part::kPage});
+    parts.push_back({std::move(details), ReportPart::kPage});
 }
 
 void addAxis(const Results& results, const Curve& curve, double factor, Parts& parts) {
   const AxisSummary& axis = curve.axis();
-  parts.push_back(heading(axis.title, 2, axis.name, Part::kRead));
-  parts.push_back({summaryTable(curve, factor), Part::kTerminal});
-  parts.push_back(text(axis.fixed, Tone::plain, Part::kRead));
-  parts.push_back(text(axis.note, Tone::plain, Part::kRead));
+  parts.push_back(heading(axis.title, 2, axis.name, ReportPart::kRead));
+  parts.push_back({summaryTable(curve, factor), ReportPart::kTerminal});
+  parts.push_back(text(axis.fixed, Tone::plain, ReportPart::kRead));
+  parts.push_back(text(axis.note, Tone::plain, ReportPart::kRead));
   page::Chart chart = chartOf(curve, factor, axis.region);
   parts.push_back(
-      {page::Figure{page::svgOf(chart), "", lab::fileNameOf("curve " + axis.name), chart.about}, Part::kRead});
+      {page::Figure{page::svgOf(chart), "", lab::fileNameOf("curve " + axis.name), chart.about}, ReportPart::kRead});
   parts.push_back(text(fmt::format("Region: {}. Contrast {:.4g}.", regionText(axis.region), curve.contrast()),
-                       Tone::soft, Part::kPage));
-  parts.push_back(text(driftText(curve), Tone::soft, Part::kRead));
-  parts.push_back(text(curve.filled(axis.reading), Tone::plain, Part::kRead));
+                       Tone::soft, ReportPart::kPage));
+  parts.push_back(text(driftText(curve), Tone::soft, ReportPart::kRead));
+  parts.push_back(text(curve.filled(axis.reading), Tone::plain, ReportPart::kRead));
   append(parts, expectationParts(results, "", axis.name));
   addDetails(results, curve, factor, parts);
 }
@@ -251,23 +251,23 @@ Parts curveParts(const Results& results) {
                   "as a share of the picture's contrast (standard deviation of truth at the benign value). {}x{} "
                   "pixels.",
                   results.width, results.height),
-      Tone::soft, Part::kRead));
-  parts.push_back(heading("Range with errors near the sampling floor", 2, "", Part::kRead));
+      Tone::soft, ReportPart::kRead));
+  parts.push_back(heading("Range with errors near the sampling floor", 2, "", ReportPart::kRead));
   parts.push_back(text(
       fmt::format("Values around the benign value. At each value, the method's error is at most {:g} times the floor "
                   "(truth with as many samples as the method), the method met no limit, and all colours are finite.",
                   factor),
-      Tone::soft, Part::kRead));
-  parts.push_back({rangeTable(curves, Against::floor), Part::kRead});
-  parts.push_back(heading("Range with errors no worse than usual", 2, "", Part::kRead));
+      Tone::soft, ReportPart::kRead));
+  parts.push_back({rangeTable(curves, Against::floor), ReportPart::kRead});
+  parts.push_back(heading("Range with errors no worse than usual", 2, "", ReportPart::kRead));
   parts.push_back(text(fmt::format("The error may also be {:g} times the method's own error at the benign value: the "
                                    "method is no worse than usual, even if its usual error is large.",
                                    factor),
-                       Tone::soft, Part::kRead));
-  parts.push_back({rangeTable(curves, Against::own), Part::kRead});
-  parts.push_back(heading("Errors at the benign values", 3, "", Part::kRead));
-  parts.push_back({benignTable(results, curves), Part::kRead});
-  parts.push_back(text(kHowToRead, Tone::soft, Part::kPage));
+                       Tone::soft, ReportPart::kRead));
+  parts.push_back({rangeTable(curves, Against::own), ReportPart::kRead});
+  parts.push_back(heading("Errors at the benign values", 3, "", ReportPart::kRead));
+  parts.push_back({benignTable(results, curves), ReportPart::kRead});
+  parts.push_back(text(kHowToRead, Tone::soft, ReportPart::kPage));
   for (const Curve& curve : curves) addAxis(results, curve, factor, parts);
   return parts;
 }

@@ -19,20 +19,20 @@ std::string intervalText(const Estimate& estimate) {
 }
 
 // Mark of an interval that does not contain 0.
-page::Mark markOf(const Estimate& estimate) {
-  return estimate.low > 0 || estimate.high < 0 ? page::Mark::best : page::Mark::none;
+page::Emphasis markOf(const Estimate& estimate) {
+  return estimate.low > 0 || estimate.high < 0 ? page::Emphasis::best : page::Emphasis::none;
 }
 
 std::string basisOf(const FactorEffect& one) {
-  if (one.comparison == Comparison::slope) return fmt::format("line through {} points", one.slope.observations);
-  if (one.comparison == Comparison::unpaired) return "unpaired";
+  if (one.comparison == LevelComparison::slope) return fmt::format("line through {} points", one.slope.observations);
+  if (one.comparison == LevelComparison::unpaired) return "unpaired";
   std::string text = countText(size_t(one.effect.blocks), "block");
   return one.effect.incomplete ? text + fmt::format(", {} incomplete left out", one.effect.incomplete) : text;
 }
 
 void addEstimate(page::Table& table, const std::string& factor, const std::string& level, const Estimate& estimate,
                  const std::string& basis) {
-  page::Mark mark = markOf(estimate);
+  page::Emphasis mark = markOf(estimate);
   table.add(
       {factor, level, {estimate.value, signedNumber(estimate.value), mark}, {intervalText(estimate), mark}, basis});
 }
@@ -42,7 +42,7 @@ page::Table mainTable(const Effects& effects) {
   table.columns = {"factor", "level", {"effect", true}, {"95 % interval", true}, "compared in"};
   for (const FactorEffect& one : effects.main) {
     const Factor& factor = effects.factors[one.factor];
-    if (one.comparison == Comparison::slope)
+    if (one.comparison == LevelComparison::slope)
       addEstimate(table, factor.name, one.doubling ? "per doubling" : "per unit", one.slope.slope, basisOf(one));
     for (size_t level = 0; level < one.effect.levels.size(); ++level)
       addEstimate(table, factor.name, factor.labels[level], one.effect.levels[level], basisOf(one));
@@ -70,7 +70,7 @@ page::Table pairTable(const Effects& effects, size_t most) {
   table.columns = {"pair", "levels", {"interaction", true}, {"95 % interval", true}, "blocks"};
   for (const Cell& cell : cells) {
     const Factor &first = effects.factors[cell.pair->first], &second = effects.factors[cell.pair->second];
-    page::Mark mark = markOf(*cell.estimate);
+    page::Emphasis mark = markOf(*cell.estimate);
     table.add({first.name + " × " + second.name,
                first.labels[cell.row] + ", " + second.labels[cell.column],
                {cell.estimate->value, signedNumber(cell.estimate->value), mark},
@@ -84,16 +84,17 @@ page::Table pairTable(const Effects& effects, size_t most) {
 
 Parts effectParts(const Results& results) {
   FirstView view = firstViewOf(results);
-  Parts parts = {heading("Effects", 2, "effects", Part::kPage), text(kHowToReadEffects, Tone::soft, Part::kPage)};
+  Parts parts = {heading("Effects", 2, "effects", ReportPart::kPage),
+                 text(kHowToReadEffects, Tone::soft, ReportPart::kPage)};
   size_t start = parts.size();
   for (const ShotSummary& shot : results.shots) {
     Effects effects = effectsOf(results, shot.name, view.y, view.region);
     if (effects.factors.size() < 2) continue;
     const Measure& measure = measureNamed(view.y);
     std::string of = headOf(measure) + (measure.per_region ? ", " + view.region : "");
-    parts.push_back(heading(shot.title + ": " + of, 3, "", Part::kPage));
-    parts.push_back({mainTable(effects), Part::kPage});
-    if (!effects.pairs.empty()) parts.push_back({pairTable(effects, 12), Part::kPage});
+    parts.push_back(heading(shot.title + ": " + of, 3, "", ReportPart::kPage));
+    parts.push_back({mainTable(effects), ReportPart::kPage});
+    if (!effects.pairs.empty()) parts.push_back({pairTable(effects, 12), ReportPart::kPage});
   }
   return parts.size() == start ? Parts() : parts;
 }

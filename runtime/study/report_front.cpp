@@ -51,7 +51,7 @@ class Front {
   void add(const std::vector<const PointGroup*>& groups) {
     for (const PointGroup* group : groups)
       for (const Point& point : group->points) {
-        if (point.role != Role::method) continue;
+        if (point.role != ArmRole::method) continue;
         double x = point.value(layout_.x, layout_.region), y = point.value(layout_.y, layout_.region);
         if (std::isfinite(x) && std::isfinite(y)) all_.push_back({group, &point, x, y});
       }
@@ -59,8 +59,8 @@ class Front {
   // Pareto front as steps; if all shots are together, the line y = x over the range of x.
   page::Series line() const;
   static double cost(const Measure& measure, double value) { return measure.better == Better::higher ? -value : value; }
-  page::Axis axis(const Measure& measure) const {
-    page::Axis axis;
+  page::ChartAxis axis(const Measure& measure) const {
+    page::ChartAxis axis;
     axis.title = titleOf(measure, layout_.region);
     double least = kUnbounded, most = 0;
     for (const FrontPoint& one : all_) {
@@ -109,12 +109,12 @@ page::Chart Front::chart() const {
   chart.series.push_back(line());
   int style = 0;
   for (const ArmSummary& arm : results_.arms) {
-    if (arm.role != Role::method) continue;
+    if (arm.role != ArmRole::method) continue;
     page::Series series;
     series.label = arm.name, series.style = style++, series.kind = page::Series::Kind::scatter;
     for (const FrontPoint& one : all_) {
       if (one.point->arm != arm.name) continue;
-      page::Point point{one.x, one.y};
+      page::ChartPoint point{one.x, one.y};
       point.tip = fmt::format("{}{}, {}: {}, {}", layout_.together ? one.group->shot + ", " : "", arm.name,
                               describe(*one.group), shownValue(x_, one.x), shownValue(y_, one.y));
       point.hollow = !one.point->limits.empty();
@@ -129,8 +129,8 @@ page::Table Front::table() const {
   page::Table table;
   table.columns = {"method", "values", {titleOf(x_, layout_.region), true}, {titleOf(y_, layout_.region), true}};
   for (const FrontPoint* one : front_)
-    table.add({one->point->arm, describe(*one->group), page::Cell(one->x, shownValue(x_, one->x)),
-               page::Cell(one->y, shownValue(y_, one->y))});
+    table.add({one->point->arm, describe(*one->group), page::TableCell(one->x, shownValue(x_, one->x)),
+               page::TableCell(one->y, shownValue(y_, one->y))});
   return table;
 }
 
@@ -138,13 +138,13 @@ page::Table Front::table() const {
 
 Parts frontParts(const Results& results) {
   FrontLayout layout = frontOf(results.layout).value();
-  Parts parts = {heading(layout.title.empty() ? "Front" : layout.title, 2, "front", Part::kRead),
-                 text(layout.note, Tone::plain, Part::kRead)};
+  Parts parts = {heading(layout.title.empty() ? "Front" : layout.title, 2, "front", ReportPart::kRead),
+                 text(layout.note, Tone::plain, ReportPart::kRead)};
   auto figure = [&](const Front& front, const std::string& name) {
     page::Chart chart = front.chart();
     parts.push_back(
         {page::Figure{page::svgOf(chart), "Hollow marks: a limit was met.", lab::fileNameOf(name), chart.about},
-         Part::kRead});
+         ReportPart::kRead});
   };
   if (layout.together) {
     Front front(results, results.shots, layout);
@@ -162,7 +162,7 @@ Parts frontParts(const Results& results) {
     std::string commands;
     for (const PointGroup* group : groupsOf(results, shot))
       for (const Point& point : group->points) commands += point.command + "\n";
-    parts.push_back({page::Details{"Commands that repeat one point", {page::Code{commands}}}, Part::kPage});
+    parts.push_back({page::Details{"Commands that repeat one point", {page::Code{commands}}}, ReportPart::kPage});
   }
   return parts;
 }

@@ -19,29 +19,29 @@ bool isAmong(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-page::Cell cellOf(const Measure& measure, const PointGroup& group, const Point& point, const std::string& region) {
+page::TableCell cellOf(const Measure& measure, const PointGroup& group, const Point& point, const std::string& region) {
   double value = point.value(measure.name, region);
   return {value, orLack(measure.unit == "ms" ? page::shownMs(value) : page::shownError(value), value, group, point)};
 }
 
 // Name of a row. Floor and truth are not methods.
-page::Cell nameCell(const Point& point) {
-  if (point.role == Role::truth)
-    return {point.arm + " ±", page::Mark::faint, "truth; its numbers are its own standard error"};
-  if (point.role == Role::floor)
-    return {point.arm == "floor" ? "floor" : point.arm + " (floor)", page::Mark::faint,
+page::TableCell nameCell(const Point& point) {
+  if (point.role == ArmRole::truth)
+    return {point.arm + " ±", page::Emphasis::faint, "truth; its numbers are its own standard error"};
+  if (point.role == ArmRole::floor)
+    return {point.arm == "floor" ? "floor" : point.arm + " (floor)", page::Emphasis::faint,
             "sampling floor: truth at the sample times of a method"};
   return {point.arm};
 }
 
 // Column of a table: a measure in a region.
-struct Shown {
+struct PictureColumn {
   const Measure* measure;
   std::string region, title;
 };
 
-std::vector<Shown> columnsOf(const Results& results) {
-  std::vector<Shown> columns;
+std::vector<PictureColumn> columnsOf(const Results& results) {
+  std::vector<PictureColumn> columns;
   for (const Measure& measure : measures()) {
     if (!isAmong(results.measures, measure.name) || !measure.per_region) continue;
     bool whole = measure.name == "rmse_full";  // one column only
@@ -63,15 +63,15 @@ std::vector<const Point*> rowsOf(const Results& results, const PointGroup& group
 
 // Mark the smallest (or largest) value bold. Truth's noise shifts each RMSE by at most its own RMSE, `sigma` (triangle
 // inequality), so errors that differ by more than 2 sigma are in the right order, and others are not ranked.
-void rank(page::Table& table, size_t column, const Shown& shown, const PointGroup& group) {
+void rank(page::Table& table, size_t column, const PictureColumn& shown, const PointGroup& group) {
   if (!shown.measure->per_region || shown.measure->better == Better::neither) return;
   double sigma = shown.measure->name == "rmse" ? group.truth().value("rmse", shown.region) : 0;
-  std::vector<page::Cell*> cells;
+  std::vector<page::TableCell*> cells;
   for (page::Row& row : table.rows)
-    if (row[column].mark == page::Mark::none && std::isfinite(row[column].value)) cells.push_back(&row[column]);
-  auto less = [](const page::Cell* a, const page::Cell* b) { return a->value < b->value; };
+    if (row[column].mark == page::Emphasis::none && std::isfinite(row[column].value)) cells.push_back(&row[column]);
+  auto less = [](const page::TableCell* a, const page::TableCell* b) { return a->value < b->value; };
   std::sort(cells.begin(), cells.end(), less);
-  auto near = [&](const page::Cell* cell) { return cell->value < cells.front()->value + 2 * sigma; };
+  auto near = [&](const page::TableCell* cell) { return cell->value < cells.front()->value + 2 * sigma; };
   auto end = std::partition_point(cells.begin(), cells.end(), near);
   bool alike = end == cells.begin() || (*(end - 1))->value == cells.front()->value;
   if (alike) return page::markBest(table, column, shown.measure->better == Better::higher);
@@ -83,20 +83,20 @@ void rank(page::Table& table, size_t column, const Shown& shown, const PointGrou
 
 page::Table errorTable(const Results& results, const PointGroup& group) {
   page::Table table;
-  std::vector<Shown> columns = columnsOf(results);
+  std::vector<PictureColumn> columns = columnsOf(results);
   table.columns = {"method"};
-  for (const Shown& shown : columns) table.columns.push_back({shown.title, true});
+  for (const PictureColumn& shown : columns) table.columns.push_back({shown.title, true});
   table.columns.push_back({"clamped px", true});
   for (const Point* point : rowsOf(results, group)) {
     page::Row row = {nameCell(*point)};
-    page::Mark mark = point->role == Role::method ? page::Mark::none : page::Mark::faint;
-    for (const Shown& shown : columns) {
-      const bool of_itself = point->role == Role::truth && shown.measure->per_region &&
+    page::Emphasis mark = point->role == ArmRole::method ? page::Emphasis::none : page::Emphasis::faint;
+    for (const PictureColumn& shown : columns) {
+      const bool of_itself = point->role == ArmRole::truth && shown.measure->per_region &&
                              !shown.measure->name.starts_with("rmse");  // RMSE of truth is its standard error
-      row.push_back(of_itself ? page::Cell("–") : cellOf(*shown.measure, group, *point, shown.region));
+      row.push_back(of_itself ? page::TableCell("–") : cellOf(*shown.measure, group, *point, shown.region));
       row.back().mark = mark;
     }
-    row.push_back(page::Cell(page::shownCount(point->value("clamped")), mark));
+    row.push_back(page::TableCell(page::shownCount(point->value("clamped")), mark));
     table.add(std::move(row));
   }
   for (size_t i = 0; i < columns.size(); ++i) rank(table, i + 1, columns[i], group);
@@ -117,8 +117,8 @@ std::string valuesText(const PointGroup& group) {
 }
 
 // `quality`: quality of a JPEG; 0: PNG.
-page::Picture pictureOf(const std::string& caption, const Image& display, const std::string& name = "",
-                        int quality = 0) {
+page::PagePicture pictureOf(const std::string& caption, const Image& display, const std::string& name = "",
+                            int quality = 0) {
   std::string file = quality > 0 ? image::encodeJpeg(display, quality) : image::encodePng(display);
   return {std::move(file), display.width, display.height, caption, "", name};
 }
@@ -128,12 +128,12 @@ std::string armNameOf(const Gallery& gallery, const ShownPoint& one) {
 }
 
 // Comparison of all arms with truth. Shows the last method first, because the page is usually about this method.
-page::Comparison wipeOf(const Gallery& gallery) {
-  page::Comparison wipe;
+page::PictureComparison wipeOf(const Gallery& gallery) {
+  page::PictureComparison wipe;
   wipe.reference = armNameOf(gallery, gallery.truth());
   for (const ShownPoint& one : gallery.shown) {
     if (!one.isTruth()) wipe.others.push_back(armNameOf(gallery, one));
-    if (one.point->role == Role::method) wipe.chosen = wipe.others.back();
+    if (one.point->role == ArmRole::method) wipe.chosen = wipe.others.back();
   }
   return wipe;
 }
@@ -171,16 +171,17 @@ page::Pictures differencesOf(const Gallery& gallery, double gain) {
 
 void addPictures(const Results& results, const Gallery& gallery, const PictureSize& size, Parts& parts) {
   double gain = picturesLayoutOf(results.layout)->difference_gain;
-  parts.push_back(heading("Pictures", 3, "", Part::kPage));
-  parts.push_back({picturesOf(gallery, size), Part::kPage});
+  parts.push_back(heading("Pictures", 3, "", ReportPart::kPage));
+  parts.push_back({picturesOf(gallery, size), ReportPart::kPage});
   for (const image::Rectangle& area : gallery.shot->crops) {
     parts.push_back(
-        heading(fmt::format("Crop {}x{} at {},{}", area.width, area.height, area.x, area.y), 3, "", Part::kPage));
-    parts.push_back({cropsOf(gallery, area), Part::kPage});
+        heading(fmt::format("Crop {}x{} at {},{}", area.width, area.height, area.x, area.y), 3, "", ReportPart::kPage));
+    parts.push_back({cropsOf(gallery, area), ReportPart::kPage});
   }
   if (gallery.shown.size() == 1) return;  // truth only
-  parts.push_back(heading(fmt::format("|Difference from truth| × {:g}, linear values", gain), 3, "", Part::kPage));
-  parts.push_back({differencesOf(gallery, gain), Part::kPage});
+  parts.push_back(
+      heading(fmt::format("|Difference from truth| × {:g}, linear values", gain), 3, "", ReportPart::kPage));
+  parts.push_back({differencesOf(gallery, gain), ReportPart::kPage});
 }
 
 void addShot(const Results& results, const Gallery& gallery, const std::optional<PictureSize>& size, Parts& parts) {
@@ -188,25 +189,25 @@ void addShot(const Results& results, const Gallery& gallery, const std::optional
   parts.push_back(heading(shot.title, 2, shot.name));
   if (!gallery.group)
     return parts.push_back(text("skipped: " + (shot.missing.empty() ? "not selected" : shot.missing) + "."));
-  parts.push_back(text(shot.note, Tone::plain, Part::kRead));
+  parts.push_back(text(shot.note, Tone::plain, ReportPart::kRead));
   parts.push_back(text(describeShot(results, shot) + ".", Tone::soft));
   bool pictures = size && !gallery.shown.empty();
   bool compares = pictures && gallery.shown.size() > 1;
-  if (compares) parts.push_back({wipeOf(gallery), Part::kPage});
+  if (compares) parts.push_back({wipeOf(gallery), ReportPart::kPage});
   for (const PointGroup* group : groupsOf(results, shot)) {
-    parts.push_back(heading("Errors, anchor " + group->anchor + valuesText(*group), 3, "", Part::kPage));
+    parts.push_back(heading("Errors, anchor " + group->anchor + valuesText(*group), 3, "", ReportPart::kPage));
     parts.push_back(text("Regions: " + regionsText(results, *group) + valuesText(*group) + ".", Tone::soft,
-                         Part::kTerminal | Part::kDocument));
+                         ReportPart::kTerminal | ReportPart::kDocument));
     parts.push_back({errorTable(results, *group)});
   }
   parts.push_back(
       text("±: standard error of truth. Floor: ground truth with as many samples per pixel as a method. A method that "
            "also reuses neighbouring pixels can be below it.",
-           Tone::soft, Part::kPage));
+           Tone::soft, ReportPart::kPage));
   parts.push_back(text(describeBackground(*gallery.group), Tone::soft));
   append(parts, expectationParts(results, shot.name, ""));
   if (pictures) addPictures(results, gallery, *size, parts);
-  parts.push_back(text(shot.attribution, Tone::soft, Part::kRead));
+  parts.push_back(text(shot.attribution, Tone::soft, ReportPart::kRead));
 }
 
 std::string describe(const PictureSize& size) {
@@ -228,8 +229,8 @@ Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries
       "methods and truth alike. Regions are computed from truth. Inner: pixels that show a farther surface at another "
       "time of the exposure. Hidden: surfaces that are visible only at another time. Outer: pixels that show a nearer "
       "surface at another time.",
-      Tone::soft, Part::kPage));
-  if (size && size->quality > 0) parts.push_back(text(describe(*size), Tone::soft, Part::kPage));
+      Tone::soft, ReportPart::kPage));
+  if (size && size->quality > 0) parts.push_back(text(describe(*size), Tone::soft, ReportPart::kPage));
   return parts;
 }
 

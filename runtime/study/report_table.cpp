@@ -85,7 +85,7 @@ page::Table AxisTable::table() const {
   for (const ArmSummary& arm : results_.arms)
     for (size_t value = 0; value < axis_.values.size(); ++value) {
       const Point* first = find(arm.name, value, shots_.front());
-      if (!first || arm.role != Role::method) continue;
+      if (!first || arm.role != ArmRole::method) continue;
       page::Row row = {arm.name, axis_.labels[value]};
       for (const std::string& measure : layout_.once) {
         double once = first->value(measure);
@@ -131,16 +131,16 @@ page::Table pointTable(const Results& results) {
   }
   for (const PointGroup& group : results.groups)
     for (const Point& point : group.points) {
-      page::Mark mark = point.role == Role::method ? page::Mark::none : page::Mark::faint;
+      page::Emphasis mark = point.role == ArmRole::method ? page::Emphasis::none : page::Emphasis::faint;
       page::Row row = {results.shot(group.shot).title};
       for (const AxisSummary& axis : results.axes) {
         const Json* at = group.valueOn(axis.name);
         row.push_back(!at ? "" : at->is_string() ? at->get<std::string>() : at->dump());
       }
-      row.push_back(page::Cell(point.arm + (point.role == Role::truth ? " ±" : ""), mark));
+      row.push_back(page::TableCell(point.arm + (point.role == ArmRole::truth ? " ±" : ""), mark));
       for (const auto& [measure, region] : columns) {
         double value = point.value(measure->name, region);
-        row.push_back(page::Cell(value, orLack(shownValue(*measure, value), value, group, point), mark));
+        row.push_back(page::TableCell(value, orLack(shownValue(*measure, value), value, group, point), mark));
       }
       table.add(std::move(row));
     }
@@ -165,9 +165,9 @@ Parts tableParts(const Results& results) {
   TableLayout layout = tableOf(results.layout).value();
   Parts parts;
   if (layout.axes.empty()) {
-    parts.push_back(heading(layout.title.empty() ? "Points" : layout.title, 2, "points", Part::kRead));
-    parts.push_back(text(layout.note, Tone::plain, Part::kRead));
-    parts.push_back(text(explained(results, layout), Tone::soft, Part::kRead));
+    parts.push_back(heading(layout.title.empty() ? "Points" : layout.title, 2, "points", ReportPart::kRead));
+    parts.push_back(text(layout.note, Tone::plain, ReportPart::kRead));
+    parts.push_back(text(explained(results, layout), Tone::soft, ReportPart::kRead));
     parts.push_back({pointTable(results)});
     return parts;
   }
@@ -176,12 +176,12 @@ Parts tableParts(const Results& results) {
       AxisTable table(results, axis, layout);
       if (axis.name != name || table.empty()) continue;
       if (parts.empty()) {
-        parts.push_back(heading(layout.title.empty() ? "Tables" : layout.title, 2, "tables", Part::kRead));
-        parts.push_back(text(layout.note, Tone::plain, Part::kRead));
-        parts.push_back(text(explained(results, layout), Tone::soft, Part::kRead));
+        parts.push_back(heading(layout.title.empty() ? "Tables" : layout.title, 2, "tables", ReportPart::kRead));
+        parts.push_back(text(layout.note, Tone::plain, ReportPart::kRead));
+        parts.push_back(text(explained(results, layout), Tone::soft, ReportPart::kRead));
       }
       parts.push_back(heading(axis.title + ": `" + axis.name + "`", 3));
-      parts.push_back(text(table.filled(axis.reading), Tone::plain, Part::kRead));
+      parts.push_back(text(table.filled(axis.reading), Tone::plain, ReportPart::kRead));
       append(parts, expectationParts(results, "", axis.name));
       parts.push_back({table.table()});
     }

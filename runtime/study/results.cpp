@@ -13,8 +13,8 @@ namespace strobe::study {
 
 namespace {
 
-Role roleOf(const std::string& name) {
-  return name == "truth" ? Role::truth : name == "floor" ? Role::floor : Role::method;
+ArmRole roleOf(const std::string& name) {
+  return name == "truth" ? ArmRole::truth : name == "floor" ? ArmRole::floor : ArmRole::method;
 }
 
 // Calls `visit` with the name and the member of each text field.
@@ -94,7 +94,7 @@ PointGroup pointGroupFrom(const Json& json) {
   PointGroup group{json.at("shot"), json.at("anchor"), {}, {}};
   for (const auto& [axis, value] : json.at("at").items()) group.at.emplace_back(axis, value);
   for (const Json& point : json.at("points")) group.points.push_back(pointOf(point));
-  require(!group.points.empty() && group.truth().role == Role::truth, "a group of points has no truth");
+  require(!group.points.empty() && group.truth().role == ArmRole::truth, "a group of points has no truth");
   return group;
 }
 
@@ -270,7 +270,7 @@ void forPoints(const Results& results, const Row& row) {
   size_t number = 0;
   for (const PointGroup& group : results.groups)
     for (const Point& point : group.points)
-      if (point.role != Role::truth) row(++number, group, point);
+      if (point.role != ArmRole::truth) row(++number, group, point);
 }
 
 }  // namespace
@@ -304,7 +304,7 @@ const Json* PointGroup::valueOn(const std::string& axis) const {
 
 const Point* PointGroup::floor() const {
   for (const Point& point : points)
-    if (point.role == Role::floor) return &point;
+    if (point.role == ArmRole::floor) return &point;
   return nullptr;
 }
 
@@ -351,7 +351,7 @@ std::vector<std::string> Results::failed() const {
 size_t Results::missing() const {
   size_t count = 0;
   for (const PointGroup& group : groups)
-    for (const Point& point : group.points) count += point.role != Role::truth && point.isMissing();
+    for (const Point& point : group.points) count += point.role != ArmRole::truth && point.isMissing();
   return count;
 }
 

@@ -26,7 +26,7 @@ struct PassTime {
 struct Point {
   std::string key;  // hash of all that determines the values, except times; names the files; "": cannot be drawn
   std::string arm;
-  Role role = Role::method;
+  ArmRole role = ArmRole::method;
   Values values;
   std::vector<PassTime> passes;     // in the order of execution; empty: not timed
   std::vector<std::string> limits;  // limits that the picture met: "NODE: COUNT WHAT"

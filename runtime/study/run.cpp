@@ -50,7 +50,8 @@ namespace {
 
 // ---- drawing
 
-void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Left& left, Watch& watch) {
+void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Left& left,
+                ProgressWatch& watch) {
   if (left.groups.empty()) return;
   watch.begin("drawing", left.cost);
   PointRenderer renderer(experiment, batch, store);
@@ -154,15 +155,16 @@ void keepTimes(const Store& store, const Task& task, const std::string& times, c
 }
 
 // Tasks that are timed in turn, with the base of their shot.
-struct Walk {
+struct TimedTurn {
   const Task* base;
   std::vector<const Task*> tasks;
 };
 
-std::vector<Walk> walksLeft(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store) {
-  std::vector<Walk> left;
+std::vector<TimedTurn> walksLeft(const Experiment& experiment, const std::vector<TaskGroup>& groups,
+                                 const Store& store) {
+  std::vector<TimedTurn> left;
   for (const std::vector<const TaskGroup*>& along : walksOf(experiment, groups)) {
-    Walk walk{baseOf(experiment, groups, store, along.front()->group->shot), {}};
+    TimedTurn walk{baseOf(experiment, groups, store, along.front()->group->shot), {}};
     for (const TaskGroup* group : along)
       for (const Task& task : group->tasks)
         if (walk.base && lacksTimes(experiment, task, *walk.base, store)) walk.tasks.push_back(&task);
@@ -172,7 +174,7 @@ std::vector<Walk> walksLeft(const Experiment& experiment, const std::vector<Task
 }
 
 // Times all tasks in turn, with the base among them, so that other load of the machine affects all tasks alike.
-void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store, const Walk& walk) {
+void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store, const TimedTurn& walk) {
   std::vector<lab::Shot> shots = {walk.base->shot};
   for (const Task* task : walk.tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
@@ -187,7 +189,7 @@ void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& st
 }
 
 // Marks points as failed, with the reason, if their times cannot be measured.
-void failTimes(const Store& store, const Walk& walk, const std::string& reason) {
+void failTimes(const Store& store, const TimedTurn& walk, const std::string& reason) {
   for (const Task* task : walk.tasks) {
     Point point = store.point(task->key).value_or(Point());
     point.failed = "times: " + reason;
@@ -197,13 +199,13 @@ void failTimes(const Store& store, const Walk& walk, const std::string& reason) 
 }
 
 void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TaskGroup>& groups,
-              Watch& watch) {
-  std::vector<Walk> walks = walksLeft(experiment, groups, store);
+              ProgressWatch& watch) {
+  std::vector<TimedTurn> walks = walksLeft(experiment, groups, store);
   if (walks.empty()) return;
   size_t count = 0;
-  for (const Walk& walk : walks) count += walk.tasks.size();
+  for (const TimedTurn& walk : walks) count += walk.tasks.size();
   watch.begin("times", int(count));
-  for (const Walk& walk : walks) {
+  for (const TimedTurn& walk : walks) {
     const std::string failed = failureOf([&] { timeInTurn(experiment, batch, store, walk); });
     if (!failed.empty()) failTimes(store, walk, failed);
     watch.advance(int(walk.tasks.size()));
@@ -291,7 +293,7 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store,
     return so_far;
   };
   if (!experiment.is_step) announce(now());
-  Watch watch(experiment.is_step ? std::function<Results()>() : now);
+  ProgressWatch watch(experiment.is_step ? std::function<Results()>() : now);
   renderHere(experiment, batch, store, leftOf(groups, store), watch);
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());
@@ -371,7 +373,7 @@ bool renderInProcesses(const Experiment& experiment, const MakeBench& make, cons
     else warn(fmt::format("process {} of {} cannot be started: {}", i + 1, jobs, std::strerror(errno)));
   }
   bool good = children.size() == size_t(jobs);
-  std::optional<Watch> watch;
+  std::optional<ProgressWatch> watch;
   for (int shown = 0; !children.empty();) {
     if (!watch && shared.cost > 0) watch.emplace(now).begin("drawing", shared.cost);
     int done = shared.cost_done;

@@ -8,7 +8,7 @@
 
 namespace strobe::study {
 
-using figure::Cell;
+using figure::FigureCell;
 using image::Colour;
 using page::shownError;
 
@@ -17,14 +17,14 @@ namespace {
 const std::vector<Colour> kCropColours = {{1.0f, 0.76f, 0.03f}, {0.1f, 0.75f, 0.95f}, {0.95f, 0.3f, 0.75f}};
 
 // Versions of a picture: as shown, as measured.
-enum Step { kShown, kMeasured };
+enum SheetVersion { kShown, kMeasured };
 
 std::string numbersOf(const Results& results, const Point& point) {
   auto has = [&](const std::string& region) {
     return std::find(results.regions.begin(), results.regions.end(), region) != results.regions.end();
   };
   std::vector<std::string> parts;
-  if (point.role == Role::truth) {
+  if (point.role == ArmRole::truth) {
     for (const std::string& region : results.regions)
       parts.push_back(fmt::format("{} {}", region, shownError(point.value("rmse", region))));
     return fmt::format("its standard error: {}", fmt::join(parts, ", "));
@@ -54,20 +54,20 @@ class Sheet {
     if (gallery.shown.empty()) return addRow("", {shot.title, {{.text = why}}});
     std::string note = describeShot(results_, shot) + (shot.note.empty() ? "" : ". " + shot.note);
     addRow("", {shot.title, {{.text = note}}});
-    addCells(gallery, [&](Cell& cell, const ShownPoint& one) {
+    addCells(gallery, [&](FigureCell& cell, const ShownPoint& one) {
       cell.caption = {{.text = numbersOf(results_, *one.point)}};
       frame(cell, shot);
     });
     for (size_t i = 0; i < shot.crops.size(); ++i) {
       const image::Rectangle& area = shot.crops[i];
       addRow(fmt::format("crop at {},{}", area.x, area.y), {});
-      addCells(gallery, [&](Cell& cell, const ShownPoint&) {
+      addCells(gallery, [&](FigureCell& cell, const ShownPoint&) {
         cell.crop = areaOf(area), cell.frame = kCropColours[i % kCropColours.size()];
       });
     }
     if (gallery.shown.size() == 1) return;  // truth only
     addRow("difference", {});
-    addCells(gallery, [&](Cell& cell, const ShownPoint& one) {
+    addCells(gallery, [&](FigureCell& cell, const ShownPoint& one) {
       if (one.isTruth()) return figure_.cells.pop_back();
       cell.step = kMeasured, cell.against = gallery.truth().point->arm, cell.difference = "channels";
       cell.gain = picturesLayoutOf(results_.layout).value_or(PicturesLayout()).difference_gain;
@@ -82,7 +82,7 @@ class Sheet {
     return {double(area.x), double(area.y), double(area.width), double(area.height), ""};
   }
 
-  void addRow(const std::string& label, figure::Heading heading) {
+  void addRow(const std::string& label, figure::RowHeading heading) {
     figure_.rows.push_back(label);
     figure_.headings.push_back(std::move(heading));
   }
@@ -92,16 +92,16 @@ class Sheet {
   void addCells(const Gallery& gallery, const Complete& complete) {
     for (const ShownPoint& one : gallery.shown) {
       auto column = std::find(figure_.columns.begin(), figure_.columns.end(), one.point->arm);
-      Cell& cell = figure_.cells.emplace_back();
+      FigureCell& cell = figure_.cells.emplace_back();
       cell.row = int(figure_.rows.size()) - 1, cell.column = int(column - figure_.columns.begin());
       cell.shot = gallery.shot->name, cell.arm = one.point->arm, cell.kind = "colour", cell.step = kShown;
       complete(cell, one);
     }
   }
 
-  static void frame(Cell& cell, const ShotSummary& shot) {
+  static void frame(FigureCell& cell, const ShotSummary& shot) {
     for (size_t i = 0; i < shot.crops.size(); ++i) {
-      figure::Box& box = cell.marks.boxes.emplace_back();
+      figure::BoxMark& box = cell.marks.boxes.emplace_back();
       box.area = areaOf(shot.crops[i]), box.colour = kCropColours[i % kCropColours.size()], box.width = 2;
     }
   }

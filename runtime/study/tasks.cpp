@@ -93,13 +93,13 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
                 {"full", group.full_keys},
                 {"regions", experiment.regions},
                 {"role", nameOf(task.arm->role)}};
-  parts["picture"] = task.arm->role == Role::truth ? Json(group.truth_keys)
-                                                   : Json(contentsOf(experiment, *group.group, task.shot, batch));
+  parts["picture"] = task.arm->role == ArmRole::truth ? Json(group.truth_keys)
+                                                      : Json(contentsOf(experiment, *group.group, task.shot, batch));
   for (const std::string& name : task.measures)
     if (!measureNamed(name).is_time) parts["measures"].push_back(name);
   std::optional<Group> benign = benignOf(experiment, *group.group);
   if (benign && task.compares)
-    parts["benign"] = task.arm->role == Role::truth
+    parts["benign"] = task.arm->role == ArmRole::truth
                           ? truthKeysOf(experiment, *benign, truthShotOf(experiment, *benign), batch)
                           : contentsOf(experiment, *benign, shotOf(experiment, *benign, *task.arm), batch);
   const std::optional<Background>& background = experiment.background;

@@ -34,7 +34,7 @@ bool isSet(const lab::Shot& shot, const std::string& name) {
 
 bool isOfMethod(const plan::ParamDesc& param) {
   using plan::Role;
-  return param.role != Role::Shading && param.role != Role::SampleTimes && param.role != Role::Regions;
+  return param.role != ArmRole::Shading && param.role != ArmRole::SampleTimes && param.role != ArmRole::Regions;
 }
 
 // True if one of the nodes uses the parameter.
@@ -119,7 +119,7 @@ void Tuner::prepare() {
   else base.name = "base " + wish_.base, base.pipeline = wish_.base;
   experiment_.arms = {tuned, base};
   experiment_.base = base.name;
-  experiment_.truth = {{{"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth)}, Role::truth}};
+  experiment_.truth = {{{"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth)}, ArmRole::truth}};
   experiment_.title = fmt::format("{} tuned on {}", pipeline_->name, Path(filled.scene).stem().string());
   store_.belongTo(experiment_.title);
   experiment_.setSize(filled.width, filled.height);

@@ -20,7 +20,7 @@ namespace {
 constexpr double kReportEvery_s = 10;
 constexpr size_t kMostPoints = 6;  // per shot in one report
 
-struct Seen {
+struct FrontPoint {
   std::string what;
   double x, y;
 };
@@ -28,11 +28,11 @@ struct Seen {
 double cost(const Measure& measure, double value) { return measure.better == Better::higher ? -value : value; }
 
 // Pareto front of a shot, or the points with the best `y` if no point has an `x`.
-std::vector<Seen> bestOf(const std::vector<Seen>& seen, const Measure& x, const Measure& y) {
-  std::vector<Seen> best;
+std::vector<FrontPoint> bestOf(const std::vector<FrontPoint>& seen, const Measure& x, const Measure& y) {
+  std::vector<FrontPoint> best;
   std::vector<std::pair<double, double>> costs;
-  bool has_x = std::any_of(seen.begin(), seen.end(), [](const Seen& one) { return std::isfinite(one.x); });
-  for (const Seen& one : seen) costs.emplace_back(has_x ? cost(x, one.x) : 0, cost(y, one.y));
+  bool has_x = std::any_of(seen.begin(), seen.end(), [](const FrontPoint& one) { return std::isfinite(one.x); });
+  for (const FrontPoint& one : seen) costs.emplace_back(has_x ? cost(x, one.x) : 0, cost(y, one.y));
   for (size_t i : paretoFront(costs)) best.push_back(seen[i]);
   return best;
 }
@@ -44,15 +44,15 @@ std::string frontSoFar(const Results& results) {
   const Measure &x = measureNamed(layout.x), &y = measureNamed(layout.y);
   std::string text;
   for (const ShotSummary& shot : results.shots) {
-    std::vector<Seen> seen;
+    std::vector<FrontPoint> seen;
     for (const PointGroup* group : groupsOf(results, shot))
       for (const Point& point : group->points) {
         double value = point.value(layout.y, layout.region);
-        if (point.role != Role::method || !std::isfinite(value)) continue;
+        if (point.role != ArmRole::method || !std::isfinite(value)) continue;
         std::string at = describe(*group);
         seen.push_back({point.arm + (at.empty() ? "" : ", " + at), point.value(layout.x, layout.region), value});
       }
-    std::vector<Seen> best = bestOf(seen, x, y);
+    std::vector<FrontPoint> best = bestOf(seen, x, y);
     if (best.empty()) continue;
     text += fmt::format("best so far, {} ({}, {}):", shot.title, y.title, layout.region);
     for (size_t i = 0; i < std::min(best.size(), kMostPoints); ++i)
@@ -85,7 +85,7 @@ size_t keptPoints(const Results& results) {
   size_t count = 0;
   for (const PointGroup& group : results.groups)
     for (const Point& point : group.points)
-      count += point.role != Role::truth && !point.isMissing() && point.failed.empty();
+      count += point.role != ArmRole::truth && !point.isMissing() && point.failed.empty();
   return count;
 }
 
@@ -116,21 +116,21 @@ std::string keptIn(const Path& outline) noexcept {
   return kept.empty() ? "the same command continues" : kept;
 }
 
-void Watch::begin(const std::string& label, int cost) {
+void ProgressWatch::begin(const std::string& label, int cost) {
   if (!now_) return;
   label_ = label, cost_ = cost, done_ = quarters_ = 0;
   started_s_ = said_s_ = clockSeconds();
   line_.emplace();
 }
 
-std::string Watch::text() const {
+std::string ProgressWatch::text() const {
   double elapsed_s = clockSeconds() - started_s_;
   double left_s = done_ > 0 ? elapsed_s * std::max(cost_ - done_, 0) / done_ : 0;
   return fmt::format("{}: {:.0f} %, {:.0f} s, about {:.0f} s left", label_,
                      100.0 * std::min(done_, cost_) / std::max(cost_, 1), elapsed_s, left_s);
 }
 
-void Watch::advance(int cost) {
+void ProgressWatch::advance(int cost) {
   if (!now_) return;
   done_ += cost;
   line_->show([this] { return text(); });
@@ -150,7 +150,7 @@ void Watch::advance(int cost) {
   if (!front.empty()) note((terminal ? "\r\033[K" : "") + front.substr(0, front.size() - 1));
 }
 
-void Watch::end() {
+void ProgressWatch::end() {
   if (!now_) return;
   line_.reset();
   if (!::isatty(STDERR_FILENO)) note(text());

@@ -26,10 +26,10 @@ std::string keptIn(const Path& outline) noexcept;
 
 // Reports progress: a status line on a terminal; elsewhere a line every ten seconds and at the end. Prints the front
 // after each quarter of the work.
-class Watch {
+class ProgressWatch {
  public:
   // `now`: current results. Without `now`, nothing is reported.
-  explicit Watch(std::function<Results()> now) : now_(std::move(now)) {}
+  explicit ProgressWatch(std::function<Results()> now) : now_(std::move(now)) {}
 
   // Begins work of `cost` units; `advance` counts them. Reports show the share of finished units.
   void begin(const std::string& label, int cost);

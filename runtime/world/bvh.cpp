@@ -123,7 +123,7 @@ float reachOf(const shared::BvhNode& node) {
 }
 
 // Items of one binary node or of one leaf.
-struct Part {
+struct TreePart {
   uint32_t begin = 0, end = 0;
   int depth = 0;
   Box box, middles;  // bounds of the items; bounds of twice their centroids
@@ -138,13 +138,13 @@ struct Subtree {
 };
 
 // Splits parts in two by the heuristic, and joins the splits to nodes of four children.
-class Builder {
+class BvhBuilder {
  public:
-  Builder(std::vector<BvhItem>& items, const BvhOptions& options)
+  BvhBuilder(std::vector<BvhItem>& items, const BvhOptions& options)
       : items_(items), options_(options), spare_threads_(int(std::max(1u, std::thread::hardware_concurrency())) - 1) {}
 
-  Part examined(uint32_t begin, uint32_t end, int depth) {
-    Part part{begin, end, depth, {}, {}, {}, false};
+  TreePart examined(uint32_t begin, uint32_t end, int depth) {
+    TreePart part{begin, end, depth, {}, {}, {}, false};
     measure(part);
     const uint32_t count = part.count();
     part.leaf = count == 1;
@@ -157,12 +157,12 @@ class Builder {
   }
 
   // Appends the node of a part and its subtree; returns the index of the node.
-  uint32_t append(const Part& root, Subtree& tree) {
-    std::array<Part, 4> children = {root};
+  uint32_t append(const TreePart& root, Subtree& tree) {
+    std::array<TreePart, 4> children = {root};
     size_t count = 1;
     // Open the largest child first: a random line most likely hits it.
     while (count < 4) {
-      auto larger = [](const Part& a, const Part& b) { return worth(a) < worth(b); };
+      auto larger = [](const TreePart& a, const TreePart& b) { return worth(a) < worth(b); };
       auto largest = std::max_element(children.begin(), children.begin() + count, larger);
       if (largest->leaf) break;
       tree.cost += kNodeCost * halfArea(largest->box);
@@ -200,10 +200,10 @@ class Builder {
   }
 
   // Builds the children as separate subtrees, then appends them in order.
-  void appendApart(const std::array<Part, 4>& children, size_t count, uint32_t index, Subtree& tree) {
+  void appendApart(const std::array<TreePart, 4>& children, size_t count, uint32_t index, Subtree& tree) {
     std::array<std::future<Subtree>, 4> futures;
     std::array<Subtree, 4> apart;
-    auto below = [this](const Part& part) {
+    auto below = [this](const TreePart& part) {
       Subtree subtree;
       append(part, subtree);
       return subtree;
@@ -244,7 +244,7 @@ class Builder {
     return sum;
   }
 
-  void measure(Part& part) {
+  void measure(TreePart& part) {
     struct Sizes {
       WideBox box, middles;
       void add(const Sizes& other) { box.add(other.box), middles.add(other.middles); }
@@ -261,7 +261,7 @@ class Builder {
     part.box = sizes.box.box(), part.middles = sizes.middles.box();
   }
 
-  Bins binned(const Part& part) {
+  Bins binned(const TreePart& part) {
     const std::array<Binning, 3> binnings = {Binning(part.middles, 0), Binning(part.middles, 1),
                                              Binning(part.middles, 2)};
     return summed(part.begin, part.end, [&](uint32_t begin, uint32_t end) {
@@ -278,7 +278,7 @@ class Builder {
     });
   }
 
-  Split bestSplit(const Part& part) {
+  Split bestSplit(const TreePart& part) {
     constexpr uint32_t kBins = Binning::kBins;
     const Bins bins = binned(part);
     Split best;
@@ -306,7 +306,7 @@ class Builder {
   }
 
   // Best split of at most kFew items: sorts the items instead of filling bins.
-  Split bestSplitOfFew(const Part& part) {
+  Split bestSplitOfFew(const TreePart& part) {
     const uint32_t count = part.count();
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
@@ -338,21 +338,21 @@ class Builder {
     return best;
   }
 
-  std::pair<Part, Part> opened(const Part& part) {
+  std::pair<TreePart, TreePart> opened(const TreePart& part) {
     // Median split if the depth limit requires it or all centroids coincide.
     bool deep = part.depth + int(std::bit_width(part.count() - 1)) >= options_.depth;
     uint32_t middle = deep || part.split.axis < 0 ? halve(part) : partition(part);
     return {examined(part.begin, middle, part.depth + 1), examined(middle, part.end, part.depth + 1)};
   }
 
-  uint32_t partition(const Part& part) {
+  uint32_t partition(const TreePart& part) {
     const int axis = part.split.axis;
     const Binning binning(part.middles, axis);
     auto is_left = [&](const BvhItem& item) { return binning.of(twiceMiddle(item, axis)) < part.split.bin; };
     return uint32_t(std::stable_partition(at(part.begin), at(part.end), is_left) - items_.begin());
   }
 
-  uint32_t halve(const Part& part) {
+  uint32_t halve(const TreePart& part) {
     vec3 extent = part.middles.high - part.middles.low;
     int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
     uint32_t middle = part.begin + part.count() / 2;
@@ -363,15 +363,15 @@ class Builder {
     return middle;
   }
 
-  static double worth(const Part& part) { return part.leaf ? -1 : halfArea(part.box); }
+  static double worth(const TreePart& part) { return part.leaf ? -1 : halfArea(part.box); }
 
-  uint32_t leafOf(const Part& leaf, Subtree& tree) const {
+  uint32_t leafOf(const TreePart& leaf, Subtree& tree) const {
     tree.cost += kBoxCost * halfArea(leaf.box) * leaf.count();
     if (options_.leaf_boxes == 1) return BVH_LEAF | items_[leaf.begin].index;
     return BVH_LEAF | (leaf.count() - 1) << BVH_LEAF_COUNT | leaf.begin;
   }
 
-  static shared::BvhNode nodeOf(const std::array<Part, 4>& children, size_t count) {
+  static shared::BvhNode nodeOf(const std::array<TreePart, 4>& children, size_t count) {
     std::array<Box, 4> boxes;
     for (size_t c = 0; c < count; ++c) boxes[c] = children[c].box;
     shared::BvhNode node{};
@@ -395,8 +395,8 @@ Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options) {
     bvh.nodes.push_back({});
     return bvh;
   }
-  Builder builder(items, options);
-  const Part root = builder.examined(0, uint32_t(items.size()), 0);
+  BvhBuilder builder(items, options);
+  const TreePart root = builder.examined(0, uint32_t(items.size()), 0);
   Subtree tree;
   builder.append(root, tree);
   bvh.nodes = std::move(tree.nodes);

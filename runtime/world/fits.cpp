@@ -12,9 +12,9 @@ using namespace scene;
 
 namespace {
 
-struct Counts {
+struct GeometryCounts {
   uint64_t vertices = 0, tangents = 0, indices = 0, bending = 0;  // bending: of deformed instances
-  explicit Counts(const Scene& scene) {
+  explicit GeometryCounts(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes)
       for (const Geometry& geometry : mesh.geometries)
         vertices += geometry.vertices.size(), tangents += geometry.tangents.size(), indices += geometry.indices.size();
@@ -50,7 +50,7 @@ uint64_t textureBytes(const Scene& scene) {
 
 void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits) {
   Beyond beyond(scene);
-  const Counts counts(scene);
+  const GeometryCounts counts(scene);
   uint64_t instances = instancesOf(scene).size();
   beyond.require(gpu::kInstanceLimit, "the scene", instances, "instances", limits.instances);
   for (const Mesh& mesh : scene.meshes) {
@@ -76,20 +76,20 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
 
 // Lower bound for the nodes of the runtime's own trees: four triangles per leaf, four children per node.
 uint64_t unposedBytes(const Scene& scene, shader::StructureKind structures) {
-  const Counts counts(scene);
+  const GeometryCounts counts(scene);
   const uint64_t triangles = structures == shader::StructureKind::Own ? counts.indices / 3 : 0;
   return counts.vertices * sizeof(shared::SceneVertex) + (counts.tangents + counts.indices) * sizeof(uint32_t) +
          textureBytes(scene) + triangles * sizeof(shared::BvhTriangle) + triangles / 12 * sizeof(shared::BvhNode);
 }
 
 uint64_t posedBytes(const Scene& scene, uint32_t slices) {
-  return slices * (Counts(scene).bending * sizeof(shared::SceneDeformedVertex) +
+  return slices * (GeometryCounts(scene).bending * sizeof(shared::SceneDeformedVertex) +
                    instancesOf(scene).size() * sizeof(shared::SceneTransform));
 }
 
 void requireMemory(const Scene& scene, shader::StructureKind structures, const gpu::DeviceLimits& limits) {
   Beyond beyond(scene);
-  const Counts counts(scene);
+  const GeometryCounts counts(scene);
   const bool own = structures == shader::StructureKind::Own;
   const uint64_t triangles = counts.indices / 3;
   if (own) beyond.require(kTreeLimit, "the scene", triangles, "triangles", uint64_t{1} << BVH_LEAF_COUNT);

@@ -24,7 +24,7 @@ class SceneSurfaces {
   void uploadTextures(const gpu::Device& device, const scene::Scene& scene, gpu::Uploads& uploads);
 
   gpu::Buffer materials_;
-  std::vector<gpu::Image> textures_;
+  std::vector<gpu::DeviceImage> textures_;
   std::map<gpu::SamplerDesc, gpu::Owned<VkSampler>> samplers_;  // at most 144, of the 4,000 that each device allows
   std::vector<VkDescriptorImageInfo> infos_;
 };

@@ -18,7 +18,7 @@ class WatchTest : public ::testing::Test {
   void save(const std::string& name) { std::ofstream(folder_ / name) << "text\n"; }
 
   Path folder_ = Path(::testing::TempDir()) / "watch_test";
-  Watch watch_;
+  FileWatch watch_;
 };
 
 TEST_F(WatchTest, SeesWhatHappensToFilesAndNothingElse) {
@@ -101,7 +101,7 @@ TEST_F(WatchTest, FollowsLinksToFiles) {
   fs::rename(store / "next.lua", store / "mid.lua");
   EXPECT_TRUE(watch_.changed()) << "a link leads elsewhere";
 
-  Watch flat;
+  FileWatch flat;
   flat.addFlat(folder_ / "inner");
   flat.addBehind(folder_ / "inner/a.lua");
   flat.addBehind(folder_ / "inner");

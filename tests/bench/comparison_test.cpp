@@ -23,14 +23,14 @@ bench::Run timed(int seed, double gather = 1, double all = 1, bool software = fa
       software);
 }
 
-std::vector<std::string> movedIn(const Comparison& comparison) {
+std::vector<std::string> movedIn(const TimeComparison& comparison) {
   std::vector<std::string> names;
   for (const Change& change : comparison.changes)
     if (change.moved) names.push_back(change.shot->method + " " + (change.pass.empty() ? "frame" : change.pass));
   return names;
 }
 
-const Change& changeOf(const Comparison& comparison, const std::string& method, const std::string& pass) {
+const Change& changeOf(const TimeComparison& comparison, const std::string& method, const std::string& pass) {
   for (const Change& change : comparison.changes)
     if (change.shot->method == method && change.pass == pass) return change;
   throw std::out_of_range(pass);
@@ -38,10 +38,10 @@ const Change& changeOf(const Comparison& comparison, const std::string& method, 
 
 using Names = std::vector<std::string>;
 
-TEST(Comparison, FindsThePassThatMoved) {
+TEST(TimeComparison, FindsThePassThatMoved) {
   bench::Run before = timed(1), now = timed(5, 1.3);
-  Comparison comparison = compared(now, before, 0.05);
-  EXPECT_EQ(comparison.kind, Comparison::Kind::milliseconds);
+  TimeComparison comparison = compared(now, before, 0.05);
+  EXPECT_EQ(comparison.kind, TimeComparison::Kind::milliseconds);
   EXPECT_EQ(movedIn(comparison), (Names{"blurred frame", "blurred gather"})) << "a frame of three passes: 10 %";
   EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1.3, 0.01);
   EXPECT_LE(changeOf(comparison, "blurred", "gather").ratio.low, 1.3);
@@ -51,16 +51,16 @@ TEST(Comparison, FindsThePassThatMoved) {
   EXPECT_EQ(movedIn(compared(now, now, 0.01)), Names()) << "against itself";
 }
 
-TEST(Comparison, TooFewRoundsTellNothing) {
+TEST(TimeComparison, TooFewRoundsTellNothing) {
   EXPECT_EQ(movedIn(compared(timed(5, 3, 1, false, 6), timed(1, 1, 1, false, 6), 0.05)), Names());
 }
 
 // Everything is slower by half, as on a machine that does something else: on a software device nothing moved but the
 // pass that did.
-TEST(Comparison, DividesByTheBaseOnASoftwareDevice) {
+TEST(TimeComparison, DividesByTheBaseOnASoftwareDevice) {
   bench::Run before = timed(1, 1, 1, true), slower = timed(5, 1, 1.5, true), now = timed(5, 1.3, 1.5, true);
-  Comparison comparison = compared(slower, before, 0.05);
-  EXPECT_EQ(comparison.kind, Comparison::Kind::base);
+  TimeComparison comparison = compared(slower, before, 0.05);
+  EXPECT_EQ(comparison.kind, TimeComparison::Kind::base);
   EXPECT_EQ(movedIn(comparison), Names());
   EXPECT_NEAR(changeOf(comparison, "sharp", "").ratio.value, 1.49, 0.02) << "the base has its milliseconds";
   EXPECT_EQ(movedIn(compared(now, before, 0.05)), (Names{"blurred frame", "blurred gather"}));
@@ -68,7 +68,7 @@ TEST(Comparison, DividesByTheBaseOnASoftwareDevice) {
 }
 
 // A base that gained makes all others look slower; their milliseconds say that they are not.
-TEST(Comparison, AFasterBaseDoesNotMoveTheOthers) {
+TEST(TimeComparison, AFasterBaseDoesNotMoveTheOthers) {
   auto run = [](double base, int seed) {
     return runOf(
         kRounds,
@@ -77,53 +77,53 @@ TEST(Comparison, AFasterBaseDoesNotMoveTheOthers) {
         },
         true);
   };
-  Comparison comparison = compared(run(0.7, 3), run(1, 1), 0.05);
+  TimeComparison comparison = compared(run(0.7, 3), run(1, 1), 0.05);
   EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1 / 0.7, 0.05);
   EXPECT_EQ(movedIn(comparison), Names());
 }
 
-TEST(Comparison, OfAnotherDeviceIsRelativeAndSaysSo) {
+TEST(TimeComparison, OfAnotherDeviceIsRelativeAndSaysSo) {
   bench::Run before = timed(1), now = timed(5);
   before.driver = "an older driver";
   before.environment = {{"LP_NUM_THREADS", "2"}};
   before.frames_in_flight = 2;
-  Comparison comparison = compared(now, before, 0.05);
-  EXPECT_EQ(comparison.kind, Comparison::Kind::base);
+  TimeComparison comparison = compared(now, before, 0.05);
+  EXPECT_EQ(comparison.kind, TimeComparison::Kind::base);
   EXPECT_EQ(comparison.differ, (Names{"driver an older driver, now a driver", "frames in flight 2, now 1",
                                       "environment LP_NUM_THREADS=2, now nothing"}));
 }
 
 // The machine gets slower from block to block, which both programs see alike: milliseconds of the pair are compared.
-TEST(Comparison, BlocksAreComparedInPairs) {
+TEST(TimeComparison, BlocksAreComparedInPairs) {
   std::vector<bench::Run> now, before;
   for (int block = 0; block < 8; ++block) {
     double machine = 1 + 0.2 * block;
     before.push_back(timed(block, 1, machine, true, 3));
     now.push_back(timed(block + 4, 1.3, machine, true, 3));
   }
-  Comparison comparison = compared(now, before, 0.05);
-  EXPECT_EQ(comparison.kind, Comparison::Kind::blocks);
+  TimeComparison comparison = compared(now, before, 0.05);
+  EXPECT_EQ(comparison.kind, TimeComparison::Kind::blocks);
   EXPECT_EQ(comparison.blocks, 8u);
   EXPECT_EQ(movedIn(comparison), (Names{"blurred frame", "blurred gather"}));
   EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1.3, 0.05);
   EXPECT_NEAR(changeOf(comparison, "blurred", "gather").before_ms, 17, 0.5) << "between the fourth block and the fifth";
-  Comparison few = compared(std::vector<bench::Run>(now.begin(), now.begin() + 5),
-                            std::vector<bench::Run>(before.begin(), before.begin() + 5), 0.05);
+  TimeComparison few = compared(std::vector<bench::Run>(now.begin(), now.begin() + 5),
+                                std::vector<bench::Run>(before.begin(), before.begin() + 5), 0.05);
   EXPECT_EQ(movedIn(few), Names()) << "five blocks have no interval of 95 %";
 }
 
-TEST(Comparison, NamesPassesThatOneRunAloneHas) {
+TEST(TimeComparison, NamesPassesThatOneRunAloneHas) {
   bench::Run before = timed(1), now = timed(5);
   now.shots[1].passes[2].name = "gather_wide";
-  Comparison comparison = compared(now, before, 0.05);
+  TimeComparison comparison = compared(now, before, 0.05);
   EXPECT_EQ(comparison.gone, (Names{"gather of blurred, room, 64x36"}));
   EXPECT_EQ(comparison.added, (Names{"gather_wide of blurred, room, 64x36"}));
   EXPECT_EQ(comparison.changes.size(), 4u + 4u) << "frame, draw, shade and rest of both";
 }
 
-TEST(Comparison, IsToldInWordsAndAsData) {
+TEST(TimeComparison, IsToldInWordsAndAsData) {
   bench::Run before = timed(1), now = timed(5, 1.3);
-  Comparison comparison = compared(now, before, 0.05);
+  TimeComparison comparison = compared(now, before, 0.05);
   comparison.against = "before.json";
   std::string text = textOf(now, &comparison);
   EXPECT_NE(text.find("Against before.json"), std::string::npos) << text;

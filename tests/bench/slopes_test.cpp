@@ -25,7 +25,7 @@ ShotTimes shotAt(double x, const std::vector<std::pair<std::string, PassMs>>& pa
 }
 
 // Of passes that grow as they are called, and one that bends.
-AxisRun axisOf(std::vector<Expected> expected) {
+AxisRun axisOf(std::vector<ExpectedGrowth> expected) {
   AxisRun axis{"lights", "Lights", "", {}, {1, 2, 4, 8, 16}, std::move(expected)};
   axis.run = {"strobe bench slopes", "1.0", "hash", "a device", "a driver", "query", false, 4, {}, {}};
   for (double x : axis.x)
@@ -58,13 +58,13 @@ TEST(Slopes, AreHeldAgainstWhatIsExpected) {
   auto outcome = [](const std::string& part, Growth growth) {
     return fitOf(fitsOf(axisOf({{part, "blurred", growth, ""}})), part).verdict;
   };
-  EXPECT_EQ(outcome("same", Growth::constant), Verdict::holds);
-  EXPECT_EQ(outcome("same", Growth::linear), Verdict::fails);
-  EXPECT_EQ(outcome("line", Growth::linear), Verdict::holds);
-  EXPECT_EQ(outcome("line", Growth::constant), Verdict::fails);
-  EXPECT_EQ(outcome("tree", Growth::logarithmic), Verdict::holds);
-  EXPECT_EQ(outcome("tree", Growth::linear), Verdict::fails) << "R2 is 0.87 over x";
-  EXPECT_EQ(outcome("falls", Growth::linear), Verdict::fails) << "a time that falls does not grow";
+  EXPECT_EQ(outcome("same", Growth::constant), GrowthVerdict::holds);
+  EXPECT_EQ(outcome("same", Growth::linear), GrowthVerdict::fails);
+  EXPECT_EQ(outcome("line", Growth::linear), GrowthVerdict::holds);
+  EXPECT_EQ(outcome("line", Growth::constant), GrowthVerdict::fails);
+  EXPECT_EQ(outcome("tree", Growth::logarithmic), GrowthVerdict::holds);
+  EXPECT_EQ(outcome("tree", Growth::linear), GrowthVerdict::fails) << "R2 is 0.87 over x";
+  EXPECT_EQ(outcome("falls", Growth::linear), GrowthVerdict::fails) << "a time that falls does not grow";
 }
 
 // What is said of every pass holds of those of which nothing else is said.
@@ -73,9 +73,9 @@ TEST(Slopes, TheMostSpecialExpectationCounts) {
                                          {"line", "", Growth::linear, ""},
                                          {kFrame, "other", Growth::linear, ""},
                                          {kFrame, "blurred", Growth::constant, "some reason"}}));
-  EXPECT_EQ(fitOf(fits, "same").verdict, Verdict::holds);
-  EXPECT_EQ(fitOf(fits, "line").verdict, Verdict::holds);
-  EXPECT_EQ(fitOf(fits, "falls").verdict, Verdict::fails);
+  EXPECT_EQ(fitOf(fits, "same").verdict, GrowthVerdict::holds);
+  EXPECT_EQ(fitOf(fits, "line").verdict, GrowthVerdict::holds);
+  EXPECT_EQ(fitOf(fits, "falls").verdict, GrowthVerdict::fails);
   EXPECT_EQ(fitOf(fits, kFrame).expected->why, "some reason");
   EXPECT_FALSE(fitOf(fits, kRest).expected) << "it is no pass";
 }
@@ -83,7 +83,7 @@ TEST(Slopes, TheMostSpecialExpectationCounts) {
 TEST(Slopes, TooFewValuesSayNothing) {
   AxisRun axis = axisOf({{"line", "", Growth::linear, ""}});
   axis.run.shots.resize(2), axis.x.resize(2);
-  EXPECT_EQ(fitOf(fitsOf(axis), "line").verdict, Verdict::unknown);
+  EXPECT_EQ(fitOf(fitsOf(axis), "line").verdict, GrowthVerdict::unknown);
 }
 
 TEST(Slopes, AnExpectationOfNoPartIsRefused) {

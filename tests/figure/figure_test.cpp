@@ -163,7 +163,7 @@ TEST(Figure, DifferencesHaveABarThatStatesTheirScale) {
     { against = "truth", difference = "flip" } })"));
   std::vector<Block> blocks;
   Problems problems;
-  for (const Cell& cell : figure.cells) blocks.push_back(blockOf(figure, cell, findTaken, "truth", 0, problems));
+  for (const FigureCell& cell : figure.cells) blocks.push_back(blockOf(figure, cell, findTaken, "truth", 0, problems));
   problems.throwIfAny();
   EXPECT_EQ(blocks[0].legend.kind, image::Legend::Kind::bar);
   EXPECT_EQ(blocks[0].legend.high, 0.25);

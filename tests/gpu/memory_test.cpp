@@ -188,7 +188,7 @@ TEST_F(BlockTest, UploadsAreFewAndWhole) {
                            return submit(queue, count, infos, fence);
                          });
   std::vector<Buffer> buffers;
-  std::vector<Image> images;
+  std::vector<DeviceImage> images;
   Uploads uploads(device_);
   for (uint32_t i = 0; i < 300; ++i) {
     buffers.push_back(uploads.array("array", std::vector<uint32_t>(1 + 37 * i, i), 0));

@@ -48,7 +48,7 @@ class ExrWindows : public ::testing::Test {
     return readPicture(file);
   }
 
-  static Comparison compared(ComparedPicture test, ComparedPicture reference, ComparedPicture mask = {}) {
+  static ImageComparison compared(ComparedPicture test, ComparedPicture reference, ComparedPicture mask = {}) {
     alignPictures(test, reference, mask);
     return compareImages(test.linear, reference.linear, mask.linear);
   }

@@ -181,7 +181,7 @@ TEST(AgainstOpenImageIo, ExrIsReadAsWritten) {
             Json({1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0, 3.0, 1.0}));
 }
 
-TEST(Comparison, FilesAreKnownByContent) {
+TEST(ImageComparison, FilesAreKnownByContent) {
   const strobe::testing::TemporaryFolder folder;
   Image display = pattern(32, 24, 0);
   writePng(folder.path() / "picture.exr", display);
@@ -201,13 +201,13 @@ TEST(Comparison, FilesAreKnownByContent) {
   EXPECT_NE(refused.find("pixel 1,1"), std::string::npos) << refused;
 }
 
-TEST(Comparison, RefusesWhatCannotBeCompared) {
+TEST(ImageComparison, RefusesWhatCannotBeCompared) {
   EXPECT_THROW(compareImages(Image(4, 4, 3), Image(5, 4, 3)), Error);
   EXPECT_THROW(compareImages(Image(4, 4, 3), Image(4, 4, 3), Image(3, 4, 1, 1.0f)), Error);
   EXPECT_THROW(compareImages(Image(4, 4, 3), Image(4, 4, 3), Image(4, 4, 1)), Error);
 }
 
-TEST(Comparison, JsonOfEqualImages) {
+TEST(ImageComparison, JsonOfEqualImages) {
   Image image(16, 16, 3, 0.5f);
   CompareOptions ldr;
   ldr.hdr = false;

@@ -19,7 +19,7 @@ std::string guide() {
 
 TEST(Guide, HasEveryKey) {
   std::string text = guide();
-  for (const Key& key : keys())
+  for (const KeyBinding& key : keys())
     EXPECT_NE(text.find(fmt::format("| `{}` | {} |", key.shown, key.doc)), std::string::npos) << key.shown;
   for (const HeldKey& key : heldKeys())
     EXPECT_NE(text.find(fmt::format("`{}`", key.shown)), std::string::npos) << key.shown;

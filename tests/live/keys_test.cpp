@@ -16,7 +16,7 @@ TEST(Keys, EveryKeyStandsOnce) {
   std::set<int> codes;
   std::set<std::string> shown;
   std::set<Action> actions;
-  for (const Key& key : keys()) {
+  for (const KeyBinding& key : keys()) {
     EXPECT_TRUE(codes.insert(key.code).second) << key.shown;
     EXPECT_TRUE(shown.insert(key.shown).second) << key.shown;
     EXPECT_TRUE(actions.insert(key.action).second) << key.shown << " does what another key does";

@@ -7,29 +7,29 @@
 namespace strobe::live {
 namespace placement_test {
 
-const Area kArea{100, 50, 800, 600};
+const WindowArea kArea{100, 50, 800, 600};
 
-TEST(Placement, AFittedPictureFillsOneSideAndIsCentred) {
-  Placement wide = placed(kArea, 1600, 400, {});
+TEST(PicturePlacement, AFittedPictureFillsOneSideAndIsCentred) {
+  PicturePlacement wide = placed(kArea, 1600, 400, {});
   EXPECT_DOUBLE_EQ(wide.scale, 0.5);
   EXPECT_EQ(wide.toWindow({0, 0}), dvec2(100, 250));
   EXPECT_EQ(wide.toWindow({1600, 400}), dvec2(900, 450));
 }
 
-TEST(Placement, EnlargedPixelsAreAlike) {
-  Placement place = placed(kArea, 320, 180, {});
+TEST(PicturePlacement, EnlargedPixelsAreAlike) {
+  PicturePlacement place = placed(kArea, 320, 180, {});
   EXPECT_DOUBLE_EQ(place.scale, 2);
   EXPECT_EQ(place.toWindow({160, 90}), dvec2(500, 350));
 }
 
-TEST(Placement, WindowAndPictureAreInverse) {
-  Placement place = placed(kArea, 320, 180, {3.7, {0.2, 0.8}});
+TEST(PicturePlacement, WindowAndPictureAreInverse) {
+  PicturePlacement place = placed(kArea, 320, 180, {3.7, {0.2, 0.8}});
   dvec2 back = place.toPicture(place.toWindow({12.5, 170.25}));
   EXPECT_NEAR(back.x, 12.5, 1e-12);
   EXPECT_NEAR(back.y, 170.25, 1e-12);
 }
 
-TEST(Placement, WhatIsUnderThePointerStays) {
+TEST(PicturePlacement, WhatIsUnderThePointerStays) {
   Magnification from{1.5, {0.4, 0.6}};
   dvec2 pointer(300, 500);
   dvec2 pixel = placed(kArea, 320, 180, from).toPicture(pointer);
@@ -41,14 +41,14 @@ TEST(Placement, WhatIsUnderThePointerStays) {
   EXPECT_NEAR(after.y, pixel.y, 0.5 / 3 + 0.5 / 12);
 }
 
-TEST(Placement, ADragMovesByItsLength) {
+TEST(PicturePlacement, ADragMovesByItsLength) {
   Magnification from{2, {0.5, 0.5}};
-  Placement before = placed(kArea, 320, 180, from);
-  Placement after = placed(kArea, 320, 180, dragged(from, {17, -9}, kArea, 320, 180));
+  PicturePlacement before = placed(kArea, 320, 180, from);
+  PicturePlacement after = placed(kArea, 320, 180, dragged(from, {17, -9}, kArea, 320, 180));
   EXPECT_EQ(after.origin - before.origin, dvec2(17, -9));
 }
 
-TEST(Placement, ZoomHasEnds) {
+TEST(PicturePlacement, ZoomHasEnds) {
   EXPECT_DOUBLE_EQ(magnified({}, 1e9, {500, 350}, kArea, 320, 180).zoom, 256);
   EXPECT_DOUBLE_EQ(magnified({}, 1e-9, {500, 350}, kArea, 320, 180).zoom, 0.25);
 }

@@ -11,8 +11,8 @@ namespace line_test {
 
 // Sums of squares about the means 2 and 5: 10 of x, 21 of both, 46 of y, so that 46 - 44.1 = 1.9 are left. What 97.5 %
 // of Student's t with 3 degrees of freedom lie below is scipy.stats.t.ppf(0.975, 3).
-TEST(Line, GoesThroughPoints) {
-  Line line = lineThrough({0, 1, 2, 3, 4}, {1, 3, 4, 8, 9});
+TEST(LineFit, GoesThroughPoints) {
+  LineFit line = lineThrough({0, 1, 2, 3, 4}, {1, 3, 4, 8, 9});
   EXPECT_NEAR(line.slope.value, 2.1, 1e-12);
   EXPECT_NEAR(line.intercept, 0.8, 1e-12);
   EXPECT_NEAR(line.r2, 44.1 / 46, 1e-12);
@@ -22,13 +22,13 @@ TEST(Line, GoesThroughPoints) {
   EXPECT_NEAR(line.at(10), 21.8, 1e-12);
 }
 
-TEST(Line, SaysNothingOfTooLittle) {
-  Line two = lineThrough({1, 3}, {5, 9});
+TEST(LineFit, SaysNothingOfTooLittle) {
+  LineFit two = lineThrough({1, 3}, {5, 9});
   EXPECT_DOUBLE_EQ(two.slope.value, 2);
   EXPECT_DOUBLE_EQ(two.intercept, 3);
   EXPECT_TRUE(std::isnan(two.slope.low)) << "two points have no interval";
   EXPECT_TRUE(std::isnan(lineThrough({1, 1, 1}, {2, 3, 4}).slope.value)) << "x does not vary";
-  Line flat = lineThrough({1, 2, 3}, {4, 4, 4});
+  LineFit flat = lineThrough({1, 2, 3}, {4, 4, 4});
   EXPECT_DOUBLE_EQ(flat.slope.value, 0);
   EXPECT_TRUE(std::isnan(flat.r2)) << "there is nothing to explain";
   EXPECT_TRUE(std::isnan(lineThrough({}, {}).intercept));

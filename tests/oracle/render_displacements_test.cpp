@@ -68,8 +68,8 @@ class RenderDisplacements : public RenderTest {
     Seen seen;
     seen.held = bench().scene(shot);
     seen.scene = &seen.held->loaded.scene;
-    graph::FrameSetup setup = lab::frameOf(shot, *seen.scene);
-    seen.capture = setup.pose_at(setup.capture_s);
+    graph::Frame setup = lab::frameOf(shot, *seen.scene);
+    seen.capture = setup.pose_at(setup.raster_s);
     seen.open = setup.pose_at(setup.open_s);
     seen.close = setup.pose_at(setup.close_s);
     const std::vector<scene::Instance> instances = scene::instancesOf(*seen.scene);
@@ -218,7 +218,7 @@ TEST_F(RenderDisplacements, OfWhatBendsFromNear) {
       if (!fs::exists(shot.scene)) continue;
       shot.frame = frame;
       const scene::Scene& scene = bench().scene(shot)->loaded.scene;
-      const scene::Pose pose = lab::frameOf(shot, scene).pose_at(shot.captureTime());
+      const scene::Pose pose = lab::frameOf(shot, scene).pose_at(shot.rasterTime());
       const std::vector<scene::Instance> instances = scene::instancesOf(scene);
       Bounds bounds;
       for (size_t i = 0; i < instances.size(); ++i) bounds.add(scene::posedBounds(scene, instances, i, pose));

@@ -250,7 +250,7 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
       for (std::vector<std::string> settings : paths) {
         Shot shot = shotOf("bent", 256, 32, {{"before", 20}, {"after", after}, {"top", 8}, {"bottom", 20}});
         const Shot foretold = with(shot, "hybrid_layered", settings, anchor);
-        const scene::PixelArea reach = lab::frameOf(foretold, bench().scene(shot)->loaded.scene).motion.reach;
+        const scene::PixelArea reach = lab::frameOf(foretold, bench().scene(shot)->loaded.scene).motion.moving_rect;
         EXPECT_LT(reach.x1 - reach.x0, 256) << anchor << ' ' << after;
         EXPECT_EQ(hashOf(render(foretold).frame.outputs.at("color")),
                   hashOf(everythingOf(foretold).frame.outputs.at("color")))

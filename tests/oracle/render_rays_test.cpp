@@ -75,7 +75,7 @@ using Triangle = std::array<dvec3, 3>;
 class Triangles {
  public:
   explicit Triangles(lab::Shot shot, const Home& home) : loaded_(lab::loadScene(home, shot)) {
-    scene::Pose pose = lab::frameOf(shot, loaded_.scene).pose_at(shot.captureTime());
+    scene::Pose pose = lab::frameOf(shot, loaded_.scene).pose_at(shot.rasterTime());
     origin_ = dvec3(pose.world_from_camera[3]);
     instances_ = scene::instancesOf(loaded_.scene);
     transforms_ = pose.world_from_instance;

@@ -81,7 +81,7 @@ TEST(Chart, APointLiesWhereItsValuesSay) {
   chart.guides = {{10, "here"}};
   chart.series = {{"one", 0, {{1, 1, "low"}, {10, 10, "middle", true}, {100, 100, "high", false, true}}}};
   std::string svg = svgOf(chart);
-  Frame frame = frameOf(chart);
+  ChartFrame frame = frameOf(chart);
   // Both axes reach over two powers of ten.
   EXPECT_DOUBLE_EQ(frame.px(10), (frame.px(1) + frame.px(100)) / 2);
   EXPECT_DOUBLE_EQ(frame.py(10), (frame.py(1) + frame.py(100)) / 2);
@@ -102,7 +102,7 @@ TEST(Chart, SmallValuesLieOnTheBorderOfDecades) {
   Chart chart = withAxes();
   chart.y.decades = 2;
   chart.series = {{"", 0, {{1, 100}, {2, 1}, {3, 1e-9}, {4, 0}}}};
-  Frame frame = frameOf(chart);
+  ChartFrame frame = frameOf(chart);
   EXPECT_DOUBLE_EQ(frame.py(1e-9), frame.py(1));
   EXPECT_DOUBLE_EQ(frame.py(0), frame.py(1));
   EXPECT_FALSE(frame.y().hasZero());
@@ -124,7 +124,7 @@ TEST(Chart, AFrontIsAStair) {
   Chart chart;
   chart.series = {{"front", kFrontStyle, {{1, 5}, {2, 3}, {4, 1}}, Series::Kind::line, true}};
   std::string svg = svgOf(chart);
-  Frame frame = frameOf(chart);
+  ChartFrame frame = frameOf(chart);
   std::vector<std::array<double, 2>> expected = {{1, 5}, {2, 5}, {2, 3}, {4, 3}, {4, 1}}, places;
   for (const Element& path : those(svg, "path"))
     if (path.group == "front" && places.empty()) places = visited(path.attributes.at("d"));
@@ -137,11 +137,11 @@ TEST(Chart, AFrontIsAStair) {
 
 TEST(Chart, ErrorBarsReachWhereTheyShould) {
   Chart chart;
-  Point point{2, 3};
+  ChartPoint point{2, 3};
   point.y_range = {2, 6};
   chart.series = {{"one", 1, {point}, Series::Kind::scatter}};
   std::string svg = svgOf(chart);
-  Frame frame = frameOf(chart);
+  ChartFrame frame = frameOf(chart);
   EXPECT_DOUBLE_EQ(frame.y().at(2), 0) << "the axis reaches to the ends of error bars";
   EXPECT_DOUBLE_EQ(frame.y().at(6), 1);
   auto places = visited(those(svg, "path", "error").at(0).attributes["d"]);
@@ -161,7 +161,7 @@ TEST(Chart, ABandFillsWhatItsPointsEnclose) {
   band.points[1].y_range = {2, 5};
   chart.series = {band, {"", 0, {{1, 1}, {3, 6}}}};
   std::string svg = svgOf(chart);
-  Frame frame = frameOf(chart);
+  ChartFrame frame = frameOf(chart);
   auto places = visited(those(svg, "path", "band").at(0).attributes["d"]);
   ASSERT_EQ(places.size(), 4u);
   EXPECT_NEAR(places[0][1], frame.py(4), 0.06);
@@ -184,7 +184,7 @@ TEST(Chart, ManySeriesDifferByColourAndMark) {
 
 TEST(Chart, EveryClassHasAStyle) {
   Chart chart = withAxes();
-  Point point{1, 0, "", true};
+  ChartPoint point{1, 0, "", true};
   point.y_range = {0.5, 2};
   chart.guides = {{3, ""}};
   for (Series::Kind kind : {Series::Kind::line, Series::Kind::band, Series::Kind::scatter})

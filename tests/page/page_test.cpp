@@ -43,7 +43,7 @@ Page made() {
                  Figure{"<svg class=\"chart\"></svg>\n", "a curve"},
                  Code{"strobe render <x>"},
                  Pictures{{{"\x89PNG", 4, 2, "truth", "", "t"}, {"abc", 4, 2, "a \"method\"", "seen", "m"}}},
-                 Comparison{"t", {"m"}, ""},
+                 PictureComparison{"t", {"m"}, ""},
                  Details{"More", {Heading{"Inside", 3}, Code{"x"}}}};
   return page;
 }

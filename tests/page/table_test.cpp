@@ -80,7 +80,7 @@ TEST(MarkdownTable, ALineEndStaysInItsCell) {
 
 TEST(HtmlTable, HoldsEveryCellEscaped) {
   Table table = made();
-  table.rows[0][2] = {"<b> & `x<y`", Mark::bad, "say \"so\""};
+  table.rows[0][2] = {"<b> & `x<y`", Emphasis::bad, "say \"so\""};
   std::string html = htmlOf(table);
   EXPECT_EQ(countOf(html, "<th scope=\"col\""), 3);
   EXPECT_EQ(countOf(html, "<th scope=\"row\">"), 3) << "the first cell names the row";
@@ -101,22 +101,23 @@ TEST(Table, LosesColumnsThatAreEmpty) {
 
 TEST(Table, MarksWhatShowsTheSmallestValue) {
   Table table{"", {"a", {"b", true}}};
-  table.add({"floor", {0.1, "0.1", Mark::faint}});
+  table.add({"floor", {0.1, "0.1", Emphasis::faint}});
   table.add({"one", {0.2001, "0.2"}});
   table.add({"two", {0.2002, "0.2"}});
   table.add({"three", {NAN, "–"}});
   table.add({"four", {3, "3"}});
   markBest(table, 1);
-  std::vector<Mark> marks;
+  std::vector<Emphasis> marks;
   for (const Row& row : table.rows) marks.push_back(row[1].mark);
-  EXPECT_EQ(marks, (std::vector<Mark>{Mark::faint, Mark::best, Mark::best, Mark::none, Mark::none}));
+  EXPECT_EQ(marks,
+            (std::vector<Emphasis>{Emphasis::faint, Emphasis::best, Emphasis::best, Emphasis::none, Emphasis::none}));
   EXPECT_EQ(cellsOf(linesOf(markdownOf(table))[3])[1], "**0.2**");
 }
 
 TEST(Table, MarksNothingWhereOneCompetesAlone) {
   Table table{"", {"a", "b"}, {{"one", {1, "1"}}}};
   markBest(table, 1);
-  EXPECT_EQ(table.rows[0][1].mark, Mark::none);
+  EXPECT_EQ(table.rows[0][1].mark, Emphasis::none);
 }
 
 TEST(Markup, IsKeptByDocumentsAndShownByPages) {

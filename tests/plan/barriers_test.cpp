@@ -12,7 +12,7 @@
 namespace strobe::plan::test {
 namespace barriers_test {
 
-Plan compiled(const PipelineDesc& pipeline, Stage trace_stage = kStageCompute) {
+Plan compiled(const PipelineDesc& pipeline, PipelineStage trace_stage = kStageCompute) {
   CompileOptions options;
   options.width = 64, options.height = 32;
   options.trace_stage = trace_stage;
@@ -63,7 +63,7 @@ Removal removeEach(Plan plan, uint32_t trace_stage) {
 }
 
 // Sound as compiled, and unsound without any one of its barriers.
-void expectExact(const PipelineDesc& pipeline, Stage trace_stage = kStageCompute) {
+void expectExact(const PipelineDesc& pipeline, PipelineStage trace_stage = kStageCompute) {
   Plan plan = compiled(pipeline, trace_stage);
   EXPECT_EQ(joined(replayAll(plan, trace_stage)), "");
   Removal removal = removeEach(plan, trace_stage);
@@ -136,7 +136,7 @@ TEST(Barriers, TraceToComputeInEachBackend) {
   b.trace("rays", {}, {"x"});
   b.compute("look", {{"x", "rays.x"}}, {"y"});
   b.output("color", "look.y");
-  for (Stage stage : {kStageCompute, kStageTrace}) {
+  for (PipelineStage stage : {kStageCompute, kStageTrace}) {
     expectExact(b.pipeline, stage);
     std::vector<Found> expected = {
         {stage, kAccessStorageWrite, kStageCompute, kAccessSampledRead, Hazard::ReadAfterWrite, false, false}};

@@ -28,9 +28,9 @@ Scene still() {
 // The capture at `frame`, an exposure of half a frame before it.
 FrameView viewAt(double frame) {
   FrameView view;
-  view.capture_s = view.close_s = frame * kFrame;
-  view.open_s = view.capture_s - kFrame / 2;
-  view.previous_s = view.capture_s - kFrame;
+  view.raster_s = view.close_s = frame * kFrame;
+  view.open_s = view.raster_s - kFrame / 2;
+  view.previous_s = view.raster_s - kFrame;
   return view;
 }
 
@@ -171,7 +171,7 @@ TEST(Facts, WhatKeepsNoShareOfItsMotionRests) {
 
 TEST(Facts, WithinNoTimeNothingMoves) {
   FrameView view = viewAt(1);
-  view.open_s = view.previous_s = view.capture_s;
+  view.open_s = view.previous_s = view.raster_s;
   for (int node : {0, 1, 2}) EXPECT_FALSE(factsOf(spun(node, 0.1), view).motion) << node;
   EXPECT_FALSE(factsOf(animated({0, 4}, {0, 1}), view).motion);
 }

@@ -201,14 +201,14 @@ TEST_F(Gltf, PointersDriveWeights) {
 
 // ---- facts
 
-Facts factsAt(Scene scene, double capture_s) {
+Facts factsAt(Scene scene, double raster_s) {
   scene.cameras.resize(1);
   scene.nodes.push_back({});
   scene.nodes.back().camera = 0;
   FrameView view;
-  view.capture_s = view.close_s = capture_s;
-  view.open_s = capture_s - 0.02;
-  view.previous_s = capture_s - 0.04;
+  view.raster_s = view.close_s = raster_s;
+  view.open_s = raster_s - 0.02;
+  view.previous_s = raster_s - 0.04;
   return factsOf(FramePoser(scene, int(scene.nodes.size()) - 1, "all", view));
 }
 

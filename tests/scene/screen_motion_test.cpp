@@ -96,7 +96,7 @@ TEST(ScreenMotion, OfACardThatSlides) {
   EXPECT_EQ(textOf(boxes.path()), "");
   boxes.move(card, {2, 1, 0});
   EXPECT_EQ(textOf(boxes.path()), "");
-  EXPECT_EQ(boxes.motion().reach.x1, int(std::ceil(kWidth / 2 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
+  EXPECT_EQ(boxes.motion().moving_rect.x1, int(std::ceil(kWidth / 2 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
 }
 
 // Lines and curves through motion that is not even go on beside it, and so does what is foretold of it.
@@ -108,7 +108,7 @@ TEST(ScreenMotion, OfWhatIsNotEven) {
   // Frames that it has gone, by those that have passed.
   auto left_edge = [&](const std::function<double(double)>& gone) {
     auto pose_at = [&](double time_s) { return poser.at(gone(time_s / kFrame) * kFrame); };
-    return screenMotionOf(boxes.scene(), pose_at, frameAtOne()).reach.x0;
+    return screenMotionOf(boxes.scene(), pose_at, frameAtOne()).moving_rect.x0;
   };
   const double even_px = left_edge([](double frames) { return frames; });
   EXPECT_NEAR(even_px, kWidth / 2 - 2 * kMetre - 2, 2);
@@ -134,8 +134,8 @@ TEST(ScreenMotion, AreaAtAPose) {
   EXPECT_EQ(before.x1, int(std::ceil(kWidth / 2 + 0.5 * kMetre + 2)));
   EXPECT_EQ(now.y0, before.y0);
   for (const PixelArea& area : {now, before}) {
-    EXPECT_GE(area.x0, motion.reach.x0);
-    EXPECT_LE(area.x1, motion.reach.x1);
+    EXPECT_GE(area.x0, motion.moving_rect.x0);
+    EXPECT_LE(area.x1, motion.moving_rect.x1);
   }
 
   Boxes behind;
@@ -186,9 +186,9 @@ TEST(ScreenMotion, OfWhatIsNotKnown) {
   Boxes behind, round;
   behind.move(behind.add({0, 0, 1}, kCard), {1, 0, 0});
   EXPECT_EQ(textOf(behind.path()), "curved turns covered ");
-  EXPECT_EQ(behind.motion().reach.x1 - behind.motion().reach.x0, kWidth);
+  EXPECT_EQ(behind.motion().moving_rect.x1 - behind.motion().moving_rect.x0, kWidth);
   round.spin(round.add({0, 0, -10}, kCard), {0, 0, 1}, 400);
-  EXPECT_EQ(round.motion().reach.x1 - round.motion().reach.x0, kWidth);
+  EXPECT_EQ(round.motion().moving_rect.x1 - round.motion().moving_rect.x0, kWidth);
 }
 
 // What is said to be straight, or to move as a whole, is so for any point inside.

@@ -36,35 +36,35 @@ TEST(Place, FindsTheLineOfAnEntryOfAList) {
     n = 4, 5,
   },
 })";
-  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "1"}), 3);
-  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "2"}), 4);
-  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "2", "set", "x"}), 5);
-  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "3"}), 5);
-  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "3", "3"}), 6);
-  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "4"}), 7);
-  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "n"}), 7);
-  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "5"}), 2);
+  EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "1"}), 3);
+  EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "2"}), 4);
+  EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "2", "set", "x"}), 5);
+  EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "3"}), 5);
+  EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "3", "3"}), 6);
+  EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "4"}), 7);
+  EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "n"}), 7);
+  EXPECT_EQ(LuaSource(source).lineOfKey(1, {"arms", "5"}), 2);
 }
 
 TEST(Place, StaysAtTheCallWhereThereIsNoSuchField) {
-  EXPECT_EQ(Source(kSource).lineOfKey(3, {"reads", "colour"}), 7);
-  EXPECT_EQ(Source(kSource).lineOfKey(8, {"doc", "colour"}), 8);
-  EXPECT_EQ(Source(kSource).lineOfKey(8, {"colour"}), 8);
-  EXPECT_EQ(Source(kSource).lineOfKey(3, {"nothing"}), 3);
-  EXPECT_EQ(Source("").lineOfKey(3, {"nothing"}), 3);
-  EXPECT_EQ(Source("{ \"unfinished").lineOfKey(1, {"a", "b"}), 1);
-  EXPECT_EQ(Source("{ a = ").lineOfKey(1, {"a", "b"}), 1);
-  EXPECT_EQ(Source("{ [").lineOfKey(1, {"a"}), 1);
-  EXPECT_EQ(Source("--[==[").lineOfKey(1, {"a"}), 1);
+  EXPECT_EQ(LuaSource(kSource).lineOfKey(3, {"reads", "colour"}), 7);
+  EXPECT_EQ(LuaSource(kSource).lineOfKey(8, {"doc", "colour"}), 8);
+  EXPECT_EQ(LuaSource(kSource).lineOfKey(8, {"colour"}), 8);
+  EXPECT_EQ(LuaSource(kSource).lineOfKey(3, {"nothing"}), 3);
+  EXPECT_EQ(LuaSource("").lineOfKey(3, {"nothing"}), 3);
+  EXPECT_EQ(LuaSource("{ \"unfinished").lineOfKey(1, {"a", "b"}), 1);
+  EXPECT_EQ(LuaSource("{ a = ").lineOfKey(1, {"a", "b"}), 1);
+  EXPECT_EQ(LuaSource("{ [").lineOfKey(1, {"a"}), 1);
+  EXPECT_EQ(LuaSource("--[==[").lineOfKey(1, {"a"}), 1);
 }
 
 TEST(Place, TellsWhetherAFieldIsRead) {
-  EXPECT_TRUE(Source("x = p.tile").readsField("tile"));
-  EXPECT_TRUE(Source("x = p . tile()").readsField("tile"));
-  EXPECT_FALSE(Source("x = { tile = 1 } -- p.tile").readsField("tile"));
-  EXPECT_FALSE(Source("x = a..tile").readsField("tile"));
-  EXPECT_FALSE(Source("x = 'p.tile'").readsField("tile"));
-  EXPECT_FALSE(Source("x = p.tiles").readsField("tile"));
+  EXPECT_TRUE(LuaSource("x = p.tile").readsField("tile"));
+  EXPECT_TRUE(LuaSource("x = p . tile()").readsField("tile"));
+  EXPECT_FALSE(LuaSource("x = { tile = 1 } -- p.tile").readsField("tile"));
+  EXPECT_FALSE(LuaSource("x = a..tile").readsField("tile"));
+  EXPECT_FALSE(LuaSource("x = 'p.tile'").readsField("tile"));
+  EXPECT_FALSE(LuaSource("x = p.tiles").readsField("tile"));
 }
 
 }  // namespace place_test

@@ -33,7 +33,7 @@ class Shaders : public ::testing::Test {
 
   std::string errorOf(const std::string& text) {
     Path file = write("scale.glsl", text);
-    return testing::refusalOf([&] { compilePass(home(), interface_, file, Stage::Compute); });
+    return testing::refusalOf([&] { compilePass(home(), interface_, file, ShaderStage::Compute); });
   }
 
   std::vector<std::string> unused(const std::vector<Path>& files) {
@@ -130,7 +130,7 @@ TEST_F(Shaders, CommentsUseNothing) {
 TEST_F(Shaders, EveryFileThatWasReadIsReported) {
   write("part.glsl", "float part() { return 1.0; }\n");
   Path file = write("scale.glsl", std::string("#include \"part.glsl\"\n") + kGood);
-  Compiled compiled = compilePass(home(), interface_, file, Stage::Compute);
+  Compiled compiled = compilePass(home(), interface_, file, ShaderStage::Compute);
   EXPECT_NE(std::find(compiled.files.begin(), compiled.files.end(), folder_ / "part.glsl"), compiled.files.end());
   EXPECT_EQ(compiled.files.front(), file);
 }
@@ -144,7 +144,7 @@ TEST_F(Shaders, WhatASceneDoesNotHaveLeavesNoTrace) {
     in.writes = {{"hit", "rgba32ui", true, false}};
     for (const char* fact : {"alpha", "blend", "one_sided", "shadows"}) in.facts.push_back({fact, true});
     in.facts.push_back({"deforms", bends});
-    return compilePass(home(), in, home().at("shaders/gbuffer/visibility.vert.glsl"), Stage::Vertex).spirv;
+    return compilePass(home(), in, home().at("shaders/gbuffer/visibility.vert.glsl"), ShaderStage::Vertex).spirv;
   };
   auto names = [](const std::vector<uint32_t>& spirv) {
     return std::string(reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(uint32_t));

@@ -25,7 +25,7 @@ class SpirvCaches : public ::testing::Test {
 
   Compiled compiled(Output output = Output::Spirv) const {
     const Home cached(home().roots(), {}, home().program(), folder_ / "cache");
-    return compile(cached, {kPreamble, folder_ / "main.glsl", ""}, Stage::Compute, output);
+    return compile(cached, {kPreamble, folder_ / "main.glsl", ""}, ShaderStage::Compute, output);
   }
 
   void write(const std::string& name, const std::string& text) const { writeFileAtomically(folder_ / name, text); }
@@ -64,7 +64,7 @@ TEST_F(SpirvCaches, CompilesWhatItHasNotSeen) {
   EXPECT_EQ(first.spirv, second.spirv);
   EXPECT_EQ(first.files, (std::vector<Path>{folder_ / "main.glsl", folder_ / "part.glsl"}));
   EXPECT_EQ(first.files, second.files);
-  EXPECT_EQ(first.spirv, compile(home(), {kPreamble, folder_ / "main.glsl", ""}, Stage::Compute).spirv);
+  EXPECT_EQ(first.spirv, compile(home(), {kPreamble, folder_ / "main.glsl", ""}, ShaderStage::Compute).spirv);
 
   write("part.glsl", "shared int sum;\nvoid part() { sum = 1; }\n");
   EXPECT_NE(compiled().spirv, first.spirv);

@@ -45,7 +45,7 @@ TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
   options.shard = GetParam().shard;
   options.shards = GetParam().shards;
   options.thinned = GetParam().thinned;
-  Report report = check(batch, GetParam().pipeline, options);
+  StabilityReport report = check(batch, GetParam().pipeline, options);
   EXPECT_EQ(report.total().failed, 0) << textOf(report);
   EXPECT_GT(report.total().held, 0);
   // Or most of this would mean nothing; scenes at rest and limits of 0 are drawn too.
@@ -67,7 +67,7 @@ class Walked : public StabilityTest {};
 
 TEST_F(Walked, WhatThePipelineAloneSetsIsLeftAlone) {
   lab::Batch batch(bench());
-  const Walk found = walk(batch, "ground_truth");
+  const VariantList found = walk(batch, "ground_truth");
   ASSERT_GT(found.variants.size(), 10u);
   int wired = 0;
   for (const Variant& variant : found.variants) {
@@ -88,8 +88,8 @@ TEST_F(Walked, WhatThePipelineAloneSetsIsLeftAlone) {
 class Broken : public StabilityTest {
  protected:
   // The failures of one invariant with an edited shader, and the settings of the small case.
-  Report reportOf(const std::string& shader, const std::string& from, const std::string& to,
-                  const std::string& invariant) {
+  StabilityReport reportOf(const std::string& shader, const std::string& from, const std::string& to,
+                           const std::string& invariant) {
     home_.edit(shader, from, to);
     lab::Workbench edited(home_.home(), bench());
     lab::Batch batch(edited);
@@ -109,19 +109,21 @@ int cardsIn(const std::string& command) {
 }
 
 TEST_F(Broken, NormalisationThatIsLeftOut) {
-  Report report = reportOf("shaders/gather/mcguire2012.glsl", "sum / all)", "sum / float(params.samples))", "constant");
+  StabilityReport report =
+      reportOf("shaders/gather/mcguire2012.glsl", "sum / all)", "sum / float(params.samples))", "constant");
   ASSERT_GT(report.failures.size(), 0u);
   EXPECT_LE(cardsIn(report.failures.front().commands.front()), 1) << textOf(report);
 }
 
 TEST_F(Broken, RoundingThatFavoursOneSide) {
   std::string symmetric = "trunc(offset + 0.5 * sign(offset))";
-  Report report = reportOf("shaders/lib/blur.glsl", symmetric, "floor(offset + 0.5)", "mirrored");
+  StabilityReport report = reportOf("shaders/lib/blur.glsl", symmetric, "floor(offset + 0.5)", "mirrored");
   EXPECT_GT(report.failures.size(), 0u);
 }
 
 TEST_F(Broken, WeightsThatAddUpToMore) {
-  Report report = reportOf("shaders/gather/mcguire2012.glsl", "all += weight;", "all += 0.75 * weight;", "convex");
+  StabilityReport report =
+      reportOf("shaders/gather/mcguire2012.glsl", "all += weight;", "all += 0.75 * weight;", "convex");
   EXPECT_GT(report.failures.size(), 0u);
 }
 

@@ -41,7 +41,8 @@ TEST(MeanAlong, IsWhatVeryManySamplesGive) {
   image::Image picture = steps(40, 40);
   const double motions[][2] = {{7.25, 0}, {0, -3.5}, {5.0625, 4.3125}, {-9.5, 2.25}, {6, 6}};
   for (const auto& d : motions)
-    for (const Window& window : {Window{-1, 0}, Window{-.5, .5}, Window{0, 1}}) {
+    for (const ExposureInterval& window :
+         {ExposureInterval{-1, 0}, ExposureInterval{-.5, .5}, ExposureInterval{0, 1}}) {
       double sum = 0;
       int count = 200000;
       for (int i = 0; i < count; ++i) {
@@ -56,7 +57,7 @@ TEST(MeanAlong, IsWhatVeryManySamplesGive) {
 
 // A pipeline that is checked alone need not need what its passes and values declare.
 TEST(Stale, NamedPipelinesAreNotChargedWithWhatOthersMayNeed) {
-  Report report;
+  StabilityReport report;
   for (const char* where : {"pipeline smear", "pass shade", "color_format = fp16"})
     report.declarations[where] = {where, "linear", "rounded", 12, 0};
   report.declarations["needed"] = {"pipeline smear", "convex", "rounded", 12, 1};

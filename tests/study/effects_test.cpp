@@ -35,7 +35,7 @@ struct Made {
       bool is_a = arm.name == "a, first";  // a comma, which the table quotes
       point.values["rmse"] = {{"whole", error * (is_a ? 1 : 2) * noise()}, {"inner", error * noise()}};
       point.values["ms"] = {{"all", (is_a ? 3 : 2) / error * noise()}};
-      if (arm.role == Role::truth) group.points.insert(group.points.begin(), point);
+      if (arm.role == ArmRole::truth) group.points.insert(group.points.begin(), point);
       else group.points.push_back(point);
     }
     results.groups.push_back(group);
@@ -46,7 +46,7 @@ Made empty() {
   Made made;
   made.results.title = "x", made.results.width = 64, made.results.height = 36;
   made.results.regions = {"whole", "inner"}, made.results.measures = {"rmse", "ms"};
-  made.results.arms = {{{"a, first", "none"}}, {{"b", "none"}}, {{"truth", "ground_truth"}, Role::truth}};
+  made.results.arms = {{{"a, first", "none"}}, {{"b", "none"}}, {{"truth", "ground_truth"}, ArmRole::truth}};
   return made;
 }
 
@@ -107,8 +107,8 @@ void expectSame(const Effects& effects, const Json& wanted) {
   for (const FactorEffect& one : effects.main) {
     const Factor& factor = effects.factors[one.factor];
     const Json& main = wanted["main"][factor.name];
-    EXPECT_EQ(one.comparison == Comparison::paired, main["blocks"] > 0) << factor.name;
-    if (one.comparison == Comparison::slope) {
+    EXPECT_EQ(one.comparison == LevelComparison::paired, main["blocks"] > 0) << factor.name;
+    if (one.comparison == LevelComparison::slope) {
       EXPECT_EQ(one.doubling, wanted["slopes"][factor.name]["doubling"]);
       expectSame(one.slope.slope, wanted["slopes"][factor.name]["slope"], factor.name);
       continue;
@@ -137,7 +137,7 @@ std::vector<size_t> frontOf(const Results& results, const std::string& measure, 
   std::vector<std::pair<double, double>> costs;
   for (const PointGroup& group : results.groups)
     for (const Point& point : group.points)
-      if (point.role != Role::truth) costs.emplace_back(point.value("ms"), point.value(measure, region));
+      if (point.role != ArmRole::truth) costs.emplace_back(point.value("ms"), point.value(measure, region));
   std::vector<size_t> front = paretoFront(costs);
   for (size_t& one : front) ++one;
   std::sort(front.begin(), front.end());

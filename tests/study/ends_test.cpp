@@ -95,7 +95,7 @@ Results partial() {
     for (const char* arm : {"truth", "none", "hybrid"}) {
       Point point;
       point.arm = arm, point.key = arm + std::to_string(arm == std::string("truth") ? g / 2 : g);
-      point.role = arm == std::string("truth") ? Role::truth : Role::method;
+      point.role = arm == std::string("truth") ? ArmRole::truth : ArmRole::method;
       group.points.push_back(point);
     }
     results.groups.push_back(group);
@@ -109,8 +109,9 @@ TEST(Counts, OfADamagedFolder) {
   Results results = partial();
   results.title = "Partial", results.width = 64, results.height = 36, results.shots = {{"bar"}};
   results.regions = {"whole"}, results.measures = {"rmse"};
-  results.arms = {
-      {{"truth", "ground_truth"}, Role::truth}, {{"none", "none"}, Role::method}, {{"hybrid", "hybrid"}, Role::method}};
+  results.arms = {{{"truth", "ground_truth"}, ArmRole::truth},
+                  {{"none", "none"}, ArmRole::method},
+                  {{"hybrid", "hybrid"}, ArmRole::method}};
   const std::string whole = textOf(results);
   std::filesystem::create_directories(folder / "points");
   testing::writeText(pointFile(folder.path(), "none0", ".json"), "{");

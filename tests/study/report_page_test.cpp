@@ -38,7 +38,7 @@ Results made(const Path& folder, int width, int height, const std::vector<int>& 
   results.device = "device", results.driver = "driver", results.width = width, results.height = height;
   results.regions = {"whole", "inner"}, results.measures = {"rmse", "flip", "ms", "psnr"};
   results.arms = {
-      {{"first", "none"}}, {{"second <b>", "none"}}, {{"third", "none"}}, {{"truth", "ground_truth"}, Role::truth}};
+      {{"first", "none"}}, {{"second <b>", "none"}}, {{"third", "none"}}, {{"truth", "ground_truth"}, ArmRole::truth}};
   results.shots = {{"near", "Near", "", "", "", 24, 0.5, {{4, 4, 16, 9}}, {}},
                    {"far", "Far", "", "", "", 24, 0.5, {}, {}}};
   results.layout = {{"front", {{"x", "ms"}, {"y", "rmse"}, {"region", "inner"}}}, {"table", Json::object()}};
@@ -55,26 +55,27 @@ Results made(const Path& folder, int width, int height, const std::vector<int>& 
     for (int sample : samples)
       for (int tile : tiles) {
         PointGroup group{shot.name, "end", {{"samples", sample}, {"tile", tile}}, {}};
-        auto add = [&](const std::string& arm, Role role, double error, double ms) {
+        auto add = [&](const std::string& arm, ArmRole role, double error, double ms) {
           Point point;
           point.arm = arm, point.role = role;
-          point.key = role == Role::truth ? "truth_" + shot.name : fmt::format("{}{}", arm[0], results.groups.size());
+          point.key =
+              role == ArmRole::truth ? "truth_" + shot.name : fmt::format("{}{}", arm[0], results.groups.size());
           point.command = fmt::format("strobe render {} --set samples={}", arm, sample);
           point.values["rmse"] = {{"whole", error / 4}, {"inner", error}};
-          if (role != Role::truth) {
+          if (role != ArmRole::truth) {
             point.values["flip"] = {{"whole", error / 3}, {"inner", error * 1.2}};
             point.values["psnr"] = {{"whole", -20 * std::log10(error / 4)}, {"inner", -20 * std::log10(error)}};
             point.values["ms"] = {{"all", ms}};
           }
-          double spoilt = role == Role::truth ? 0 : error;
+          double spoilt = role == ArmRole::truth ? 0 : error;
           Image picture = pictureOf(width, height, spoilt, unsigned(results.groups.size() * 7 + group.points.size()));
           writeFileAtomically(folder / "points" / (point.key + ".png"), image::encodePng(picture));
           group.points.push_back(point);
         };
-        add("truth", Role::truth, 1e-5, 0);
-        add("first", Role::method, 0.3 * noise(random), 2 + 0.01 * sample * noise(random));
-        add("second <b>", Role::method, 0.8 / sample * noise(random), 3 + 0.1 * sample * noise(random));
-        add("third", Role::method, 0.1 * noise(random), 4 + 0.01 * tile * noise(random));
+        add("truth", ArmRole::truth, 1e-5, 0);
+        add("first", ArmRole::method, 0.3 * noise(random), 2 + 0.01 * sample * noise(random));
+        add("second <b>", ArmRole::method, 0.8 / sample * noise(random), 3 + 0.1 * sample * noise(random));
+        add("third", ArmRole::method, 0.1 * noise(random), 4 + 0.01 * tile * noise(random));
         results.groups.push_back(group);
       }
   Point &failed = results.groups[1].points[1], &undrawn = results.groups[1].points[2];

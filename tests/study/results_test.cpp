@@ -21,7 +21,7 @@ namespace results_test {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-Point of(const std::string& arm, Role role, double rmse, std::vector<std::string> limits = {}) {
+Point of(const std::string& arm, ArmRole role, double rmse, std::vector<std::string> limits = {}) {
   Point point;
   point.arm = arm;
   point.role = role;
@@ -39,22 +39,22 @@ Results made() {
   results.width = 64, results.height = 36;
   results.regions = regionNames(), results.measures = {"rmse"};
   for (const char* name : {"good", "bad", "mixed"}) results.arms.push_back({{name, "none"}});
-  results.arms.push_back({{"floor", "ground_truth"}, Role::floor});
-  results.arms.push_back({{"truth", "ground_truth"}, Role::truth});
+  results.arms.push_back({{"floor", "ground_truth"}, ArmRole::floor});
+  results.arms.push_back({{"truth", "ground_truth"}, ArmRole::truth});
   results.shots.push_back({"shot", "A shot", "", "", "", 24, 0.5, {{1, 2, 3, 4}}, {}});
   AxisSummary axis{"speed", "Speed", "px", "log", "whole", "All else stays.", "", "", true, 2, {}, {}};
   for (double value : {1.0, 3.0, 10.0, 30.0, 100.0}) {
     axis.values.push_back(value);
     axis.labels.push_back(fmt::format("{:g}", value));
-    PointGroup group{"shot", "end", {{"speed", value}}, {of("truth", Role::truth, 0)}};
+    PointGroup group{"shot", "end", {{"speed", value}}, {of("truth", ArmRole::truth, 0)}};
     group.points[0].values["contrast"]["all"] = 0.5;
     group.points[0].values["change"]["all"] = group.points[0].values["changed"]["all"] = 1e-6 * value;
-    group.points.push_back(of("good", Role::method, 0.015));
-    group.points.push_back(of("bad", Role::method, value == 100 ? 0.3 : 0.1));
+    group.points.push_back(of("good", ArmRole::method, 0.015));
+    group.points.push_back(of("bad", ArmRole::method, value == 100 ? 0.3 : 0.1));
     bool limited = value >= 30;
-    group.points.push_back(of("mixed", Role::method, value == 1 ? 0.05 : 0.01,
+    group.points.push_back(of("mixed", ArmRole::method, value == 1 ? 0.05 : 0.01,
                               limited ? std::vector<std::string>{"blur: 7 pixels"} : std::vector<std::string>()));
-    group.points.push_back(of("floor", Role::floor, 0.01));
+    group.points.push_back(of("floor", ArmRole::floor, 0.01));
     results.groups.push_back(group);
   }
   results.axes = {axis};
@@ -239,7 +239,7 @@ TEST(Report, ShowsTheTruthAlone) {
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) point.values.clear();
   Point& truth = results.groups[0].points[0];
-  truth = of("truth", Role::truth, 0);
+  truth = of("truth", ArmRole::truth, 0);
   truth.measured = truth.shown = "truth.exr";
   Report report(results, folder.path());
   ASSERT_TRUE(report.hasSheet());

@@ -33,7 +33,7 @@ page::Table survivors(const std::vector<MutationResult>& results) {
     bool open = result.reason.empty();
     table.add({place(result.mutant), code(result.line), code(result.mutated_line),
                fmt::format("{} of {}", result.tests, result.tests_of),
-               open ? page::Cell("no reason yet", page::Mark::bad) : page::Cell(result.reason)});
+               open ? page::TableCell("no reason yet", page::Emphasis::bad) : page::TableCell(result.reason)});
   }
   return table;
 }
