@@ -46,7 +46,7 @@ struct Fit {
   std::string method, part;  // part: kFrame, a pass, kRest
   std::vector<double> x;
   std::vector<Estimate> ms;
-  Line line;
+  LineFit line;
   std::optional<ExpectedGrowth> expected;
   GrowthVerdict verdict = GrowthVerdict::unknown;
 

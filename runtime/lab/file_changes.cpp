@@ -42,7 +42,7 @@ void ChangedFiles::remember(const Drawing& running, const std::vector<script::De
 }
 
 void ChangedFiles::watchFolders(const Drawing& running) {
-  if (!watch_) watch_ = std::make_unique<Watch>();
+  if (!watch_) watch_ = std::make_unique<FileWatch>();
   watches_all_ = true;
   for (const char* name : {"passes", "shaders", "scripts", "scripts/pipelines", "scripts/scenes"})
     for (const Path& folder : bench_.home().folders(name)) watch_->add(folder), watch_->addBehind(folder);

@@ -68,7 +68,7 @@ class ChangedFiles {
 
   Workbench& bench_;
   std::map<Path, Noted> noted_;
-  std::unique_ptr<Watch> watch_;
+  std::unique_ptr<FileWatch> watch_;
   bool watches_all_ = false;  // true if the folders of all recorded files are watched
   bool looks_again_ = false;  // check files even without a folder event
   std::optional<Pending> pending_;

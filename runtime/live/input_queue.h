@@ -15,7 +15,7 @@
 namespace strobe::live {
 
 struct InputEvent {
-  enum class Kind { KeyBinding, Text, Button };
+  enum class Kind { Key, Text, Button };
   Kind kind = Kind::Key;
   int code = 0;                            // key or button code of GLFW, or a code point
   int scancode = 0, action = 0, mods = 0;  // as in GLFW's callbacks; 0 for text

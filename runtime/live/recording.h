@@ -41,7 +41,7 @@ class Recording {
   Path folder_;
   std::vector<std::unique_ptr<FrozenHome>> versions_;
   int swaps_ = -1;
-  Watch watch_;
+  FileWatch watch_;
   bool changed_ = false;  // a file changed since the last version, whether the picture uses it or not
   Moments moments_;
 };

@@ -34,7 +34,7 @@ bool isSet(const lab::Shot& shot, const std::string& name) {
 
 bool isOfMethod(const plan::ParamDesc& param) {
   using plan::Role;
-  return param.role != ArmRole::Shading && param.role != ArmRole::SampleTimes && param.role != ArmRole::Regions;
+  return param.role != Role::Shading && param.role != Role::SampleTimes && param.role != Role::Regions;
 }
 
 // True if one of the nodes uses the parameter.

@@ -20,7 +20,7 @@ namespace {
 constexpr double kReportEvery_s = 10;
 constexpr size_t kMostPoints = 6;  // per shot in one report
 
-struct FrontPoint {
+struct ReportedPoint {
   std::string what;
   double x, y;
 };
@@ -28,11 +28,11 @@ struct FrontPoint {
 double cost(const Measure& measure, double value) { return measure.better == Better::higher ? -value : value; }
 
 // Pareto front of a shot, or the points with the best `y` if no point has an `x`.
-std::vector<FrontPoint> bestOf(const std::vector<FrontPoint>& seen, const Measure& x, const Measure& y) {
-  std::vector<FrontPoint> best;
+std::vector<ReportedPoint> bestOf(const std::vector<ReportedPoint>& seen, const Measure& x, const Measure& y) {
+  std::vector<ReportedPoint> best;
   std::vector<std::pair<double, double>> costs;
-  bool has_x = std::any_of(seen.begin(), seen.end(), [](const FrontPoint& one) { return std::isfinite(one.x); });
-  for (const FrontPoint& one : seen) costs.emplace_back(has_x ? cost(x, one.x) : 0, cost(y, one.y));
+  bool has_x = std::any_of(seen.begin(), seen.end(), [](const ReportedPoint& one) { return std::isfinite(one.x); });
+  for (const ReportedPoint& one : seen) costs.emplace_back(has_x ? cost(x, one.x) : 0, cost(y, one.y));
   for (size_t i : paretoFront(costs)) best.push_back(seen[i]);
   return best;
 }
@@ -44,7 +44,7 @@ std::string frontSoFar(const Results& results) {
   const Measure &x = measureNamed(layout.x), &y = measureNamed(layout.y);
   std::string text;
   for (const ShotSummary& shot : results.shots) {
-    std::vector<FrontPoint> seen;
+    std::vector<ReportedPoint> seen;
     for (const PointGroup* group : groupsOf(results, shot))
       for (const Point& point : group->points) {
         double value = point.value(layout.y, layout.region);
@@ -52,7 +52,7 @@ std::string frontSoFar(const Results& results) {
         std::string at = describe(*group);
         seen.push_back({point.arm + (at.empty() ? "" : ", " + at), point.value(layout.x, layout.region), value});
       }
-    std::vector<FrontPoint> best = bestOf(seen, x, y);
+    std::vector<ReportedPoint> best = bestOf(seen, x, y);
     if (best.empty()) continue;
     text += fmt::format("best so far, {} ({}, {}):", shot.title, y.title, layout.region);
     for (size_t i = 0; i < std::min(best.size(), kMostPoints); ++i)
