@@ -37,7 +37,7 @@ TableCell outcomeOf(const Fit& fit) {
 }
 
 void addFit(page::Table& table, const Fit& fit, bool names_method) {
-  const Line& line = fit.line;
+  const LineFit& line = fit.line;
   std::string per = fit.isLogarithmic() ? " per doubling" : "", at = fit.isLogarithmic() ? " at 1" : "";
   table.add({names_method ? fit.method : "", fit.part, TableCell(line.slope.value, shownAny(line.slope.value) + per),
              shownRange(line.slope, shownAny), TableCell(line.intercept, shownAny(line.intercept) + at),
