@@ -29,8 +29,12 @@ PortDesc readRead(const Json& json) {
   port.buffer = reader.boolean("buffer", false);
   port.pointwise = reader.boolean("pointwise", false);
   port.needs = reader.texts("needs");
-  if (reader.has("absent") && reader.at("absent").is_string()) port.absent_read = reader.text("absent");
-  else if (reader.has("absent")) port.absent = reader.at("absent").get<std::vector<double>>();
+  const Json* absent = reader.find("absent");
+  if (absent && absent->is_string()) port.absent_read = reader.text("absent");
+  for (const Json& number : port.absent_read.empty() ? reader.list("absent") : Json::array()) {
+    if (!number.is_number()) reader.fail("'absent' has an entry that is not a number");
+    port.absent.push_back(number.get<double>());
+  }
   reader.finish();
   return port;
 }

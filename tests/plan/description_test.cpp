@@ -195,7 +195,7 @@ TEST(Description, ReferencesAndRangesAreChecked) {
       {"/passes/1/size",
        {{"kind", "fixed"}, {"width", 0}, {"height", 1}},
        "b.lua:1: size of pass 'blur': 'width' = 0 is below min 1"},
-      {"/passes/0/writes", Json::array(), "s.lua:1: pass 'source': it writes nothing"},
+      {"/passes/0/writes", Json::array(), "s.lua:4: pass 'source' if_no: 'writes' has unknown writes"},
       {"/loops/0/count", {{"value", 0}}, "count of loop 'l' must be an integer from 1 to 1048576"},
       {"/loops/0/until", "source.color", "p.lua:7: loop 'l' stops on 'source.color', which is not in the loop"},
       {"/outputs/raw", "source.raw", "p.lua: output 'raw' reads 'source.raw', but pass 'source' does not write 'raw'"},

@@ -588,6 +588,8 @@ TEST(Refusals, TwoWriters) {
   Builder c = chain();
   c.pipeline.passes[0].updates.push_back(c.pipeline.passes[0].writes[0]);
   EXPECT_EQ(refusalOf(c.pipeline.passes[0]), "passes/first.lua:1: pass 'first': two writes are named 'x'");
+  c.pipeline.passes[0].writes = c.pipeline.passes[0].updates = {};
+  EXPECT_EQ(refusalOf(c.pipeline.passes[0]), "passes/first.lua:1: pass 'first': it writes nothing");
 }
 
 TEST(Refusals, FilteredReads) {
