@@ -47,6 +47,8 @@ struct Rounds {
   double within = 0;
 };
 
+// Cache and renderer for many shots in one process: evaluates pipelines, draws and times pictures, and reuses plans,
+// scenes, GPU pipelines and images. Equal pictures are drawn once.
 class Batch {
  public:
   // Outputs ("color") and taps ("node.port") to read back; empty: all.

@@ -14,6 +14,8 @@ image::Image colorOf(const Picture& picture);
 // Channel names of an output: R G B A; X Y; Z for depth; id, geometry, primitive, unused for ids.
 std::vector<std::string> componentNames(const std::string& output, int channels);
 
+// Options of an OpenEXR file: float precision, one or several parts, Cryptomatte layers, and the outputs to store
+// beside the colour.
 struct ExrOptions {
   bool half = false;                // 16-bit floats; ids and mattes stay 32-bit
   bool multipart = false;           // one part per output and tap, with its own name and size

@@ -7,6 +7,8 @@
 
 namespace strobe::lab {
 
+// Value of a shot that a panel can edit: its declaration, present value, group, origin and place of declaration, and
+// the reason if the value has no effect.
 struct Control {
   plan::ParamDesc declaration;  // `name` for `Session::set`: "exposure", "samples", "edge.depth_threshold"
   plan::Value value;

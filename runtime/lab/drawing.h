@@ -26,6 +26,8 @@ Planned plannedOf(const Workbench& bench, const Shot& shot, HeldScene& scene, co
 // Plan for any scene and all outputs: all facts hold.
 Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline);
 
+// Compiled frame graph of a shot with its scene on the device, ready to draw frames. Changes of parameters alone reuse
+// the graph.
 class Drawing {
  public:
   // Makes images and finds pipelines. Throws `Error` on failure. The bench must outlive the drawing.

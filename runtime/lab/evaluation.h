@@ -10,6 +10,8 @@
 
 namespace strobe::lab {
 
+// Result of a pipeline's Lua scripts with given settings: the description of the pipeline, and the files and script
+// texts behind it.
 struct Evaluation {
   plan::PipelineDesc pipeline;
   std::vector<script::Dependency> scripts;  // files and folders that the evaluation read

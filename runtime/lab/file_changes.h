@@ -23,6 +23,8 @@ struct FileChanges {
   bool mayBeUnfinished() const;
 };
 
+// Watch on the scripts, shaders and scene files of a running session. Evaluates edited scripts, in the background if
+// requested, and delays a failure briefly in case a file is only partly saved.
 class ChangedFiles {
  public:
   explicit ChangedFiles(Workbench& bench) : bench_(bench) {}

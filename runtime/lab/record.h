@@ -6,6 +6,8 @@
 
 namespace strobe::lab {
 
+// Inputs of a picture's run record: home folder, shot, drawing and device. Holds references, which must outlive the
+// context.
 struct RecordContext {
   const Home& home;
   const Shot& shot;

@@ -12,6 +12,7 @@
 
 namespace strobe::lab {
 
+// One Markdown page of the generated reference: its relative path and its text.
 struct ReferencePage {
   std::string path;  // relative to the folder of the pages: "passes/tile/largest.md"
   std::string text;

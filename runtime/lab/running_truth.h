@@ -16,6 +16,8 @@ namespace strobe::lab {
 
 class Session;
 
+// Progressive ground truth of one shot: the running mean of the samples so far, with its standard error. Restarts for
+// another shot.
 class RunningTruth {
  public:
   struct Steps {

@@ -34,6 +34,8 @@ struct Reload {
 // Terminal text: version taken or refused, problems, kept and reset values, one line each.
 std::string textOf(const Reload& reload);
 
+// Interactive rendering of one shot, with values that can be changed and files that are reloaded between frames. An
+// invalid change leaves the last valid version running.
 class Session {
  public:
   // Loads, plans and compiles. Throws `Error` on failure. `origin`: source of the values in the shot. The bench must

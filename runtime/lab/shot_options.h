@@ -33,6 +33,8 @@ struct ShotField {
   bool isOpen(const Shot& shot) const;
 };
 
+// Option of a shot, one row of the option table: name, description, values, uses, and the part of the renderer that a
+// change invalidates.
 struct ShotOption {
   std::string name;  // with "_"; "-" on the command line
   std::string doc;

@@ -12,6 +12,7 @@
 
 namespace strobe::lab {
 
+// Network address of the image viewer tev: host name and TCP port, localhost:14158 by default.
 struct TevAddress {
   std::string host = "localhost";
   int port = 14158;

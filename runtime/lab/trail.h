@@ -33,6 +33,8 @@ struct TrailHit {
   vec3 color = vec3(0);     // linear radiance towards the camera
 };
 
+// Debug trace of one pixel: the texel of every image in the frame graph that covers the pixel, and every surface along
+// the camera ray.
 struct Trail {
   std::string pipeline;
   int x = 0, y = 0, width = 0, height = 0;  // pixel, and size of the frame, px

@@ -71,6 +71,8 @@ struct Picture {
   std::shared_ptr<const image::IdCoverage> id_coverage;  // coverage of the output "id", if requested
 };
 
+// GPU device with the caches that rendering commands share: loaded scenes, compiled pipelines and script evaluations.
+// Cached parts are reused while their files are unchanged.
 class Workbench {
  public:
   // Throws `Error` without a sufficient device.

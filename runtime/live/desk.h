@@ -13,6 +13,8 @@
 
 namespace strobe::live {
 
+// Start values of the interactive window: the shot (A), the pipeline to compare it with (B), the ground truth, the
+// folder of saved pictures and the GPU time budget in milliseconds.
 struct DeskOptions {
   lab::Shot shot;
   std::string versus;            // pipeline of B; "" for no B
@@ -22,6 +24,8 @@ struct DeskOptions {
   double budget_ms = 0;          // GPU time of a frame of A, ms; 0 for no budget
 };
 
+// State of the interactive window, without its user interface: the compared pipelines A and B, their ground truth, the
+// playback and the displayed picture.
 class Desk {
  public:
   // Throws `Error` if A or B cannot run. `bench` must outlive the desk.

@@ -19,6 +19,7 @@ struct CommandForm {
 };
 const std::vector<CommandForm>& commandForms();
 
+// One parsed line of a drive file, the script that controls the window: name, arguments and place in the file.
 struct Command {
   std::string name;
   std::vector<std::string> arguments;

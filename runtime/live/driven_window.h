@@ -23,6 +23,8 @@ struct DrivenParts {
   std::function<void(const Path& script)> stop_recording;
 };
 
+// Runs a drive file, the script that controls the window, for tests and screenshots. A command may wait for a condition
+// over several frames.
 class DrivenWindow {
  public:
   // Throws `Error` with all mistakes of the file.

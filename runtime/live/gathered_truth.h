@@ -8,6 +8,8 @@
 
 namespace strobe::live {
 
+// Ground truth of the window's shot, sampled in short steps while the window is idle. Restarts for another shot and
+// measures the RMSE of a picture.
 class GatheredTruth {
  public:
   // `pipeline`: pipeline of the ground truth; "" for the pipeline that declares kind = "truth". `bench` must outlive

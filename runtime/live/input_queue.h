@@ -14,6 +14,8 @@
 
 namespace strobe::live {
 
+// One key, character or mouse button event of the window, with the codes of GLFW and the pointer position in pixels of
+// the window.
 struct InputEvent {
   enum class Kind { Key, Text, Button };
   Kind kind = Kind::Key;
@@ -22,6 +24,8 @@ struct InputEvent {
   dvec2 at = dvec2(0);                     // pointer at a button event, pixels of the window
 };
 
+// Ordered queue of keys, characters and mouse buttons, delivered in one batch per window frame. Delays keys while the
+// keyboard focus moves to or from a text box.
 class InputQueue {
  public:
   void add(const InputEvent& event) { events_.push_back(event); }

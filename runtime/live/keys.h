@@ -7,6 +7,8 @@
 
 namespace strobe::live {
 
+// Action of the window that a single key triggers, for example stepping a frame, switching the comparison or saving the
+// picture.
 enum class Action {
   None,
   TogglePlay,
@@ -38,6 +40,7 @@ enum class Action {
   Quit,
 };
 
+// Key of the window with its action: name in the help, key code, action and description.
 struct KeyBinding {
   const char* shown;  // name in the help
   int code;           // typed character in lower case, or GLFW's key code (256 or more)

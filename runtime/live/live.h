@@ -10,6 +10,8 @@
 
 namespace strobe::live {
 
+// Options of `strobe live`: start values of the work in the window, window size in pixels, drive file, tev viewer, time
+// limit in seconds and validation layer.
 struct LiveOptions {
   DeskOptions desk;
   int width = 1400, height = 900;      // size of the window, pixels

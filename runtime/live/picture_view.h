@@ -8,6 +8,8 @@
 
 namespace strobe::live {
 
+// Picture in the middle of the window with its legends and pixel values, and the mouse and key handling over it:
+// camera, wipe, magnification and pinning.
 class PictureView {
  public:
   // Uploads changed legends for `draw`.

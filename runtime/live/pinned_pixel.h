@@ -13,6 +13,8 @@ struct TrailLine {
   std::string doc;  // tooltip: format, size, texel
 };
 
+// Pixel pinned by the user, with the texel of each pass and the surfaces along its camera ray. Updated after each
+// change of the shot.
 class PinnedPixel {
  public:
   // `bench` must outlive this object.

@@ -12,6 +12,8 @@
 
 namespace strobe::live {
 
+// Recorder of the states drawn in the window and of the edited versions of their files. Writes them as a capture script
+// that reproduces the pictures.
 class Recording {
  public:
   // Copies scripts and shaders, and every edited version, into `folder`. The destructor deletes the copies. `home` must

@@ -10,6 +10,8 @@
 
 namespace strobe::live {
 
+// Comparison mode of the displayed picture: a single side, A and B divided by a wipe line, A and B in alternation,
+// their difference, or the error against ground truth.
 enum class Mode { Single, Wipe, Flicker, Difference, Error };
 const std::vector<std::string>& modeNames();  // in the order of `Mode`
 Mode modeNamed(const std::string& name);      // throws `Error` with the nearest name

@@ -32,6 +32,8 @@ struct Side {
   std::optional<double> depthAt(int x, int y) const;
 };
 
+// The two compared renderings of the window: A, and optionally B with another pipeline. Both share the camera, the
+// scene and the frame number.
 class Sides {
  public:
   // Opens A. `versus_sets`: pipeline values of B, used when B is opened. Throws `Error` if A cannot run. `bench` must

@@ -8,6 +8,7 @@
 
 namespace strobe::live {
 
+// Fonts of the user interface: text, small, bold and monospaced. ImGui owns the fonts.
 struct Fonts {
   ImFont* text = nullptr;
   ImFont* small = nullptr;

@@ -34,6 +34,8 @@ class PanelTexture {
   gpu::DescriptorSet set_;
 };
 
+// Vulkan swapchain of the window with the pipeline that draws ImGui's triangle lists. Uploads the textures of the
+// panels, and can return the window's pixels for a screenshot.
 class Surface {
  public:
   // Takes ownership of `surface`. Needs a current ImGui context with fonts. Throws `Error`.

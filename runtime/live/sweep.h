@@ -10,6 +10,8 @@
 
 namespace strobe::live {
 
+// Result of one point of a parameter sweep: the shot, its picture and thumbnail, GPU times in milliseconds, RMSE
+// against ground truth, and the crop with the largest error.
 struct SweepPoint {
   std::vector<size_t> at;       // index of the value on each axis
   lab::Shot shot;               // shot with these values
@@ -25,6 +27,8 @@ struct SweepPoint {
   std::optional<double> median() const;  // of `ms`
 };
 
+// Parameter sweep of a shot over the values of one or two controls. Draws, measures and times the pictures in short
+// slices between window frames.
 class Sweep {
  public:
   static constexpr int kRounds = 3;       // timed frames of each point

@@ -18,6 +18,8 @@ struct SweepRange {
   bool logarithmic = false;
 };
 
+// Axis of a parameter sweep: the declaration of a control and the values to draw on a linear or logarithmic scale,
+// without duplicates.
 struct SweepAxis {
   plan::ParamDesc declaration;
   bool logarithmic = false;

@@ -6,6 +6,7 @@
 
 namespace strobe::live {
 
+// Content of a parameter sweep's experiment file: the shot, the swept values and the ground truth.
 struct SavedSweep {
   lab::Shot shot;       // shot at any of the swept values
   lab::Shot suggested;  // options that the scene suggests; equal options are omitted

@@ -10,6 +10,8 @@
 
 namespace strobe::live {
 
+// Panel of a parameter sweep below the picture. Shows thumbnails above a chart of error and time for one control, or a
+// grid of thumbnails for two controls.
 class SweepPanel {
  public:
   // Uploads new thumbnails. Call before a frame of the panels begins.

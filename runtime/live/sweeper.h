@@ -17,6 +17,8 @@ struct SweepForm {
   std::vector<std::string> listed;  // values in place of the range, if not empty
 };
 
+// Controller of the window's parameter sweep: starts, restarts, closes and saves it, and applies the values of a chosen
+// point.
 class Sweeper {
  public:
   // Opens a sweep of a control of A (or B), with the values that the control's declaration suggests or with `listed`.

@@ -10,6 +10,8 @@
 
 namespace strobe::live {
 
+// GPU times of the most recent frames, milliseconds, per pass and in total. Frames that created GPU pipelines count as
+// not measured.
 class TimeHistory {
  public:
   static constexpr size_t kFrames = 120;

@@ -8,6 +8,8 @@
 
 namespace strobe::live {
 
+// Kind of input widget for a control, such as checkbox, slider or drop-down list, with its limits, scale and number
+// format.
 struct Widget {
   enum class Kind { Checkbox, IntSlider, IntDrag, FloatSlider, FloatDrag, Combo, Text };
   Kind kind = Kind::Text;

@@ -12,6 +12,7 @@ struct GLFWwindow;
 
 namespace strobe::live {
 
+// Desktop window through GLFW, with its Vulkan surface, event queue, size in pixels, title and clipboard.
 class Window {
  public:
   // Throws `Error` without a display.

@@ -51,6 +51,8 @@ class Children {
   std::vector<std::unique_ptr<Child>> children_;
 };
 
+// Functions of a script process for its requests: answer one request, test if several requests can share loaded data,
+// and load that data.
 struct Answering {
   std::function<void(const Json&)> evaluate;  // answers a request on stdout and ends the process
   // True if a request of this kind has data that can be loaded once for several requests.

@@ -38,6 +38,7 @@ std::string hashOfPath(const Path& path);
 // Texts evaluated in place of the contents of files, by absolute path.
 using Texts = std::map<std::string, std::string>;
 
+// Resource limits of one script evaluation: processor time and wall clock time in seconds, Lua heap in MiB.
 struct Limits {
   double cpu_s = 5;     // processor time
   double wall_s = 10;   // wall clock time until the child is killed
@@ -52,6 +53,7 @@ struct Described {
   std::string params_hash;
 };
 
+// Request to evaluate a pipeline's Lua file: its name or path, the settings, and texts to use in place of files.
 struct PipelineRequest {
   std::string name_or_path;  // "x" for scripts/pipelines/x.lua, or a path that ends in ".lua"
   // "PARAM" of the pipeline (a preset may be a file "x.lua") or "NODE.PARAM". `evaluateScene` reads "scene.PARAM".

@@ -26,6 +26,8 @@ struct Problem {
   std::string message;
 };
 
+// Lua state for scripts of the user, with whitelisted functions and a memory limit. Records the files that a script
+// reads and the mistakes with their places.
 class Sandbox {
  public:
   // Files of a run.
