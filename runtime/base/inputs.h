@@ -8,6 +8,7 @@
 
 namespace strobe {
 
+// Syntax of the comments and strings of a source text: Lua (scripts) or GLSL (shaders).
 enum class Language { lua, glsl };
 
 // Text with a blank for every comment and, in Lua, for every text for people: a field `doc` or `fails`, and quoted

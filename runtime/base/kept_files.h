@@ -12,6 +12,8 @@
 
 namespace strobe {
 
+// Folder of cached files, found by key, with a limit on their total size (default 256 MiB) beyond which the oldest are
+// removed.
 class KeptFiles {
  public:
   static constexpr size_t kMost = size_t(256) << 20;

@@ -8,6 +8,8 @@
 
 namespace strobe {
 
+// Documented limit: its name, the condition that meets it, the consequence and remedy, and the response (none, a
+// warning or an error).
 struct Limit {
   // Known: never reported, because nearly every picture meets the limit or because it cannot be detected. Warned: the
   // picture is made, with a warning. Refused: an error before anything is drawn.

@@ -11,6 +11,7 @@
 
 namespace strobe {
 
+// Child process to run: arguments, environment, input, and limits on time, memory and output.
 struct Program {
   // The first argument is the program: a path, or a name in PATH.
   std::vector<std::string> arguments;
@@ -39,6 +40,7 @@ struct Program {
   std::function<void()> meanwhile;
 };
 
+// Result of a finished child process: its output, exit status or signal, exceeded limits, and duration in seconds.
 struct ProgramEnd {
   std::string output, errors;
   int exit_status = 0;  // if it ended without a signal

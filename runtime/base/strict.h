@@ -29,6 +29,7 @@ class Problems {
   std::vector<std::string> lines_;
 };
 
+// Reader of a JSON object that checks the type and range of each value and reports keys that were not read.
 class Fields {
  public:
   // `what` names the table in mistakes ("lathe", "node 'vase'"). The place is the table's own "place", or `outer`

@@ -8,6 +8,7 @@
 
 namespace strobe {
 
+// Slope with its confidence interval, intercept and coefficient of determination of a least-squares line y(x).
 struct LineFit {
   Estimate slope;  // t interval with n - 2 degrees of freedom; the interval is NaN for fewer than three points
   double intercept = std::numeric_limits<double>::quiet_NaN();

@@ -10,6 +10,8 @@
 
 namespace strobe {
 
+// Piecewise linear weight of the light over an exposure, with its cumulative weight and the inverse for importance
+// sampling. Times and cumulative weights are in [0, 1].
 class ShutterCurve {
  public:
   // Knot of the curve, measured from one end of the exposure, with the weight up to the next knot.

@@ -59,6 +59,7 @@ struct Use {
   uint32_t access = 0;
 };
 
+// Kind of conflict between two accesses to the same memory, named with the later access first; a barrier orders both.
 enum class Hazard { ReadAfterWrite, WriteAfterRead, WriteAfterWrite };
 
 // All earlier work at `src_stages` is finished, and its `src_access` is visible to `dst_access` at `dst_stages` of all

@@ -138,6 +138,8 @@ struct SizeDesc {
 
 inline const std::vector<std::string> kSizeKinds = {"frame", "port", "fixed"};
 
+// Declaration of a 32-bit counter that a pass increments per event, such as an overflowed list, with the event's effect
+// on the picture.
 struct CounterDesc {
   std::string name;
   std::string doc;
@@ -159,6 +161,8 @@ struct WithoutDesc {
   bool operator==(const WithoutDesc&) const = default;
 };
 
+// Declaration of a GPU pass: raster, compute or ray tracing shader, images that it reads and writes, their size,
+// parameters and counters.
 struct PassDesc {
   enum class Kind { Raster, Compute, Trace };
   std::string name;
@@ -267,6 +271,7 @@ struct RegionDesc {
   bool operator==(const RegionDesc&) const = default;
 };
 
+// Render graph as declared in Lua, before compilation: parameters, presets, passes, nodes, loops and outputs.
 struct PipelineDesc {
   // Role among the pipelines. Method: one of many methods. Sharp: the raster image without blur. Truth: ground truth,
   // with an output "error", the standard error of the colour per pixel. List: texels are not pixels of the frame.

@@ -7,6 +7,8 @@
 
 namespace strobe::plan {
 
+// Named property of a frame, such as "something moves" or "a light casts shadows". Without it, some passes need not
+// run.
 struct Fact {
   std::string name;
   std::string absent;  // text for users if the fact does not hold

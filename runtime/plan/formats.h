@@ -9,6 +9,7 @@
 
 namespace strobe::plan {
 
+// Texel format of an image: its name, number of channels, bytes per texel, and whether texels are unsigned integers.
 struct Format {
   std::string name;  // "rgba16f"
   int channels = 0;

@@ -74,6 +74,8 @@ struct PlanNode {
   bool counters = false;  // the node has a buffer of 32-bit event counts, in the order of the declaration
 };
 
+// Loop of a compiled pipeline: number of iterations, their sample times in the exposure, and the image that stops the
+// loop early.
 struct PlanLoop {
   int loop = 0;  // index into `pipeline.loops`
   int count = 0;
@@ -106,12 +108,15 @@ struct Step {
   std::vector<Barrier> barriers_next;  // in a loop: recorded before the command in later iterations
 };
 
+// Node that does not run in this frame, with the reason.
 struct CulledNode {
   std::string name;
   std::string reason;
   bool by_facts = false;  // the node would run if all facts held
 };
 
+// Compiled render graph for one frame size: nodes and commands in execution order, images, shared memory slots,
+// barriers and outputs.
 struct Plan {
   PipelineDesc pipeline;  // description of the pipeline, with the overridden `values`
   int width = 0, height = 0;
@@ -129,6 +134,8 @@ struct Plan {
   const PassDesc& passOf(const PlanNode& node) const { return pipeline.passes[size_t(node.pass)]; }
 };
 
+// Options of the compilation of a pipeline: frame size in pixels, requested outputs, intermediate images to keep, and
+// absent features of the frame.
 struct CompileOptions {
   int width = 0, height = 0;      // frame size, pixels
   std::vector<std::string> taps;  // "node.port" of images that are also kept and read back

@@ -9,6 +9,7 @@
 
 namespace strobe::plan {
 
+// Width and height in texels of all images that a node writes, and the number of frame pixels per texel along an axis.
 struct NodeSize {
   int width = 0, height = 0;
   int divide = 1;  // as VirtualImage::divide

@@ -15,6 +15,8 @@ struct PortSource {
   int port = -1;
 };
 
+// Node of a render graph with its pass and loop as indices, the source of each image that it reads, and its parameter
+// values.
 struct WiredNode {
   int pass = -1;
   int loop = -1;
@@ -23,11 +25,13 @@ struct WiredNode {
   bool blank = false;  // the node does not run, and its ports read as zero
 };
 
+// Loop of a render graph with its resolved iteration count and sample times, and the source of its stop condition.
 struct WiredLoop {
   PlanLoop loop;  // without `until`
   PortSource until;
 };
 
+// Render graph with all names resolved to indices: parameter values, nodes, loops, and the sources of outputs and taps.
 struct Wiring {
   std::vector<std::pair<std::string, Value>> values;  // of the pipeline's parameters
   std::vector<WiredNode> nodes;                       // as in the description

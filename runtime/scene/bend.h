@@ -18,6 +18,7 @@ size_t vertexCount(const Scene& scene, const Instance& instance);
 // World-from-mesh of each joint of the skin of the instance's node. `worlds`: world-from-node of every node.
 std::vector<dmat4> jointsOf(const Scene& scene, const Instance& instance, const std::vector<dmat4>& worlds);
 
+// Position, normal and tangent of a vertex after skinning and morphing, in double precision.
 struct BentVertex {
   dvec3 position;
   dvec3 normal;              // unit; 0: use the triangle's normal

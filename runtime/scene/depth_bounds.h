@@ -12,6 +12,7 @@
 
 namespace strobe::scene {
 
+// Interval of view depths with full motion blur, and the width of the soft transition beyond both ends, in metres.
 struct DepthBounds {
   double near_m = 0, far_m = 0;  // view depths between which all motion is kept, 0 <= near_m <= far_m
   double soft_m = 0;             // width of the soft ends beyond these depths; the share falls there from 1 to 0

@@ -7,6 +7,7 @@
 
 namespace strobe::scene {
 
+// Checked reader of a table in a scene description that also reads 2D and 3D vectors and RGBA colours.
 class SceneFields : public strobe::Fields {
  public:
   // Constructors in Lua add these keys to their tables.

@@ -20,6 +20,8 @@ struct FrameView {
   std::vector<double> cuts = {};  // times, s, of jumps of all objects, besides the scene's cuts
 };
 
+// Poses of a scene at any time of one frame, with jumps held at the raster time and the motion of camera and objects
+// scaled by their shares.
 class FramePoser {
  public:
   // `scene` must outlive the poser. Throws as `Poser` does.

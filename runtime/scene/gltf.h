@@ -7,6 +7,8 @@
 
 namespace strobe::scene {
 
+// Options of loading a glTF scene: access to files outside of its folder, the material variant, and the image memory
+// limit in bytes.
 struct GltfOptions {
   bool allow_outside = false;
   std::string variant = "";          // variant of KHR_materials_variants; "": the materials that primitives name

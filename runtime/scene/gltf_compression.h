@@ -29,6 +29,7 @@ struct DracoNumbers {
   int width = 0;           // number of components
 };
 
+// Draco-compressed triangle mesh: its bytes, the stated numbers of vertices and indices, and the attributes to decode.
 struct DracoStream {
   std::span<const uint8_t> bytes;
   size_t vertices = 0, indices = 0;           // as stated by the accessors
@@ -36,6 +37,8 @@ struct DracoStream {
   std::map<std::string, DracoNumbers> asked;  // requested attributes, by name
 };
 
+// Decoded indices and vertex attributes of a Draco-compressed mesh, as raw bytes in the formats of their glTF
+// accessors.
 struct DracoMesh {
   std::vector<uint8_t> indices;
   std::map<std::string, std::vector<uint8_t>> attributes;  // tightly packed

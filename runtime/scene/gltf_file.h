@@ -33,6 +33,8 @@ struct AccessorFormat {
   size_t elementSize() const;  // bytes
 };
 
+// Reader of a .glb or .gltf file with checked access to its buffers, accessors and encoded images. Compressed buffers
+// are decoded.
 class GltfFile : public GltfJson {
  public:
   // Reads a .glb or .gltf with all its buffers, and decodes compressed buffers. Throws `Error` for a file that is

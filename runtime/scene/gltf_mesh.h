@@ -6,6 +6,7 @@
 
 namespace strobe::scene {
 
+// Selection of the materials of glTF primitives: the material variant, and the default material.
 struct MaterialChoice {
   int otherwise = 0;  // for primitives without a material
   int variant = -1;   // index in KHR_materials_variants; -1: no variant

@@ -8,11 +8,13 @@
 
 namespace strobe::scene {
 
+// Decoded PNG or JPEG image: width and height in texels, and RGBA values with 8 bits per channel.
 struct DecodedImage {
   int width = 0, height = 0;
   std::vector<uint8_t> rgba;  // 8 bits per channel, top row first
 };
 
+// Width and height of an encoded image, in texels.
 struct ImageSize {
   int width = 0, height = 0;
 };

@@ -17,6 +17,8 @@ constexpr size_t kPathTimes = 2 * (kMostKeys - 1) + 1;
 // True if the transform is not of the form translation * rotation * scale.
 bool isSheared(const dmat4& transform);
 
+// Transforms at evenly spaced key times of an exposure, and the largest deviation of their interpolation from the true
+// path.
 struct Keys {
   std::vector<dmat4> transforms;  // at even times from the first to the last of the path; one: constant
   double deviation = 0;           // largest deviation between keys

@@ -13,6 +13,7 @@
 
 namespace strobe::scene {
 
+// Result of an export to Mitsuba 3: the written files, and descriptions of the contents that were left out.
 struct MitsubaExport {
   std::vector<Path> files;            // scene.xml last
   std::vector<std::string> left_out;  // parts of the shot that the file cannot express, with their names

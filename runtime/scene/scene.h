@@ -16,6 +16,7 @@
 
 namespace strobe::scene {
 
+// Vertex of a triangle mesh at rest: position, unit normal, two sets of texture coordinates and linear colour.
 struct Vertex {
   vec3 position;
   vec3 normal;  // unit
@@ -69,6 +70,7 @@ struct Mesh {
   dvec3 origin = dvec3(0);
 };
 
+// Image with its mip levels, wrap modes and filters, for the materials of a scene.
 struct Texture {
   enum class Format { Rgba8Srgb, Rgba8Unorm, Rgba32f };
   enum class Wrap { Repeat, Mirror, Clamp };
@@ -111,6 +113,8 @@ struct Material {
   bool double_sided = true;  // false: not visible from behind
 };
 
+// Directional, point or spot light: linear colour, intensity in candela or lux, range in metres and cone angles in
+// radians.
 struct Light {
   enum class Type { Directional, Point, Spot };
   std::string name;
@@ -125,6 +129,8 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
+// Lens of a perspective or orthographic camera: field of view in radians or height in metres, and near plane. A node
+// places the camera.
 struct Camera {
   std::string name;
   bool orthographic = false;
@@ -161,6 +167,8 @@ struct WeightTrack {
   Track keys;  // without a node; x is the weight
 };
 
+// Animation clip: keyed transforms of nodes, keyed properties of cameras and lights, and keyed morph weights. The clip
+// repeats after its duration in seconds.
 struct Animation {
   std::string name;
   std::vector<Track> tracks;
@@ -192,6 +200,7 @@ struct Skin {
   std::vector<dmat4> inverse_binds;  // by joint
 };
 
+// Node of the scene hierarchy: transform relative to its parent, and the mesh, camera or light that it places.
 struct Node {
   std::string name;
   int parent = -1;
@@ -225,6 +234,8 @@ struct SourceFile {
   std::string hash;
 };
 
+// Complete scene: node hierarchy, meshes, materials, textures, cameras, lights, animations and environment. Objects
+// refer to each other by index.
 struct Scene {
   std::string name;
   std::vector<Node> nodes;  // in any order of parents and children

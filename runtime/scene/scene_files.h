@@ -13,6 +13,8 @@ struct FilePlaces {
   bool allow_outside = false;
 };
 
+// Finder and loader of the images and models named in a scene description, with a list of all files read. Files outside
+// of the permitted folder are rejected.
 class SceneFiles {
  public:
   explicit SceneFiles(const FilePlaces& places) : places_(places) {}

@@ -26,6 +26,8 @@ struct ScreenPath {
   bool may_be_occluded = true;  // another object may be in front, or a part of the instance with other motion
 };
 
+// Bounds of the screen-space motion in one frame: a pixel rectangle around all moving objects, and properties of the
+// path of each instance.
 struct ScreenMotion {
   // Moving rectangle: the pixels that a moving object may cover at any time of [open_s, close_s]. The rectangle
   // includes the motion extrapolated from the previous frame, and lines and curves through a few poses of the object.

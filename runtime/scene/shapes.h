@@ -9,6 +9,7 @@
 
 namespace strobe::scene {
 
+// Indexed triangle mesh in double precision; each point has a position, a normal and texture coordinates.
 struct Shape {
   struct Point {
     dvec3 position;

@@ -9,6 +9,7 @@
 
 namespace strobe::scene {
 
+// Writer of an indented XML document; elements are appended in order, and open elements are nested.
 class Xml {
  public:
   using Attributes = std::vector<std::pair<std::string, std::string>>;
