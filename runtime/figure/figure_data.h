@@ -29,20 +29,25 @@ struct Area {
   std::string region;
 };
 
+// Properties common to all marks over a picture: place in the file, colour, line width in pixels of the figure, text.
 struct FigureMark {
   Place place;
   Colour colour = {1.0f, 0.824f, 0.118f};
   double width = 3;  // of lines, pixels of the figure
   std::string text;
 };
+// Arrow over a picture, with its tip at `to`. The other end is a pixel, an offset from the tip, or at the upper left
+// by default.
 struct Arrow : FigureMark {
   Spot to;
   std::optional<dvec2> from, by;  // position of the other end; offset of the other end from the tip
 };
+// Circle over a picture: centre, and radius in pixels of the capture.
 struct Circle : FigureMark {
   Spot at;
   double radius = 0;
 };
+// Outline of a rectangle over a picture.
 struct BoxMark : FigureMark {
   Area area;
 };
@@ -54,10 +59,12 @@ struct RangeMark : FigureMark {
   int samples = 0;
   bool displacement = false;
 };
+// Text over a picture, centred at a pixel.
 struct Words : FigureMark {
   dvec2 at = dvec2(0);
 };
 
+// All marks over one picture or inset, by kind: arrows, boxes, circles, sample ranges and texts.
 struct Marks {
   std::vector<Arrow> arrows;
   std::vector<BoxMark> boxes;
@@ -66,6 +73,7 @@ struct Marks {
   std::vector<Words> texts;
 };
 
+// Magnified part of a picture, drawn in a corner of the picture or below it, with its own marks.
 struct Inset {
   Place place;
   Area crop;
@@ -83,6 +91,8 @@ struct CaptionPart {
   char style = 0;
 };
 
+// One cell of a figure's grid: the image of a shot and an arm, its view, difference, crop and magnification, with
+// caption, insets and marks.
 struct FigureCell {
   Place place;
   int row = 0, column = 0;  // from 0
@@ -110,6 +120,7 @@ struct RowHeading {
   bool empty() const { return title.empty() && note.empty(); }
 };
 
+// Description of a figure or film: title, labels of rows and columns, cells, and sizes.
 struct FigureData {
   std::string name, title, note;
   Place place;

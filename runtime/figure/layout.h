@@ -15,6 +15,8 @@ using image::textWidth;
 // `one_line` shrinks a long caption, so that all frames of a film have the same height.
 enum class Captions { wrapped, one_line };
 
+// Pixel positions of all parts of a figure: pictures, labels, captions, legends and attributions. Constant after
+// construction.
 class Layout {
  public:
   // `blocks`: blocks of the figure's cells, without mistakes. The layout keeps them.

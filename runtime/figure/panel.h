@@ -7,6 +7,7 @@
 
 namespace strobe::figure {
 
+// Display image of a cell or inset, cropped and magnified, with the shapes of its marks and an optional frame.
 struct Panel {
   image::Image display;
   std::vector<FigureShape> shapes;
@@ -14,6 +15,7 @@ struct Panel {
   std::string at;  // place of an inset: a corner, or "below"
 };
 
+// Content of one cell of a figure: the main picture, its insets, legend, caption and attribution.
 struct Block {
   int row = 0, column = 0;
   Panel main;

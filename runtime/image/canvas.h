@@ -23,6 +23,7 @@ Path fontFile();
 double textWidth(const std::string& text, double size_px);
 double lineHeight(double size_px);
 
+// Drawing surface for images, lines, arrows and text; the output is an image or one page of a PDF file.
 class Canvas {
  public:
   enum class Kind { pixels, page };

@@ -35,6 +35,7 @@ ComparedPicture readMask(const Path& file);
 // with the windows if display windows differ in size, or if a picture has no visible pixel.
 void alignPictures(ComparedPicture& test, ComparedPicture& reference, ComparedPicture& mask);
 
+// Options of an image comparison: HDR-FLIP with its exposures, and the viewing distance in pixels per degree.
 struct CompareOptions {
   bool hdr = true;                     // also compute HDR-FLIP
   std::optional<Exposures> exposures;  // of HDR-FLIP; empty: automatic

@@ -18,8 +18,10 @@
 
 namespace strobe::image {
 
+// Pixel type of an OpenEXR channel.
 enum class ExrKind { real, half, uint };  // stored as 32-bit float, 16-bit float, 32-bit unsigned integer
 
+// One channel of an OpenEXR part: full name, pixel type and the values of all pixels.
 struct ExrChannel {
   std::string name;
   ExrKind kind = ExrKind::real;

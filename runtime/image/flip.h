@@ -40,6 +40,7 @@ const char* exposureSourceName(Exposures::Source source);
 // error for any test image if at least half of the reference is black.
 Exposures automaticExposures(const Image& test, const Image& reference);
 
+// HDR-FLIP error of an image pair: a map from 0 (no difference) to 1, and the exposures that were used.
 struct HdrFlip {
   Image map;  // per pixel, the largest LDR-FLIP of all exposures
   Exposures exposures;

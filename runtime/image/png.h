@@ -26,6 +26,7 @@ Image decodePng(std::string_view bytes, const std::string& name);
 // file if it is missing, cut short or not a PNG.
 Image readPng(const Path& file);
 
+// PNG image decoded to linear colour, with notes on the colour space that the file states.
 struct LinearPng {
   Image linear;                    // RGB, Rec. 709
   std::vector<std::string> notes;  // stated colour that is converted or not used

@@ -22,6 +22,7 @@ struct Interval {
   bool given() const { return low == low && high == high; }
 };
 
+// One point of a chart series: x, y, optional error bar, tooltip and the style of its mark.
 struct ChartPoint {
   double x = 0, y = 0;  // y: NaN leaves a gap
   std::string tip;      // tooltip
@@ -30,6 +31,7 @@ struct ChartPoint {
   Interval y_range;     // error bar; extent of a band; -infinity: lower border of the chart
 };
 
+// Data series of a chart: points drawn as a line, a band or scattered marks, with a style and a label.
 struct Series {
   enum class Kind { line, band, scatter };
   std::string label;  // "": no label
@@ -45,6 +47,7 @@ struct Guide {
   std::string tip;
 };
 
+// Chart as a value: two axes, data series and upright guide lines.
 struct Chart {
   std::string about;  // alternative text
   ChartAxis x, y;

@@ -7,6 +7,7 @@
 
 namespace strobe::page {
 
+// Style sheet, script or other asset of the HTML pages, as bytes in the program.
 struct EmbeddedFile {
   std::string_view name, content;
 };

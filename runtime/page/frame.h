@@ -10,6 +10,7 @@
 
 namespace strobe::page {
 
+// Axis of a chart: title, kind of scale, unit, and the values that its range includes.
 struct ChartAxis {
   std::string title;
   Scale::Kind kind = Scale::Kind::linear;

@@ -6,6 +6,7 @@
 
 namespace strobe::page {
 
+// Source code of the JavaScript chart library D3, with its name and licence; empty if it is not installed.
 struct Library {
   std::string code;     // "": not installed
   std::string name;     // from the first line: "d3 v5.16.0 Copyright 2022 Mike Bostock"

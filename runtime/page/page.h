@@ -15,12 +15,14 @@
 
 namespace strobe::page {
 
+// Heading of an HTML page, levels 2 to 4, with an optional link target.
 struct Heading {
   std::string text;
   int level = 2;   // 2 to 4; the page's title is 1
   std::string id;  // target of links (#id); the navigation lists headings of level 2 with an id
 };
 
+// Paragraph of an HTML page: plain text, an aside, or a framed finding or failure.
 struct Paragraph {
   enum class Kind { plain, soft, finding, failure };  // soft: aside; finding, failure: result in a frame
   std::string text;
@@ -35,6 +37,7 @@ struct Figure {
   std::string alt;   // alternative text in documents; on pages, the SVG has its own
 };
 
+// PNG or JPEG picture embedded in an HTML page: size in pixels, caption and alternative text.
 struct PagePicture {
   std::string file;  // bytes of a PNG or JPEG
   int width = 0, height = 0;
@@ -75,15 +78,18 @@ struct Still;    // blocks that an explorer replaces if scripts run
 using Block =
     std::variant<Heading, Paragraph, Table, Figure, Pictures, PictureComparison, Code, Explorer, Details, Still>;
 
+// Collapsible section of an HTML page; a click on its summary unfolds the blocks.
 struct Details {
   std::string summary;
   std::vector<Block> blocks;
 };
 
+// Static part of an HTML page, shown if scripts do not run; with scripts, an interactive explorer replaces it.
 struct Still {
   std::vector<Block> blocks;
 };
 
+// Content of one HTML page: title, note, blocks such as headings, tables and charts, and footer.
 struct Page {
   std::string title;
   std::string note;  // below the title

@@ -7,6 +7,7 @@
 
 namespace strobe::page {
 
+// Tick of a chart axis: position from 0 to 1 along the axis, and label.
 struct Tick {
   double at = 0;      // position, 0 to 1 along the axis
   std::string label;  // "" for a small tick

@@ -17,6 +17,7 @@ inline constexpr int kFrontStyle = -3;        // thick and grey: Pareto front
 // Class of a style: "s0" to "s7", "reference", "uncertainty", "front".
 std::string classOf(int style);
 
+// Writer of one SVG drawing: groups, paths, rectangles, texts and marks, appended in drawing order.
 class Svg {
  public:
   // `about`: alternative text.

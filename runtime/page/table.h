@@ -12,6 +12,7 @@ namespace strobe::page {
 // Emphasis of a cell in Markdown and HTML. `best` and `bad` are bold, so that emphasis does not depend on colour.
 enum class Emphasis { none, best, bad, faint };
 
+// Cell of a table: text, emphasis, tooltip and, for a number, its value.
 struct TableCell {
   TableCell() = default;
   TableCell(std::string shown, Emphasis how = Emphasis::none, std::string hint = "")
@@ -30,6 +31,7 @@ struct TableCell {
 
 using Row = std::vector<TableCell>;
 
+// Column of a table: title and alignment; columns of numbers are right-aligned.
 struct Column {
   Column(std::string name, bool right = false) : title(std::move(name)), numeric(right) {}
   Column(const char* name, bool right = false) : Column(std::string(name), right) {}

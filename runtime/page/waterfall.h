@@ -9,6 +9,7 @@
 
 namespace strobe::page {
 
+// Waterfall chart as a value: one bar per step, with start, length and optional error bar, on a common x axis.
 struct Waterfall {
   struct Bar {
     std::string name;

@@ -26,6 +26,8 @@ enum class LevelComparison {
   slope,     // no block is complete, three or more numeric levels: line with an offset per stratum
 };
 
+// Main effect of one factor on a measure: an effect per level, or a slope over numeric levels,
+// per unit or per doubling.
 struct FactorEffect {
   size_t factor = 0;
   LevelComparison comparison = LevelComparison::paired;
@@ -34,11 +36,13 @@ struct FactorEffect {
   bool doubling = false;  // the slope is per doubling, not per unit
 };
 
+// Interaction of two factors: the part of their joint effect on a measure beyond the sum of their main effects.
 struct PairEffect {
   size_t first = 0, second = 0;
   Interaction interaction;  // has at least one complete block
 };
 
+// Statistical analysis of one measure: factors, main effects and pairwise interactions, with 95 % intervals.
 struct Effects {
   size_t points = 0;            // number of points with a finite value
   std::vector<Factor> factors;  // with two levels or more

@@ -14,6 +14,7 @@
 
 namespace strobe::study {
 
+// Role of an arm: a method under test, the floor (ground truth with a method's sample count), or ground truth.
 enum class ArmRole { method, floor, truth };
 std::string nameOf(ArmRole role);
 
@@ -43,6 +44,7 @@ struct ArmSummary : lab::Arm {
   bool shown = true;  // on sheet and page; tables have every arm
 };
 
+// Arm of an experiment: a pipeline with its settings, the axes that do not apply to it, and its place in the file.
 struct StudiedArm : ArmSummary {
   script::Settings box;            // added to `sets` for a picture with several samples per pixel
   std::vector<std::string> lacks;  // axes, or parameters set by axes, that do not apply to the arm
@@ -63,6 +65,7 @@ struct ShotSummary {
   image::ToneMap tone;
 };
 
+// Shot of an experiment: scene, frames, crops, tone mapping, and settings of its ground truth.
 struct StudiedShot : ShotSummary {
   lab::Shot shot;          // without pipeline and settings of the pipeline
   script::Settings truth;  // added to the settings of truth
@@ -99,6 +102,7 @@ struct AxisSummary {
   bool hasCurves() const { return !region.empty() && !scale.empty() && benign.has_value(); }
 };
 
+// Variable of an experiment: its values, with the settings of each, and the expected growth of times along it.
 struct Axis : AxisSummary {
   std::string against;  // measure on the x axis of times; "": the values
   std::vector<Cost> costs;
@@ -133,6 +137,7 @@ struct ExperimentSummary {
   Inputs inputs;  // scripts that define the experiment; in results, all files that points depend on
 };
 
+// Experiment as a value: shots, arms, ground truth, axes, and the groups of points to render and measure.
 struct Experiment : ExperimentSummary {
   std::string file;
   int file_width = 960, file_height = 540;  // size in the file; crops are in its pixels

@@ -7,6 +7,7 @@
 
 namespace strobe::study {
 
+// Rendered images of one arm in linear colour, as measured and as shown, with the arm and its measured point.
 struct ShownPoint {
   const Point* point = nullptr;
   const ArmSummary* arm = nullptr;

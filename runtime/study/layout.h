@@ -10,6 +10,7 @@
 
 namespace strobe::study {
 
+// Settings of the pictures in a report: crop size in pixels, and gain of the difference images.
 struct PicturesLayout {
   int crop_width = 120, crop_height = 68;  // px at the experiment's size
   double difference_gain = 4;

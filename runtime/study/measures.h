@@ -55,8 +55,10 @@ struct Region {
   const image::Image& mask;  // empty: every pixel
 };
 
+// Direction in which a measure improves: lower (errors, times), higher (PSNR, SSIM), or neither.
 enum class Better { lower, higher, neither };
 
+// Measured quantity of a picture, such as RMSE or frame time: name, unit, direction of improvement and function.
 struct Measure {
   std::string name, title, unit;
   Better better = Better::lower;

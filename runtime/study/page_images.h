@@ -7,6 +7,7 @@
 
 namespace strobe::study {
 
+// Picture and FLIP map of one measured point, as indices into a common list, and the rectangle of largest error.
 struct PointImages {
   int picture = -1, flip = -1;  // indices of `PageImages::sources`; -1: no image
   image::Rectangle worst;       // largest FLIP, in pixels at the experiment's size; empty: no FLIP
@@ -18,6 +19,7 @@ struct ImageSource {
   bool is_flip = false;
 };
 
+// Images of an HTML report: all pictures and FLIP maps without duplicates, and the images of each point.
 struct PageImages {
   std::vector<ImageSource> sources;              // without duplicates
   std::vector<std::vector<PointImages>> points;  // by group and point

@@ -20,6 +20,8 @@ TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& tr
 // cannot be written, a lost device.
 std::string failureOf(const std::function<void()>& step);
 
+// Renders the pictures of an experiment, measures them against ground truth and stores the results; finished points
+// are skipped.
 class PointRenderer {
  public:
   using Progress = std::function<void(int cost)>;

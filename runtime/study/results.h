@@ -61,6 +61,8 @@ struct PointGroup {
   const Point* find(const std::string& arm) const;
 };
 
+// Expected outcome in an experiment, its test on the results (holds, fails, does not apply), and the reason of a
+// known failure.
 struct Expectation {
   std::string text, shot, axis;
   std::string outcome;  // "holds", "fails", "does not apply"
@@ -71,6 +73,7 @@ struct Expectation {
   bool contradicts() const { return outcome == (known.empty() ? "fails" : "holds"); }
 };
 
+// Results of an experiment: device, arms, shots, axes, measured points by group, and tested expectations.
 struct Results : ExperimentSummary {
   std::string strobe, command;
   std::string device, driver;

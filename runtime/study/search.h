@@ -57,6 +57,8 @@ struct Goal {
   bool isBetter(const Score& one, const Score& other) const;
 };
 
+// Search for the parameter values with the least error at a limited cost, or the least cost at a limited error, within
+// a limited number of evaluations.
 class Search {
  public:
   struct Options {

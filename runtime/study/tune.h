@@ -37,6 +37,8 @@ struct Measured {
   std::string command;                                   // draws the picture
 };
 
+// Result of tuning a pipeline: the best setting within the limit, the start and base settings with error and cost,
+// and all measurements.
 struct Tuned {
   Results results;                  // all measured settings; the caller sets `command`
   std::optional<Measured> chosen;   // empty: no setting meets the limit
