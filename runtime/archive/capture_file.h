@@ -15,6 +15,7 @@ struct SequenceStep {
   script::Settings sets;
 };
 
+// A shot of a capture script: scene, options and settings, with its sequence steps, its tone mapping and its captions.
 struct CapturedShot {
   std::string name, title, attribution;
   lab::Shot shot;          // without pipeline; settings of the scene only
@@ -33,6 +34,7 @@ struct Layers {
   std::vector<std::string> names;
 };
 
+// A rendering method of a capture script: a pipeline with settings, and the shots to draw with it.
 struct CapturedArm : lab::Arm {
   std::vector<std::string> shots;  // shots that the arm draws; empty: all
   std::optional<Layers> layers;
@@ -41,6 +43,7 @@ struct CapturedArm : lab::Arm {
   bool draws(const std::string& shot) const;
 };
 
+// Contents of a capture script: shots, arms (rendering methods), image sizes in pixels, layers, figures and films.
 struct CaptureFile {
   std::string file;  // as given
   std::string title, note, truth;

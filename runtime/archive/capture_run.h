@@ -8,6 +8,7 @@
 
 namespace strobe::archive {
 
+// Request to take a capture: script, output folder, selection of pictures, size and Vulkan device.
 struct Order {
   std::string file;              // capture script
   Path folder;                   // output folder
@@ -18,6 +19,7 @@ struct Order {
   bool validation = false;
 };
 
+// Result of a completed capture: its manifest and the paths of the written figures, films and pictures.
 struct Captured {
   Manifest manifest;
   std::vector<Path> figures, pictures;  // written files: figures and films; PNG pictures

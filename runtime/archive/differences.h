@@ -7,6 +7,7 @@
 
 namespace strobe::archive {
 
+// An input file that was altered, is missing or was added between two captures, with the first line that differs.
 struct InputDifference {
   enum class Kind { altered, missing, added };
   Kind kind = Kind::altered;
@@ -27,6 +28,8 @@ struct ImageDifference {
   std::optional<double> flip;            // mean HDR-FLIP of the color
 };
 
+// Differences of one picture between two captures: parameters, the first pass with a different output, and layers of
+// its file.
 struct PictureDifference {
   std::string name;
   std::vector<std::string> parameters;  // "samples of pipeline: 15 (default), now 8 (capture)"
@@ -39,6 +42,7 @@ struct PictureDifference {
   bool isImage() const { return passes > 0 || !layers.empty(); }
 };
 
+// All differences between two captures: program, device, input files, pictures, figures and films.
 struct Differences {
   std::vector<std::string> program, device;  // "name: 'llvmpipe ...', now '...'"
   std::vector<InputDifference> inputs;

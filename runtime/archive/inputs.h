@@ -25,6 +25,7 @@ Inputs inputsFrom(const Json& json);  // throws Json::exception
 // True for a script or a shader, by extension, and for a list of absent files (FrozenHome).
 bool isText(const Path& file);
 
+// Converts between paths of input files and names that are the same on every machine.
 class InputNames {
  public:
   // `home`: home of the files, `original` or its copy. `capture_file`: the script.

@@ -19,6 +19,7 @@ Json programJson(const Home& home);
 // Device: name, driver, API. If the name states them, also the version of LLVM and the width of vectors.
 Json deviceJson(const gpu::DeviceInfo& device);
 
+// Parsed manifest.json of a capture, with the folder that contains it.
 struct Manifest {
   Path folder;  // folder of the manifest
   Json json;

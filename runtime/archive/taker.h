@@ -25,6 +25,7 @@ struct CapturedFrame {
 // names. Throws `Error` (exit code 2) if no name begins so.
 std::vector<CapturedFrame> framesOf(const CaptureFile& capture, const std::string& only = "");
 
+// Draws the pictures of one capture, writes their files, and keeps the pictures used last in memory.
 class Taker {
  public:
   using Progress = std::function<void(int done, int of)>;

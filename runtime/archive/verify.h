@@ -6,6 +6,7 @@
 
 namespace strobe::archive {
 
+// Result of a repeated capture: its differences from the manifest, and true if they are within the tolerance.
 struct Verification {
   Differences differences;
   bool same_device = true;

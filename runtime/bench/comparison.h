@@ -27,6 +27,7 @@ struct Change {
   bool moved = false;
 };
 
+// Changes of frame and pass times between two benchmark runs, as ratios with intervals.
 struct TimeComparison {
   enum class Kind { base, milliseconds, blocks };  // basis of the ratios, see above
   Kind kind = Kind::base;

@@ -42,6 +42,7 @@ std::map<std::string, plan::Traffic> trafficByPass(const plan::Plan& plan);
 // Draws one frame of every shot per round. `shots` is not empty.
 Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const lab::Rounds& rounds);
 
+// Benchmark runs of two programs that ran alternately in one session, one run per block and program.
 struct Turns {
   std::vector<Run> first, second;  // one run per block and program
 };

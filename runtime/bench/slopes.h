@@ -10,6 +10,7 @@
 
 namespace strobe::bench {
 
+// Growth of a time with the varied quantity: constant, linear, or linear in the logarithm of the quantity.
 enum class Growth { constant, linear, logarithmic };
 const char* nameOf(Growth growth);
 // Asserts that `name` is the name of a growth.

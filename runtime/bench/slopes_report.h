@@ -8,6 +8,7 @@
 
 namespace strobe::bench {
 
+// Data of a report on scaling: timed runs along each axis, fitted lines, and the bandwidth and ray demand on a GPU.
 struct Slopes {
   std::string command, title, question;
   std::vector<AxisRun> axes;           // at least one

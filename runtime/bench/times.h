@@ -12,6 +12,7 @@
 
 namespace strobe::bench {
 
+// Measurements of one pass in a frame: milliseconds by round, executions, bytes of traffic, and rays.
 struct PassTimes {
   std::string name;                            // node name
   std::vector<double> ms;                      // by round; sum over all executions in a frame
@@ -48,6 +49,7 @@ struct ShotTimes {
   size_t typicalRound() const;
 };
 
+// One run of a benchmark: the times of all shots, with the program, the device and the driver.
 struct Run {
   std::string command;
   std::string version, program;  // Strobe's version, hash of its file

@@ -11,6 +11,7 @@
 
 namespace strobe::gpu {
 
+// An indexed triangle list in device memory, as input of a bottom-level build.
 struct TriangleGeometry {
   VkDeviceAddress vertices = 0;  // address of the first vertex; a vertex begins with its position
   uint32_t vertex_count = 0;
@@ -20,6 +21,7 @@ struct TriangleGeometry {
   bool opaque = true;  // false: shaders may reject hits
 };
 
+// An acceleration structure of the driver, with the memory that stores it and its device address.
 class Acceleration {
  public:
   Acceleration() = default;

@@ -17,6 +17,7 @@ namespace strobe::gpu {
 // Default time limit of a submission, seconds; far longer than any pass of a picture takes on a software device.
 inline constexpr double kTimeLimit_s = 600;
 
+// Options for the creation of a Vulkan device: selection by index or name, validation, and extensions.
 struct DeviceOptions {
   std::string device;       // index or part of a name; "": the best device
   bool validation = false;  // core and synchronization validation; messages are collected, not printed
@@ -32,6 +33,7 @@ struct Feature {
   bool present = false;
 };
 
+// Description of a Vulkan device: name, driver, API version, memory properties and available features.
 struct DeviceInfo {
   std::string name;
   std::string driver;  // name and version

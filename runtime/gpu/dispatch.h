@@ -51,6 +51,8 @@ namespace strobe::gpu {
   X(AcquireNextImageKHR) X(QueuePresentKHR)
 // clang-format on
 
+// Pointers to the loaded Vulkan functions of one instance and device; null for optional functions that are not
+// available.
 struct Dispatch {
 #define X(name) PFN_vk##name name = nullptr;
   STROBE_INSTANCE_CALLS(X)

@@ -23,6 +23,7 @@ struct FeatureChain {
   VkPhysicalDeviceFeatures2* chain(const std::vector<std::string>& extensions);
 };
 
+// A device feature to enable: its Vulkan name, its use, its extension, and its member in the feature chain.
 struct WantedFeature {
   const char* name;
   const char* provides;

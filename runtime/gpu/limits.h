@@ -10,6 +10,8 @@
 
 namespace strobe::gpu {
 
+// Limits of one device: image side in pixels, buffer and memory sizes in bytes, and counts of objects; UINT64_MAX:
+// unlimited.
 struct DeviceLimits {
   uint64_t image_side = 0;            // px
   uint64_t buffer_bytes = 0;          // of a bound storage buffer

@@ -37,6 +37,7 @@ class DescriptorSet {
   VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
 
+// SPIR-V of a graphics pipeline, with its color formats, blending, push constants and vertex layout.
 struct RasterShaders {
   Spirv vertex, fragment;
   std::vector<VkFormat> color_formats;
@@ -46,6 +47,7 @@ struct RasterShaders {
   std::vector<VkVertexInputAttributeDescription> attributes = {};
 };
 
+// SPIR-V of the four stages of a ray tracing pipeline: ray generation, miss, closest hit and any hit.
 struct TraceShaders {
   Spirv raygen, miss, closest_hit, any_hit;
 };

@@ -90,6 +90,7 @@ class Buffer {
   void* mapped_ = nullptr;
 };
 
+// Format, size in pixels, number of mip levels and usage of a 2-D image.
 struct ImageDesc {
   VkFormat format = VK_FORMAT_UNDEFINED;
   uint32_t width = 1, height = 1, levels = 1;
@@ -121,6 +122,7 @@ inline VkDescriptorImageInfo inGeneral(VkImageView view, VkSampler sampler = VK_
 // Transition from UNDEFINED to GENERAL, for a new image.
 void recordFirstLayout(const Device& device, VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect);
 
+// Filters, mip mode and wrap modes of a texture sampler; by default nearest filters and clamping to the edge.
 struct SamplerDesc {
   VkFilter magnify = VK_FILTER_NEAREST, minify = VK_FILTER_NEAREST;
   VkSamplerMipmapMode between = VK_SAMPLER_MIPMAP_MODE_NEAREST;

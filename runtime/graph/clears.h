@@ -10,6 +10,7 @@
 
 namespace strobe::graph {
 
+// Compute pipelines and descriptor sets that set the images of one plan to zero.
 class Clears {
  public:
   explicit Clears(const gpu::Device& device) : device_(device) {}

@@ -42,12 +42,14 @@ struct ReadImage {
   image::UintImage uints;
 };
 
+// GPU time of one node in a frame, milliseconds, and the number of its executions.
 struct StepTime {
   std::string name;   // node
   double gpu_ms = 0;  // summed over the iterations of its loop
   int executions = 0;
 };
 
+// Results of a drawn frame: images that were read back, event counters, loop iterations and GPU times in milliseconds.
 struct FrameResult {
   std::map<std::string, ReadImage> outputs;                // by output name
   std::map<std::string, ReadImage> taps;                   // by "node.port"

@@ -26,6 +26,7 @@ struct NodeInFrame {
   void takeCounts();
 };
 
+// A pass instance of a frame graph on the device: its pipeline, and its data for each frame in flight.
 struct GraphNode {
   std::shared_ptr<const NodePipeline> pipeline;
   std::vector<NodeInFrame> frames;

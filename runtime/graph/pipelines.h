@@ -27,6 +27,7 @@ struct DriverPipeline {
   gpu::Pipeline pipeline;
 };
 
+// Compiled pipeline of a pass for one shader interface, with its bindings and the source files it was compiled from.
 struct NodePipeline {
   std::shared_ptr<const DriverPipeline> driver;
   std::vector<VkDescriptorSetLayoutBinding> bindings;

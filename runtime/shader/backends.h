@@ -10,11 +10,15 @@
 
 namespace strobe::shader {
 
+// Ray tracing backend of a shader: none, ray tracing pipeline, ray queries, or traversal of the runtime's own BVH in
+// GLSL.
 enum class Backend { None, Pipeline, Query, Bvh };
 
 // Kinds of acceleration structures: of the driver or of the runtime.
 enum class StructureKind { Driver, Own };
 
+// Properties of one tracing backend: name, required Vulkan feature, kind of acceleration structure, and GLSL macro and
+// extensions.
 struct BackendRow {
   Backend backend;
   const char* name;     // value of --backend

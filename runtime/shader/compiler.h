@@ -14,17 +14,20 @@ namespace strobe::shader {
 
 class Sources;
 
+// Pipeline stage that a shader is compiled for: raster, compute or ray tracing.
 enum class ShaderStage { Vertex, Fragment, Compute, RayGeneration, Miss, ClosestHit, AnyHit };
 
 // Result of a compilation. Mistakes are found before SPIR-V is generated, so a check does not need SPIR-V.
 enum class Output { Spirv, None };
 
+// GLSL to compile: a file, with generated code before and after it.
 struct ShaderSource {
   std::string preamble;  // generated declarations before the file; not counted in line numbers
   Path file;             // shader text of the pass, below shaders/ or elsewhere
   std::string epilogue;  // generated code after the file
 };
 
+// Output of the compilation of one shader: its SPIR-V and the source files that were read.
 struct Compiled {
   std::vector<uint32_t> spirv;
   std::vector<Path> files;  // `file` and all included files, in order of first use

@@ -17,6 +17,7 @@ struct KeptCode {
   std::vector<uint32_t> files;  // indices of the included files, in the list of all files that its includes name
 };
 
+// On-disk cache of compiled shader code, by a text key; empty and inactive without a folder.
 class SpirvCache {
  public:
   // The cache is in the folder "spirv" below `folder`; an empty path disables it.

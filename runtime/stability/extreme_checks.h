@@ -14,6 +14,7 @@ namespace strobe::stability {
 
 class Probe;
 
+// One check of an extreme case: the test function, the shots to draw, and the expected values and tolerances.
 struct ExtremeCheck {
   void (*holds)(Probe& probe, const ExtremeCheck& check) = nullptr;
   std::string by = "all";  // methods to check

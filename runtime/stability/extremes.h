@@ -20,6 +20,7 @@ namespace strobe::stability {
 // pipeline cannot be evaluated.
 std::vector<Variant> methodsOf(const Home& home, const script::Limits& limits);
 
+// An extreme case, such as a very large motion: its requirement as a sentence, and the checks that test it.
 struct Extreme {
   std::string name;
   std::string clause;  // subject of the case, one of a few
@@ -27,6 +28,7 @@ struct Extreme {
   std::vector<ExtremeCheck> checks;
 };
 
+// All extreme cases, with the two reference methods: the sharp image and ground truth.
 struct Extremes {
   lab::Arm sharp;                 // the raster image without blur
   lab::Arm truth;                 // ground truth, for comparison

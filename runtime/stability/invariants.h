@@ -31,6 +31,7 @@ struct CheckedCase {
   double samples() const { return numberOf(pipeline, plan::Role::SampleCount, 1); }
 };
 
+// A property required of every motion blur method, with its tolerance and the function that tests it on one case.
 struct Invariant {
   std::string name, says;
   std::string tolerance;  // with its reason

@@ -9,6 +9,7 @@
 
 namespace strobe::stability {
 
+// Options of an invariant test: cases per variant, random seed, selected invariants and variants, and shard.
 struct Options {
   int cases = 1;  // per variant and invariant
   uint64_t seed = 1;
@@ -23,16 +24,20 @@ struct Count {
   int held = 0, broken = 0, failed = 0, refused = 0;  // broken: as declared
 };
 
+// A case that breaks an invariant without a declared exception, or cannot be drawn, with the commands that repeat it.
 struct Failure {
   std::string variant, invariant, text;
   std::vector<std::string> commands;  // draw the contradictory pictures
 };
 
+// A declared exception from an invariant, with its reason, and counts of cases it covers and of cases that need it.
 struct Declaration {
   std::string where, invariant, reason;
   int used = 0, seen = 0;  // cases it applies to; cases among them that break the invariant
 };
 
+// Results of the invariant tests of one pipeline: counts by variant and invariant, failures, refused settings and
+// declared exceptions.
 struct StabilityReport {
   std::string pipeline;
   std::vector<std::pair<std::string, std::map<std::string, Count>>> variants;  // by variant, then invariant

@@ -7,6 +7,7 @@
 
 namespace strobe::stability {
 
+// A pipeline with one combination of settings to test.
 struct Variant {
   std::string pipeline;   // name or file
   script::Settings sets;  // the preset first, if any
@@ -17,10 +18,13 @@ struct Variant {
   std::string method() const;  // "pipeline preset=best jitter=hash"; "pipeline"
 };
 
+// A setting, or a test case, that a pipeline does not accept, with the reason.
 struct Refused {
   std::string name, reason;
 };
 
+// Distinct variants of a pipeline, with the refused settings and the number of settings that give the plan of another
+// variant.
 struct VariantList {
   std::vector<Variant> variants;
   std::vector<Refused> refused;  // values that the pipeline refuses

@@ -12,6 +12,7 @@
 
 namespace strobe::world {
 
+// Vertex buffer of the skinned or otherwise deformed instances of a scene, with one copy per time slice of a frame.
 class BentInstances {
  public:
   // `meshes` belongs to the scene. The device and the scene must outlive it.

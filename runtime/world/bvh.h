@@ -10,6 +10,7 @@
 
 namespace strobe::world {
 
+// Axis-aligned box in single precision; empty (inverted) until a point or box is added.
 struct Box {
   vec3 low = vec3(HUGE_VALF), high = vec3(-HUGE_VALF);
   void add(const vec3& point) {
@@ -23,11 +24,14 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+// A box to put into a tree, with the index that its leaf stores.
 struct BvhItem {
   Box box;
   uint32_t index = 0;
 };
 
+// A bounding volume hierarchy with up to four children per node, with the leaf order of its boxes and its expected
+// traversal cost.
 struct Bvh {
   std::vector<shared::BvhNode> nodes;  // root first, then depth first
   std::vector<uint32_t> order;         // box indices in leaf order
@@ -37,6 +41,7 @@ struct Bvh {
   Box bounds;
 };
 
+// Limits of a tree build: boxes per leaf, 1 to 4, and depth.
 struct BvhOptions {
   uint32_t leaf_boxes = 4;  // maximum boxes per leaf, 1 to 4
   int depth = BVH_MESH_DEPTH;

@@ -12,6 +12,7 @@
 
 namespace strobe::world {
 
+// Bounding volume hierarchies of all meshes of a scene, in shared arrays of nodes and triangles.
 struct MeshTrees {
   std::vector<shared::BvhNode> nodes;          // of all meshes; child indices count across meshes
   std::vector<shared::BvhTriangle> triangles;  // in leaf order

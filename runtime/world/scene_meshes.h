@@ -15,6 +15,8 @@
 
 namespace strobe::world {
 
+// Vertex, tangent and index buffers of a scene's meshes, with their acceleration structures, which are built on first
+// use.
 class SceneMeshes {
  public:
   // The device and the scene must outlive it. The data is on the device when `uploads` has finished.

@@ -10,6 +10,7 @@
 
 namespace strobe::world {
 
+// Material buffer, textures and samplers of a scene on the device.
 class SceneSurfaces {
  public:
   // The data is on the device when `uploads` has finished.

@@ -17,6 +17,8 @@
 
 namespace strobe::world {
 
+// Interface to a scene's acceleration structures at the raster time and at each sample time: binding, posing and
+// builds.
 class Structures {
  public:
   virtual ~Structures() = default;
