@@ -9,8 +9,9 @@
 
 namespace strobe::archive {
 
-// A name begins with the root of the file: "strobe:" for shipped files, "project:", "shared:" for shared data, or
-// "capture:" for the folder of the capture script, if the file lies in no other root. Any other file has no such name.
+// Input file of a capture, with the hash of its content. A name begins with the root of the file: "strobe:" for shipped
+// files, "project:", "shared:" for shared data, or "capture:" for the folder of the capture script, if the file lies in
+// no other root. Any other file has no such name.
 struct Input {
   std::string name;
   std::string sha256;

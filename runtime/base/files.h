@@ -24,11 +24,13 @@ struct WriteError : Error {
   using Error::Error;
 };
 
-// Writes to a temporary name beside `file`, flushes to disk, renames, and flushes the folder: the file is either
-// complete or unchanged. Creates missing folders. Throws `WriteError` with the system's reason and leaves nothing
-// behind. `Flush::no` does not wait for the disk: the file is complete after a crash of the process, but not of the
+// Waiting for the disk after a write. With `no`, the file is complete after a crash of the process, but not of the
 // machine.
 enum class Flush { yes, no };
+
+// Writes to a temporary name beside `file`, flushes to disk, renames, and flushes the folder: the file is either
+// complete or unchanged. Creates missing folders. Throws `WriteError` with the system's reason and leaves nothing
+// behind.
 void writeFileAtomically(const Path& file, std::string_view bytes, Flush flush = Flush::yes);
 void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes);
 

@@ -12,10 +12,11 @@
 
 namespace strobe {
 
-// Files are named by their path in the shipped folder: "passes/mask/moving.lua", "scripts/pipelines/none.lua". The
-// folder of a project may precede the shipped folder, and has "pipelines/x.lua" for "scripts/pipelines/x.lua". `find`
-// throws `Error` for a project's file with a shipped name, unless "replaces = true" is one of its first comment lines;
-// for a file with this line but without a shipped name; and for a link that leads out of the roots.
+// Folders of the scripts, passes and shaders: a project, if there is one, and the shipped files. Files are named by
+// their path in the shipped folder: "passes/mask/moving.lua", "scripts/pipelines/none.lua". The folder of a project may
+// precede the shipped folder, and has "pipelines/x.lua" for "scripts/pipelines/x.lua". `find` throws `Error` for a
+// project's file with a shipped name, unless "replaces = true" is one of its first comment lines; for a file with this
+// line but without a shipped name; and for a link that leads out of the roots.
 class Home {
  public:
   static constexpr const char* kProjectFile = "strobe.project.lua";

@@ -12,7 +12,8 @@ using image::Canvas;
 using image::lineHeight;
 using image::textWidth;
 
-// `one_line` shrinks a long caption, so that all frames of a film have the same height.
+// Form of captions: wrapped lines, or one line. `one_line` shrinks a long caption, so that all frames of a film have
+// the same height.
 enum class Captions { wrapped, one_line };
 
 // Pixel positions of all parts of a figure: pictures, labels, captions, legends and attributions. Constant after

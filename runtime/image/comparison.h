@@ -42,7 +42,8 @@ struct CompareOptions {
   double pixels_per_degree = kPixelsPerDegree;
 };
 
-// Absent values were not measured: SSIM of an image smaller than its window, HDR-FLIP if it was not requested.
+// Errors of an image against a reference image. Absent values were not measured: SSIM of an image smaller than its
+// window, HDR-FLIP if it was not requested.
 struct ImageComparison {
   double mse = 0, rmse = 0, psnr = 0, relmse = 0, relmse_trimmed = 0, smape = 0;
   std::optional<double> ssim, ms_ssim;  // ms_ssim takes no mask; absent with a mask

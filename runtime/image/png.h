@@ -11,10 +11,11 @@
 
 namespace strobe::image {
 
-// `display` has 1 (written as grey), 3 or 4 channels. Values are clamped and rounded to the nearest of 256 levels.
-// Equal values and effort give equal bytes: fixed settings, no date. `fast` takes a third of the time and 1.5 times the
-// bytes.
+// Effort of the compression of a PNG file. `fast` takes a third of the time and 1.5 times the bytes.
 enum class PngEffort { usual, fast };
+
+// `display` has 1 (written as grey), 3 or 4 channels. Values are clamped and rounded to the nearest of 256 levels.
+// Equal values and effort give equal bytes: fixed settings, no date.
 std::string encodePng(const Image& display, PngEffort effort = PngEffort::usual);
 void writePng(const Path& file, const Image& display);
 

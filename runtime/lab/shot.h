@@ -13,8 +13,8 @@
 
 namespace strobe::lab {
 
-// Numbers with the initial value here are unset: the scene may suggest a value, otherwise the default of the table
-// holds.
+// Scene, pipeline, settings and options of one picture. Numbers with the initial value here are unset: the scene may
+// suggest a value, otherwise the default of the table holds.
 struct Shot {
   std::string scene = "living_room";  // name below scripts/scenes, or a .lua, .glb or .gltf file
   std::string pipeline;               // name below scripts/pipelines, or a .lua file

@@ -18,7 +18,7 @@ struct Magnification {
   dvec2 centre = dvec2(0.5);
 };
 
-// Window position = origin + scale * pixel of the picture.
+// Place of the picture in the window: window position = origin + scale * pixel of the picture.
 struct PicturePlacement {
   dvec2 origin = dvec2(0);
   double scale = 1;

@@ -13,9 +13,9 @@ struct Tick {
   std::string label;  // "" for a small tick
 };
 
-// A logarithmic scale with a value of 0 shows 0 first, then a gap. An even scale has equal distances between
-// neighbouring values, from one end to the other. A scale of slots gives each value a slot of the same width, with the
-// value in the middle.
+// Maps the values of an axis to positions from 0 to 1. A logarithmic scale with a value of 0 shows 0 first, then a gap.
+// An even scale has equal distances between neighbouring values, from one end to the other. A scale of slots gives each
+// value a slot of the same width, with the value in the middle.
 class Scale {
  public:
   enum class Kind { log, linear, even, slots };

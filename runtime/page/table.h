@@ -40,7 +40,7 @@ struct Column {
   bool numeric = false;  // right-aligned
 };
 
-// The first column names the row.
+// Table of a report. The first column names the row.
 struct Table {
   std::string caption;
   std::vector<Column> columns;

@@ -63,7 +63,8 @@ struct Geometry {
   std::optional<VertexBounds> bounds = {};  // bounds of these vertices, set by `findBounds`
 };
 
-// Positions are relative to `origin`, which poses add in double precision (a mesh may be far from its node's origin).
+// Mesh of one geometry per material. Positions are relative to `origin`, which poses add in double precision (a mesh
+// may be far from its node's origin).
 struct Mesh {
   std::string name;
   std::vector<Geometry> geometries;

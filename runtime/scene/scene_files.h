@@ -6,7 +6,8 @@
 
 namespace strobe::scene {
 
-// Names are relative to `folder`. Files must be in `root`, links followed, unless `allow_outside`.
+// Folders of the files that a scene names. Names are relative to `folder`. Files must be in `root`, links followed,
+// unless `allow_outside`.
 struct FilePlaces {
   Path folder;
   Path root = {};  // empty: `folder`

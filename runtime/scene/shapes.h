@@ -63,13 +63,15 @@ Shape triangles(const std::vector<dvec3>& positions, const std::vector<dvec3>& n
 // Points are transformed by `matrix`, and normals by its inverse transpose. A mirroring matrix reverses the winding.
 Shape transformed(Shape shape, const dmat4& matrix);
 
-// Mesh of several parts, with positions relative to its `origin`. The origin is the middle of the bounds, rounded to a
-// grid. The grid is fine enough for an origin near the middle, and coarse enough that the subtraction is exact in
-// single precision except for the last bits.
+// Part of a mesh: a shape with the index of its material.
 struct MeshPart {
   Shape shape;
   int material = 0;
 };
+
+// Mesh of several parts, with positions relative to its `origin`. The origin is the middle of the bounds, rounded to a
+// grid. The grid is fine enough for an origin near the middle, and coarse enough that the subtraction is exact in
+// single precision except for the last bits.
 Mesh meshOf(const std::string& name, const std::vector<MeshPart>& parts);
 
 // Middle of the bounds on that grid; 0 for empty bounds.

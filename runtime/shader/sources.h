@@ -11,7 +11,7 @@
 
 namespace strobe::shader {
 
-// Thread-safe.
+// Texts of shader files with the files that they include. Thread-safe.
 class Sources {
  public:
   // `home` must outlive this object.

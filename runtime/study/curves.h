@@ -10,8 +10,8 @@ namespace strobe::study {
 // Reason for not trusting an arm at a value: error too large, limit met, or colours that are not finite.
 enum class Doubt { none, error, limit, broken };
 
-// Largest allowed error. `floor`: `factor` times the floor. `own`: `factor` times the floor or the arm's own error at
-// the benign value, whichever is larger. Both add three standard errors of truth.
+// Reference of the largest allowed error. `floor`: `factor` times the floor. `own`: `factor` times the floor or the
+// arm's own error at the benign value, whichever is larger. Both add three standard errors of truth.
 enum class Against { floor, own };
 
 // Range of values around the benign value where an arm is trusted; empty if the benign value is not trusted.

@@ -44,32 +44,35 @@ def types_of(header):
 
 
 def page():
-    """The page, and the types without a sentence."""
-    text, missing = HEAD, []
+    """The page, and faults of the headers: types without a comment, names that two headers define."""
+    text, faults, headers = HEAD, [], {}
     for room in sorted(path for path in (HOME / "runtime").iterdir() if path.is_dir()):
         rows = []
         for header in sorted(room.glob("*.h")):
             for name, sentence in types_of(header):
                 rows.append(f"| `{name}` | {sentence.replace('|', '&#124;')} | `{header.name}` |\n")
+                place = header.relative_to(HOME)
                 if not sentence:
-                    missing.append(f"{header.relative_to(HOME)}: {name}")
+                    faults.append(f"{place}: {name} has no comment")
+                if headers.setdefault(name, place) != place:
+                    faults.append(f"{place}: {name} is also the name of a type in {headers[name]}")
         if rows:
             text += f"\n## {room.name}\n\n| type | description | header |\n| --- | --- | --- |\n" + "".join(sorted(rows))
-    return text, missing
+    return text, faults
 
 
 def main():
     parser = argparse.ArgumentParser(prog="python3 tools/types", description=__doc__.split("\n")[0])
     parser.add_argument("--write", metavar="FILE", type=Path, help="writes the page to this file")
     options = parser.parse_args()
-    text, missing = page()
+    text, faults = page()
     if options.write:
         options.write.write_text(text)
     else:
         sys.stdout.write(text)
-    for name in missing:
-        print(f"{name} has no comment", file=sys.stderr)
-    return 1 if missing else 0
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
 
 
 if __name__ == "__main__":
