@@ -130,7 +130,7 @@ void exportShot(const Home& home, const RenderOptions& options, lab::Shot shot) 
   const graph::Frame frame = lab::frameOf(shot, loaded.scene);
   scene::FrameView view;
   view.raster_s = frame.raster_s, view.open_s = frame.open_s, view.close_s = frame.close_s;
-  view.height = shot.height;
+  view.width = shot.width, view.height = shot.height;
   scene::MitsubaExport written = scene::exportMitsuba(loaded.scene, frame.pose_at, view, options.mitsuba);
   if (shot.shutter_curve != "box")
     written.left_out.push_back(

@@ -378,7 +378,7 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   auto family = std::find_if(families.begin(), families.end(), draws_and_computes);
   queue_family_ = uint32_t(family - families.begin());
   if (family == families.end()) throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
-  timestamp_bits_ = family->timestampValidBits;
+  stamp_format_.bits = family->timestampValidBits;
 
   // Query the available extensions, then enable only the listed ones.
   std::vector<std::string> available = deviceExtensions(vk_, physical_);
@@ -416,7 +416,7 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
                                          info_.has("accelerationStructure") ? &acceleration : nullptr};
   vk_.GetPhysicalDeviceProperties2(physical_, &properties);
   scratch_alignment_ = std::max(1u, acceleration.minAccelerationStructureScratchOffsetAlignment);
-  timestamp_period_ns_ = properties.properties.limits.timestampPeriod;
+  stamp_format_.tick_ns = properties.properties.limits.timestampPeriod;
 }
 
 void Device::setName(VkObjectType type, uint64_t handle, const std::string& name) const {

@@ -61,6 +61,12 @@ struct DeviceLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Format of the time stamps of a queue: nanoseconds per tick, and the number of valid low bits.
+struct StampFormat {
+  double tick_ns = 1;
+  uint32_t bits = 0;  // 0: the queue has no time stamps
+};
+
 struct MessageSink;
 class Commands;
 class DeviceMemory;
@@ -84,12 +90,10 @@ class Device {
   uint32_t queueFamily() const { return queue_family_; }
   const VkPhysicalDeviceRayTracingPipelinePropertiesKHR& rayProperties() const { return ray_properties_; }
   uint32_t scratchAlignment() const { return scratch_alignment_; }
-  double timestampPeriodNs() const { return timestamp_period_ns_; }
-  // Valid low bits of a time stamp; 0: the queue has no time stamps.
-  uint32_t timestampBits() const { return timestamp_bits_; }
+  const StampFormat& stampFormat() const { return stamp_format_; }
   // True if time stamps measure passes. A software device executes commands only when the host waits, so its time
   // stamps are not usable.
-  bool measuresTimes() const { return timestamp_bits_ > 0 && !info_.software; }
+  bool measuresTimes() const { return stamp_format_.bits > 0 && !info_.software; }
   bool debugLabels() const { return vk_.CmdBeginDebugUtilsLabelEXT != nullptr; }
 
   DeviceMemory& memory() const { return *memory_; }
@@ -139,8 +143,7 @@ class Device {
   std::unique_ptr<Commands> commands_;  // for `submit`
   VkPhysicalDeviceRayTracingPipelinePropertiesKHR ray_properties_{};
   uint32_t scratch_alignment_ = 256;
-  double timestamp_period_ns_ = 1;
-  uint32_t timestamp_bits_ = 0;
+  StampFormat stamp_format_;
   double time_limit_s_ = kTimeLimit_s;
   OnOverrun on_overrun_;
   std::string subject_;

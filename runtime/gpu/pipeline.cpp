@@ -256,7 +256,7 @@ std::vector<uint64_t> ticksSinceFirst(const std::vector<uint64_t>& stamps, uint3
 }
 
 Timer::Timer(const Device& device, uint32_t capacity)
-    : device_(&device), capacity_(device.timestampBits() > 0 ? capacity : 0) {
+    : device_(&device), capacity_(device.stampFormat().bits > 0 ? capacity : 0) {
   if (capacity_ == 0) return;
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
@@ -283,8 +283,8 @@ std::vector<double> Timer::readMs() const {
                                           VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "reading the timer");
   std::vector<double> ms;
-  for (uint64_t ticks : ticksSinceFirst(stamps, device_->timestampBits()))
-    ms.push_back(double(ticks) * device_->timestampPeriodNs() * 1e-6);
+  for (uint64_t ticks : ticksSinceFirst(stamps, device_->stampFormat().bits))
+    ms.push_back(double(ticks) * device_->stampFormat().tick_ns * 1e-6);
   return ms;
 }
 
