@@ -6,6 +6,7 @@ in its page word for word. --marks reports a listed text that is not in its page
 GENERATED = {
     "docs/stability.md": "written by `strobe stability --write`; see claim `stability_page`",
     "docs/extreme-cases.md": "written by `strobe stability --extremes --write`; see claim `extreme_cases_page`",
+    "docs/types.md": "written by `python3 tools/types --write`; tests/repo/types_test.cpp compares it with the headers",
 }
 PAGES_OF_DEFINITIONS = {
     "docs/describing-a-scene.md": "fields with their defaults and ranges: tests/program/pages_test.cpp compares them",
