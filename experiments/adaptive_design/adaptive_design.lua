@@ -8,7 +8,7 @@ local shots, pixels = all_shots.list(), 160 * 90
 local base = "McGuire 2012"
 local arms, adaptive = { { name = base, pipeline = "mcguire2012" } }, {}  -- all arms; names of the arms with adaptive
 
--- Adds an arm to all arms, and its name to `names`.
+-- Appends one arm to the list `arms`, and its name to the list `names`.
 local function arm(names, name, pipeline, set)
   arms[#arms + 1] = { name = name, pipeline = pipeline, timed = true, set = set }
   names[#names + 1] = name
@@ -138,9 +138,9 @@ local function of_adaptive(class, kind)
   end)
 end
 
--- Adds an expectation for a design that is not built: `all times` with one traversal of the tree for four times of a pixel.
--- Four samples are assumed to take the time of one, which is a lower bound. The time of one sample is the slope of the frame
--- time between 16 and 64 samples.
+-- Adds an expectation with estimated times, for a design that is not implemented: `all times`, where one traversal of the tree
+-- serves four times of a pixel. The estimate is a lower bound, because it assumes that four samples take the time of one
+-- sample. The time of one sample is the slope of the frame time between 16 and 64 samples.
 local function of_shared_traversal(class)
   local all = rivals[3]
   also(class.title .. ", time: all times has a setting below the curve of adaptive if four samples of a pixel take the time " ..

@@ -276,7 +276,7 @@ return experiment {
       scale = "even", benign = 0, region = "inner", same_picture = true,
       values = { 0, 30, 60, 75, 85, 88, 89.5, 89.9 },
       shots = { "grazing" },
-      fixed = "A panel of 96 x 72 px rotates about the camera, which moves it by 8 px.",
+      fixed = "A panel of 96 x 72 px rotates about the camera. The rotation moves its image by 8 px.",
       reading = "The depth of a panel that is nearly edge-on changes by up to a tenth from pixel to pixel. Such a " ..
                 "panel is blurred as accurately as one that faces the camera. The error of adaptive is {adaptive @ " ..
                 "0} at 0 degrees and {adaptive @ 89.9} at 89.9 degrees. The error of McGuire 2012 at these angles " ..

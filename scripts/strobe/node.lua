@@ -88,7 +88,8 @@ end
 -- parameter change later without a new graph. A call of the reference, `p.NAME()`, returns the parameter's value. The graph may
 -- depend on this value, so the name of the parameter is then added to the set `noted`.
 local Reference = {}
-local taken = setmetatable({}, { __mode = "k" })  -- reference -> function that a call of the reference runs
+-- For each reference to a parameter: the function that the call `p.NAME()` runs.
+local taken = setmetatable({}, { __mode = "k" })
 Reference.__call = function(reference) return taken[reference]() end
 Reference.__index = native.at_caller(function(place, reference, key)
   check.fail(place, "parameter '%s' has no field %s; its value is p.%s()", rawget(reference, "name"), check.quoted(key),

@@ -7,12 +7,12 @@
 // Method: the depth step is the largest deviation of the four neighbours from the plane that touches the pixel's surface, as a
 //   share of the pixel's depth (mixin/edge_plane.glsl; the parameter `measure` chooses second differences or distances). The
 //   normal step, which finds creases, is the largest difference between the normals of the pixel and a neighbour.
-//   Each step is divided by its threshold. The pixel is an edge if both together exceed 1: the larger, the sum or the smaller
-//   of the two, by the parameter `combine`.
-// Fails: misses farther surfaces in the same plane. Quantised depths make false edges. With second differences, misses
-//   a depth step if one neighbour is nearer and the opposite neighbour is farther by the same difference of 1/z. Pixels
-//   at the border of the image have no second difference across the border. With distances, misses silhouettes of
-//   curved surfaces: there the plane runs along the view ray and meets the background.
+//   Each step is divided by its threshold. The parameter `combine` selects the larger quotient, the sum or the smaller quotient.
+//   The pixel is an edge if this number exceeds 1.
+// Fails: misses farther surfaces in the same plane. Quantised depths make false edges.
+//   Second differences (of 1/z, z: view depth) miss a step if one neighbour is nearer and the opposite neighbour is farther by
+//   an equal difference of 1/z. They do not exist across the border of the image.
+//   Distances from the plane miss silhouettes of curved surfaces: there the plane runs along the view ray.
 #include "mixin/edge.glsl"
 #include "mixin/edge_plane.glsl"
 #include "mixin/edge_steps.glsl"

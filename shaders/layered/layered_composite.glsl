@@ -112,8 +112,8 @@ Nearest nearerRevealed(Nearest nearest, ivec2 pixel, ivec2 texel, float t, float
   return nearest;
 }
 
-// Texel where the search with candidate k begins. Without a curve, it is `texel`, the place where the candidate's displacement
-// ends. With a curve, it is the texel that has this curve, because Newton's method finds more distant surfaces from there.
+// Texel where the search with candidate k begins. For straight motion, it is `texel`, the end of the candidate's displacement.
+// For a curved path, it is the texel that the curve was read from: Newton's method finds more distant surfaces from there.
 ivec2 startAt(int layer, Candidates candidates, int k, ivec2 texel) {
 #if HAS_curve
   ivec2 start = candidates.texels[k];

@@ -18,8 +18,8 @@ bool isWeighted() { return frame.curve_counts.x > 0u; }
 // of the weight up to the next knot.
 vec4 curveKnot(bool closing, uint i) { return closing ? frame.curve_closing[i] : frame.curve_opening[i]; }
 
-// Last knot before a distance or a share of weight: the last knot with a distance (`what` = 0) or a share (`what` = 1) of at
-// most `value`. Binary search.
+// The last knot with a distance (`what` = 0), or with a share of the curve's weight (`what` = 1), of at most `value`. Found by
+// binary search.
 vec4 curveKnotBefore(bool closing, int what, float value) {
   uint low = 0u, high = closing ? frame.curve_counts.y : frame.curve_counts.x;
   while (high - low > 1u) {

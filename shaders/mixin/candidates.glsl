@@ -140,7 +140,7 @@ Candidates searched(Candidates candidates, ivec2 pixel, Dominant dominant, float
     if (way == 2) path = dominant.second;
     int taps = along ? params.samples : 1;
     // Read taps on both sides of the pixel, because a surface that moves against the dominant displacement comes from the other
-    // side. With a centred exposure, the taps themselves are on both sides.
+    // side. With a centred exposure, the sample times already place taps on both sides, so no further taps are needed.
     int sides = along && !isCentred(frame.shutter) ? 2 : 1;
     for (int k = 0; k < taps && !isFull(candidates); ++k) {
       ivec2 offset = ivec2(0);

@@ -177,12 +177,11 @@ mat4x3 columnsOf(vec4 x, vec4 y, vec4 z) { return transpose(mat3x4(x, y, z)); }
 // Visibility of the light from all origins: kVisible, kBlocked or kMixed. `light`: position (w = 1), or direction towards the
 // light with the length `reach` (w = 0); world space. `reach`: upper bound of the coordinates of origins and light, and of the
 // distances between them, metres.
-// Method: the first walk over the tree follows one ray. It searches for a triangle that blocks all rays, or for two
-//   triangles with a common edge that together block all rays. A triangle that blocks all rays blocks this ray too. Of
-//   two triangles that together block all rays, at least one blocks this ray, and the other is beside it. If the first
-//   walk finds no such triangles, the second walk follows the whole volume. The result is kMixed if the second walk
-//   meets a triangle that may block a ray, otherwise kVisible. Also kMixed if a walk visits more than kMaxVolumeNodes
-//   nodes.
+// Method: the rays from all origins to the light fill a volume. The first walk over the tree follows one of these rays.
+//   It searches for a triangle that blocks all rays, or for two triangles with a common edge that together block all
+//   rays: one of them also blocks the followed ray, so the walk meets it. If there are none, the second walk visits all
+//   triangles in the volume. The result is kMixed if one of them may block a ray, otherwise kVisible. The result is
+//   also kMixed if a walk visits more than kMaxVolumeNodes nodes.
 uint visibilityOf(uint slice, RayVolumeStart start, vec4 light, float reach) {
   uint level = levelOf(slice), root = rootOf(level, RAYS_TO_ALL);
   for (uint walk = 0u; walk < 2u; ++walk) {
@@ -260,7 +259,7 @@ uint visibilityOf(uint slice, RayVolumeStart start, vec4 light, float reach) {
 
 #else
 
-// Stand-in for backends with the drivers' acceleration structures.
+// Without the runtime's own tree (backends with the driver's acceleration structures), the visibility is unknown: kMixed.
 uint visibilityOf(uint slice, RayVolumeStart start, vec4 light, float reach) { return kMixed; }
 
 #endif

@@ -21,7 +21,7 @@ uint deformedAt(uint slice, uint vertex) {
   return slice * scene_arrays.deformed_count + (vertex - scene_arrays.first_deformed);
 }
 
-// Position of a vertex in object space, at the slice. Vertices of rigid meshes are equal at all slices.
+// Position of a vertex in object space, at the scene time `slice`. A vertex of a rigid mesh has one position for all times.
 vec3 vertexPosition(uint slice, uint vertex) {
   if (isDeformed(vertex)) return scene_arrays.deformed.at[deformedAt(slice, vertex)].position;
   return scene_arrays.vertices.at[vertex].position;

@@ -6,7 +6,7 @@
 #include "shared/types.h"
 STROBE_SHARED_BEGIN
 
-// Position of the exposure relative to the raster time, and the times t of the exposure.
+// Start and end of the exposure relative to the raster time (t = 0). The unit of t is the length of the exposure.
 #define ANCHOR_END 0u     // the exposure ends at the raster time: t in [-1, 0]
 #define ANCHOR_CENTRE 1u  // the raster time is in the middle of the exposure: t in [-1/2, 1/2]
 #define ANCHOR_START 2u   // the exposure starts at the raster time: t in [0, 1]
@@ -24,7 +24,7 @@ struct FrameData {
   uint iteration;        // number of the iteration, counted over all loops of this exposure; 0 outside of loops
   uint iteration_count;  // number of these iterations; 1 outside of loops
   uint part;             // index of the part of the exposure that the iteration samples, from 0 to iteration_count - 1
-  uint slice_count;      // number of slices (scene times) of this iteration; each pixel may use any; 1 outside of loops
+  uint slice_count;      // number of scene times (slices) of this iteration of a loop, each for any pixel; 1 outside of loops
   uint instance_count;   // number of instances in the scene
   uint light_count;      // number of lights in the scene
   vec3 sky;              // ambient radiance from straight above, linear

@@ -61,7 +61,8 @@ Differences differencesOf(vec2 places[kPoses], bool is_curved) {
 vec2 placeAt(Differences d, float f) { return f * (d.first + 0.5 * (f + 1.0) * d.second); }
 
 // Coefficients of the parabola for mixin/curve.glsl: deviation of the parabola from its chord in the middle of the exposure,
-// px. With D2 (`d.second`) and the exposure in frames, the deviation is -(D2 / 2) (exposure / 2)^2.
+// px. The deviation is -(D2 / 2) (exposure / 2)^2. D2 is the second difference of the position, `d.second`, px per frame^2, and
+// the exposure is in frames.
 vec4 curveOf(Differences d) { return vec4(-frame.exposure * frame.exposure / 8.0 * d.second, 0, 0); }
 
 void run(ivec2 pixel) {

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Colours of one raster pose: from the raster layer where it shows the surfaces, otherwise by shading.
+-- Colours of the surfaces that are rasterised at one time of the exposure. A surface that the raster layer shows has the
+-- colour of its texel; any other surface is shaded.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local raster_color = require "passes.lib.raster_color"

@@ -24,7 +24,8 @@ return pass.trace {
   if_no  = ports.no_motion,
   params = {
     validation_rays = pass.int { 3, min = 0, max = 64,
-      doc = "number of validation rays per pixel, evenly spread over the exposure, at samples that the prediction resolves" },
+      doc = "number of rays per pixel that check the prediction, evenly spread over the time samples for which the " ..
+            "prediction has a surface" },
     mismatch        = pass.float { 0.05, min = 0, max = 1e6,
       doc = "largest difference of a channel between a validation ray and the prediction, linear radiance" },
     shades_contrast = raster_color.shades_contrast,

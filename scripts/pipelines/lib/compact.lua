@@ -7,7 +7,7 @@ local scatter = require "passes.compact.scatter"
 
 local compact = {}
 
--- Returns the list of the pixels in `mask`. The names of the three nodes that make the list start with `name`.
+-- Returns the list of the pixels in `mask`. Three nodes make this list; their names begin with the text `name`.
 function compact.pixels(mask, name)
   local bits = ballot { mask = mask, as = name .. "_squares" }.bits
   local rows = scan { bits = bits, as = name .. "_rows" }

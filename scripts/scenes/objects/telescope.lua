@@ -9,8 +9,8 @@ local studio = require "scripts.scenes.lib.studio"
 local degrees, off = scene.param("degrees", 12), scene.param("off", 1.5)
 local pixels = scene.param("pixels", 100)
 
-local pivot, front = { 0, 1.2, 0 }, 0.9  -- front: from the pivot to the rim of the cap, metres
--- The front moves sideways by front * 2 sin(degrees / 2). The camera is at the distance where this length spans `pixels` px.
+local pivot, front = { 0, 1.2, 0 }, 0.9  -- front: distance of the rim of the cap from the pivot, metres
+-- The rim moves sideways by front * 2 sin(degrees / 2). The camera is at the distance where this length spans `pixels` px.
 local focal_px = scene.param("height", 270) / 2 / math.tan(math.rad(15))
 local distance = front + front * 2 * math.sin(math.rad(degrees / 2)) * focal_px / pixels
 local view = studio.open({ 0, pivot[2] + 0.12, distance }, pivot, 30)

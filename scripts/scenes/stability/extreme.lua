@@ -22,7 +22,8 @@ local exposures_per_second = 24 / 0.5
 local function world(p) return { p[1] + offset, p[2] + 0.3 * offset, p[3] - 0.7 * offset } end
 local function scaled(p) return { p[1] * scale, p[2] * scale, p[3] * scale } end
 
--- Returns a node at the position `p` (before scaling). The parameter `nesting` decides how the node gets the offset.
+-- Returns a node at the position `p` (before scaling), far from the origin by the scene's parameter `offset`. The parameter
+-- `nesting` decides whether the node or its parents have this offset.
 local function placed(p, fields)
   p = scaled(p)
   if nesting == 0 or nesting == 3 then
