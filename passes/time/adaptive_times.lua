@@ -7,7 +7,10 @@ local shade = require "passes.gbuffer.shade"
 return pass.trace {
   doc    = "Blur by rays at adaptively chosen times per pixel: more rays are traced between two rays with different " ..
            "results. Cells where a gather along the motion is reliable need no rays",
-  breaks = { linear = "the times of the rays depend on differences of colour" },
+  breaks = {
+    linear = "the times of the rays depend on differences of colour",
+    converging = "the error tolerance limits the number of rays, so more possible times need not reduce the error",
+  },
   size   = { of = "color" },
   reads  = {
     color    = { doc = "colour of the raster layer, linear radiance" },

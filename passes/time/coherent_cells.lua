@@ -7,7 +7,10 @@ local max_displacement = require "passes.lib.max_displacement"
 return pass.trace {
   doc    = "Cells where a gather is reliable, because all surfaces that reach the cell move alike and a few rays confirm this",
   fails  = "Misses objects smaller than a cell that are neither in the raster layer nor hit by a validation ray.",
-  breaks = { mirrored = "the random choice of the pixels with validation rays depends on the screen position of the cell" },
+  breaks = {
+    mirrored = "the pixels of a cell with validation rays are not mirrored with the picture",
+    reversed = "the times of the validation rays are not reversed with the exposure",
+  },
   size   = { of = "bounds" },
   reads  = {
     bounds           = { doc = "least and greatest displacement in each cell, component by component, px over the exposure" },

@@ -86,7 +86,7 @@ bool isBlended(vec3 place, uvec2 id, float share, out vec3 color) {
     weights += along.x * along.y;
   }
   if (weights < 1e-3 || apart(least, most) * share > sqrt(12.0) * params.allowance * kSumScale / 4.0) return false;
-  color /= weights;
+  color = clamp(color / weights, least, most);  // rounding must not lead out of the texels' range
   return true;
 }
 #endif
@@ -182,7 +182,8 @@ vec3 meanOver(ivec2 pixel, vec2 d) {
   ends[0] = 0;
   vec3 sum = vec3(0);
   while (at < count - 1) {
-    waiting[depth] = sampleAt(pixel, ends[depth], float(ends[depth] - at) / float(count), static_background);
+    int share = at < 0 ? step : ends[depth] - at;  // the first ray counts as much as the last
+    waiting[depth] = sampleAt(pixel, ends[depth], float(share) / float(count), static_background);
     while (depth >= 0) {
       Sample to = waiting[depth];
       int end = ends[depth];

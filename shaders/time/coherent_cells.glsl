@@ -9,10 +9,10 @@
 //      `longest`: longest displacement of the surfaces that reach the cell, px over the exposure
 // Method: join the bounds of all cells that contain surfaces which reach this cell, or texels that a gather in this
 //   cell reads. If the diagonal of the joined box is at most `apart_px`, validate the cell with `validation_rays` rays.
-//   Each ray has a random pixel of the cell and its own part of the exposure. The ray must hit the point that the
-//   pixel's displacement brings to the pixel at the ray's time. Otherwise the cell has a surface that the displacements
-//   of the raster time do not describe: it has a curved path, is disoccluded, or comes from outside the image.
-//   `certain` is then 1/4, and `longest` is one of these:
+//   Each ray has its own pixel of the cell and its own part of the exposure, the same in every cell. The ray must hit
+//   the point that the pixel's displacement brings to the pixel at the ray's time. Otherwise the cell has a surface
+//   that the displacements of the raster time do not describe: it has a curved path, is disoccluded, or comes from
+//   outside the image. `certain` is then 1/4, and `longest` is one of these:
 //   - if the ray hits a point that moves farther than all displacements of the cell: the displacement of this point, at
 //     most kAssumedDisplacement image widths;
 //   - otherwise: kAssumedDisplacement image widths, because another surface, of unknown motion, has uncovered the
@@ -83,10 +83,8 @@ bool shows(ivec2 at, uint id) {
 // the ray's time; 0 if the point is not in front of the camera at the raster time. For the sky: displacement of the
 // pixel.
 bool isConfirmed(ivec2 cell, uint number, out vec2 found) {
-  uint index = uint(cell.y * pass_size().x + cell.x);
-  uint random = randomUint(index, number, 3u);
-  uvec2 within = uvec2(random & 0xffffu, random >> 16u) % uint(params.cell_side);
-  ivec2 pixel = min(cell * params.cell_side + ivec2(within), ivec2(frame.size) - 1);
+  ivec2 within = ivec2(stratified2(0u, number) * float(params.cell_side));
+  ivec2 pixel = min(cell * params.cell_side + within, ivec2(frame.size) - 1);
   uint part = min(number * frame.slice_count / uint(max(params.validation_rays - 1, 1)), frame.slice_count - 1u);
   uint slice = SLICE_SAMPLE + part;
   Ray ray = cameraRay(slice, samplePosition(pixel));

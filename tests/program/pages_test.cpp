@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <set>
 
 #include "base/error.h"
 #include "common/home.h"
@@ -81,6 +82,38 @@ TEST(Commands, ThePageHasEveryCommandAndEveryOptionOfAShot) {
   for (const std::string& option : options)
     if (option != "--help" && option != "--help-all" && option != "--json")
       EXPECT_NE(page.find(option), std::string::npos) << option;
+}
+
+// --- Names in commands
+
+// Commands of all pages that draw a shipped pipeline, as a `plan` of this pipeline with the options --set and --tap of
+// the command. A page that adds files of its own is left out.
+std::set<std::string> plansOfPages() {
+  std::set<std::string> plans;
+  const std::regex command(R"(strobe (?:render|plan|live) ([a-z0-9_]+)([^`\n]*))");
+  const std::regex option(R"( --(?:set (?!scene\.)[a-z_.]+=[^ ]*|tap [a-z_]+\.[a-z_]+)(?= |$))");
+  for (const fs::directory_entry& page : fs::directory_iterator(sourceFolder() / "docs")) {
+    if (page.path().extension() != ".md" || page.path().filename() == "your-own-edge-detector.md") continue;
+    const std::string text = contentOf(page.path());
+    for (std::sregex_iterator at(text.begin(), text.end(), command), end; at != end; ++at) {
+      std::string pipeline = (*at)[1], rest = (*at)[2];
+      if (!fs::exists(sourceFolder() / "scripts/pipelines" / (pipeline + ".lua"))) continue;
+      std::string plan = "plan " + pipeline;
+      for (std::sregex_iterator next(rest.begin(), rest.end(), option); next != end; ++next)
+        if (!next->str().ends_with(".lua")) plan += next->str();
+      plans.insert(plan);
+    }
+  }
+  return plans;
+}
+
+TEST(Commands, NodesImagesAndParametersInThePagesExist) {
+  const std::set<std::string> plans = plansOfPages();
+  EXPECT_GE(plans.size(), 15u);
+  for (const std::string& plan : plans) {
+    Outcome outcome = run(plan);
+    EXPECT_EQ(outcome.exit_code, 0) << plan << "\n" << outcome.err;
+  }
 }
 
 // --- Describing a scene
