@@ -216,7 +216,7 @@ static void divide(graph::FrameResult& sum, int n) {
 // Fills in the camera matrices, id names, warnings and record of a picture.
 static void describe(const Home& home, Picture& picture, const Drawing& drawing, const Shot& shot,
                      const graph::Frame& setup, const gpu::DeviceInfo& device) {
-  scene::Pose pose = setup.pose_at(setup.raster_s);
+  scene::Pose pose = setup.pose_at(setup.view.raster_s);
   dmat4 camera_from_world = glm::inverse(pose.world_from_camera);
   picture.camera_from_world = mat4(camera_from_world);
   double aspect = double(shot.width) / shot.height;
