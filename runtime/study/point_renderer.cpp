@@ -38,16 +38,6 @@ class Stopwatch {
   double started_s_;
 };
 
-// Limits that a picture met, as "NODE: COUNT WHAT": its warnings without the warnings of the scene, and without the
-// advice after the semicolon.
-std::vector<std::string> limitsMet(const lab::Picture& picture) {
-  std::vector<std::string> met, of_scene = picture.record["scene"]["warnings"].get<std::vector<std::string>>();
-  for (const std::string& warning : picture.warnings)
-    if (std::find(of_scene.begin(), of_scene.end(), warning) == of_scene.end())
-      met.push_back(warning.substr(0, warning.find(';')));
-  return met;
-}
-
 // Display values, with marks on pixels that are not finite.
 Image displayed(const Image& linear, const image::ToneMap& tone) {
   Image display = image::toneMap(linear, tone);
@@ -239,7 +229,7 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
     std::string image = picture->record["outputs"]["color"];
     images += (i ? "," : "") + image;
     point.preset = picture->record["pipeline"].value("preset", "");
-    for (const std::string& limit : limitsMet(*picture))
+    for (const std::string& limit : picture->record["limits"].get<std::vector<std::string>>())
       if (std::find(point.limits.begin(), point.limits.end(), limit) == point.limits.end())
         point.limits.push_back(limit);
     sight.before = nullptr, sight.picture = nullptr;
