@@ -7,7 +7,6 @@
 
 #include "base/cores.h"
 #include "base/hash.h"
-#include "base/project.h"
 #include "gpu/limits.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
@@ -46,8 +45,6 @@ bool hasStages(const shader::Interface& in) {
   return in.backend != Backend::None && shader::rowOf(in.backend).has_stages;
 }
 
-using Settings = std::vector<std::pair<std::string, plan::Value>>;
-
 // GLSL expression for a texel of a read that is not wired; "" if the read declares no replacement.
 static std::string absentText(const plan::PortDesc& read) {
   if (!read.absent_read.empty()) return read.absent_read + "_at(at)";
@@ -56,9 +53,8 @@ static std::string absentText(const plan::PortDesc& read) {
   return fmt::format("{}vec4({}, {}, {}, {})", read.uint ? "u" : "", v[0], v[1], v[2], v[3]);
 }
 
-// `wired`: by read, true if wired; `values`: parameter values; both in declaration order.
-static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, const std::vector<bool>& wired,
-                                     const Settings& values, const std::vector<std::string>& absent = {}) {
+shader::Interface interfaceOf(const PassDesc& pass, Backend backend, const std::vector<bool>& wired,
+                              const ParamValues& values, const std::vector<std::string>& absent) {
   shader::Interface in;
   in.pass = pass.name;
   in.place = pass.place.text();
@@ -104,58 +100,6 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   in.in_moving_rect = node.in_moving_rect;
   in.time_slice = timeSlice(plan.descOf(node).time);
   return in;
-}
-
-// A compile-time decision: a parameter's value, or a read wired or not.
-struct Decision {
-  bool read = false;
-  size_t index = 0;
-  std::vector<plan::Value> values;  // default first
-};
-
-static std::vector<Decision> decisionsOf(const PassDesc& pass) {
-  std::vector<Decision> decisions;
-  for (size_t i = 0; i < pass.params.size(); ++i) {
-    const ParamDesc& param = pass.params[i];
-    if (!isCompiledIn(param)) continue;
-    Decision decision{false, i, {param.default_value}};
-    for (const std::string& choice : param.choices) decision.values.push_back(choice);
-    if (param.type == ParamDesc::Type::Bool) decision.values.push_back(!std::get<bool>(param.default_value));
-    for (auto bound : {param.min, param.max})
-      if (param.type == ParamDesc::Type::Int && bound) decision.values.push_back(int64_t(*bound));
-    decisions.push_back(decision);
-  }
-  for (size_t i = 0; i < pass.reads.size(); ++i)
-    if (pass.reads[i].optional) decisions.push_back({true, i, {true, false}});
-  return decisions;
-}
-
-std::vector<shader::Interface> interfacesOf(const PassDesc& pass, Backend backend) {
-  std::vector<Decision> decisions = decisionsOf(pass);
-  decisions.push_back({true, pass.reads.size(), {true}});  // so that a single decision forms a pair
-  decisions.push_back({true, pass.reads.size(), {true}});
-  std::vector<shader::Interface> interfaces;
-  std::set<std::string> seen;
-  auto add = [&](const std::vector<bool>& wired, const Settings& values) {
-    shader::Interface in = interfaceOf(pass, backend, wired, values);
-    in.slices = SLICE_SAMPLE + 1;
-    in.time_slice = SLICE_SHUTTER_CLOSE;  // the slice of one name only
-    if (seen.insert(textOf(in)).second) interfaces.push_back(in);
-  };
-  for (size_t a = 0; a < decisions.size(); ++a)
-    for (size_t b = 0; b < a; ++b)
-      for (const plan::Value& value_a : decisions[a].values)
-        for (const plan::Value& value_b : decisions[b].values) {
-          std::vector<bool> wired(pass.reads.size() + 1, true);
-          Settings values;
-          for (const ParamDesc& param : pass.params) values.push_back({param.name, param.default_value});
-          for (const auto& [decision, value] : {std::pair(decisions[a], value_a), std::pair(decisions[b], value_b)}) {
-            if (decision.read) wired[decision.index] = std::get<bool>(value);
-            else values[decision.index].second = value;
-          }
-          add(wired, values);
-        }
-  return interfaces;
 }
 
 static Path shaderFile(const Home& home, const PassDesc& pass, const char* suffix) {
@@ -205,9 +149,7 @@ static std::vector<StageFile> sharedStages(const Home& home) {
           {backendFile(home, "any_hit.glsl"), ShaderStage::AnyHit}};
 }
 
-// SPIR-V of a pass's stages, in the order that `make` and `compileAlone` expect.
-static std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& in,
-                                                   const PassDesc& pass) {
+std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& in, const PassDesc& pass) {
   std::vector<shader::Compiled> compiled;
   for (const StageFile& own : ownStages(home, in, pass)) compiled.push_back(compilePass(home, in, own.file, own.stage));
   if (!hasStages(in)) return compiled;
@@ -269,7 +211,7 @@ static bool isDebugOnly(uint32_t opcode) {
   return false;
 }
 
-static std::string hashOfCode(const std::vector<uint32_t>& spirv) {
+std::string hashOfCode(const std::vector<uint32_t>& spirv) {
   constexpr size_t kHeader = 5;
   std::vector<uint32_t> code;
   for (size_t at = kHeader; at < spirv.size();) {
@@ -278,16 +220,6 @@ static std::string hashOfCode(const std::vector<uint32_t>& spirv) {
     at = end;
   }
   return hashBytes(code.data(), code.size() * sizeof(uint32_t));
-}
-
-PassCode compileAlone(const Home& home, const shader::Interface& in, const PassDesc& pass) {
-  PassCode code;
-  for (const shader::Compiled& stage : compileStages(home, in, pass)) {
-    code.hash += hashOfCode(stage.spirv);
-    code.files.insert(code.files.end(), stage.files.begin(), stage.files.end());
-  }
-  code.hash = hashText(code.hash);
-  return code;
 }
 
 void ShaderCheck::add(const plan::Plan& plan, Backend backend) {

@@ -40,6 +40,12 @@ struct NodePipeline {
 // Returns the interface that a node's shader is compiled against.
 shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices);
 
+using ParamValues = std::vector<std::pair<std::string, plan::Value>>;
+// Interface of a pass without a plan: no slices, raster time, all pixels. `wired`: by read, true if wired; `values`:
+// parameter values; both in declaration order. `absent`: facts that do not hold.
+shader::Interface interfaceOf(const plan::PassDesc& pass, Backend backend, const std::vector<bool>& wired,
+                              const ParamValues& values, const std::vector<std::string>& absent = {});
+
 // True if the pass runs in the stages of a ray tracing pipeline.
 bool hasStages(const shader::Interface& interface);
 
@@ -53,17 +59,13 @@ std::vector<Path> shaderFiles(const Home& home, const plan::PassDesc& pass);
 // their includes.
 std::vector<Path> filesOf(const Home& home, const plan::PassDesc& pass, Backend backend);
 
-// Hash of a pass's compiled stages and the files they come from, shared declarations included.
-struct PassCode {
-  std::string hash;  // of the SPIR-V without debug instructions
-  std::vector<Path> files;
-};
-// Compiles the stages of a pass without a device. Throws `Error`.
-PassCode compileAlone(const Home& home, const shader::Interface& interface, const plan::PassDesc& pass);
+// Compiles the stages of a pass without a device: the pass's own stages, then the shared stages of the backend. Throws
+// `Error`.
+std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& interface,
+                                            const plan::PassDesc& pass);
 
-// Interfaces of a pass for pairwise tests, without a plan: for each pair of compile-time decisions (choices, switches,
-// optional reads) all combinations of their values. The other decisions have their declared values.
-std::vector<shader::Interface> interfacesOf(const plan::PassDesc& pass, Backend backend);
+// Hash of SPIR-V without debug instructions.
+std::string hashOfCode(const std::vector<uint32_t>& spirv);
 
 // Compiles shaders without a device, each variant of each pass once, on all cores.
 class ShaderCheck {
