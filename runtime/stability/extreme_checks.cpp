@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "base/json.h"
 #include "image/metrics.h"
 #include "image/regions.h"
 #include "stability/extremes.h"
@@ -119,72 +120,33 @@ void silent(Probe& probe, const ExtremeCheck& check) {
 
 // ---- reading
 
-lab::Shot readShot(const Json& json, const std::string& what, const Place& place, Problems& problems) {
-  Fields fields(json, what, place, problems);
+template <class Value>
+void readIf(const Json& json, const char* key, Value& value) {
+  if (json.contains(key)) json.at(key).get_to(value);
+}
+
+lab::Shot readShot(const Json& json) {
   lab::Shot shot;
-  shot.scene = fields.text("scene", std::nullopt);
-  if (std::vector<double> size = fields.numbers("size", 2, 2); size.size() == 2)
-    shot.width = int(size[0]), shot.height = int(size[1]);
-  shot.frame = fields.integer("frame", 0, 0, std::numeric_limits<int>::max());
-  shot.anchor = fields.choice("anchor", shot.anchor, {"end", "centre", "start"});
-  if (fields.has("exposure")) shot.exposure = fields.number("exposure", 0, 0);
-  shot.shutter_curve = fields.text("shutter_curve", shot.shutter_curve);
-  shot.camera_blur = fields.number("camera_blur", shot.camera_blur, 0, 1);
-  shot.object_blur = fields.number("object_blur", shot.object_blur, 0, 1);
-  shot.moves = fields.texts("moves");
-  shot.spins = fields.texts("spins");
-  readSettings(fields.table("scene_set"), "scene.", shot.sets);
-  readSettings(fields.table("set"), "", shot.sets);
-  fields.finish();
+  json.at("scene").get_to(shot.scene);
+  json.at("size").at(0).get_to(shot.width);
+  json.at("size").at(1).get_to(shot.height);
+  json.at("frame").get_to(shot.frame);
+  readIf(json, "anchor", shot.anchor);
+  readIf(json, "exposure", shot.exposure);
+  readIf(json, "shutter_curve", shot.shutter_curve);
+  readIf(json, "camera_blur", shot.camera_blur);
+  readIf(json, "object_blur", shot.object_blur);
+  readIf(json, "moves", shot.moves);
+  readIf(json, "spins", shot.spins);
+  if (json.contains("scene_set")) readSettings(json.at("scene_set"), "scene.", shot.sets);
+  if (json.contains("set")) readSettings(json.at("set"), "", shot.sets);
   return shot;
 }
 
-void readExact(Fields& fields, ExtremeCheck& check, size_t channels) {
-  for (const Json& value : fields.list("exact"))
-    check.exact.push_back(value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
-  size_t count = size_t(check.shot.width) * size_t(check.shot.height) * channels;
-  if (check.exact.size() != count)
-    fields.problem(fmt::format("'exact' has {} numbers instead of {}", check.exact.size(), count));
-}
-
-void readPixel(Fields& fields, ExtremeCheck& check) {
-  std::vector<double> pixel = fields.numbers("pixel", 2, 2);
-  if (pixel.size() == 2) check.pixel = {int(pixel[0]), int(pixel[1])};
-}
-
-// A number of a check: its member and its range.
-struct Number {
-  double ExtremeCheck::*member;
-  double min = -1e9, max = 1e9;
-};
-const std::map<std::string, Number> kNumbers = {
-    {"low", {&ExtremeCheck::low}},           {"high", {&ExtremeCheck::high}},
-    {"value", {&ExtremeCheck::value}},       {"tolerance", {&ExtremeCheck::tolerance, 0}},
-    {"share", {&ExtremeCheck::share, 0, 1}}, {"tolerance_px", {&ExtremeCheck::tolerance_px, 0}}};
-
-// Data that a check reads besides its shot.
-struct CheckKind {
-  void (*holds)(Probe&, const ExtremeCheck&);
-  std::vector<std::string> numbers;
-  const char* text = "";  // key of a text
-  bool text_needed = true;
-  size_t channels = 0;     // of "exact"
-  const char* other = "";  // key of another shot
-  bool other_needed = false;
-};
-
-const std::map<std::string, CheckKind>& kinds() {
-  static const std::map<std::string, CheckKind> table = {
-      {"draws", {drawn, {}}},
-      {"as_captured", {.holds = asCaptured, .other = "of"}},
-      {"within", {.holds = within, .numbers = {"low", "high"}, .text = "unless", .text_needed = false}},
-      {"nearer", {nearer, {}}},
-      {"same", {.holds = same, .numbers = {"tolerance", "share"}, .other = "other", .other_needed = true}},
-      {"displacement", {.holds = displaced, .numbers = {"share", "tolerance_px"}, .channels = 2}},
-      {"truth", {.holds = exactTruth, .numbers = {"tolerance"}, .channels = 1}},
-      {"sharp_at", {.holds = sharpAt, .numbers = {"value", "tolerance"}}},
-      {"warns", {.holds = warns, .text = "text"}},
-      {"silent", {.holds = silent, .text = "text"}}};
+const std::map<std::string, void (*)(Probe&, const ExtremeCheck&)>& kinds() {
+  static const std::map<std::string, void (*)(Probe&, const ExtremeCheck&)> table = {
+      {"draws", drawn}, {"as_captured", asCaptured}, {"within", within},    {"nearer", nearer},    {"same", same},
+      {"warns", warns}, {"displacement", displaced}, {"truth", exactTruth}, {"sharp_at", sharpAt}, {"silent", silent}};
   return table;
 }
 
@@ -202,29 +164,21 @@ void readSettings(const Json& table, const std::string& prefix, script::Settings
   for (const auto& [name, value] : table.items()) sets.push_back({prefix + name, plan::valueFromJson(value)});
 }
 
-ExtremeCheck readCheck(const Json& json, const std::string& what, const Place& place, Problems& problems) {
-  static const std::vector<std::string> groups = {"all", "blurs", "filters", "others", "truth", "all_but_truth"};
-  std::vector<std::string> names;
-  for (const auto& [name, kind] : kinds()) names.push_back(name);
-  Fields fields(json, what, place, problems);
-  std::string name = fields.choice("check", std::nullopt, names);  // a valid name even after a mistake
-  const CheckKind& kind = kinds().at(name);
+ExtremeCheck readCheck(const Json& json) {
   ExtremeCheck check;
-  check.holds = kind.holds;
-  check.by = fields.choice("by", "all", groups);
-  if (const Json* shot = fields.need("shot")) check.shot = readShot(*shot, what + ": shot", place, problems);
-  if (*kind.other && fields.has(kind.other))
-    check.other = readShot(*fields.find(kind.other), what + ": " + kind.other, place, problems);
-  if (kind.other_needed && !check.other) fields.problem(fmt::format("needs '{}'", kind.other));
-  for (const std::string& key : kind.numbers) {
-    const Number& number = kNumbers.at(key);
-    check.*number.member = fields.number(key, std::nullopt, number.min, number.max);
-  }
-  if (*kind.text) check.text = kind.text_needed ? fields.text(kind.text, std::nullopt) : fields.text(kind.text);
-  if (kind.channels) readExact(fields, check, kind.channels);
-  if (kind.holds == asCaptured) check.pixels = fields.integer("pixels", 0, 0, 1 << 20);
-  if (kind.holds == sharpAt) readPixel(fields, check);
-  fields.finish();
+  check.holds = kinds().at(json.at("check"));
+  readIf(json, "by", check.by);
+  check.shot = readShot(json.at("shot"));
+  for (const char* key : {"of", "other"})
+    if (json.contains(key)) check.other = readShot(json.at(key));
+  readIf(json, "low", check.low), readIf(json, "high", check.high);
+  readIf(json, "value", check.value), readIf(json, "share", check.share);
+  readIf(json, "tolerance", check.tolerance), readIf(json, "tolerance_px", check.tolerance_px);
+  readIf(json, "pixels", check.pixels), readIf(json, "pixel", check.pixel);
+  for (const char* key : {"unless", "text"}) readIf(json, key, check.text);
+  if (!json.contains("exact")) return check;
+  for (const Json& value : json.at("exact"))
+    check.exact.push_back(value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
   return check;
 }
 

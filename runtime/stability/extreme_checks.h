@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/strict.h"
+#include "base/json_fwd.h"
 #include "lab/shot.h"
 
 namespace strobe::stability {
@@ -31,8 +31,9 @@ struct ExtremeCheck {
 // Reads settings of a pipeline; with the prefix "scene.", settings of a scene.
 void readSettings(const Json& table, const std::string& prefix, script::Settings& sets);
 
-// `what` names the check in messages about mistakes.
-ExtremeCheck readCheck(const Json& json, const std::string& what, const Place& place, Problems& problems);
+// Reads a check of scripts/stability/extreme_cases.lua. Throws an exception of the JSON library if a required key is
+// missing or has another type.
+ExtremeCheck readCheck(const Json& json);
 
 // Checks the picture of the probe's method, if `check.by` includes the method.
 void apply(const ExtremeCheck& check, Probe& probe);

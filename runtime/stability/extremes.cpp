@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json.h"
 #include "page/table.h"
 
 namespace strobe::stability {
@@ -71,44 +72,27 @@ const lab::Picture& Probe::picture(const lab::Shot& shot) {
 
 // ---- the cases
 
-static lab::Arm readArm(const Json& json, const std::string& what, const Place& place, Problems& problems) {
-  Fields fields(json, what, place, problems);
-  lab::Arm arm{"", fields.text("pipeline", std::nullopt), {}};
-  readSettings(fields.table("set"), "", arm.sets);
-  fields.finish();
+static lab::Arm readArm(const Json& json) {
+  lab::Arm arm{"", json.at("pipeline"), {}};
+  if (json.contains("set")) readSettings(json.at("set"), "", arm.sets);
   return arm;
 }
 
-static Extreme readExtreme(const Json& json, const Place& place, Problems& problems) {
-  Fields fields(json, "case", place, problems);
-  Extreme extreme;
-  extreme.name = fields.text("name", std::nullopt);
-  fields.rename(fmt::format("case '{}'", extreme.name));
-  extreme.clause = fields.text("clause", std::nullopt);
-  extreme.says = fields.text("says", std::nullopt);
-  for (const Json& check : fields.list("checks"))
-    extreme.checks.push_back(
-        readCheck(check, fmt::format("{}: check {}", fields.what(), extreme.checks.size() + 1), place, problems));
-  fields.finish();
+static Extreme readExtreme(const Json& json) {
+  Extreme extreme{json.at("name"), json.at("clause"), json.at("says"), {}};
+  for (const Json& check : json.value("checks", Json::array())) extreme.checks.push_back(readCheck(check));
   return extreme;
 }
 
 Extremes readExtremes(const Home& home, const script::Limits& limits,
                       const std::optional<std::vector<std::string>>& with_checks) {
-  const Path file = home.at("scripts/stability/extreme_cases.lua");
   Json arguments = Json::object();
   if (with_checks) arguments["cases"] = *with_checks;
-  Json data = script::evaluateData(home, file, arguments, nullptr, limits);
-  Problems problems;
-  Place place{home.shown(file)};
-  Fields fields(data, "extreme cases", place, problems);
-  Extremes extremes;
-  if (const Json* arm = fields.need("sharp")) extremes.sharp = readArm(*arm, "sharp", place, problems);
-  if (const Json* arm = fields.need("truth")) extremes.truth = readArm(*arm, "truth", place, problems);
-  readSettings(fields.table("truth_method"), "", extremes.truth_method);
-  for (const Json& one : fields.list("cases")) extremes.cases.push_back(readExtreme(one, place, problems));
-  fields.finish();
-  problems.throwIfAny();
+  const Json data =
+      script::evaluateData(home, home.at("scripts/stability/extreme_cases.lua"), arguments, nullptr, limits);
+  Extremes extremes{readArm(data.at("sharp")), readArm(data.at("truth")), {}, {}};
+  readSettings(data.at("truth_method"), "", extremes.truth_method);
+  for (const Json& one : data.at("cases")) extremes.cases.push_back(readExtreme(one));
   return extremes;
 }
 

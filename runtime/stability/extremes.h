@@ -37,7 +37,7 @@ struct Extremes {
 };
 
 // Reads scripts/stability/extreme_cases.lua. Returns all cases; only the cases in `with_checks` have their checks
-// (without it: all cases). Throws an `Error` with all mistakes.
+// (without it: all cases). Throws `Error` if the script fails.
 Extremes readExtremes(const Home& home, const script::Limits& limits,
                       const std::optional<std::vector<std::string>>& with_checks = std::nullopt);
 

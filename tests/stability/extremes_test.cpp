@@ -8,7 +8,6 @@
 
 #include "common/all_cases.h"
 #include "common/home.h"
-#include "common/refusal.h"
 #include "oracle/render.h"
 
 namespace strobe::stability {
@@ -75,9 +74,7 @@ class Checks : public oracle::RenderTest {
     static const std::vector<Variant> methods = methodsOf(home(), bench().limits);
     Json json = {{"check", kind}, {"shot", barShot(displacement_px)}};
     json.update(fields);
-    Problems problems;
-    Extreme extreme{"x", "", "", {readCheck(json, "x", {}, problems)}};
-    problems.throwIfAny();
+    Extreme extreme{"x", "", "", {readCheck(json)}};
     auto method =
         std::find_if(methods.begin(), methods.end(), [&](const Variant& m) { return m.pipeline == pipeline; });
     return runExtreme(bench(), {*method}, extremes, extreme).front().failures;
@@ -138,22 +135,6 @@ TEST_F(Checks, AreAboutTheMethodsTheyName) {
   EXPECT_EQ(counts("others"), (std::array<size_t, 3>{1, 0, 1}));
   EXPECT_EQ(counts("truth"), (std::array<size_t, 3>{0, 0, 1}));
   EXPECT_EQ(counts("all_but_truth"), (std::array<size_t, 3>{1, 1, 0}));
-}
-
-TEST(ExtremeChecks, MistakesAreNamed) {
-  auto mistakeIn = [](const Json& json) -> std::string {
-    Problems problems;
-    readCheck(json, "case 'x': check 1", {"cases.lua"}, problems);
-    return testing::refusalOf([&] { problems.throwIfAny(); });
-  };
-  EXPECT_EQ(mistakeIn({{"check", "withn"}, {"shot", barShot(0)}, {"low", 0}, {"high", 1}}).substr(0, 40),
-            "cases.lua: case 'x': check 1: 'check' = ");
-  EXPECT_EQ(mistakeIn({{"check", "within"}, {"shot", barShot(0)}, {"low", 0}}),
-            "cases.lua: case 'x': check 1: needs 'high'");
-  EXPECT_EQ(mistakeIn({{"check", "draws"}, {"shot", barShot(0)}, {"hi", 1}}).substr(0, 47),
-            "cases.lua: case 'x': check 1: unknown key 'hi';");
-  EXPECT_EQ(mistakeIn({{"check", "truth"}, {"shot", barShot(0)}, {"tolerance", 1}, {"exact", {1, 2}}}),
-            "cases.lua: case 'x': check 1: 'exact' has 2 numbers instead of 192");
 }
 
 }  // namespace extremes_test
