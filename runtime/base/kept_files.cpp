@@ -31,11 +31,6 @@ bool isDue(const Path& folder, size_t bytes, size_t step) {
 
 }  // namespace
 
-bool KeptFiles::empty() const {
-  std::error_code none;
-  return folder_.empty() || fs::directory_iterator(folder_, none) == fs::directory_iterator();
-}
-
 std::optional<std::string> KeptFiles::find(const std::string& key) const {
   std::error_code ignored;
   if (folder_.empty() || !fs::is_regular_file(folder_ / key, ignored)) return std::nullopt;

@@ -22,7 +22,6 @@ class KeptFiles {
   // size is checked once per `most` / 4 new bytes.
   explicit KeptFiles(Path folder, size_t most = kMost) : folder_(std::move(folder)), most_(most) {}
 
-  bool empty() const;
   // Content stored under this key; nothing if the file is missing or damaged.
   std::optional<std::string> find(const std::string& key) const;
   // Does nothing if the file cannot be written.

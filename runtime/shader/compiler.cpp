@@ -11,11 +11,9 @@
 #include <sstream>
 
 #include "base/hash.h"
-#include "base/project.h"
 #include "base/version.h"
 #include "shader/sources.h"
 #include "shader/spirv_cache.h"
-#include "shader/start.h"
 
 namespace strobe::shader {
 
@@ -177,18 +175,6 @@ void setRules(glslang::TShader& shader, EShLanguage stage) {
 constexpr auto kRules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors | EShMsgDebugInfo);
 
 }  // namespace
-
-void startCompiler(const Home& home) {
-  if (!SpirvCache(home.cache()).empty()) return;
-  startOnce();
-  for (ShaderStage stage : {ShaderStage::Vertex, ShaderStage::Fragment, ShaderStage::Compute}) {
-    glslang::TShader shader(language(stage));
-    const char* text = "#version 460\nvoid main() {}\n";
-    shader.setStrings(&text, 1);
-    setRules(shader, language(stage));
-    shader.parse(GetDefaultResources(), kDialect, false, kRules);
-  }
-}
 
 // Cache key of all inputs of a compilation: the compiler and its settings, the stage, every text, and the text of each
 // include.

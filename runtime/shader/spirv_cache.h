@@ -23,7 +23,6 @@ class SpirvCache {
   // The cache is in the folder "spirv" below `folder`; an empty path disables it.
   explicit SpirvCache(const Path& folder) : files_(folder.empty() ? folder : folder / "spirv") {}
 
-  bool empty() const { return files_.empty(); }
   std::optional<KeptCode> find(const std::string& key) const;
   void keep(const std::string& key, const KeptCode& code) const;
 
