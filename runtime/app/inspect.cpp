@@ -11,7 +11,7 @@
 #include "app/shot_options.h"
 #include "archive/capture_file.h"
 #include "base/cores.h"
-#include "base/extension.h"
+#include "base/lists.h"
 #include "base/numbers.h"
 #include "base/version.h"
 #include "graph/pipelines.h"
@@ -29,10 +29,6 @@ namespace strobe::app {
 
 namespace {
 
-void addOnce(std::vector<std::string>& problems, const std::string& problem) {
-  if (std::find(problems.begin(), problems.end(), problem) == problems.end()) problems.push_back(problem);
-}
-
 // Runs `step` and adds its error to `problems`. With `as_given`, rethrows errors with exit code 2: the command line is
 // wrong.
 template <class Step>
@@ -41,7 +37,7 @@ void collect(std::vector<std::string>& problems, const Step& step, bool as_given
     step();
   } catch (const Error& error) {
     if (as_given && error.exitCode() == 2) throw;
-    addOnce(problems, error.what());
+    addOnce(problems, std::string(error.what()));
   }
 }
 
@@ -247,36 +243,34 @@ Checked allFiles(const Home& home) {
   return checked;
 }
 
-// "1 pipeline and 2 experiments are sound", for given files.
+// "1 pipeline and 2 experiments are sound".
 std::string soundText(const Checked& checked) {
   std::vector<std::string> counts;
-  const size_t pipelines = checked.pipelines.size(), experiments = checked.experiments.size(),
-               captures = checked.captures.size();
-  if (pipelines > 0) counts.push_back(countText(pipelines, "pipeline"));
-  if (experiments > 0) counts.push_back(countText(experiments, "experiment"));
-  if (captures > 0) counts.push_back(countText(captures, "capture"));
-  return fmt::format("{} {} sound\n", fmt::join(counts, " and "),
-                     pipelines + experiments + captures == 1 ? "is" : "are");
+  size_t total = 0;
+  for (const auto& [names, what] :
+       {std::pair(&checked.pipelines, "pipeline"), std::pair(&checked.scenes, "scene"),
+        std::pair(&checked.experiments, "experiment"), std::pair(&checked.captures, "capture")}) {
+    if (!names->empty()) counts.push_back(countText(names->size(), what));
+    total += names->size();
+  }
+  if (counts.empty()) counts.push_back("0 pipelines");
+  return fmt::format("{} {} sound\n", fmt::join(counts, " and "), total == 1 ? "is" : "are");
 }
 
-// Numbers of pipelines and scenes, in a project per root.
-std::string soundText(const Home& home, const Checked& checked) {
-  const auto& [pipelines, scenes, experiments, captures] = checked;
-  auto text = [](size_t pipelines, size_t scenes) {
-    if (scenes == 0)
-      return fmt::format("{} {} sound\n", countText(pipelines, "pipeline"), pipelines == 1 ? "is" : "are");
-    return fmt::format("{} and {} are sound\n", countText(pipelines, "pipeline"), countText(scenes, "scene"));
+// Numbers of the files of the project, then of the shipped files.
+std::string soundTextByRoot(const Home& home, const Checked& checked) {
+  Checked own, shipped;
+  auto divide = [&](std::vector<std::string> Checked::*names, const char* folder) {
+    for (const std::string& name : checked.*names) {
+      const bool is_own = home.shown(home.at(Path(folder) / (name + ".lua"))).find(':') == std::string::npos;
+      ((is_own ? own : shipped).*names).push_back(name);
+    }
   };
-  if (!home.hasProject()) return text(pipelines.size(), scenes.size());
-  auto own = [&](const char* folder, const std::vector<std::string>& names) {
-    return std::count_if(names.begin(), names.end(), [&](const std::string& name) {
-      return home.shown(home.at(Path(folder) / (name + ".lua"))).find(':') == std::string::npos;
-    });
-  };
-  size_t own_pipelines = own("scripts/pipelines", pipelines), own_scenes = own("scripts/scenes", scenes);
-  return fmt::format("{}: {}, {}, {}{}: {}", home.project().string(), countText(experiments.size(), "experiment"),
-                     countText(captures.size(), "capture"), text(own_pipelines, own_scenes), home.shipped().string(),
-                     text(pipelines.size() - own_pipelines, scenes.size() - own_scenes));
+  divide(&Checked::pipelines, "scripts/pipelines");
+  divide(&Checked::scenes, "scripts/scenes");
+  return fmt::format("{}: {}, {}, {}{}: {}", home.project().string(),
+                     countText(checked.experiments.size(), "experiment"), countText(checked.captures.size(), "capture"),
+                     soundText(own), home.shipped().string(), soundText(shipped));
 }
 
 void check(const Home& home, const CheckOptions& options) {
@@ -312,7 +306,8 @@ void check(const Home& home, const CheckOptions& options) {
     return;
   }
   throwIfAny(problems);
-  std::fputs((files.empty() ? soundText(home, checked) : soundText(checked)).c_str(), stdout);
+  const bool by_root = files.empty() && home.hasProject();
+  std::fputs((by_root ? soundTextByRoot(home, checked) : soundText(checked)).c_str(), stdout);
 }
 
 struct PlanOptions {
