@@ -11,7 +11,6 @@
 
 #include "app/commands.h"
 #include "base/error.h"
-#include "base/project.h"
 #include "base/version.h"
 #include "script/evaluate.h"
 
@@ -80,7 +79,7 @@ static void requireNames(const CLI::App& program, const strobe::Home& home) {
   const std::set<std::string> always = {"help", "doctor", "new", "complete", "compare", "check"};
   for (const CLI::App* command : program.get_subcommands())
     if (always.count(command->get_name())) return;
-  strobe::throwIfAny(strobe::misnamedInProject(home));
+  strobe::throwIfAny(home.mistakesOfProject());
 }
 
 int main(int argc, char** argv) {

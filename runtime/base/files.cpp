@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -77,6 +78,12 @@ void writeFileAtomically(const Path& file, std::string_view bytes, Flush flush) 
 
 void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes) {
   writeFileAtomically(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+bool hasExtension(std::string_view name, std::string_view extension) {
+  if (name.size() < extension.size()) return false;
+  auto same = [](char a, char b) { return std::tolower(uint8_t(a)) == std::tolower(uint8_t(b)); };
+  return std::equal(extension.begin(), extension.end(), name.end() - std::ptrdiff_t(extension.size()), same);
 }
 
 std::vector<std::string> namesIn(const Path& folder, std::string_view extension) {

@@ -38,6 +38,9 @@ void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes);
 // the system's reason if the flush fails.
 std::error_code flushFolder(const Path& folder);
 
+// True if the name ends in `extension` (".lua"), ignoring case.
+bool hasExtension(std::string_view name, std::string_view extension);
+
 // Sorted names of the files in `folder` with this extension (".lua"), without the extension. Empty if the folder is
 // missing.
 std::vector<std::string> namesIn(const Path& folder, std::string_view extension);

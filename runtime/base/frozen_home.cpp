@@ -12,7 +12,6 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "base/extension.h"
 #include "base/files.h"
 
 namespace strobe {

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/project.h"
 
 namespace strobe {
 
@@ -163,15 +162,20 @@ std::optional<Path> Home::find(const Path& name) const {
   return *found;
 }
 
+// Skips links that lead out of the project: their readers report them.
 std::vector<std::string> Home::mistakesOfProject() const {
   std::vector<std::string> mistakes;
   std::error_code ignored;
-  for (const auto& [name, folder] : kProjectFolders)
+  for (const auto& [name, folder] : kProjectFolders) {
+    if (!hasProject()) break;
     for (const auto& entry : fs::recursive_directory_iterator(project() / folder, ignored)) try {
-        find(Path(name) / entry.path().lexically_relative(project() / folder));
+        const Path& file = entry.path();
+        bool is_read = file.extension() == ".lua" || file.extension() == ".glsl";
+        if (is_read && liesIn(file, project())) find(Path(name) / file.lexically_relative(project() / folder));
       } catch (const Error& error) {
         mistakes.push_back(error.what());
       }
+  }
   return mistakes;
 }
 
@@ -263,24 +267,6 @@ std::string Home::read(const Path& file) const {
   } catch (const Error& error) {
     throw Error(error.message(), {shown(file)});
   }
-}
-
-// Skips links that lead out of the project: their readers report them.
-std::vector<std::string> misnamedInProject(const Home& home) {
-  std::vector<std::string> mistakes;
-  std::error_code ignored;
-  for (const auto& [name, folder] : kProjectFolders) {
-    if (!home.hasProject()) break;
-    for (const auto& entry : fs::recursive_directory_iterator(home.project() / folder, ignored)) try {
-        const Path& file = entry.path();
-        bool is_read = file.extension() == ".lua" || file.extension() == ".glsl";
-        if (is_read && liesIn(file, home.project()))
-          home.find(Path(name) / file.lexically_relative(home.project() / folder));
-      } catch (const Error& error) {
-        mistakes.push_back(error.what());
-      }
-  }
-  return mistakes;
 }
 
 std::string placesText(const Home& home, const Path& folder) {

@@ -67,7 +67,7 @@ class Home {
   // Like `namesIn`, including all folders below ("bar", "oracles/bar").
   std::vector<std::string> namesBelow(const Path& folder, std::string_view extension) const;
 
-  // Messages for all files of the project that `find` refuses. Requires a project.
+  // Messages for the project's scripts and shaders that `find` refuses; empty without a project.
   std::vector<std::string> mistakesOfProject() const;
 
   // Path relative to the root of the file; nothing if the file lies in no root. `file` is absolute.
@@ -97,6 +97,9 @@ class Home {
   std::optional<Path> data_;
   Path program_, cache_;
 };
+
+// "/p/shaders or /s/shaders", for messages on missing files.
+std::string placesText(const Home& home, const Path& folder);
 
 // True if `file` lies in `folder`, with links followed.
 bool liesIn(const Path& file, const Path& folder);

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <filesystem>
 
-#include "base/extension.h"
 #include "lab/shot_options.h"
 
 namespace strobe::lab {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/extension.h"
 #include "base/hash.h"
 #include "base/log.h"
 #include "lab/drawing.h"

@@ -8,10 +8,8 @@
 #include <map>
 
 #include "base/cores.h"
-#include "base/extension.h"
 #include "base/hash.h"
 #include "base/json_text.h"
-#include "base/project.h"
 #include "script/batch.h"
 
 namespace strobe::script {

@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 #include "base/error.h"
-#include "base/extension.h"
 #include "common/refusal.h"
 #include "common/temporary_folder.h"
 

@@ -2,7 +2,7 @@
 // Broken files, scenes of the shared data and reported files, with the validator as an oracle.
 #include "scene/gltf_validator.h"
 
-#include "base/extension.h"
+#include "base/files.h"
 #include "base/process.h"
 #include "common/home.h"
 #include "common/source.h"
