@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Layout of an experiment's report: pictures, curves, tables. Read from the checked `layout` of the experiment file.
+// Layout of an experiment's report: pictures, curves, tables. Read from the checked `layout` of the experiment
+// file.
 #pragma once
 
 #include <optional>
