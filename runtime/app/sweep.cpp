@@ -76,9 +76,10 @@ void show(const study::Results& results, const Path& folder, const ResultNames& 
   throwIfAny(wrong);
 }
 
-study::Experiment experimentOf(const Home& home, const std::string& file, const SweepOptions& options) {
+study::Experiment experimentOf(const Home& home, const std::string& file, const SweepOptions& options,
+                               bool evaluate = true) {
   std::array<int, 2> size = options.size.empty() ? std::array<int, 2>{} : lab::parseSize(options.size);
-  study::Experiment experiment = study::readExperiment(home, file);
+  study::Experiment experiment = study::readExperiment(home, file, evaluate);
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
   if (size[0]) experiment.setSize(size[0], size[1]);
   experiment.truth_error = options.truth_error;
@@ -137,16 +138,16 @@ void sweep(const Home& home, const SweepOptions& options) {
   double started_s = clockSeconds();
   std::string file = hereOrAtHome(home, options.file);
   if (!options.dry_run) requireWritable(options.out);
-  study::Experiment experiment = experimentOf(home, file, options);
-  if (options.dry_run) return list(experiment, options.json);
+  study::Experiment checked = experimentOf(home, file, options);
+  if (options.dry_run) return list(checked, options.json);
   study::Store store(options.out);
   store.requires_exr = options.exr;
-  store.belongTo(experiment.title);
+  store.belongTo(checked.title);
   const ResultNames names;
   const Path outline = store.folder() / names.outline;
   Interruption interruption([&outline] { return "interrupted; " + study::keptIn(outline); });
   FrozenHome frozen(home, store.folder() / ".inputs");
-  experiment.file = frozen.at(file);
+  const study::Experiment experiment = experimentOf(frozen.home(), file, options, false);
   auto make = [&] {
     auto bench = std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted());
     limitTime(*bench, options.time_limit_s, outline);
@@ -188,14 +189,14 @@ void demo(const Home& home, const SweepOptions& options) {
   requireWritable(options.out);
   // Report mistakes before anything is written.
   archive::readCapture(home, order.file, order.size);
-  study::Experiment experiment = experimentOf(home, order.file, options);
+  study::Experiment checked = experimentOf(home, order.file, options);
   study::Store store(options.out);
-  store.belongTo(experiment.title);
+  store.belongTo(checked.title);
   const Path outline = store.folder() / kDemoNames.outline;
   Interruption interruption([&outline] { return "interrupted; " + study::keptIn(outline); });
   archive::Capturing capturing(home, order, [](const std::string& line) { note(line); });
   limitTime(capturing.bench(), options.time_limit_s, outline);
-  experiment.file = capturing.inputs().at(order.file);
+  const study::Experiment experiment = experimentOf(capturing.inputs().home(), order.file, options, false);
   const std::string command = commandOf(home, "demo", options);
   study::Started started = keptOutline(outline, command);
   study::Results results = ranTo(outline, [&] { return measured(experiment, capturing, store, started); });

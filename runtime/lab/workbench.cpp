@@ -65,7 +65,7 @@ static std::string shownBeside(const std::string& scene, const Path& file) {
 }
 
 scene::FilePlaces filePlaces(const Home& home, const std::string& scene, bool allow_outside) {
-  scene::FilePlaces places{script::sceneScript(home, scene).parent_path(), {}, allow_outside};
+  scene::FilePlaces places{script::sceneFolder(home, scene), {}, allow_outside};
   for (const Path& root : home.roots())
     if (places.root.empty() && liesIn(places.folder, root)) places.root = root;
   return places;

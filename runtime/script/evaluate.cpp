@@ -22,7 +22,8 @@ namespace {
 
 // The main file of an evaluation.
 struct Main {
-  Path file;  // absolute
+  Path file;    // absolute; in a copy of a home, the copy
+  Path folder;  // of the file itself: a copy may lack the models and pictures beside the file
   std::string shown;
   std::string name;  // without folder and ".lua"
   bool own_folder = false;
@@ -40,8 +41,10 @@ std::vector<std::string> mainNames(const Home& home, const Path& folder) {
 
 Main mainFile(const Home& home, const std::string& path, const Texts& texts = {}) {
   Main main;
-  main.file = fs::absolute(path).lexically_normal();
-  main.shown = home.shown(path);
+  const Path file = fs::absolute(path).lexically_normal();
+  main.file = copyOf(home, file);
+  main.folder = file.parent_path();
+  main.shown = home.shown(main.file == file ? Path(path) : main.file);
   main.name = main.file.stem();
   main.own_folder = true;
   if (texts.count(main.file) || fs::is_regular_file(main.file)) return main;
@@ -154,7 +157,7 @@ void addPreset(const Home& home, const Settings& sets, const Texts& texts, Json&
   if (!set.ends_with(".lua")) return;
   Path here = fs::absolute(set).lexically_normal();
   bool is_here = texts.count(here) || Path(set).is_absolute();
-  Path file = is_here ? here : home.find(set).value_or(here);
+  Path file = is_here ? copyOf(home, here) : home.find(set).value_or(here);
   request["preset"] = file.string();
   request["preset_shown"] = home.shown(file);
 }
@@ -395,8 +398,8 @@ Json evaluateScene(const Home& home, const std::string& name_or_path, const Sett
   return evaluate(home, main, "scene", argument, dependencies, limits, texts);
 }
 
-Path sceneScript(const Home& home, const std::string& name_or_path) {
-  return fs::absolute(mainOf(home, name_or_path, "scene", {}).file).lexically_normal();
+Path sceneFolder(const Home& home, const std::string& name_or_path) {
+  return mainOf(home, name_or_path, "scene", {}).folder;
 }
 
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,

@@ -110,8 +110,8 @@ class PipelineEvaluator {
 // without the prefix; a setting that the scene does not read is an error.
 Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
                    std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {}, const Texts& texts = {});
-// Absolute path of a scene's file. Throws `Error` like `evaluateScene` if the file does not exist.
-Path sceneScript(const Home& home, const std::string& name_or_path);
+// Absolute folder of the files that a scene names. Throws `Error` like `evaluateScene` if the scene does not exist.
+Path sceneFolder(const Home& home, const std::string& name_or_path);
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
                                           const Limits& limits = {});
 
