@@ -332,10 +332,12 @@ size_t Experiment::points() const {
 }
 
 size_t Experiment::truths() const {
-  std::set<std::string> distinct;
-  for (const Group& group : groups) distinct.insert(lab::canonical(truthShotOf(*this, group)));
-  return distinct.size();
+  std::set<std::string> commands;
+  for (const Group& group : groups) commands.insert(commandOf(shots[group.shot], truthShotOf(*this, group)));
+  return countTruths(std::move(commands));
 }
+
+size_t countTruths(std::set<std::string> commands) { return commands.size() - commands.count(""); }
 
 script::Settings joined(script::Settings base, const script::Settings& more) {
   base.insert(base.end(), more.begin(), more.end());

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 #include "base/error.h"
 #include "image/draw.h"
@@ -157,9 +158,12 @@ struct Experiment : ExperimentSummary {
 
   void setSize(int width, int height);
   size_t points() const;
-  // Number of distinct truths. Values of an axis that do not affect truth share one truth.
-  size_t truths() const;
+  size_t truths() const;  // distinct; values of an axis that do not affect truth share one truth
 };
+
+// Number of truths with different contents, by the commands that draw them. "": cannot be drawn. A key of a point of
+// truth also has the measures.
+size_t countTruths(std::set<std::string> commands);
 
 // Reads an experiment file, or a capture file with `measures`. Checks it without a device, and with `evaluate` also
 // pipelines, settings and scenes. A scene "shared:FILE" is read from the shared data; if the scene is missing, the

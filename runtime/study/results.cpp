@@ -355,12 +355,23 @@ size_t Results::missing() const {
   return count;
 }
 
+size_t Results::points() const {
+  size_t count = 0;
+  for (const PointGroup& group : groups) count += group.points.size() - 1;
+  return count;
+}
+
+size_t Results::truths(bool missing) const {
+  std::set<std::string> commands;
+  for (const PointGroup& group : groups)
+    if (!missing || group.truth().isMissing()) commands.insert(group.truth().key.empty() ? "" : group.truth().command);
+  return countTruths(std::move(commands));
+}
+
 std::string Results::missingText() const {
-  size_t points = 0, truths = 0;
-  for (const PointGroup& group : groups) points += group.points.size() - 1, truths += group.truth().isMissing();
   std::vector<std::string> parts;
-  if (size_t left = missing()) parts.push_back(fmt::format("{} of {} points", left, points));
-  if (truths > 0) parts.push_back(fmt::format("{} of {} truths", truths, groups.size()));
+  if (size_t left = missing()) parts.push_back(fmt::format("{} of {} points", left, points()));
+  if (size_t left = truths(true)) parts.push_back(fmt::format("{} of {} truths", left, truths()));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -88,7 +88,9 @@ struct Results : ExperimentSummary {
   const ShotSummary& shot(const std::string& name) const;
   std::vector<std::string> contradicted() const;  // expectations, in words
   std::vector<std::string> failed() const;        // points, with their reasons
-  size_t missing() const;                         // number of points that are not drawn yet
+  size_t points() const;                          // number of points without truths
+  size_t missing() const;                         // number of these that are not drawn yet
+  size_t truths(bool missing = false) const;      // number of distinct truths; `missing`: only those not drawn yet
   std::string missingText() const;                // not drawn yet: "3 of 8 points, 1 of 2 truths"; "": none
 };
 

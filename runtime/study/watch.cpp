@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/numbers.h"
 #include "math/pareto.h"
@@ -66,21 +65,6 @@ std::string frontSoFar(const Results& results) {
 
 namespace {
 
-// Number of points without truths.
-size_t methodPoints(const Results& results) {
-  size_t count = 0;
-  for (const PointGroup& group : results.groups) count += group.points.size() - 1;
-  return count;
-}
-
-// Number of different truths; values of an axis may share one truth.
-size_t distinctTruths(const Results& results) {
-  std::set<std::string> keys;
-  for (const PointGroup& group : results.groups)
-    if (!group.truth().key.empty()) keys.insert(group.truth().key);
-  return keys.size();
-}
-
 size_t keptPoints(const Results& results) {
   size_t count = 0;
   for (const PointGroup& group : results.groups)
@@ -93,13 +77,12 @@ size_t keptPoints(const Results& results) {
 
 void announce(const Results& now) {
   if (size_t left = now.missing())
-    note(fmt::format("{} and {}; {} left to draw", countText(methodPoints(now), "point"),
-                     countText(distinctTruths(now), "truth"),
+    note(fmt::format("{} and {}; {} left to draw", countText(now.points(), "point"), countText(now.truths(), "truth"),
                      left == 1 ? "1 point is" : fmt::format("{} points are", left)));
 }
 
 std::string keptText(const Results& now) {
-  const size_t points = methodPoints(now), kept = keptPoints(now);
+  const size_t points = now.points(), kept = keptPoints(now);
   if (points == 0) return "";
   return fmt::format("{} of {} {} kept; the same command continues", kept, countText(points, "point"),
                      kept == 1 ? "is" : "are");

@@ -96,11 +96,24 @@ Results partial() {
       Point point;
       point.arm = arm, point.key = arm + std::to_string(arm == std::string("truth") ? g / 2 : g);
       point.role = arm == std::string("truth") ? ArmRole::truth : ArmRole::method;
+      point.command = "strobe render " + point.key;
       group.points.push_back(point);
     }
     results.groups.push_back(group);
   }
   return results;
+}
+
+// Values that set nothing of truth share its picture, though other measures may give its points other keys.
+TEST(Counts, OfMissingTruthsAreDistinct) {
+  Results results = partial();
+  results.groups[0].points[0].key = "with another measure";
+  EXPECT_EQ(results.missingText(), "6 of 6 points, 2 of 2 truths");
+  results.groups[2].points[0].values["rmse"]["whole"] = 0;
+  EXPECT_EQ(results.missingText(), "6 of 6 points, 1 of 2 truths");
+  for (size_t g : {0, 1}) results.groups[g].points[0].key = "", results.groups[g].points[0].failed = "a reason";
+  EXPECT_EQ(results.missingText(), "6 of 6 points");
+  EXPECT_EQ(results.truths(), 1u) << "those that can be drawn";
 }
 
 // The line of an interrupted sweep, whatever is in its folder.

@@ -47,6 +47,7 @@ Results made() {
     axis.values.push_back(value);
     axis.labels.push_back(fmt::format("{:g}", value));
     PointGroup group{"shot", "end", {{"speed", value}}, {of("truth", ArmRole::truth, 0)}};
+    group.points[0].key = "truth", group.points[0].command += " --set speed=" + axis.labels.back();
     group.points[0].values["contrast"]["all"] = 0.5;
     group.points[0].values["change"]["all"] = group.points[0].values["changed"]["all"] = 1e-6 * value;
     group.points.push_back(of("good", ArmRole::method, 0.015));
@@ -239,7 +240,7 @@ TEST(Report, ShowsTheTruthAlone) {
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) point.values.clear();
   Point& truth = results.groups[0].points[0];
-  truth = of("truth", ArmRole::truth, 0);
+  truth.values = of("truth", ArmRole::truth, 0).values;
   truth.measured = truth.shown = "truth.exr";
   Report report(results, folder.path());
   ASSERT_TRUE(report.hasSheet());
