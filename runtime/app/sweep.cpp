@@ -57,12 +57,10 @@ std::string commandOf(const Home& home, const std::string& name, const SweepOpti
   return line;
 }
 
-// Prints the results and the names of all files, including `besides`. Throws `Error` (exit code 1) if a point failed or
-// is missing, a file is damaged, or the results contradict an expectation.
-void show(const study::Results& results, const Path& folder, const ResultNames& names, bool json, bool still = false,
-          const std::vector<Path>& besides = {}, const std::vector<Path>& damaged = {}) {
-  std::vector<Path> files = writeResults(results, folder, names, still);
-  files.insert(files.end(), besides.begin(), besides.end());
+// Prints the results and the names of their files. Throws `Error` (exit code 1) if a point failed or is missing, a file
+// is damaged, or the results contradict an expectation.
+void show(const study::Results& results, const Path& folder, const std::vector<Path>& files, bool json,
+          const std::vector<Path>& damaged = {}) {
   std::fputs((json ? study::textOf(results) : study::Report(results, folder).text() + "\n").c_str(), stdout);
   for (const Path& file : files)
     if (!json) std::printf("%s\n", file.c_str());
@@ -108,11 +106,15 @@ study::Started keptOutline(const Path& outline, const std::string& command) {
   };
 }
 
-// Reads the results back from their JSON, so that `report` gives the same page. Removes the outline.
-study::Results concluded(study::Results results, const std::string& command, const Path& outline) {
+// Writes the result files, then removes the outline, so that `report` always finds one of them. Reads the results back
+// from their JSON first, so that `report` gives the same page.
+std::vector<Path> conclude(study::Results& results, const std::string& command, const Path& folder,
+                           const ResultNames& names) {
   results.command = command;
-  std::filesystem::remove(outline);
-  return study::resultsFrom(study::toJson(results), "the results");
+  results = study::resultsFrom(study::toJson(results), "the results");
+  std::vector<Path> files = writeResults(results, folder, names);
+  std::filesystem::remove(folder / names.outline);
+  return files;
 }
 
 // Adds the number of kept points to the message of a pass that exceeds the time limit.
@@ -163,7 +165,8 @@ void sweep(const Home& home, const SweepOptions& options) {
   bench->device().refuseMessages();
   if (!good) throw Error("a process of the sweep failed; see its message above");
   note(fmt::format("{} in {:.0f} s", countText(experiment.points(), "point"), clockSeconds() - started_s));
-  show(concluded(std::move(results), command, outline), options.out, names, options.json);
+  const std::vector<Path> files = conclude(results, command, options.out, names);
+  show(results, options.out, files, options.json);
 }
 
 // Runs the experiment on the pictures of the capture. Each picture is drawn once, when the experiment first needs it.
@@ -200,10 +203,12 @@ void demo(const Home& home, const SweepOptions& options) {
   const std::string command = commandOf(home, "demo", options);
   study::Started started = keptOutline(outline, command);
   study::Results results = ranTo(outline, [&] { return measured(experiment, capturing, store, started); });
-  std::vector<Path> figures = capturing.finish().figures;
+  const std::vector<Path> figures = capturing.finish().figures;
   note(fmt::format("{} in {:.0f} s", countText(experiment.points(), "point"), clockSeconds() - started_s));
-  figures.push_back(order.folder / archive::kManifestFile);
-  show(concluded(std::move(results), command, outline), options.out, kDemoNames, options.json, false, figures);
+  std::vector<Path> files = conclude(results, command, options.out, kDemoNames);
+  files.insert(files.end(), figures.begin(), figures.end());
+  files.push_back(order.folder / archive::kManifestFile);
+  show(results, options.out, files, options.json);
 }
 
 void addCommon(CLI::App& command, SweepOptions& options) {
@@ -244,7 +249,7 @@ void report(const Home& home, const ReportOptions& options) {
   damaged.insert(damaged.end(), altered.begin(), altered.end());
   if (!options.file.empty())
     study::retell(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
-  show(results, folder, names, options.json, options.still, {}, damaged);
+  show(results, folder, writeResults(results, folder, names, options.still), options.json, damaged);
 }
 
 }  // namespace

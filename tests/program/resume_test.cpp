@@ -174,6 +174,22 @@ TEST_F(Resume, InterruptedItSaysWhatIsKeptAndGoesOn) {
   for (const char* left : {"out2/.inputs_3", "out2/.inputs"}) EXPECT_FALSE(fs::exists(folder_ / left)) << left;
 }
 
+// The run ends between its last point and its results.
+TEST_F(Resume, ResultsThatCannotBeWrittenCanBeLaidOutLater) {
+  writeText(folder_ / "x.lua", few("{ 2 }"));
+  fs::create_directories(folder_ / "out/report.html/in_the_way");
+  Outcome outcome = run(command("out"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("out/report.html: cannot be written"), std::string::npos) << outcome.err;
+  ASSERT_FALSE(fs::exists(folder_ / "out/result.json"));
+  fs::remove_all(folder_ / "out/report.html");
+  Outcome report = run("report " + (folder_ / "out"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_NE(file("out", "table.csv").find("\n2,hybrid,bar,inner,0.5,2,"), std::string::npos);
+  ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/unfinished.json"));
+}
+
 TEST_F(Resume, AnInterruptedDemoIsLaidOutUnderItsOwnNames) {
   writeText(folder_ / "x.lua", R"lua(
 local capture = require "strobe.capture"
