@@ -33,13 +33,14 @@ struct Point {
   std::string command;              // draws the picture again
   std::string image;                // hash of the output `color`
   std::string preset;               // preset of the pipeline; "": no preset
-  std::string failed;               // reason of a failure; "": no failure
+  std::string failed;               // reason of a failure; "": no failure. With values, only the times failed
   // Files beside the results, "" if not written: linear colour as measured and as shown (OpenEXR), display picture,
   // record.
   std::string measured, shown, picture, record;
   std::map<std::string, std::string> files;  // hashes of all files of the point, by name below the results' folder
   std::string times;                         // conditions of the times: rounds, and the base of ratios
 
+  bool isDrawn() const { return !values.empty(); }                     // drawn and measured, perhaps without times
   bool isMissing() const { return values.empty() && failed.empty(); }  // not drawn yet
   // Reason for missing values: "failed", "not drawn", "2 px not finite"; "" if no values are missing.
   std::string lack() const;

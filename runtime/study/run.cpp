@@ -147,7 +147,7 @@ void keepTimes(const Store& store, const Task& task, const std::string& times, c
   std::optional<Point> kept = store.point(task.key);
   if (!kept) return;  // damaged in the meantime; the next sweep makes the point again
   Point& point = *kept;
-  point.times = times;
+  point.failed.clear(), point.times = times;
   point.passes = passesOf(own.frame);
   for (const std::string& name : task.measures)
     if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, {"all", {}});
@@ -188,12 +188,14 @@ void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& st
   }
 }
 
-// Marks points as failed, with the reason, if their times cannot be measured.
+// Marks points as failed, with the reason, if their times cannot be measured. The values of their pictures stay.
 void failTimes(const Store& store, const TimedTurn& walk, const std::string& reason) {
   for (const Task* task : walk.tasks) {
-    Point point = store.point(task->key).value_or(Point());
-    point.failed = "times: " + reason;
-    store.keep(task->key, point);
+    std::optional<Point> point = store.point(task->key);
+    if (!point) continue;  // damaged in the meantime
+    std::erase_if(point->values, [](const auto& value) { return measureNamed(value.first).is_time; });
+    point->failed = "times: " + reason, point->times.clear(), point->passes.clear();
+    store.keep(task->key, *point);
   }
   warn(fmt::format("times of {} points failed: {}", walk.tasks.size(), reason));
 }

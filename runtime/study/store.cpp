@@ -215,13 +215,13 @@ bool Store::has(const std::string& key) const {
   if (had_.count(key)) return true;
   std::optional<Point> kept = point(key);
   bool is_had =
-      kept && kept->failed.empty() && hasFiles(*kept) && (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
+      kept && kept->isDrawn() && hasFiles(*kept) && (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
   if (is_had) had_.insert(key);
   return is_had;
 }
 
 void Store::keep(const std::string& key, const Point& point) const {
-  if (!point.failed.empty()) had_.erase(key);
+  if (!point.isDrawn()) had_.erase(key);
   Json json = toJson(point);
   json["key"] = key;
   writeFileAtomically(pointFile(folder_, key, ".json"), sealed(std::move(json)));

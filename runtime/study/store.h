@@ -43,8 +43,8 @@ class Store {
   // True: points without a file of linear colour count as missing.
   bool requires_exr = false;
 
-  // Point in folder/points/KEY.json, if the file exists. `has` is false for a failed point, and for a point with
-  // missing or damaged files.
+  // Point in folder/points/KEY.json, if the file exists. `has` is false for a point without values (its picture
+  // failed), and for a point with missing or damaged files.
   std::optional<Point> point(const std::string& key) const;
   bool has(const std::string& key) const;
   void keep(const std::string& key, const Point& point) const;

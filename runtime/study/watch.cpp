@@ -68,8 +68,7 @@ namespace {
 size_t keptPoints(const Results& results) {
   size_t count = 0;
   for (const PointGroup& group : results.groups)
-    for (const Point& point : group.points)
-      count += point.role != ArmRole::truth && !point.isMissing() && point.failed.empty();
+    for (const Point& point : group.points) count += point.role != ArmRole::truth && point.isDrawn();
   return count;
 }
 

@@ -4,6 +4,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
+
 #include "common/home.h"
 #include "program/run.h"
 #include "study/report.h"
@@ -76,6 +78,47 @@ TEST(LostDevice, EndsARunAndFailsNoPoint) {
   Results results = run(experiment, bench, store);
   EXPECT_EQ(results.failed(), std::vector<std::string>());
   EXPECT_EQ(results.missing(), 0u);
+}
+
+// All five points are drawn; no frame can be timed after that.
+VkResult submitOrFail(VkQueue queue, uint32_t count, const VkSubmitInfo2* submits, VkFence fence) {
+  if (namesIn(points, ".json").size() == 5) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  return calls_before.QueueSubmit2(queue, count, submits, fence);
+}
+
+TEST(FailedTimes, LeaveThePicturesAndAreMeasuredAgain) {
+  testing::TemporaryFolder folder;
+  std::string timed = kSmall;
+  testing::writeText(folder / "x.lua", timed.replace(timed.find("\"rmse\""), 6, "\"rmse\", \"ms\""));
+  Experiment experiment = readExperiment(home(), folder / "x.lua");
+  points = folder.path() / "points";
+  auto runOnce = [&](int& drawn, bool fails) {
+    lab::Workbench bench(home(), gpu::DeviceOptions{});
+    auto& calls = const_cast<gpu::Dispatch&>(bench.device().vk());
+    calls_before = calls;
+    if (fails) calls.QueueSubmit2 = submitOrFail;
+    lab::Batch batch(bench);
+    Results results = run(experiment, batch, Store(folder.path()));
+    drawn = batch.drawn();
+    calls = calls_before;
+    return results;
+  };
+  int drawn = 0;
+  Results failed = runOnce(drawn, true);
+  EXPECT_GT(drawn, 0);
+  ASSERT_EQ(failed.failed().size(), 6u) << "every point but truth";
+  EXPECT_NE(failed.failed()[0].find("none: times: "), std::string::npos) << failed.failed()[0];
+  const Point& point = failed.groups[0].points[1];
+  EXPECT_GT(point.value("rmse"), 0);
+  EXPECT_TRUE(std::isnan(point.value("ms")));
+  EXPECT_NE(csvOf(failed).find("failed: times: "), std::string::npos);
+  EXPECT_EQ(keptText(failed), "6 of 6 points are kept; the same command continues");
+
+  Results timed_again = runOnce(drawn, false);
+  EXPECT_EQ(drawn, 0) << "only times were missing";
+  EXPECT_EQ(timed_again.failed(), std::vector<std::string>());
+  EXPECT_GT(timed_again.groups[0].points[1].value("ms"), 0);
+  EXPECT_EQ(timed_again.groups[0].points[1].value("rmse"), point.value("rmse"));
 }
 
 // Values that set nothing of truth share one; the list of points has them so before anything is drawn.
