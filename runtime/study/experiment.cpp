@@ -18,11 +18,6 @@ namespace {
 
 const std::vector<std::string> kDefaultRegions = {"whole", "inner", "hidden", "outer"};
 
-template <class Value>
-void take(const Json& from, const char* name, Value& into) {
-  if (from.contains(name)) into = from.at(name).get<Value>();
-}
-
 Place placeFrom(const Json& json) { return {json.at("file").get<std::string>(), json.at("line").get<int>()}; }
 
 // Places of an entry and of the settings in these lists. Settings of a scene get the prefix "scene.".
@@ -144,8 +139,7 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
     const Json& back = json["background"];
     experiment.background = Background{back.at("arm"), back.at("color"), back.at("valid"), back.at("front")};
   }
-  experiment.layout = json.value("layout", Json::object());
-  if (experiment.layout.is_array()) experiment.layout = Json::object();
+  experiment.layout = layoutFrom(json.value("layout", Json::object()));
   return experiment;
 }
 

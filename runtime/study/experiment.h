@@ -12,6 +12,7 @@
 #include "image/tone.h"
 #include "lab/batch.h"
 #include "lab/shot_data.h"
+#include "study/layout.h"
 
 namespace strobe::study {
 
@@ -134,7 +135,7 @@ struct ExperimentSummary {
   bool partial = false;                        // only some points of the file
   int width = 0, height = 0;                   // size of the pictures
   std::vector<std::string> regions, measures;  // as the experiment requests them
-  Json layout;
+  ReportLayout layout;
   Inputs inputs;  // scripts that define the experiment; in results, all files that points depend on
 };
 

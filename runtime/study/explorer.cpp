@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "study/effects.h"
-#include "study/layout.h"
 #include "study/page_images.h"
 #include "study/report.h"
 
@@ -220,7 +219,7 @@ FirstView firstViewOf(const Results& results) {
   FirstView view{"", "rmse", has(results.regions, "inner") ? "inner" : "whole"};
   for (const char* name : {"ms", "ms_ratio"})  // times of a software device are comparable only as ratios
     if (has(results.measures, name) && (view.x.empty() || results.software)) view.x = name;
-  if (std::optional<FrontLayout> front = frontOf(results.layout)) view = {front->x, front->y, front->region};
+  if (const auto& front = results.layout.front) view = {front->x, front->y, front->region};
   if (!has(results.measures, view.y) && !results.measures.empty()) view.y = results.measures.front();
   return view;
 }

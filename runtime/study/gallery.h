@@ -2,7 +2,6 @@
 // Pictures of a shot, read from the files that its results name, and texts for these pictures.
 #pragma once
 
-#include "study/layout.h"
 #include "study/results.h"
 
 namespace strobe::study {

@@ -258,7 +258,7 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   warnOnce(fmt::format("{}{}, {}", studied.title, at.empty() ? "" : ", " + at, task.arm->name), picture->warnings);
   Stopwatch watch(spent_.keeping_s);
   keepFiles(group, task, *picture, point);
-  if (pictures_) write(group, task, *picture, point);
+  if (experiment_.layout.pictures) write(group, task, *picture, point);
   return point;
 }
 

@@ -28,7 +28,7 @@ class PointRenderer {
 
   // All arguments must outlive the renderer.
   PointRenderer(const Experiment& experiment, lab::Batch& batch, const Store& store)
-      : experiment_(experiment), batch_(batch), store_(store), pictures_(picturesLayoutOf(experiment.layout)) {}
+      : experiment_(experiment), batch_(batch), store_(store) {}
 
   // Draws, measures and stores a point for each task without a point in the store. The point of a failed task has the
   // reason. Throws `Error` if the store cannot write.
@@ -59,7 +59,6 @@ class PointRenderer {
   const Experiment& experiment_;
   lab::Batch& batch_;
   const Store& store_;
-  const std::optional<PicturesLayout> pictures_;
   Progress progress_;
   Spent spent_;
 

@@ -242,7 +242,7 @@ const char* const kHowToRead =
 }  // namespace
 
 Parts curveParts(const Results& results) {
-  double factor = curvesOf(results.layout)->factor;
+  double factor = results.layout.curves->factor;
   std::vector<Curve> curves = curvesIn(results, factor);
   Parts parts;
   if (curves.empty()) return parts;

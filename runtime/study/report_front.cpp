@@ -8,7 +8,6 @@
 #include "page/chart.h"
 #include "page/svg.h"
 #include "study/gallery.h"
-#include "study/layout.h"
 #include "study/report.h"
 
 namespace strobe::study {
@@ -137,7 +136,7 @@ page::Table Front::table() const {
 }  // namespace
 
 Parts frontParts(const Results& results) {
-  FrontLayout layout = frontOf(results.layout).value();
+  const FrontLayout& layout = *results.layout.front;
   Parts parts = {heading(layout.title.empty() ? "Front" : layout.title, 2, "front", ReportPart::kRead),
                  text(layout.note, Tone::plain, ReportPart::kRead)};
   auto figure = [&](const Front& front, const std::string& name) {

@@ -170,7 +170,7 @@ page::Pictures differencesOf(const Gallery& gallery, double gain) {
 }
 
 void addPictures(const Results& results, const Gallery& gallery, const PictureSize& size, Parts& parts) {
-  double gain = picturesLayoutOf(results.layout)->difference_gain;
+  double gain = results.layout.pictures->difference_gain;
   parts.push_back(heading("Pictures", 3, "", ReportPart::kPage));
   parts.push_back({picturesOf(gallery, size), ReportPart::kPage});
   for (const image::Rectangle& area : gallery.shot->crops) {

@@ -162,7 +162,7 @@ std::string explained(const Results& results, const TableLayout& layout) {
 }  // namespace
 
 Parts tableParts(const Results& results) {
-  TableLayout layout = tableOf(results.layout).value();
+  const TableLayout& layout = *results.layout.table;
   Parts parts;
   if (layout.axes.empty()) {
     parts.push_back(heading(layout.title.empty() ? "Points" : layout.title, 2, "points", ReportPart::kRead));

@@ -7,7 +7,6 @@
 
 #include "base/sealed_json.h"
 #include "base/version.h"
-#include "study/layout.h"
 
 namespace strobe::study {
 
@@ -165,7 +164,7 @@ Results read(const Json& json) {
     results.arms.push_back({{arm.at("name"), arm.at("pipeline"), {}}, roleOf(arm.at("role")), arm.at("shown")});
   for (const Json& shot : json.at("shots")) results.shots.push_back(shotOf(shot));
   for (const Json& axis : json.at("axes")) results.axes.push_back(axisFrom(axis));
-  results.layout = json.at("layout");
+  results.layout = layoutFrom(json.at("layout"));
   for (const Json& group : json.at("groups")) results.groups.push_back(pointGroupFrom(group));
   for (const Json& expectation : json.at("expectations")) takeTexts(expectation, results.expectations.emplace_back());
   results.inputs = json.value("inputs", results.inputs);
@@ -188,8 +187,8 @@ const It& named(const std::vector<It>& all, const std::string& name) {
 
 void requireMeasures(const Results& results) {
   std::vector<std::string> names = results.measures, known = measureNames();
-  if (std::optional<FrontLayout> front = frontOf(results.layout)) names.insert(names.end(), {front->x, front->y});
-  if (std::optional<TableLayout> table = tableOf(results.layout))
+  if (const auto& front = results.layout.front) names.insert(names.end(), {front->x, front->y});
+  if (const auto& table = results.layout.table)
     for (const auto* list : {&table->cells, &table->once}) names.insert(names.end(), list->begin(), list->end());
   for (const std::string& name : names)
     require(std::find(known.begin(), known.end(), name) != known.end(), fmt::format("unknown measure '{}'", name));
@@ -200,7 +199,7 @@ void requireSound(const Results& results, const AxisSummary& axis) {
   require(axis.labels.size() == count && axis.benign.value_or(0) < std::max<size_t>(count, 1),
           fmt::format("axis '{}' has {} values and {} labels", axis.name, count, axis.labels.size()));
   bool numbers = std::all_of(axis.values.begin(), axis.values.end(), [](const Json& one) { return one.is_number(); });
-  require(numbers || !axis.hasCurves() || !curvesOf(results.layout),
+  require(numbers || !axis.hasCurves() || !results.layout.curves,
           fmt::format("axis '{}' has curves, but values that are not numbers", axis.name));
 }
 
@@ -229,7 +228,6 @@ void requireSound(const Results& results) {
           fmt::format("the size is {}x{}", results.width, results.height));
   require(!results.arms.empty(), "the list of arms is empty");
   requireMeasures(results);
-  picturesLayoutOf(results.layout), curvesOf(results.layout);  // throws for fields of another type
   for (const AxisSummary& axis : results.axes) requireSound(results, axis);
   for (const ShotSummary& shot : results.shots) requireSound(results, shot);
   for (const PointGroup& group : results.groups) requireSound(results, group);
@@ -415,7 +413,7 @@ Json toJson(const Results& results) {
   json["arms"] = listOf(results.arms, armJson);
   json["shots"] = listOf(results.shots, shotJson);
   json["axes"] = listOf(results.axes, axisJson);
-  json["layout"] = results.layout;
+  json["layout"] = results.layout.json;
   json["expectations"] = listOf(results.expectations, [](const Expectation& one) { return textsOf(one); });
   if (!results.inputs.empty()) json["inputs"] = results.inputs;
   json["groups"] = listOf(results.groups, groupJson);

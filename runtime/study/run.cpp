@@ -222,7 +222,7 @@ void describeShot(const Experiment& experiment, const TaskGroup& group, PointRen
   std::shared_ptr<const lab::Picture> truth = renderer.firstTruth(group);
   if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);
   if (experiment.shots[group.group->shot].wanted_crops.empty()) return;
-  PicturesLayout pictures = picturesLayoutOf(experiment.layout).value_or(PicturesLayout());
+  PicturesLayout pictures = experiment.layout.pictures.value_or(PicturesLayout());
   TruthPicture against = truthPictureOf(experiment, *truth);
   for (const Crop& crop : experiment.shots[group.group->shot].wanted_crops)
     summary.crops.push_back(placedCrop(experiment, crop, pictures, against));

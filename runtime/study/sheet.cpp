@@ -70,7 +70,7 @@ class Sheet {
     addCells(gallery, [&](FigureCell& cell, const ShownPoint& one) {
       if (one.isTruth()) return figure_.cells.pop_back();
       cell.step = kMeasured, cell.against = gallery.truth().point->arm, cell.difference = "channels";
-      cell.gain = picturesLayoutOf(results_.layout).value_or(PicturesLayout()).difference_gain;
+      cell.gain = results_.layout.pictures.value_or(PicturesLayout()).difference_gain;
       frame(cell, shot);
     });
   }

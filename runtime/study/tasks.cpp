@@ -33,17 +33,18 @@ std::vector<std::string> measuresOf(const Experiment& experiment, const Group& g
   std::vector<std::string> wanted = experiment.measures;
   auto add = [&](const std::vector<std::string>& names) { wanted.insert(wanted.end(), names.begin(), names.end()); };
   add({"rmse", "pixels", "broken"});
-  if (picturesLayoutOf(experiment.layout)) add({"displacement", "clamped"});
-  if (curvesOf(experiment.layout)) add({"contrast", "change", "changed"});
-  if (std::optional<FrontLayout> front = frontOf(experiment.layout)) add({front->x, front->y});
+  const ReportLayout& layout = experiment.layout;
+  if (layout.pictures) add({"displacement", "clamped"});
+  if (layout.curves) add({"contrast", "change", "changed"});
+  if (layout.front) add({layout.front->x, layout.front->y});
   if (experiment.background) add({"background_deviation", "background_difference", "background_pixels", "clamped"});
-  if (std::optional<TableLayout> table = tableOf(experiment.layout)) {
-    for (const std::string& axis : table->axes) {
+  if (layout.table) {
+    for (const std::string& axis : layout.table->axes) {
       if (!hasAxis(experiment, group, axis)) continue;
-      add(table->cells);
-      if (isFirstShot(experiment, group, axis)) add(table->once);
+      add(layout.table->cells);
+      if (isFirstShot(experiment, group, axis)) add(layout.table->once);
     }
-    if (table->share) add({"contrast"});
+    if (layout.table->share) add({"contrast"});
   }
   std::vector<std::string> ordered;
   for (const std::string& name : measureNames())
@@ -108,7 +109,7 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
       if (arm.name == background->front)
         parts["front"] = contentsOf(experiment, *group.group, shotOf(experiment, *group.group, arm), batch);
   const StudiedShot& studied = experiment.shots[group.group->shot];
-  if (picturesLayoutOf(experiment.layout)) {
+  if (experiment.layout.pictures) {
     lab::Shot box = task.shot;
     box.sets = joined(box.sets, task.arm->box);
     parts["shown"] = {batch.contentOf(box),    studied.picture_aa, studied.tone.stops,

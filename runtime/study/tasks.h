@@ -4,7 +4,6 @@
 
 #include "lab/batch.h"
 #include "study/experiment.h"
-#include "study/layout.h"
 #include "study/store.h"
 
 namespace strobe::study {

@@ -128,7 +128,8 @@ void Tuner::prepare() {
   if (wish_.region != "whole") experiment_.regions.insert(experiment_.regions.begin(), "whole");
   experiment_.measures = {wish_.measure, "ms", "ms_ratio", "ms_own", "own_ratio"};
   experiment_.is_step = true;
-  experiment_.layout = {{"front", {{"x", wish_.ratioName()}, {"y", wish_.measure}, {"region", wish_.region}}}};
+  experiment_.layout =
+      layoutFrom({{"front", {{"x", wish_.ratioName()}, {"y", wish_.measure}, {"region", wish_.region}}}});
   for (const Dimension& dimension : space_) {
     Axis axis;
     axis.name = axis.title = dimension.param.name, axis.unit = dimension.param.unit;

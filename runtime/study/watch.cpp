@@ -9,7 +9,6 @@
 #include "base/numbers.h"
 #include "math/pareto.h"
 #include "study/gallery.h"
-#include "study/layout.h"
 #include "study/store.h"
 
 namespace strobe::study {
@@ -39,7 +38,7 @@ std::vector<ReportedPoint> bestOf(const std::vector<ReportedPoint>& seen, const 
 }  // namespace
 
 std::string frontSoFar(const Results& results) {
-  FrontLayout layout = frontOf(results.layout).value_or(FrontLayout());
+  FrontLayout layout = results.layout.front.value_or(FrontLayout());
   const Measure &x = measureNamed(layout.x), &y = measureNamed(layout.y);
   std::string text;
   for (const ShotSummary& shot : results.shots) {

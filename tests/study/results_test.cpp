@@ -59,7 +59,7 @@ Results made() {
     results.groups.push_back(group);
   }
   results.axes = {axis};
-  results.layout = {{"curves", {{"factor", 2}}}};
+  results.layout = layoutFrom({{"curves", {{"factor", 2}}}});
   return results;
 }
 
@@ -209,7 +209,7 @@ TEST(Report, LaysOutWhateverPointsThereAre) {
         R"({"table": {"axes": ["speed"], "cells": ["rmse"], "once": ["rmse"], "share": true}})", "{}"})
     for (int i = 0; i < 8; ++i) {
       Results results = made();
-      results.layout = Json::parse(layout);
+      results.layout = layoutFrom(Json::parse(layout));
       for (PointGroup& group : results.groups)
         for (Point& point : group.points) {
           int fate = i < 2 ? 0 : int(random() % 4);
@@ -236,7 +236,7 @@ TEST(Report, ShowsTheTruthAlone) {
   file.add("", {"R", "G", "B"}, image::Image(64, 36, 3, 0.5f));
   image::writeExr(folder / "truth.exr", file);
   Results results = made();
-  results.layout = {{"pictures", Json::object()}};
+  results.layout = layoutFrom({{"pictures", Json::object()}});
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) point.values.clear();
   Point& truth = results.groups[0].points[0];
