@@ -70,9 +70,9 @@ std::vector<double> counted(lab::Batch& batch, const std::vector<bench::NamedSho
   std::vector<double> counts;
   for (const bench::NamedShot& one : shots) {
     std::shared_ptr<const lab::Picture> picture = batch.picture(one.shot);
-    study::Sight sight;
-    sight.picture = picture.get();
-    study::Values values = study::measured(sight, {measure}, {});
+    study::MeasureInput input;
+    input.picture = picture.get();
+    study::Values values = study::measured(input, {measure}, {});
     counts.push_back(values.count(measure) ? values[measure].begin()->second : std::nan(""));
   }
   auto known = std::find_if(counts.begin(), counts.end(), [](double count) { return !std::isnan(count); });

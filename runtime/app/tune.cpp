@@ -45,8 +45,9 @@ void requireKnown(const std::string& option, const std::string& name, const std:
 std::vector<std::string> errorNames() {
   std::vector<std::string> names;
   for (const study::Measure& measure : study::measures()) {
-    bool is_error = measure.per_region && measure.better == study::Better::lower && !measure.is_change;
-    if (is_error && measure.name != "rmse_full" && measure.name != "flicker") names.push_back(measure.name);
+    bool is_error = measure.per_region && measure.better == study::Better::lower;
+    if (is_error && measure.needs == study::Needs::colours && measure.name != "rmse_full")
+      names.push_back(measure.name);
   }
   return names;
 }

@@ -293,7 +293,7 @@ void check(const Home& home, const Experiment& experiment, const std::string& fi
   bool has_sequence = std::any_of(experiment.shots.begin(), experiment.shots.end(),
                                   [](const StudiedShot& shot) { return !shot.frames.empty(); });
   for (const std::string& name : experiment.measures)
-    if (measureNamed(name).of_sequence && !has_sequence)
+    if (measureNamed(name).needs == Needs::before && !has_sequence)
       refuse(fmt::format("measure '{}' needs a shot with frames = {{ from, to, step }}", name));
   throwIfAny(problems);
   if (evaluate) evaluateAll(home, experiment, problems);

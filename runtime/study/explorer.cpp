@@ -27,7 +27,7 @@ Json measuresJson(const Results& results) {
                     {"unit", one.unit},
                     {"better", nameOf(one.better)},
                     {"per_region", one.per_region},
-                    {"is_time", one.is_time},
+                    {"is_time", one.isTime()},
                     {"doc", one.doc}});
   }
   return list;

@@ -171,15 +171,16 @@ void PointRenderer::warnOnce(const std::string& who, const std::vector<std::stri
 }
 
 // Collects the references of a picture: truth, the picture at the benign value, and the foreground for its background.
-Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame) {
+MeasureInput PointRenderer::inputOf(const TaskGroup& group, const Task& task, const lab::Picture& picture,
+                                    size_t frame) {
   auto atFrame = [&](const lab::Shot& shot) { return sequenceOf(experiment_, *group.group, shot)[frame]; };
-  Sight sight;
-  sight.role = task.arm->role;
-  sight.truth = &held_against_[frame];
-  sight.picture = &picture;
-  sight.color = lab::colorOf(picture);
-  requireSize(sight.truth->color, sight.color, "truth");
-  sight.bytes = plan::bytesAliased(*batch_.planOf(task.shot));
+  MeasureInput input;
+  input.role = task.arm->role;
+  input.truth = &held_against_[frame];
+  input.picture = &picture;
+  input.color = lab::colorOf(picture);
+  requireSize(input.truth->color, input.color, "truth");
+  input.bytes = plan::bytesAliased(*batch_.planOf(task.shot));
   if (std::optional<Group> benign = benignOf(experiment_, *group.group); benign && task.compares) {
     bool is_truth = task.arm->role == ArmRole::truth;
     lab::Shot shot = atFrame(is_truth ? truthShotOf(experiment_, *benign) : shotOf(experiment_, *benign, *task.arm));
@@ -187,26 +188,26 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
       return store_.truth(truthKeyOf(experiment_, batch_, shot), [&] { return drawnTruth(shot, task.cost); });
     };
     benign_ = is_truth ? lab::colorOf(*truth()) : lab::colorOf(*batch_.picture(shot));
-    requireSize(benign_, sight.color, "the picture at the benign value");
-    sight.benign = &benign_;
+    requireSize(benign_, input.color, "the picture at the benign value");
+    input.benign = &benign_;
   }
   const std::optional<Background>& background = experiment_.background;
-  if (!background || background->arm != task.arm->name) return sight;
+  if (!background || background->arm != task.arm->name) return input;
   for (const std::string& output : {background->color, background->valid}) {
     auto found = picture.frame.outputs.find(output);
     if (found == picture.frame.outputs.end())
       throw Error(fmt::format("arm '{}' has no output '{}', which the background names", task.arm->name, output),
                   {experiment_.file});
-    requireSize(found->second.floats, sight.color, fmt::format("output '{}', which the background names,", output));
+    requireSize(found->second.floats, input.color, fmt::format("output '{}', which the background names,", output));
   }
-  sight.background = &*background;
+  input.background = &*background;
   for (const StudiedArm& arm : experiment_.arms)
     if (arm.name == background->front) {
       front_ = lab::colorOf(*batch_.picture(atFrame(shotOf(experiment_, *group.group, arm))));
-      requireSize(front_, sight.color, fmt::format("arm '{}'", arm.name));
-      sight.front = &front_;
+      requireSize(front_, input.color, fmt::format("arm '{}'", arm.name));
+      input.front = &front_;
     }
-  return sight;
+  return input;
 }
 
 // Mean of each value over the frames with this value.
@@ -227,23 +228,23 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   std::vector<lab::Shot> shots = sequenceOf(experiment_, *group.group, task.shot);
   std::shared_ptr<const lab::Picture> picture;
   std::vector<Values> frames;
-  std::optional<Sight> before;
+  std::optional<MeasureInput> before;
   std::string images;
   Point point;
   for (size_t i = 0; i < shots.size(); ++i) {
     picture = task.arm->role == ArmRole::truth ? truths_[i] : drawn(shots[i], task.cost / int(shots.size()));
     Stopwatch watch(spent_.measuring_s);
-    Sight sight = sightOf(group, task, *picture, i);
-    if (before) sight.before = &*before;
-    frames.push_back(measured(sight, task.measures, experiment_.regions));
+    MeasureInput input = inputOf(group, task, *picture, i);
+    if (before) input.before = &*before;
+    frames.push_back(measured(input, task.measures, experiment_.regions));
     std::string image = picture->record["outputs"]["color"];
     images += (i ? "," : "") + image;
     point.preset = picture->record["pipeline"].value("preset", "");
     for (const std::string& limit : limitsMet(*picture))
       if (std::find(point.limits.begin(), point.limits.end(), limit) == point.limits.end())
         point.limits.push_back(limit);
-    sight.before = nullptr, sight.picture = nullptr;
-    before.emplace(std::move(sight));
+    input.before = nullptr, input.picture = nullptr;
+    before.emplace(std::move(input));
   }
   point.values = meanOf(frames);
   point.image = shots.size() > 1 ? hashText(images) : images;

@@ -49,7 +49,7 @@ class PointRenderer {
   std::shared_ptr<const lab::Picture> drawnTruth(const lab::Shot& shot, int cost);
   void prepareTruth(const TaskGroup& group);
   void loadTruth(const TaskGroup& group);
-  Sight sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame);
+  MeasureInput inputOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame);
   Point measuredPoint(const TaskGroup& group, const Task& task);
   void noteFile(Point& point, const Path& file) const;
   void keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);

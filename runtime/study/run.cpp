@@ -114,7 +114,7 @@ bool lacksTimes(const Experiment& experiment, const Task& task, const Task& base
                 point.times.ends_with(baseTextOf(task, base));
   bool good = enough || point.times == timesOf(experiment, task, base);
   return !good || std::any_of(task.measures.begin(), task.measures.end(), [&](const std::string& name) {
-    return measureNamed(name).is_time && !point.values.count(name);
+    return measureNamed(name).isTime() && !point.values.count(name);
   });
 }
 
@@ -141,16 +141,14 @@ struct Times {
 };
 
 void keepTimes(const Store& store, const Task& task, const std::string& times, const Times& own, const Times& base) {
-  Sight sight;
-  sight.times_ms = own.frame.ms, sight.base_ms = base.frame.ms;
-  sight.own_ms = own.own_ms, sight.own_base_ms = base.own_ms;
+  const TimesInput input = {own.frame.ms, base.frame.ms, own.own_ms, base.own_ms};
   std::optional<Point> kept = store.point(task.key);
   if (!kept) return;  // damaged in the meantime; the next sweep makes the point again
   Point& point = *kept;
   point.failed.clear(), point.times = times;
   point.passes = passesOf(own.frame);
   for (const std::string& name : task.measures)
-    if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, {"all", {}});
+    if (measureNamed(name).isTime()) point.values[name]["all"] = measureNamed(name).of_times(input);
   store.keep(task.key, point);
 }
 
@@ -193,7 +191,7 @@ void failTimes(const Store& store, const TimedTurn& walk, const std::string& rea
   for (const Task* task : walk.tasks) {
     std::optional<Point> point = store.point(task->key);
     if (!point) continue;  // damaged in the meantime
-    std::erase_if(point->values, [](const auto& value) { return measureNamed(value.first).is_time; });
+    std::erase_if(point->values, [](const auto& value) { return measureNamed(value.first).isTime(); });
     point->failed = "times: " + reason, point->times.clear(), point->passes.clear();
     store.keep(task->key, *point);
   }

@@ -97,7 +97,7 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
   parts["picture"] = task.arm->role == ArmRole::truth ? Json(group.truth_keys)
                                                       : Json(contentsOf(experiment, *group.group, task.shot, batch));
   for (const std::string& name : task.measures)
-    if (!measureNamed(name).is_time) parts["measures"].push_back(name);
+    if (!measureNamed(name).isTime()) parts["measures"].push_back(name);
   std::optional<Group> benign = benignOf(experiment, *group.group);
   if (benign && task.compares)
     parts["benign"] = task.arm->role == ArmRole::truth
@@ -127,8 +127,8 @@ void complete(const Experiment& experiment, const TaskGroup& group, Task& task, 
     task.cost = cost * int(sequenceOf(experiment, *group.group, task.shot).size());
     for (const std::string& name : task.measures) {
       const Measure& measure = measureNamed(name);
-      task.timed = task.timed || (measure.is_time && task.arm->timed.value_or(!is_truth));
-      task.compares = task.compares || measure.is_change;
+      task.timed = task.timed || (measure.isTime() && task.arm->timed.value_or(!is_truth));
+      task.compares = task.compares || measure.needs == Needs::benign;
     }
     task.key = hashText(partsOf(experiment, group, task, batch).dump());
   } catch (const Error& error) {

@@ -263,7 +263,8 @@ TEST(Report, PageNeedsNoNetwork) {
 TEST(Measures, HaveNamesUnitsAndWords) {
   for (const Measure& measure : measures()) {
     EXPECT_FALSE(measure.title.empty() || measure.doc.empty()) << measure.name;
-    EXPECT_TRUE(measure.of) << measure.name;
+    EXPECT_NE(measure.of_picture == nullptr, measure.of_times == nullptr)
+        << measure.name << " is of a picture or of times";
     EXPECT_EQ(&measureNamed(measure.name), &measure) << "another is called so";
   }
 }
@@ -276,19 +277,19 @@ TEST(Measures, OfColoursThatAreNotFiniteHaveNoValue) {
   truth.sigma["whole"] = 0;
   lab::Picture picture;
   picture.record = Json::object();
-  Sight sight;
-  sight.truth = &truth, sight.picture = &picture, sight.bytes = 64;
-  sight.color = image::Image(4, 4, 3, 0.25f);
+  MeasureInput input;
+  input.truth = &truth, input.picture = &picture, input.bytes = 64;
+  input.color = image::Image(4, 4, 3, 0.25f);
   const std::vector<std::string> colours = {"rmse",           "mse",   "flip", "flip_max", "p999", "relmse",
                                             "relmse_trimmed", "smape", "psnr", "contrast"};
   std::vector<std::string> names = colours;
   names.insert(names.end(), {"broken", "pixels", "bytes"});
-  Values sound = measured(sight, names, {"whole"});
+  Values sound = measured(input, names, {"whole"});
   for (const std::string& name : names)
     for (const auto& [region, value] : sound.at(name)) EXPECT_TRUE(std::isfinite(value)) << name;
   for (float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
-    sight.color.at(1, 2, 0) = sight.color.at(1, 2, 1) = sight.color.at(3, 3, 2) = bad;
-    Values values = measured(sight, names, {"whole"});
+    input.color.at(1, 2, 0) = input.color.at(1, 2, 1) = input.color.at(3, 3, 2) = bad;
+    Values values = measured(input, names, {"whole"});
     EXPECT_EQ(values["broken"]["all"], 2) << "pixels, not values";
     EXPECT_EQ(values["pixels"]["whole"], 16);
     EXPECT_EQ(values["bytes"]["all"], 4);
@@ -305,19 +306,19 @@ TEST(Measures, AnEstimatedErrorIsComparedWithTheError) {
   truth.masks["moving"] = image::Image(3, 1, 1, 1.0f);
   truth.masks["moving"].at(2, 0, 0) = 0;
   lab::Picture picture;
-  Sight sight;
-  sight.truth = &truth, sight.picture = &picture;
-  sight.color = truth.color;
-  for (int c = 0; c < 3; ++c) sight.color.at(0, 0, c) = 0.75f, sight.color.at(1, 0, c) = 0.375f;
+  MeasureInput input;
+  input.truth = &truth, input.picture = &picture;
+  input.color = truth.color;
+  for (int c = 0; c < 3; ++c) input.color.at(0, 0, c) = 0.75f, input.color.at(1, 0, c) = 0.375f;
   const std::vector<std::string> names = {"error_mean", "error_estimate", "estimate_rank"};
-  Values without = measured(sight, names, {"whole"});
+  Values without = measured(input, names, {"whole"});
   EXPECT_NEAR(without["error_mean"]["whole"], 0.125, 1e-7);
   EXPECT_EQ(without.count("error_estimate") + without.count("estimate_rank"), 0u) << "no output `error`";
 
   image::Image estimate(3, 1, 1);
   estimate.at(0, 0, 0) = 0.25f, estimate.at(1, 0, 0) = 0.5f, estimate.at(2, 0, 0) = 3.0f;
   picture.frame.outputs["error"].floats = estimate;
-  Values values = measured(sight, names, {"whole", "moving"});
+  Values values = measured(input, names, {"whole", "moving"});
   EXPECT_NEAR(values["error_mean"]["moving"], 0.1875, 1e-7);
   EXPECT_NEAR(values["error_estimate"]["moving"], 0.375, 1e-7);
   EXPECT_NEAR(values["error_estimate"]["whole"], 1.25, 1e-6);
