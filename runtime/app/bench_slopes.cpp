@@ -139,7 +139,7 @@ study::Experiment experimentOf(const Home& home, const SlopesOptions& options) {
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
   if (!options.size.empty()) {
     std::array<int, 2> size = lab::parseSize(options.size);
-    experiment.setSize(size[0], size[1]);
+    experiment.width = size[0], experiment.height = size[1];
   }
   if (options.rounds > 0) experiment.rounds = {options.rounds, options.rounds, 0};
   return experiment;

@@ -123,8 +123,7 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
   take(json, "base", experiment.base);
   take(json, "expectations", experiment.expectations);
   std::array<int, 2> size = json.value("size", std::array<int, 2>{960, 540});
-  experiment.file_width = size[0], experiment.file_height = size[1];
-  experiment.setSize(size[0], size[1]);
+  experiment.width = experiment.file_width = size[0], experiment.height = experiment.file_height = size[1];
   experiment.regions = json.value("regions", kDefaultRegions);
   experiment.measures = json.value("measures", std::vector<std::string>{"rmse", "flip", "ms"});
   for (const Json& arm : json.at("arms")) experiment.arms.push_back(armOf(arm, script));
@@ -316,8 +315,6 @@ Json given() {
 std::string nameOf(ArmRole role) {
   return role == ArmRole::truth ? "truth" : role == ArmRole::floor ? "floor" : "method";
 }
-
-void Experiment::setSize(int w, int h) { width = w, height = h; }
 
 size_t Experiment::points() const {
   size_t count = 0;

@@ -157,7 +157,6 @@ struct Experiment : ExperimentSummary {
   std::optional<Background> background;
   size_t expectations = 0;
 
-  void setSize(int width, int height);
   size_t points() const;
   size_t truths() const;  // distinct; values of an axis that do not affect truth share one truth
 };

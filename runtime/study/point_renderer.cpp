@@ -154,8 +154,8 @@ void PointRenderer::loadTruth(const TaskGroup& group) {
   auto kept = [&](const std::string& key, const lab::Shot& shot, size_t frames) {
     return store_.truth(key, [&] { return drawnTruth(shot, group.truth().cost / int(frames)); });
   };
-  std::vector<lab::Shot> shots = sequenceOf(experiment_, *group.group, group.truth().shot), full;
-  if (group.full) full = sequenceOf(experiment_, *group.group, *group.full);
+  std::vector<lab::Shot> shots = sequenceOf(*group.studied, group.truth().shot), full;
+  if (group.full) full = sequenceOf(*group.studied, *group.full);
   for (size_t i = 0; i < shots.size(); ++i) {
     truths_.push_back(kept(group.truth_keys[i], shots[i], shots.size()));
     held_against_.push_back(truthPictureOf(experiment_, *truths_.back()));
@@ -173,7 +173,7 @@ void PointRenderer::warnOnce(const std::string& who, const std::vector<std::stri
 // Collects the references of a picture: truth, the picture at the benign value, and the foreground for its background.
 MeasureInput PointRenderer::inputOf(const TaskGroup& group, const Task& task, const lab::Picture& picture,
                                     size_t frame) {
-  auto atFrame = [&](const lab::Shot& shot) { return sequenceOf(experiment_, *group.group, shot)[frame]; };
+  auto atFrame = [&](const lab::Shot& shot) { return sequenceOf(*group.studied, shot)[frame]; };
   MeasureInput input;
   input.role = task.arm->role;
   input.truth = &held_against_[frame];
@@ -225,7 +225,7 @@ static Values meanOf(const std::vector<Values>& frames) {
 // The files of a sequence show its last frame.
 Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   prepareTruth(group);
-  std::vector<lab::Shot> shots = sequenceOf(experiment_, *group.group, task.shot);
+  std::vector<lab::Shot> shots = sequenceOf(*group.studied, task.shot);
   std::shared_ptr<const lab::Picture> picture;
   std::vector<Values> frames;
   std::optional<MeasureInput> before;
@@ -252,11 +252,11 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
     lab::Shot shot = task.shot;
     for (const auto& [name, value] : truths_.front()->record["shot"]["set"].items())
       lab::putSetting(shot.sets, name, plan::valueFromJson(value));
-    point.command = commandOf(experiment_.shots[group.group->shot], shot);
+    point.command = commandOf(*group.studied, shot);
   }
-  const StudiedShot& studied = experiment_.shots[group.group->shot];
   std::string at = describe(experiment_, *group.group);
-  warnOnce(fmt::format("{}{}, {}", studied.title, at.empty() ? "" : ", " + at, task.arm->name), picture->warnings);
+  warnOnce(fmt::format("{}{}, {}", group.studied->title, at.empty() ? "" : ", " + at, task.arm->name),
+           picture->warnings);
   Stopwatch watch(spent_.keeping_s);
   keepFiles(group, task, *picture, point);
   if (experiment_.layout.pictures) write(group, task, *picture, point);
@@ -270,7 +270,7 @@ void PointRenderer::noteFile(Point& point, const Path& file) const {
 
 // Writes the picture as shown, and the linear picture if required.
 void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
-  const image::ToneMap& tone = experiment_.shots[group.group->shot].tone;
+  const image::ToneMap& tone = group.studied->tone;
   std::string png = image::encodePng(displayed(lab::colorOf(picture), tone), image::PngEffort::fast);
   Path file = pointFile(store_.folder(), task.key, ".png");
   // Not flushed to disk here; the JSON file of the point is written later and is flushed.
@@ -284,7 +284,7 @@ void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const la
 // Writes the files of the layout. The EXR has `color`, `error` and, for truth, masks; the record has the hash of every
 // output.
 void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
-  const StudiedShot& studied = experiment_.shots[group.group->shot];
+  const StudiedShot& studied = *group.studied;
   const StudiedArm& arm = *task.arm;
   std::string name = lab::fileNameOf(arm.name);
   for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].labels[at.value]);
@@ -315,8 +315,7 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
 // Draws, measures and stores one point. A lost device ends the run and leaves the point not drawn.
 void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
   std::string at = describe(experiment_, *group.group);
-  std::string name =
-      fmt::format("{}{}, {}", experiment_.shots[group.group->shot].name, at.empty() ? "" : ", " + at, task.arm->name);
+  std::string name = fmt::format("{}{}, {}", group.studied->name, at.empty() ? "" : ", " + at, task.arm->name);
   batch_.bench().device().setSubject(name);
   Point point;
   const std::string failed = failureOf([&] { point = measuredPoint(group, task); });
@@ -329,7 +328,7 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
 
 std::shared_ptr<const lab::Picture> PointRenderer::firstTruth(const TaskGroup& group) {
   progress_ = [](int) {};
-  lab::Shot shot = sequenceOf(experiment_, *group.group, group.truth().shot).front();
+  lab::Shot shot = sequenceOf(*group.studied, group.truth().shot).front();
   return store_.truth(group.truth_keys.front(), [&] { return drawnTruth(shot, 0); });
 }
 

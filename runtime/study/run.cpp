@@ -254,12 +254,10 @@ PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::s
   return result;
 }
 
-}  // namespace
-
 // Results before a picture is drawn: every point with its key, or the reason why the point cannot be drawn. With
 // `takePoints`, the current results at any time.
-static Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch) {
-  Results results = outlineOf(experiment);
+Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch) {
+  Results results = study::outlineOf(experiment);
   const gpu::DeviceInfo& device = batch.bench().device().info();
   results.device = device.name, results.driver = device.driver, results.software = device.software;
   for (const TaskGroup& group : groups) {
@@ -276,24 +274,29 @@ static Results outlineOf(const Experiment& experiment, const std::vector<TaskGro
   return results;
 }
 
-Results run(const Experiment& experiment, lab::Workbench& bench, const Store& store, const Started& started) {
-  lab::Batch batch(bench);
-  return run(experiment, batch, store, started);
+Results withPoints(Results results, const Store& store) {
+  takePoints(results, store.folder());
+  return results;
 }
 
-Results run(const Experiment& experiment, lab::Batch& batch, const Store& store, const Started& started) {
+// Stores and announces the outline.
+Results begun(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch,
+              const Store& store) {
+  Results outline = outlineOf(experiment, groups, batch);
+  store.keepOutline(outline);
+  if (!experiment.is_step) announce(withPoints(outline, store));
+  return outline;
+}
+
+}  // namespace
+
+Results run(const Experiment& experiment, lab::Batch& batch, const Store& store) {
   for (const StudiedShot& shot : experiment.shots)
     if (!shot.missing.empty()) note(fmt::format("{}: skipped, {}", shot.title, shot.missing));
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
-  Results results = outlineOf(experiment, groups, batch);
-  if (started) started(results);
-  auto now = [&] {
-    Results so_far = results;
-    takePoints(so_far, store.folder());
-    return so_far;
-  };
-  if (!experiment.is_step) announce(now());
-  ProgressWatch watch(experiment.is_step ? std::function<Results()>() : now);
+  Results results = begun(experiment, groups, batch, store);
+  ProgressWatch watch;
+  if (!experiment.is_step) watch.now = [&] { return withPoints(results, store); };
   renderHere(experiment, batch, store, leftOf(groups, store), watch);
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());
@@ -313,18 +316,14 @@ struct Shared {
   std::atomic<bool> outlined = false;
 };
 
-[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store,
-                              const Started& started, Shared& shared) {
+[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store, Shared& shared) {
   int code = 0;
   try {
     std::unique_ptr<lab::Workbench> bench = make();
     lab::Batch batch(*bench);
     std::vector<TaskGroup> groups = tasksOf(experiment, batch);
     if (!shared.outlined.exchange(true)) {
-      Results outline = outlineOf(experiment, groups, batch);
-      started(outline);
-      takePoints(outline, store.folder());
-      announce(outline);
+      begun(experiment, groups, batch, store);
       shared.cost = leftOf(groups, store).cost;
     }
     PointRenderer renderer(experiment, batch, store);
@@ -357,8 +356,7 @@ bool reapEnded(std::vector<pid_t>& children) {
 
 }  // namespace
 
-bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs,
-                       const Started& started, const std::function<Results()>& now) {
+bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs) {
   void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw Error("cannot allocate memory for several processes");
   Shared& shared = *new (memory) Shared;
@@ -367,7 +365,7 @@ bool renderInProcesses(const Experiment& experiment, const MakeBench& make, cons
     pid_t child = ::fork();
     if (child == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      renderShare(experiment, make, store, started, shared);
+      renderShare(experiment, make, store, shared);
     }
     if (child > 0) children.push_back(child);
     else warn(fmt::format("process {} of {} cannot be started: {}", i + 1, jobs, std::strerror(errno)));
@@ -375,7 +373,10 @@ bool renderInProcesses(const Experiment& experiment, const MakeBench& make, cons
   bool good = children.size() == size_t(jobs);
   std::optional<ProgressWatch> watch;
   for (int shown = 0; !children.empty();) {
-    if (!watch && shared.cost > 0) watch.emplace(now).begin("drawing", shared.cost);
+    if (!watch && shared.cost > 0) {
+      watch.emplace().now = [&store] { return resultsSoFar(store.outline); };
+      watch->begin("drawing", shared.cost);
+    }
     int done = shared.cost_done;
     if (watch) watch->advance(done - shown), shown = done;
     const size_t running = children.size();

@@ -117,6 +117,12 @@ std::vector<Path> takePoints(Results& results, const Path& folder) {
   return damaged;
 }
 
+Results resultsSoFar(const Path& outline) {
+  Results results = resultsIn(outline);
+  takePoints(results, outline.parent_path());
+  return results;
+}
+
 bool isAsWritten(const Point& point, const Path& folder, const std::string& name) {
   auto hash = point.files.find(name);
   if (!fs::is_regular_file(folder / name)) return false;
@@ -176,6 +182,12 @@ void Store::belongTo(const std::string& title) const {
   if (other != title)
     throw Error(fmt::format("has points of another experiment, '{}', not of '{}'; use another folder", other, title),
                 {folder_.string()}, 2);
+}
+
+void Store::keepOutline(Results results) const {
+  if (outline.empty()) return;
+  results.command = command;
+  writeFileAtomically(outline, textOf(results));
 }
 
 std::optional<Point> Store::point(const std::string& key) const {

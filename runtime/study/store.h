@@ -20,6 +20,9 @@ Path pointFile(const Path& folder, const std::string& key, const std::string& en
 // damaged files of points: cut short, altered, or of another point.
 std::vector<Path> takePoints(Results& results, const Path& folder);
 
+// Results of an unfinished run, with the points drawn so far. Throws `Error` if the outline is missing or damaged.
+Results resultsSoFar(const Path& outline);
+
 // Files of the points of `results` that are in the folder and differ from their hash.
 std::vector<Path> alteredFiles(const Results& results, const Path& folder);
 // True if a file of the point is in the folder and does not differ from its hash.
@@ -42,6 +45,11 @@ class Store {
 
   // True: points without a file of linear colour count as missing.
   bool requires_exr = false;
+
+  // File of the outline: the results with every point that can be drawn, but without numbers. "": not kept.
+  Path outline;
+  std::string command;  // of the results
+  void keepOutline(Results results) const;
 
   // Point in folder/points/KEY.json, if the file exists. `has` is false for a point without values (its picture
   // failed), and for a point with missing or damaged files.

@@ -73,17 +73,16 @@ std::string makerOf(lab::Batch& batch) {
   return fmt::format("{}|{}|{}", lab::programHash(), device.name, device.driver);
 }
 
-std::vector<std::string> contentsOf(const Experiment& experiment, const Group& group, const lab::Shot& shot,
-                                    lab::Batch& batch) {
+std::vector<std::string> contentsOf(const StudiedShot& studied, const lab::Shot& shot, lab::Batch& batch) {
   std::vector<std::string> contents;
-  for (const lab::Shot& one : sequenceOf(experiment, group, shot)) contents.push_back(batch.contentOf(one));
+  for (const lab::Shot& one : sequenceOf(studied, shot)) contents.push_back(batch.contentOf(one));
   return contents;
 }
 
-std::vector<std::string> truthKeysOf(const Experiment& experiment, const Group& group, const lab::Shot& truth,
+std::vector<std::string> truthKeysOf(const Experiment& experiment, const StudiedShot& studied, const lab::Shot& truth,
                                      lab::Batch& batch) {
   std::vector<std::string> keys;
-  for (const lab::Shot& one : sequenceOf(experiment, group, truth)) keys.push_back(truthKeyOf(experiment, batch, one));
+  for (const lab::Shot& one : sequenceOf(studied, truth)) keys.push_back(truthKeyOf(experiment, batch, one));
   return keys;
 }
 
@@ -94,22 +93,22 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
                 {"full", group.full_keys},
                 {"regions", experiment.regions},
                 {"role", nameOf(task.arm->role)}};
-  parts["picture"] = task.arm->role == ArmRole::truth ? Json(group.truth_keys)
-                                                      : Json(contentsOf(experiment, *group.group, task.shot, batch));
+  parts["picture"] =
+      task.arm->role == ArmRole::truth ? Json(group.truth_keys) : Json(contentsOf(*group.studied, task.shot, batch));
   for (const std::string& name : task.measures)
     if (!measureNamed(name).isTime()) parts["measures"].push_back(name);
   std::optional<Group> benign = benignOf(experiment, *group.group);
   if (benign && task.compares)
     parts["benign"] = task.arm->role == ArmRole::truth
-                          ? truthKeysOf(experiment, *benign, truthShotOf(experiment, *benign), batch)
-                          : contentsOf(experiment, *benign, shotOf(experiment, *benign, *task.arm), batch);
+                          ? truthKeysOf(experiment, *group.studied, truthShotOf(experiment, *benign), batch)
+                          : contentsOf(*group.studied, shotOf(experiment, *benign, *task.arm), batch);
   const std::optional<Background>& background = experiment.background;
   if (background && background->arm == task.arm->name)
     for (const StudiedArm& arm : experiment.arms)
       if (arm.name == background->front)
-        parts["front"] = contentsOf(experiment, *group.group, shotOf(experiment, *group.group, arm), batch);
-  const StudiedShot& studied = experiment.shots[group.group->shot];
+        parts["front"] = contentsOf(*group.studied, shotOf(experiment, *group.group, arm), batch);
   if (experiment.layout.pictures) {
+    const StudiedShot& studied = *group.studied;
     lab::Shot box = task.shot;
     box.sets = joined(box.sets, task.arm->box);
     parts["shown"] = {batch.contentOf(box),    studied.picture_aa, studied.tone.stops,
@@ -124,7 +123,7 @@ void complete(const Experiment& experiment, const TaskGroup& group, Task& task, 
     if (!evaluated.pipeline) throw lab::Refusal(evaluated.refusal);
     bool is_truth = evaluated.pipeline->kind == plan::PipelineDesc::Kind::Truth;
     int cost = loopCost(*evaluated.pipeline) + (is_truth ? 0 : kFrameCost);
-    task.cost = cost * int(sequenceOf(experiment, *group.group, task.shot).size());
+    task.cost = cost * int(sequenceOf(*group.studied, task.shot).size());
     for (const std::string& name : task.measures) {
       const Measure& measure = measureNamed(name);
       task.timed = task.timed || (measure.isTime() && task.arm->timed.value_or(!is_truth));
@@ -138,15 +137,15 @@ void complete(const Experiment& experiment, const TaskGroup& group, Task& task, 
 
 TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& batch) {
   TaskGroup result;
-  result.group = &group;
+  result.group = &group, result.studied = &experiment.shots[group.shot];
   std::vector<std::string> names = measuresOf(experiment, group);
   result.tasks.push_back({&experiment.truth, truthShotOf(experiment, group), names});
   for (size_t arm : group.arms)
     result.tasks.push_back({&experiment.arms[arm], shotOf(experiment, group, experiment.arms[arm]), names});
   try {
-    result.truth_keys = truthKeysOf(experiment, group, result.truth().shot, batch);
+    result.truth_keys = truthKeysOf(experiment, *result.studied, result.truth().shot, batch);
     if (experiment.full_truth) result.full = truthShotOf(experiment, group, *experiment.full_truth);
-    if (result.full) result.full_keys = truthKeysOf(experiment, group, *result.full, batch);
+    if (result.full) result.full_keys = truthKeysOf(experiment, *result.studied, *result.full, batch);
   } catch (const Error& error) {
     for (Task& task : result.tasks) task.refused = std::string("truth: ") + error.what();
   }
@@ -156,10 +155,6 @@ TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& 
 }
 
 }  // namespace
-
-std::vector<lab::Shot> sequenceOf(const Experiment& experiment, const Group& group, const lab::Shot& shot) {
-  return sequenceOf(experiment.shots[group.shot], shot);
-}
 
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth) {
   return hashText(fmt::format("{}|{}|{}", batch.contentOf(truth), makerOf(batch), experiment.truth_error));

@@ -23,6 +23,7 @@ struct Task {
 // Tasks of a group: truth, then the arms in their order.
 struct TaskGroup {
   const Group* group = nullptr;
+  const StudiedShot* studied = nullptr;
   std::vector<Task> tasks;
   std::vector<std::string> truth_keys, full_keys;  // keys of the truths, by frame of the sequence
   std::optional<lab::Shot> full;                   // the second truth
@@ -43,9 +44,6 @@ Left leftOf(const std::vector<TaskGroup>& groups, const Store& store);
 
 // Key of a truth: hash of its content, of program and device, and of the required standard error.
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth);
-
-// Shots of a task: one, or a sequence.
-std::vector<lab::Shot> sequenceOf(const Experiment& experiment, const Group& group, const lab::Shot& shot);
 
 // Group at the benign value of the axis, for a group on exactly one axis; may be the same group.
 std::optional<Group> benignOf(const Experiment& experiment, const Group& group);

@@ -122,8 +122,8 @@ void Tuner::prepare() {
   experiment_.truth = {{{"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth)}, ArmRole::truth}};
   experiment_.title = fmt::format("{} tuned on {}", pipeline_->name, Path(filled.scene).stem().string());
   store_.belongTo(experiment_.title);
-  experiment_.setSize(filled.width, filled.height);
-  experiment_.file_width = filled.width, experiment_.file_height = filled.height;
+  experiment_.width = experiment_.file_width = filled.width;
+  experiment_.height = experiment_.file_height = filled.height;
   experiment_.regions = {wish_.region};
   if (wish_.region != "whole") experiment_.regions.insert(experiment_.regions.begin(), "whole");
   experiment_.measures = {wish_.measure, "ms", "ms_ratio", "ms_own", "own_ratio"};
@@ -195,7 +195,8 @@ std::vector<const PointGroup*> Tuner::see(const std::vector<Spot>& spots, int le
     if (spot != startOf(space_)) step.groups.push_back(groupOf(spot, level));
   step.axes = experiment_.axes;
   step.rounds = rounds;
-  keep(run(step, bench_, store_));
+  lab::Batch batch(bench_);
+  keep(run(step, batch, store_));
   std::vector<const PointGroup*> seen;
   for (const Spot& spot : spots) seen.push_back(&groupSeen(spot, level));
   return seen;

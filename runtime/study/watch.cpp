@@ -89,16 +89,14 @@ std::string keptText(const Results& now) {
 std::string keptIn(const Path& outline) noexcept {
   std::string kept;
   try {
-    Results results = resultsIn(outline);
-    takePoints(results, outline.parent_path());
-    kept = keptText(results);
+    kept = keptText(resultsSoFar(outline));
   } catch (const std::exception&) {  // outline missing or damaged
   }
   return kept.empty() ? "the same command continues" : kept;
 }
 
 void ProgressWatch::begin(const std::string& label, int cost) {
-  if (!now_) return;
+  if (!now) return;
   label_ = label, cost_ = cost, done_ = quarters_ = 0;
   started_s_ = said_s_ = clockSeconds();
   line_.emplace();
@@ -112,7 +110,7 @@ std::string ProgressWatch::text() const {
 }
 
 void ProgressWatch::advance(int cost) {
-  if (!now_) return;
+  if (!now) return;
   done_ += cost;
   line_->show([this] { return text(); });
   int quarters = int(4 * int64_t(done_) / std::max(cost_, 1));
@@ -125,14 +123,14 @@ void ProgressWatch::advance(int cost) {
   // Short work needs no intermediate reports.
   if (!is_new || clockSeconds() - started_s_ < kReportEvery_s) return;
   quarters_ = quarters;
-  std::string front = frontSoFar(now_());
+  std::string front = frontSoFar(now());
   if (front == front_) return;
   front_ = front;
   if (!front.empty()) note((terminal ? "\r\033[K" : "") + front.substr(0, front.size() - 1));
 }
 
 void ProgressWatch::end() {
-  if (!now_) return;
+  if (!now) return;
   line_.reset();
   if (!::isatty(STDERR_FILENO)) note(text());
 }

@@ -25,7 +25,7 @@ TEST(Processes, ReapNoChildOfOthers) {
   Store store(folder.path());
   auto none = []() -> std::unique_ptr<lab::Workbench> { throw Error("there is no device"); };
   Experiment experiment;
-  EXPECT_FALSE(renderInProcesses(experiment, none, store, 2, {}, {}));
+  EXPECT_FALSE(renderInProcesses(experiment, none, store, 2));
   int status = 0;
   ASSERT_EQ(::waitpid(other, &status, 0), other) << "it was reaped";
   EXPECT_EQ(WEXITSTATUS(status), 7);
@@ -66,7 +66,8 @@ TEST(LostDevice, EndsARunAndFailsNoPoint) {
     calls_before = calls;
     calls.WaitForFences = waitOrLose;
     try {
-      run(experiment, bench, store);
+      lab::Batch batch(bench);
+      run(experiment, batch, store);
       ADD_FAILURE() << "the loss was taken for a point's";
     } catch (const gpu::DeviceLost& lost) {
       EXPECT_NE(std::string(lost.what()).find("bar, threshold 1, "), std::string::npos) << lost.what();
@@ -75,7 +76,8 @@ TEST(LostDevice, EndsARunAndFailsNoPoint) {
   }
   EXPECT_EQ(namesIn(points, ".json").size(), 1u) << "no point after it was kept as failed";
   lab::Workbench bench(home(), gpu::DeviceOptions{});
-  Results results = run(experiment, bench, store);
+  lab::Batch batch(bench);
+  Results results = run(experiment, batch, store);
   EXPECT_EQ(results.failed(), std::vector<std::string>());
   EXPECT_EQ(results.missing(), 0u);
 }
