@@ -227,7 +227,7 @@ void report(const Home& home, const ReportOptions& options) {
   std::vector<Path> damaged = study::takePoints(results, folder), altered = study::alteredFiles(results, folder);
   damaged.insert(damaged.end(), altered.begin(), altered.end());
   if (!options.file.empty())
-    study::retell(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
+    study::relabel(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
   show(results, folder, writeResults(results, folder, names, options.still), options.json, damaged);
 }
 

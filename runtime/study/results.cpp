@@ -457,7 +457,7 @@ Results outlineOf(const Experiment& experiment) {
   return results;
 }
 
-void retell(const Home& home, Results& results, const Experiment& experiment) {
+void relabel(const Home& home, Results& results, const Experiment& experiment) {
   results.title = experiment.title, results.question = experiment.question, results.note = experiment.note;
   results.layout = experiment.layout;
   for (AxisSummary& axis : results.axes)

@@ -128,7 +128,7 @@ Results outlineOf(const Experiment& experiment);
 void judgeResults(const Home& home, Results& results, const std::string& file);
 
 // Replaces texts and layout of the results by the texts and layout of the experiment, and evaluates its expectations.
-void retell(const Home& home, Results& results, const Experiment& experiment);
+void relabel(const Home& home, Results& results, const Experiment& experiment);
 
 // One row per point and region: point, arm, shot, region, each axis, each measure, truth_error (standard error of
 // truth's RMSE in the region), pipeline, preset. If values are missing, also `note` with the reason. Fields after the

@@ -50,12 +50,12 @@ namespace {
 
 // ---- drawing
 
-void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Left& left,
+void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Remaining& remaining,
                 ProgressWatch& watch) {
-  if (left.groups.empty()) return;
-  watch.begin("drawing", left.cost);
+  if (remaining.groups.empty()) return;
+  watch.begin("drawing", remaining.cost);
   PointRenderer renderer(experiment, batch, store);
-  for (const TaskGroup* group : left.groups) renderer.render(*group, [&](int by) { watch.advance(by); });
+  for (const TaskGroup* group : remaining.groups) renderer.render(*group, [&](int by) { watch.advance(by); });
   watch.end();
   if (experiment.is_step) return;
   const PointRenderer::Spent& spent = renderer.spent();
@@ -64,21 +64,6 @@ void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& st
 }
 
 // ---- times
-
-// Lists of groups that are timed together: the groups of one shot along one axis; in a search step, all groups of a
-// shot; other groups alone.
-std::vector<std::vector<const TaskGroup*>> walksOf(const Experiment& experiment, const std::vector<TaskGroup>& groups) {
-  std::vector<std::vector<const TaskGroup*>> walks;
-  for (const TaskGroup& group : groups) {
-    const Group* last = walks.empty() ? nullptr : walks.back().back()->group;
-    bool along = last && benignOf(experiment, *group.group) && last->at.size() == 1;
-    bool same = along && last->shot == group.group->shot && last->at[0].axis == group.group->at[0].axis;
-    if (experiment.is_step) same = last && last->shot == group.group->shot;
-    if (!same) walks.emplace_back();
-    walks.back().push_back(&group);
-  }
-  return walks;
-}
 
 // Base of the time ratios of a shot: the first point of the base arm, else the first timed point.
 const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store,
@@ -158,57 +143,64 @@ struct TimedTurn {
   std::vector<const Task*> tasks;
 };
 
-std::vector<TimedTurn> walksLeft(const Experiment& experiment, const std::vector<TaskGroup>& groups,
-                                 const Store& store) {
-  std::vector<TimedTurn> left;
-  for (const std::vector<const TaskGroup*>& along : walksOf(experiment, groups)) {
-    TimedTurn walk{baseOf(experiment, groups, store, along.front()->group->shot), {}};
-    for (const TaskGroup* group : along)
-      for (const Task& task : group->tasks)
-        if (walk.base && lacksTimes(experiment, task, *walk.base, store)) walk.tasks.push_back(&task);
-    if (!walk.tasks.empty()) left.push_back(walk);
+// Turns with tasks that lack times. The groups of one shot along one axis are one turn; in a search step, all groups of
+// a shot. Every other group is a turn of its own.
+std::vector<TimedTurn> remainingTurns(const Experiment& experiment, const std::vector<TaskGroup>& groups,
+                                      const Store& store) {
+  std::vector<TimedTurn> turns;
+  const Group* last = nullptr;
+  for (const TaskGroup& of : groups) {
+    const Group& group = *of.group;
+    bool is_along = last && benignOf(experiment, group) && last->at.size() == 1 && last->at[0].axis == group.at[0].axis;
+    bool is_same = last && last->shot == group.shot && (is_along || experiment.is_step);
+    if (!is_same) turns.push_back({baseOf(experiment, groups, store, group.shot), {}});
+    TimedTurn& turn = turns.back();
+    for (const Task& task : of.tasks)
+      if (turn.base && lacksTimes(experiment, task, *turn.base, store)) turn.tasks.push_back(&task);
+    last = &group;
   }
-  return left;
+  std::erase_if(turns, [](const TimedTurn& turn) { return turn.tasks.empty(); });
+  return turns;
 }
 
 // Times all tasks in turn, with the base among them, so that other load of the machine affects all tasks alike.
-void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store, const TimedTurn& walk) {
-  std::vector<lab::Shot> shots = {walk.base->shot};
-  for (const Task* task : walk.tasks) shots.push_back(task->shot);
+void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store, const TimedTurn& turn) {
+  std::vector<lab::Shot> shots = {turn.base->shot};
+  for (const Task* task : turn.tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
   auto times = [&](size_t i) { return Times{timings[i], ownMs(batch, shots[i], timings[i])}; };
   // A task with the key of the base gets the times of the base: directly after the base, its own times would be of a
   // warm device.
-  for (size_t i = 0; i < walk.tasks.size(); ++i) {
-    const Task& task = *walk.tasks[i];
-    keepTimes(store, task, timesOf(experiment, task, *walk.base), times(task.key == walk.base->key ? 0 : i + 1),
+  for (size_t i = 0; i < turn.tasks.size(); ++i) {
+    const Task& task = *turn.tasks[i];
+    keepTimes(store, task, timesOf(experiment, task, *turn.base), times(task.key == turn.base->key ? 0 : i + 1),
               times(0));
   }
 }
 
 // Marks points as failed, with the reason, if their times cannot be measured. The values of their pictures stay.
-void failTimes(const Store& store, const TimedTurn& walk, const std::string& reason) {
-  for (const Task* task : walk.tasks) {
+void failTimes(const Store& store, const TimedTurn& turn, const std::string& reason) {
+  for (const Task* task : turn.tasks) {
     std::optional<Point> point = store.point(task->key);
     if (!point) continue;  // damaged in the meantime
     std::erase_if(point->values, [](const auto& value) { return measureNamed(value.first).isTime(); });
     point->failed = "times: " + reason, point->times.clear(), point->passes.clear();
     store.keep(task->key, *point);
   }
-  warn(fmt::format("times of {} points failed: {}", walk.tasks.size(), reason));
+  warn(fmt::format("times of {} points failed: {}", turn.tasks.size(), reason));
 }
 
 void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TaskGroup>& groups,
               ProgressWatch& watch) {
-  std::vector<TimedTurn> walks = walksLeft(experiment, groups, store);
-  if (walks.empty()) return;
+  std::vector<TimedTurn> turns = remainingTurns(experiment, groups, store);
+  if (turns.empty()) return;
   size_t count = 0;
-  for (const TimedTurn& walk : walks) count += walk.tasks.size();
+  for (const TimedTurn& turn : turns) count += turn.tasks.size();
   watch.begin("times", int(count));
-  for (const TimedTurn& walk : walks) {
-    const std::string failed = failureOf([&] { timeInTurn(experiment, batch, store, walk); });
-    if (!failed.empty()) failTimes(store, walk, failed);
-    watch.advance(int(walk.tasks.size()));
+  for (const TimedTurn& turn : turns) {
+    const std::string failed = failureOf([&] { timeInTurn(experiment, batch, store, turn); });
+    if (!failed.empty()) failTimes(store, turn, failed);
+    watch.advance(int(turn.tasks.size()));
   }
   watch.end();
 }
@@ -297,7 +289,7 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store)
   Results results = begun(experiment, groups, batch, store);
   ProgressWatch watch;
   if (!experiment.is_step) watch.now = [&] { return withPoints(results, store); };
-  renderHere(experiment, batch, store, leftOf(groups, store), watch);
+  renderHere(experiment, batch, store, remainingOf(groups, store), watch);
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());
   describeShots(experiment, groups, batch, store, results);
@@ -324,7 +316,7 @@ struct Shared {
     std::vector<TaskGroup> groups = tasksOf(experiment, batch);
     if (!shared.outlined.exchange(true)) {
       begun(experiment, groups, batch, store);
-      shared.cost = leftOf(groups, store).cost;
+      shared.cost = remainingOf(groups, store).cost;
     }
     PointRenderer renderer(experiment, batch, store);
     for (size_t i; (i = shared.next++) < groups.size();)

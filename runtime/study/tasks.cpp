@@ -169,21 +169,21 @@ std::optional<Group> benignOf(const Experiment& experiment, const Group& group) 
   return result;
 }
 
-Left leftOf(const std::vector<TaskGroup>& groups, const Store& store) {
-  Left left;
+Remaining remainingOf(const std::vector<TaskGroup>& groups, const Store& store) {
+  Remaining remaining;
   std::set<std::string> counted;
   for (const TaskGroup& group : groups) {
     bool lacks = false;
     for (const Task& task : group.tasks) {
       if (task.key.empty() || store.has(task.key)) continue;
       lacks = true;
-      if (counted.insert(task.key).second) left.cost += task.cost;
+      if (counted.insert(task.key).second) remaining.cost += task.cost;
     }
     if (!lacks) continue;
-    left.groups.push_back(&group);
-    if (group.full && counted.insert(group.full_keys.front()).second) left.cost += group.truth().cost;
+    remaining.groups.push_back(&group);
+    if (group.full && counted.insert(group.full_keys.front()).second) remaining.cost += group.truth().cost;
   }
-  return left;
+  return remaining;
 }
 
 std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch) {

@@ -36,11 +36,11 @@ struct TaskGroup {
 std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch);
 
 // Groups with missing results in the store, and the cost of the missing results in time samples of truth.
-struct Left {
+struct Remaining {
   std::vector<const TaskGroup*> groups;
   int cost = 0;
 };
-Left leftOf(const std::vector<TaskGroup>& groups, const Store& store);
+Remaining remainingOf(const std::vector<TaskGroup>& groups, const Store& store);
 
 // Key of a truth: hash of its content, of program and device, and of the required standard error.
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth);

@@ -370,7 +370,7 @@ TEST_P(Committed, NumbersAreOfTheExperimentAsItIs) {
   std::string file = (home().shipped() / "experiments" / GetParam() / (GetParam() + ".lua")).string();
   Experiment experiment = readExperiment(home(), file, false);
   Results again = results;
-  retell(home(), again, experiment);
+  relabel(home(), again, experiment);
   EXPECT_EQ(toJson(again).dump(), toJson(results).dump());
   EXPECT_EQ(results.contradicted(), std::vector<std::string>());
   EXPECT_EQ(results.width, experiment.width);
