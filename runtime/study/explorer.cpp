@@ -37,9 +37,7 @@ Json shotsJson(const Results& results) {
   Json list = Json::array();
   for (const ShotSummary& shot : results.shots) {
     if (!shot.missing.empty()) continue;
-    Json crops = Json::array();
-    for (const image::Rectangle& crop : shot.crops) crops.push_back({crop.x, crop.y, crop.width, crop.height});
-    list.push_back({{"name", shot.name}, {"title", shot.title}, {"crops", crops}});
+    list.push_back({{"name", shot.name}, {"title", shot.title}, {"crops", toJson(shot.crops)}});
   }
   return list;
 }

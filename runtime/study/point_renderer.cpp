@@ -15,6 +15,7 @@
 #include "image/png.h"
 #include "lab/against_truth.h"
 #include "lab/capture.h"
+#include "lab/record.h"
 #include "lab/shot_data.h"
 #include "study/points.h"
 
@@ -61,13 +62,13 @@ void requireSize(const Image& image, const Image& picture, const std::string& wh
                           picture.height));
 }
 
-}  // namespace
-
-image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const PicturesLayout& size,
-                            const TruthPicture& truth) {
+// Rectangle of a crop in a picture of truth. A crop without coordinates has the size of the layout and lies where the
+// region inner is densest.
+image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const TruthPicture& truth) {
   double scale_x = double(experiment.width) / experiment.file_width,
          scale_y = double(experiment.height) / experiment.file_height;
   if (crop) return scaledCrop(*crop, scale_x, scale_y, truth.color);
+  const PicturesLayout size = experiment.layout.pictures.value_or(PicturesLayout());
   image::Rectangle scaled = scaledCrop({0, 0, size.crop_width, size.crop_height}, scale_x, scale_y, truth.color);
   auto inner = truth.masks.find("inner");
   if (inner != truth.masks.end()) return densestCrop(inner->second, scaled.width, scaled.height);
@@ -75,6 +76,7 @@ image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, cons
           scaled.height};
 }
 
+// Colour, masks, standard errors and exposures of a picture of truth.
 TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& picture) {
   TruthPicture truth;
   truth.color = lab::colorOf(picture);
@@ -85,6 +87,8 @@ TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& pi
   truth.exposures = image::automaticExposures(truth.color, truth.color);
   return truth;
 }
+
+}  // namespace
 
 std::string failureOf(const std::function<void()>& step) {
   try {
@@ -248,6 +252,11 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   }
   point.values = meanOf(frames);
   point.image = shots.size() > 1 ? hashText(images) : images;
+  if (task.arm->role == ArmRole::truth) {
+    point.attribution = lab::attributionOf(truths_.front()->record);
+    for (const Crop& crop : group.studied->wanted_crops)
+      point.crops.push_back(placedCrop(experiment_, crop, held_against_.front()));
+  }
   if (experiment_.truth_error > 0 && task.arm->role == ArmRole::truth) {
     lab::Shot shot = task.shot;
     for (const auto& [name, value] : truths_.front()->record["shot"]["set"].items())
@@ -324,12 +333,6 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
     warn(fmt::format("{}: failed: {}", name, failed));
   }
   store_.keep(task.key, point);
-}
-
-std::shared_ptr<const lab::Picture> PointRenderer::firstTruth(const TaskGroup& group) {
-  progress_ = [](int) {};
-  lab::Shot shot = sequenceOf(*group.studied, group.truth().shot).front();
-  return store_.truth(group.truth_keys.front(), [&] { return drawnTruth(shot, 0); });
 }
 
 void PointRenderer::render(const TaskGroup& group, const Progress& progress) {

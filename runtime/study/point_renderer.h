@@ -8,14 +8,6 @@
 
 namespace strobe::study {
 
-// Rectangle of a crop in a picture of truth. A crop without coordinates has the size of `size` and lies where the
-// region inner is densest.
-image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const PicturesLayout& size,
-                            const TruthPicture& truth);
-
-// Colour, masks, standard errors and exposures of a picture of truth.
-TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& truth);
-
 // Runs `step`. Returns the reason of its failure, "" without one. Rethrows failures that end the run: a file that
 // cannot be written, a lost device.
 std::string failureOf(const std::function<void()>& step);
@@ -33,9 +25,6 @@ class PointRenderer {
   // Draws, measures and stores a point for each task without a point in the store. The point of a failed task has the
   // reason. Throws `Error` if the store cannot write.
   void render(const TaskGroup& group, const Progress& progress);
-
-  // First truth of a group, from the store or newly drawn.
-  std::shared_ptr<const lab::Picture> firstTruth(const TaskGroup& group);
 
   // Time spent so far, seconds.
   struct Spent {

@@ -120,7 +120,7 @@ Json shotJson(const ShotSummary& shot) {
   Json json = textsOf(shot);
   json["fps"] = numberJson(shot.fps);
   json["exposure"] = numberJson(shot.exposure);
-  for (const auto& crop : shot.crops) json["crops"].push_back({crop.x, crop.y, crop.width, crop.height});
+  if (!shot.crops.empty()) json["crops"] = toJson(shot.crops);
   json["stops"] = shot.tone.stops;
   json["filmic"] = shot.tone.curve == image::ToneMap::Curve::filmic;
   return json;
@@ -131,8 +131,7 @@ ShotSummary shotOf(const Json& json) {
   takeTexts(json, shot);
   shot.fps = json.at("fps");
   shot.exposure = json.at("exposure");
-  for (const Json& crop : json.value("crops", Json::array()))
-    shot.crops.push_back({crop.at(0), crop.at(1), crop.at(2), crop.at(3)});
+  shot.crops = cropsFrom(json.value("crops", Json::array()));
   shot.tone.stops = json.at("stops");
   if (json.at("filmic").get<bool>()) shot.tone.curve = image::ToneMap::Curve::filmic;
   return shot;
@@ -380,6 +379,16 @@ Json numberJson(double value) {
 
 void takeTexts(const Json& json, AxisSummary& axis) { takeTexts<AxisSummary>(json, axis); }
 void takeTexts(const Json& json, ShotSummary& shot) { takeTexts<ShotSummary>(json, shot); }
+
+Json toJson(const std::vector<image::Rectangle>& crops) {
+  return listOf(crops, [](const image::Rectangle& crop) { return Json{crop.x, crop.y, crop.width, crop.height}; });
+}
+
+std::vector<image::Rectangle> cropsFrom(const Json& json) {
+  std::vector<image::Rectangle> crops;
+  for (const Json& crop : json) crops.push_back({crop.at(0), crop.at(1), crop.at(2), crop.at(3)});
+  return crops;
+}
 
 Json toJson(const Point& point) {
   Json json = textsOf(point);

@@ -39,6 +39,10 @@ struct Point {
   std::string measured, shown, picture, record;
   std::map<std::string, std::string> files;  // hashes of all files of the point, by name below the results' folder
   std::string times;                         // conditions of the times: rounds, and the base of ratios
+  // Only of a truth, and only in its own file, because results have these once per shot: the crops of the shot, and the
+  // author of its scene.
+  std::vector<image::Rectangle> crops;
+  std::string attribution;
 
   bool isDrawn() const { return !values.empty(); }                     // drawn and measured, perhaps without times
   bool isMissing() const { return values.empty() && failed.empty(); }  // not drawn yet
@@ -101,6 +105,9 @@ Json numberJson(double value);
 // Sets the text fields from JSON; a missing field becomes "".
 void takeTexts(const Json& json, AxisSummary& axis);
 void takeTexts(const Json& json, ShotSummary& shot);
+
+Json toJson(const std::vector<image::Rectangle>& crops);
+std::vector<image::Rectangle> cropsFrom(const Json& json);
 
 Json toJson(const Point& point);
 Point pointFrom(const Json& json, const std::string& file);  // throws `Error` naming the file

@@ -14,7 +14,6 @@
 #include <set>
 
 #include "base/log.h"
-#include "lab/record.h"
 #include "math/statistics.h"
 #include "plan/plan.h"
 #include "study/point_renderer.h"
@@ -207,30 +206,6 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
 
 // ---- results
 
-// Fills in crops and attribution from a truth of the shot.
-void describeShot(const Experiment& experiment, const TaskGroup& group, PointRenderer& renderer, ShotSummary& summary) {
-  std::shared_ptr<const lab::Picture> truth = renderer.firstTruth(group);
-  if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);
-  if (experiment.shots[group.group->shot].wanted_crops.empty()) return;
-  PicturesLayout pictures = experiment.layout.pictures.value_or(PicturesLayout());
-  TruthPicture against = truthPictureOf(experiment, *truth);
-  for (const Crop& crop : experiment.shots[group.group->shot].wanted_crops)
-    summary.crops.push_back(placedCrop(experiment, crop, pictures, against));
-}
-
-void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch,
-                   const Store& store, Results& results) {
-  std::set<size_t> described;
-  PointRenderer renderer(experiment, batch, store);
-  for (const TaskGroup& group : groups) {
-    bool has_truth = !group.truth().key.empty() && store.has(group.truth().key);
-    if (!has_truth || !described.insert(group.group->shot).second) continue;
-    ShotSummary& summary = results.shots[group.group->shot];
-    const std::string failed = failureOf([&] { describeShot(experiment, group, renderer, summary); });
-    if (!failed.empty()) warn(fmt::format("{}: crops are left out: {}", summary.title, failed));
-  }
-}
-
 PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::string anchor) {
   const StudiedShot& studied = experiment.shots[group.group->shot];
   PointGroup result{studied.name, std::move(anchor), {}, {}};
@@ -292,7 +267,6 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store)
   renderHere(experiment, batch, store, remainingOf(groups, store), watch);
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());
-  describeShots(experiment, groups, batch, store, results);
   if (experiment.expectations) judgeResults(batch.bench().home(), results, experiment.file);
   return results;
 }

@@ -92,14 +92,29 @@ Path pointFile(const Path& folder, const std::string& key, const std::string& en
 static std::optional<Point> pointFromFile(const Path& file, const std::string& key) {
   try {
     std::optional<Json> json = unsealed(readText(file));
-    if (json && json->value("key", "") == key) return pointFrom(*json, file.string());
+    if (!json || json->value("key", "") != key) return std::nullopt;
+    Point point = pointFrom(*json, file.string());
+    point.crops = cropsFrom(json->value("crops", Json::array())), point.attribution = json->value("attribution", "");
+    return point;
   } catch (const std::exception&) {  // not JSON of a point, or not readable
   }
   return std::nullopt;
 }
 
+// Fills in crops and attribution of a shot from its first truth that is drawn.
+static void describeShot(Results& results, const PointGroup& group, const Point& truth,
+                         std::set<std::string>& described) {
+  if (!truth.isDrawn() || !described.insert(group.shot).second) return;
+  for (ShotSummary& shot : results.shots) {
+    if (shot.name != group.shot) continue;
+    shot.crops = truth.crops;
+    if (shot.attribution.empty()) shot.attribution = truth.attribution;
+  }
+}
+
 std::vector<Path> takePoints(Results& results, const Path& folder) {
   std::vector<Path> damaged;
+  std::set<std::string> described;
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) {
       Path file = pointFile(folder, point.key, ".json");
@@ -112,6 +127,7 @@ std::vector<Path> takePoints(Results& results, const Path& folder) {
       }
       if (known->command.empty()) known->command = point.command;
       known->arm = point.arm, known->role = point.role;
+      if (known->role == ArmRole::truth) describeShot(results, group, *known, described);
       point = std::move(*known);
     }
   return damaged;
@@ -236,6 +252,8 @@ void Store::keep(const std::string& key, const Point& point) const {
   if (!point.isDrawn()) had_.erase(key);
   Json json = toJson(point);
   json["key"] = key;
+  if (!point.crops.empty()) json["crops"] = toJson(point.crops);
+  if (!point.attribution.empty()) json["attribution"] = point.attribution;
   writeFileAtomically(pointFile(folder_, key, ".json"), sealed(std::move(json)));
 }
 

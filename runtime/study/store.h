@@ -16,8 +16,8 @@ namespace strobe::study {
 // Path of a file of a point: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
 Path pointFile(const Path& folder, const std::string& key, const std::string& ending);
 
-// Fills in the points of `results` that the folder has; other points stay as they are. Needs no lock. Returns the
-// damaged files of points: cut short, altered, or of another point.
+// Fills in the points of `results` that the folder has, and the crops and authors of their shots; other points and
+// shots stay as they are. Needs no lock. Returns the damaged files of points: cut short, altered, or of another point.
 std::vector<Path> takePoints(Results& results, const Path& folder);
 
 // Results of an unfinished run, with the points drawn so far. Throws `Error` if the outline is missing or damaged.

@@ -86,6 +86,15 @@ std::vector<std::string> truthKeysOf(const Experiment& experiment, const Studied
   return keys;
 }
 
+// Everything that determines the crops of a shot in a picture of truth.
+Json cropParts(const Experiment& experiment, const StudiedShot& studied) {
+  const PicturesLayout size = experiment.layout.pictures.value_or(PicturesLayout());
+  Json parts = {size.crop_width, size.crop_height, experiment.file_width, experiment.file_height};
+  for (const Crop& crop : studied.wanted_crops)
+    parts.push_back(crop ? Json{crop->x, crop->y, crop->width, crop->height} : Json("inner"));
+  return parts;
+}
+
 // Everything that determines a result.
 Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& task, lab::Batch& batch) {
   Json parts = {{"maker", makerOf(batch)},
@@ -95,6 +104,7 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
                 {"role", nameOf(task.arm->role)}};
   parts["picture"] =
       task.arm->role == ArmRole::truth ? Json(group.truth_keys) : Json(contentsOf(*group.studied, task.shot, batch));
+  if (task.arm->role == ArmRole::truth) parts["crops"] = cropParts(experiment, *group.studied);
   for (const std::string& name : task.measures)
     if (!measureNamed(name).isTime()) parts["measures"].push_back(name);
   std::optional<Group> benign = benignOf(experiment, *group.group);
