@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/lists.h"
+
 namespace strobe::study {
 
 const char* const kHowToReadEffects =
@@ -41,13 +43,15 @@ struct Candidate {
   std::vector<int> levels;  // one per point
 };
 
-// Numbers the levels that occur, in the order of `labels`.
+// Numbers the levels that occur, in the order of `labels`. `levelOf`: label of a point, as an index; -1: none.
+template <class LevelOf>
 Candidate candidate(const std::string& name, const std::vector<std::string>& labels, const std::vector<double>& numbers,
-                    const std::vector<int>& raw) {
-  Candidate result{{name, {}, {}}, raw};
+                    const std::vector<Levelled>& points, const LevelOf& levelOf) {
+  Candidate result{{name, {}, {}}, {}};
+  for (const Levelled& one : points) result.levels.push_back(levelOf(one));
   std::map<int, int> renumbered = {{-1, -1}};
   for (int label = 0; label < int(labels.size()); ++label) {
-    if (std::find(raw.begin(), raw.end(), label) == raw.end()) continue;
+    if (!contains(result.levels, label)) continue;
     renumbered[label] = int(result.factor.labels.size());
     result.factor.labels.push_back(labels[size_t(label)]);
     if (!numbers.empty()) result.factor.numbers.push_back(numbers[size_t(label)]);
@@ -63,28 +67,21 @@ int placeOf(const std::vector<It>& all, const It& one) {
 }
 
 Candidate ofAxis(const AxisSummary& axis, const std::vector<Levelled>& points) {
-  std::vector<int> raw;
-  for (const Levelled& one : points) {
-    const Json* value = one.group->valueOn(axis.name);
-    raw.push_back(value ? placeOf(axis.values, *value) : -1);
-  }
   std::vector<double> numbers;
   for (const Json& value : axis.values)
     if (value.is_number()) numbers.push_back(value.get<double>());
   if (numbers.size() < axis.values.size()) numbers.clear();
-  return candidate(axis.name, axis.labels, numbers, raw);
+  return candidate(axis.name, axis.labels, numbers, points, [&](const Levelled& one) {
+    const Json* value = one.group->valueOn(axis.name);
+    return value ? placeOf(axis.values, *value) : -1;
+  });
 }
 
 std::vector<Candidate> candidatesOf(const Results& results, const std::vector<Levelled>& points) {
-  std::vector<std::string> arms, shots;
-  for (const ArmSummary& arm : results.arms) arms.push_back(arm.name);
-  for (const ShotSummary& shot : results.shots) shots.push_back(shot.name);
-  std::vector<int> arm_of, shot_of;
-  for (const Levelled& one : points) {
-    arm_of.push_back(placeOf(arms, one.point->arm));
-    shot_of.push_back(placeOf(shots, one.group->shot));
-  }
-  std::vector<Candidate> candidates = {candidate("arm", arms, {}, arm_of), candidate("shot", shots, {}, shot_of)};
+  const std::vector<std::string> arms = namesOf(results.arms), shots = namesOf(results.shots);
+  std::vector<Candidate> candidates = {
+      candidate("arm", arms, {}, points, [&](const Levelled& one) { return placeOf(arms, one.point->arm); }),
+      candidate("shot", shots, {}, points, [&](const Levelled& one) { return placeOf(shots, one.group->shot); })};
   for (const AxisSummary& axis : results.axes) candidates.push_back(ofAxis(axis, points));
   std::erase_if(candidates, [](const Candidate& one) { return one.factor.levels() < 2; });
   return candidates;

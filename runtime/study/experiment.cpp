@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/inputs.h"
+#include "base/lists.h"
 #include "lab/shot_data.h"
 #include "lab/shot_options.h"
 #include "lab/workbench.h"
@@ -216,8 +217,7 @@ void collect(std::vector<std::string>& problems, const Origin& origin, const Ste
   try {
     step();
   } catch (const Error& error) {
-    for (const std::string& line : origin.placed(error))
-      if (std::find(problems.begin(), problems.end(), line) == problems.end()) problems.push_back(line);
+    for (const std::string& line : origin.placed(error)) addOnce(problems, line);
   }
 }
 
@@ -363,9 +363,7 @@ lab::Shot shotOf(const Experiment& experiment, const Group& group, const Studied
   lab::Shot shot = bareShot(experiment, group);
   shot.pipeline = arm.pipeline;
   shot.sets = joined(shot.sets, arm.sets);
-  auto lacks = [&arm](const std::string& name) {
-    return std::find(arm.lacks.begin(), arm.lacks.end(), name) != arm.lacks.end();
-  };
+  auto lacks = [&arm](const std::string& name) { return contains(arm.lacks, name); };
   for (const At& at : group.at)
     for (const auto& [name, value] : experiment.axes[at.axis].settings[at.value].sets)
       if (!lacks(name) && !lacks(experiment.axes[at.axis].name)) lab::putSetting(shot.sets, name, value);

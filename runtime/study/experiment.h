@@ -161,6 +161,14 @@ struct Experiment : ExperimentSummary {
   size_t truths() const;  // distinct; values of an axis that do not affect truth share one truth
 };
 
+// Names of arms, shots, axes or measures.
+template <class Named>
+std::vector<std::string> namesOf(const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& one : all) names.push_back(one.name);
+  return names;
+}
+
 // Number of truths with different contents, by the commands that draw them. "": cannot be drawn. A key of a point of
 // truth also has the measures.
 size_t countTruths(std::set<std::string> commands);

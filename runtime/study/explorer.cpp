@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "study/effects.h"
 #include "study/page_images.h"
 #include "study/report.h"
@@ -12,10 +13,6 @@ namespace {
 
 const char* nameOf(Better better) {
   return better == Better::lower ? "lower" : better == Better::higher ? "higher" : "neither";
-}
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 Json measuresJson(const Results& results) {
@@ -214,11 +211,11 @@ Json noticesOf(const PointCounts& counts, const std::string& reduced) {
 }  // namespace
 
 FirstView firstViewOf(const Results& results) {
-  FirstView view{"", "rmse", has(results.regions, "inner") ? "inner" : "whole"};
-  for (const char* name : {"ms", "ms_ratio"})  // times of a software device are comparable only as ratios
-    if (has(results.measures, name) && (view.x.empty() || results.software)) view.x = name;
+  FirstView view{"", "rmse", contains(results.regions, std::string("inner")) ? "inner" : "whole"};
+  for (const std::string name : {"ms", "ms_ratio"})  // times of a software device are comparable only as ratios
+    if (contains(results.measures, name) && (view.x.empty() || results.software)) view.x = name;
   if (const auto& front = results.layout.front) view = {front->x, front->y, front->region};
-  if (!has(results.measures, view.y) && !results.measures.empty()) view.y = results.measures.front();
+  if (!contains(results.measures, view.y) && !results.measures.empty()) view.y = results.measures.front();
   return view;
 }
 

@@ -293,11 +293,7 @@ const std::vector<Measure>& measures() {
   return all;
 }
 
-std::vector<std::string> measureNames() {
-  std::vector<std::string> names;
-  for (const Measure& measure : measures()) names.push_back(measure.name);
-  return names;
-}
+std::vector<std::string> measureNames() { return namesOf(measures()); }
 
 const Measure& measureNamed(const std::string& name) {
   auto found = std::find_if(measures().begin(), measures().end(), [&](const Measure& m) { return m.name == name; });

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/hash.h"
+#include "base/lists.h"
 #include "base/log.h"
 #include "image/crops.h"
 #include "image/false_colour.h"
@@ -44,8 +45,7 @@ class Stopwatch {
 std::vector<std::string> limitsMet(const lab::Picture& picture) {
   std::vector<std::string> met, of_scene = picture.record["scene"]["warnings"].get<std::vector<std::string>>();
   for (const std::string& warning : picture.warnings)
-    if (std::find(of_scene.begin(), of_scene.end(), warning) == of_scene.end())
-      met.push_back(warning.substr(0, warning.find(';')));
+    if (!contains(of_scene, warning)) met.push_back(warning.substr(0, warning.find(';')));
   return met;
 }
 
@@ -244,9 +244,7 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
     std::string image = picture->record["outputs"]["color"];
     images += (i ? "," : "") + image;
     point.preset = picture->record["pipeline"].value("preset", "");
-    for (const std::string& limit : limitsMet(*picture))
-      if (std::find(point.limits.begin(), point.limits.end(), limit) == point.limits.end())
-        point.limits.push_back(limit);
+    for (const std::string& limit : limitsMet(*picture)) addOnce(point.limits, limit);
     input.before = nullptr, input.picture = nullptr;
     before.emplace(std::move(input));
   }
@@ -263,9 +261,8 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
       lab::putSetting(shot.sets, name, plan::valueFromJson(value));
     point.command = commandOf(*group.studied, shot);
   }
-  std::string at = describe(experiment_, *group.group);
-  warnOnce(fmt::format("{}{}, {}", group.studied->title, at.empty() ? "" : ", " + at, task.arm->name),
-           picture->warnings);
+  const std::string at = afterComma(describe(experiment_, *group.group));
+  warnOnce(fmt::format("{}{}, {}", group.studied->title, at, task.arm->name), picture->warnings);
   Stopwatch watch(spent_.keeping_s);
   keepFiles(group, task, *picture, point);
   if (experiment_.layout.pictures) write(group, task, *picture, point);
@@ -323,8 +320,8 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
 
 // Draws, measures and stores one point. A lost device ends the run and leaves the point not drawn.
 void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
-  std::string at = describe(experiment_, *group.group);
-  std::string name = fmt::format("{}{}, {}", group.studied->name, at.empty() ? "" : ", " + at, task.arm->name);
+  const std::string at = afterComma(describe(experiment_, *group.group));
+  const std::string name = fmt::format("{}{}, {}", group.studied->name, at, task.arm->name);
   batch_.bench().device().setSubject(name);
   Point point;
   const std::string failed = failureOf([&] { point = measuredPoint(group, task); });

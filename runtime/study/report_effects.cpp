@@ -90,9 +90,7 @@ Parts effectParts(const Results& results) {
   for (const ShotSummary& shot : results.shots) {
     Effects effects = effectsOf(results, shot.name, view.y, view.region);
     if (effects.factors.size() < 2) continue;
-    const Measure& measure = measureNamed(view.y);
-    std::string of = headOf(measure) + (measure.per_region ? ", " + view.region : "");
-    parts.push_back(heading(shot.title + ": " + of, 3, "", ReportPart::kPage));
+    parts.push_back(heading(shot.title + ": " + headOf(measureNamed(view.y), view.region), 3, "", ReportPart::kPage));
     parts.push_back({mainTable(effects), ReportPart::kPage});
     if (!effects.pairs.empty()) parts.push_back({pairTable(effects, 12), ReportPart::kPage});
   }

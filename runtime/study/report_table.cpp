@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "page/number.h"
 #include "study/curves.h"
 #include "study/gallery.h"
@@ -21,7 +22,7 @@ class AxisTable {
     for (const PointGroup& group : results.groups) {
       if (group.at.size() != 1 || group.at[0].first != axis.name) continue;
       groups_.push_back(&group);
-      if (std::find(shots_.begin(), shots_.end(), group.shot) == shots_.end()) shots_.push_back(group.shot);
+      addOnce(shots_, group.shot);
     }
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/lists.h"
 #include "base/sealed_json.h"
 #include "base/version.h"
 
@@ -189,8 +190,7 @@ void requireMeasures(const Results& results) {
   if (const auto& front = results.layout.front) names.insert(names.end(), {front->x, front->y});
   if (const auto& table = results.layout.table)
     for (const auto* list : {&table->cells, &table->once}) names.insert(names.end(), list->begin(), list->end());
-  for (const std::string& name : names)
-    require(std::find(known.begin(), known.end(), name) != known.end(), fmt::format("unknown measure '{}'", name));
+  for (const std::string& name : names) require(contains(known, name), fmt::format("unknown measure '{}'", name));
 }
 
 void requireSound(const Results& results, const AxisSummary& axis) {
@@ -332,9 +332,10 @@ std::string describe(const PointGroup& group, const std::string& without) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string afterComma(const std::string& text) { return text.empty() ? "" : ", " + text; }
+
 std::string describe(const PointGroup& group, const Point& point) {
-  std::string at = describe(group);
-  return fmt::format("{}{}, {}: {}", group.shot, at.empty() ? "" : ", " + at, point.arm, point.failed);
+  return fmt::format("{}{}, {}: {}", group.shot, afterComma(describe(group)), point.arm, point.failed);
 }
 
 std::vector<std::string> Results::failed() const {

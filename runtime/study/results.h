@@ -112,6 +112,9 @@ std::vector<image::Rectangle> cropsFrom(const Json& json);
 Json toJson(const Point& point);
 Point pointFrom(const Json& json, const std::string& file);  // throws `Error` naming the file
 
+// `text` after a comma; "" for "".
+std::string afterComma(const std::string& text);
+
 // Text for a failed point: shot, values, arm and reason.
 std::string describe(const PointGroup& group, const Point& point);
 

@@ -207,15 +207,14 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
 // ---- results
 
 PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::string anchor) {
-  const StudiedShot& studied = experiment.shots[group.group->shot];
-  PointGroup result{studied.name, std::move(anchor), {}, {}};
+  PointGroup result{group.studied->name, std::move(anchor), {}, {}};
   for (const At& at : group.group->at)
     result.at.emplace_back(experiment.axes[at.axis].name, experiment.axes[at.axis].values[at.value]);
   for (const Task& task : group.tasks) {
     Point point;
     point.key = task.key, point.failed = task.refused;
     point.arm = task.arm->name, point.role = task.arm->role;
-    point.command = commandOf(studied, task.shot);
+    point.command = commandOf(*group.studied, task.shot);
     result.points.push_back(std::move(point));
   }
   return result;
@@ -247,8 +246,8 @@ Results withPoints(Results results, const Store& store) {
 }
 
 // Stores and announces the outline.
-Results begun(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch,
-              const Store& store) {
+Results storedOutline(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch,
+                      const Store& store) {
   Results outline = outlineOf(experiment, groups, batch);
   store.keepOutline(outline);
   if (!experiment.is_step) announce(withPoints(outline, store));
@@ -261,7 +260,7 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store)
   for (const StudiedShot& shot : experiment.shots)
     if (!shot.missing.empty()) note(fmt::format("{}: skipped, {}", shot.title, shot.missing));
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
-  Results results = begun(experiment, groups, batch, store);
+  Results results = storedOutline(experiment, groups, batch, store);
   ProgressWatch watch;
   if (!experiment.is_step) watch.now = [&] { return withPoints(results, store); };
   renderHere(experiment, batch, store, remainingOf(groups, store), watch);
@@ -289,7 +288,7 @@ struct Shared {
     lab::Batch batch(*bench);
     std::vector<TaskGroup> groups = tasksOf(experiment, batch);
     if (!shared.outlined.exchange(true)) {
-      begun(experiment, groups, batch, store);
+      storedOutline(experiment, groups, batch, store);
       shared.cost = remainingOf(groups, store).cost;
     }
     PointRenderer renderer(experiment, batch, store);

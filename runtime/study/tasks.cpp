@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/hash.h"
+#include "base/lists.h"
 #include "lab/record.h"
 #include "study/measures.h"
 
@@ -48,7 +49,7 @@ std::vector<std::string> measuresOf(const Experiment& experiment, const Group& g
   }
   std::vector<std::string> ordered;
   for (const std::string& name : measureNames())
-    if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) ordered.push_back(name);
+    if (contains(wanted, name)) ordered.push_back(name);
   return ordered;
 }
 

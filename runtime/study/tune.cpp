@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "base/lists.h"
 #include "base/log.h"
 #include "lab/shot_options.h"
 #include "script/lua_text.h"
@@ -247,7 +248,7 @@ std::vector<Spot> Tuner::starts() const {
                               [&](const auto& value) { return value.first == one.param.name; });
       spot.push_back(set == preset.values.end() ? one.param.default_value : set->second);
     }
-    if (std::find(centres.begin(), centres.end(), spot) == centres.end()) centres.push_back(spot);
+    addOnce(centres, spot);
   }
   const Home& home = bench_.home();
   Json points = script::evaluateData(home, home.at("scripts/tune/starts.lua").string(),
@@ -368,14 +369,14 @@ Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& c
   for (const plan::ParamDesc& param : pipeline.params)
     if (!isSet(request.shot, param.name)) names.push_back(param.name);
   for (const std::string& name : request.vary) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (contains(names, name)) continue;
     if (isSet(request.shot, name)) throw Error(fmt::format("--vary: '{}' is also set", name), {}, 2);
     throw Error(fmt::format("--vary: '{}' has no parameter '{}'{}", pipeline.name, name, didYouMean(name, names)), {},
                 2);
   }
   Space space;
   for (const plan::ParamDesc& param : pipeline.params) {
-    bool asked = std::find(request.vary.begin(), request.vary.end(), param.name) != request.vary.end();
+    bool asked = contains(request.vary, param.name);
     if (request.vary.empty()) asked = isOfMethod(param) && !isFollowed(pipeline, captured, param.name);
     if (asked && !isSet(request.shot, param.name)) space.push_back({param, *plan::valueOf(pipeline, param.name)});
   }

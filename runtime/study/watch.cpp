@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "math/pareto.h"
 #include "study/gallery.h"
 #include "study/store.h"
 
@@ -18,23 +17,6 @@ namespace {
 constexpr double kReportEvery_s = 10;
 constexpr size_t kMostPoints = 6;  // per shot in one report
 
-struct ReportedPoint {
-  std::string what;
-  double x, y;
-};
-
-double cost(const Measure& measure, double value) { return measure.better == Better::higher ? -value : value; }
-
-// Pareto front of a shot, or the points with the best `y` if no point has an `x`.
-std::vector<ReportedPoint> bestOf(const std::vector<ReportedPoint>& seen, const Measure& x, const Measure& y) {
-  std::vector<ReportedPoint> best;
-  std::vector<std::pair<double, double>> costs;
-  bool has_x = std::any_of(seen.begin(), seen.end(), [](const ReportedPoint& one) { return std::isfinite(one.x); });
-  for (const ReportedPoint& one : seen) costs.emplace_back(has_x ? cost(x, one.x) : 0, cost(y, one.y));
-  for (size_t i : paretoFront(costs)) best.push_back(seen[i]);
-  return best;
-}
-
 }  // namespace
 
 std::string frontSoFar(const Results& results) {
@@ -42,20 +24,12 @@ std::string frontSoFar(const Results& results) {
   const Measure &x = measureNamed(layout.x), &y = measureNamed(layout.y);
   std::string text;
   for (const ShotSummary& shot : results.shots) {
-    std::vector<ReportedPoint> seen;
-    for (const PointGroup* group : groupsOf(results, shot))
-      for (const Point& point : group->points) {
-        double value = point.value(layout.y, layout.region);
-        if (point.role != ArmRole::method || !std::isfinite(value)) continue;
-        std::string at = describe(*group);
-        seen.push_back({point.arm + (at.empty() ? "" : ", " + at), point.value(layout.x, layout.region), value});
-      }
-    std::vector<ReportedPoint> best = bestOf(seen, x, y);
+    std::vector<FrontPoint> best = frontOf(frontPoints(results, shot, layout), layout);
     if (best.empty()) continue;
     text += fmt::format("best so far, {} ({}, {}):", shot.title, y.title, layout.region);
     for (size_t i = 0; i < std::min(best.size(), kMostPoints); ++i)
-      text += fmt::format("{} {} {}{}", i ? ";" : "", best[i].what, shownValue(y, best[i].y),
-                          std::isfinite(best[i].x) ? " at " + shownValue(x, best[i].x) : "");
+      text += fmt::format("{} {}{} {}{}", i ? ";" : "", best[i].point->arm, afterComma(describe(*best[i].group)),
+                          shownValue(y, best[i].y), std::isfinite(best[i].x) ? " at " + shownValue(x, best[i].x) : "");
     if (best.size() > kMostPoints) text += fmt::format("; and {} more", best.size() - kMostPoints);
     text += "\n";
   }
