@@ -128,10 +128,7 @@ void exportShot(const Home& home, const RenderOptions& options, lab::Shot shot) 
   requireWritable(options.mitsuba, "--export-mitsuba");
   const lab::LoadedScene loaded = lab::loadScene(home, shot);
   const graph::Frame frame = lab::frameOf(shot, loaded.scene);
-  scene::FrameView view;
-  view.raster_s = frame.raster_s, view.open_s = frame.open_s, view.close_s = frame.close_s;
-  view.width = shot.width, view.height = shot.height;
-  scene::MitsubaExport written = scene::exportMitsuba(loaded.scene, frame.pose_at, view, options.mitsuba);
+  scene::MitsubaExport written = scene::exportMitsuba(loaded.scene, frame.pose_at, frame.view, options.mitsuba);
   if (shot.shutter_curve != "box")
     written.left_out.push_back(
         fmt::format("the shutter curve ({}): all times have the same weight", shot.shutter_curve));

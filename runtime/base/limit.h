@@ -8,6 +8,13 @@
 
 namespace strobe {
 
+// Limit that a picture met, as a warning "FACTS; RESULT".
+struct LimitMet {
+  std::string facts;   // the numbers and names of this picture
+  std::string result;  // consequence and remedy
+  std::string text() const { return facts + "; " + result; }
+};
+
 // Documented limit: its name, the condition that meets it, the consequence and remedy, and the response (none, a
 // warning or an error).
 struct Limit {
@@ -19,8 +26,9 @@ struct Limit {
   std::string_view met;     // condition
   std::string_view result;  // consequence and remedy
 
+  LimitMet metBy(const std::string& facts) const { return {facts, std::string(result)}; }
   // "`facts`; RESULT", for an error or a warning.
-  std::string text(const std::string& facts) const { return facts + "; " + std::string(result); }
+  std::string text(const std::string& facts) const { return metBy(facts).text(); }
 };
 
 }  // namespace strobe

@@ -44,14 +44,14 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   frame.moving_rect = vectorOf(setup.motion.moving_rect);
   frame.camera_rests = setup.facts.camera_moves ? 0 : 1;
   frame.moving_count = scene.movingCount();
-  frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
+  frame.exposure = float((setup.view.close_s - setup.view.open_s) / setup.frame_s);
   setCurve(setup.curve, frame);
   if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
   return frame;
 }
 
 // One origin for every pose of the frame: the camera at the raster time.
-static dvec3 frameOrigin(const Frame& setup) { return dvec3(setup.pose_at(setup.raster_s).world_from_camera[3]); }
+static dvec3 frameOrigin(const Frame& setup) { return dvec3(setup.pose_at(setup.view.raster_s).world_from_camera[3]); }
 
 static void setPose(world::GpuScene& scene, gpu::Staging& staging, uint32_t slice, const Plan& plan, const Frame& setup,
                     double time_s, const dvec3& origin) {
@@ -63,7 +63,7 @@ static void setPose(world::GpuScene& scene, gpu::Staging& staging, uint32_t slic
 void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const Frame& setup) {
   dvec3 origin = frameOrigin(setup);
   scene.setMotion(staging, setup.facts.moves, setup.motion.paths);
-  const double times[] = {setup.raster_s, setup.open_s, setup.close_s, setup.raster_s - setup.frame_s};
+  const double times[] = {setup.view.raster_s, setup.view.open_s, setup.view.close_s, setup.view.raster_s - setup.frame_s};
   for (uint32_t slice : {SLICE_RASTER, SLICE_SHUTTER_OPEN, SLICE_SHUTTER_CLOSE, SLICE_PREVIOUS})
     setPose(scene, staging, slice, plan, setup, times[slice], origin);
 }
@@ -78,11 +78,11 @@ int partOf(const plan::PlanLoop& loop, int iteration) {
 Frame partSetup(const Frame& setup, const Plan& plan, const plan::PlanLoop& loop, int iteration) {
   const int part = partOf(loop, iteration);
   auto endOf = [&](int parts) {
-    return glm::mix(setup.open_s, setup.close_s, setup.curve.timeOf(double(parts) / loop.parts));
+    return glm::mix(setup.view.open_s, setup.view.close_s, setup.curve.timeOf(double(parts) / loop.parts));
   };
   Frame frame = setup;
-  frame.open_s = endOf(part), frame.close_s = endOf(part + 1);
-  frame.raster_s = 0.5 * (frame.open_s + frame.close_s);
+  frame.view.open_s = endOf(part), frame.view.close_s = endOf(part + 1);
+  frame.view.raster_s = 0.5 * (frame.view.open_s + frame.view.close_s);
   frame.curve = {};
   frame.anchor = ANCHOR_CENTRE;
   frame.motion = {{0, 0, plan.width, plan.height}, {}, {}};
@@ -92,7 +92,7 @@ Frame partSetup(const Frame& setup, const Plan& plan, const plan::PlanLoop& loop
 
 // Time of slice `q` of a part, seconds.
 static double sampleTime(const Frame& setup, const plan::PlanLoop& loop, int part, int q) {
-  if (loop.times == "frames") return setup.raster_s - (double(part) * loop.slices + q + 1) * setup.frame_s;
+  if (loop.times == "frames") return setup.view.raster_s - (double(part) * loop.slices + q + 1) * setup.frame_s;
   // Midpoints of the stratum's equal parts, or one random time in each. Loops differ in their random times.
   double in_stratum = (q + 0.5) / loop.slices;
   if (loop.times == "stratified") {
@@ -101,7 +101,7 @@ static double sampleTime(const Frame& setup, const plan::PlanLoop& loop, int par
   }
   double share = (part + in_stratum) / loop.parts;
   if (loop.times != "even") share = setup.curve.timeOf(share);
-  return setup.open_s + (setup.close_s - setup.open_s) * share;
+  return setup.view.open_s + (setup.view.close_s - setup.view.open_s) * share;
 }
 
 void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const Frame& setup,

@@ -12,6 +12,7 @@
 #include "math/shutter_curve.h"
 #include "plan/plan.h"
 #include "scene/facts.h"
+#include "scene/frame_poser.h"
 #include "scene/screen_motion.h"
 #include "world/gpu_scene.h"
 
@@ -20,11 +21,10 @@ namespace strobe::graph {
 // Times, camera poses and random seed of a frame: all inputs of an image besides plan and scene.
 struct Frame {
   std::function<scene::Pose(double time_s)> pose_at;
-  double raster_s = 0;             // scene time of the raster image
-  double open_s = 0, close_s = 0;  // scene time of shutter open and close
-  ShutterCurve curve;              // weight of each time of the exposure
-  double frame_s = 0;              // time between two frames
-  uint32_t anchor = 0;             // ANCHOR_* of shaders/shared/frame.h
+  scene::FrameView view;  // times and size of the picture
+  ShutterCurve curve;     // weight of each time of the exposure
+  double frame_s = 0;     // time between two frames
+  uint32_t anchor = 0;    // ANCHOR_* of shaders/shared/frame.h
   uint32_t frame = 0;
   uint32_t seed = 0;
   vec2 subpixel = vec2(0);  // sample position relative to the pixel's centre, px

@@ -156,9 +156,10 @@ void Drawing::begin(const Shot& shot, const std::set<std::string>* outputs) {
 
 graph::FrameResult Drawing::finish() { return graph_->finish(); }
 
-std::vector<std::string> Drawing::limitsMet(const Shot& shot, const graph::FrameResult& frame) const {
-  std::vector<std::string> met = lab::limitsMet(shot, scene().scene);
-  for (std::string& one : lab::limitsMet(plan(), frame)) met.push_back(std::move(one));
+std::vector<LimitMet> Drawing::limitsMet(const Shot& shot, const graph::FrameResult& frame) const {
+  std::vector<LimitMet> met = lab::limitsMet(shot, scene().scene);
+  for (LimitMet& one : lab::limitsMet(plan(), frame)) met.push_back(std::move(one));
+  for (LimitMet& one : lab::limitsMet(frame)) met.push_back(std::move(one));
   return met;
 }
 
@@ -216,16 +217,19 @@ static void divide(graph::FrameResult& sum, int n) {
 // Fills in the camera matrices, id names, warnings and record of a picture.
 static void describe(const Home& home, Picture& picture, const Drawing& drawing, const Shot& shot,
                      const graph::Frame& setup, const gpu::DeviceInfo& device) {
-  scene::Pose pose = setup.pose_at(setup.raster_s);
+  scene::Pose pose = setup.pose_at(setup.view.raster_s);
   dmat4 camera_from_world = glm::inverse(pose.world_from_camera);
   picture.camera_from_world = mat4(camera_from_world);
   double aspect = double(shot.width) / shot.height;
   picture.ndc_from_world = mat4(ndcFromCamera(pose.camera, aspect) * camera_from_world);
   picture.id_names = idNamesOf(drawing.scene().scene);
   picture.warnings = drawing.scene().scene.warnings;
-  for (std::string& met : drawing.limitsMet(shot, picture.frame)) picture.warnings.push_back(std::move(met));
-  for (std::string& met : limitsMet(picture.frame)) picture.warnings.push_back(std::move(met));
   picture.record = makeRecord({home, shot, drawing, device}, picture.frame);
+  picture.record["limits"] = Json::array();
+  for (const LimitMet& met : drawing.limitsMet(shot, picture.frame)) {
+    picture.warnings.push_back(met.text());
+    picture.record["limits"].push_back(met.facts);
+  }
   picture.record["warnings"] = picture.warnings;
 }
 

@@ -67,7 +67,7 @@ class Drawing {
   Picture capture(const Shot& shot, const std::set<std::string>* outputs = nullptr,
                   const std::function<void(int done, int of)>& progress = {}, bool id_coverage = false);
   // Warnings about the limits that a drawn frame met, one line each: shot limits first, then pass limits.
-  std::vector<std::string> limitsMet(const Shot& shot, const graph::FrameResult& frame) const;
+  std::vector<LimitMet> limitsMet(const Shot& shot, const graph::FrameResult& frame) const;
 
  private:
   graph::Frame frameOf(const Shot& shot) const;

@@ -74,7 +74,7 @@ graph::Frame frameOf(const Shot& shot, const scene::Scene& scene, int earlier_fr
       return scene::boundedPose(true_pose, shares, raster_s, time_s);
     };
   }
-  frame.raster_s = view.raster_s, frame.open_s = view.open_s, frame.close_s = view.close_s;
+  frame.view = view;
   frame.curve = ShutterCurve::from(shot.shutter_curve);
   frame.frame_s = 1 / shot.fps;
   frame.anchor = anchorCode(shot.anchor);
@@ -116,10 +116,10 @@ std::vector<std::string> absentFacts(const graph::Frame& frame, const plan::Pipe
   if (!facts.one_sided) absent.push_back("one_sided");
   if (!facts.shadows) absent.push_back("shadows");
   if (!facts.deforms) absent.push_back("deforms");
-  if (!(frame.open_s < frame.raster_s)) absent.push_back("before");
-  if (!(frame.close_s > frame.raster_s)) absent.push_back("after");
+  if (!(frame.view.open_s < frame.view.raster_s)) absent.push_back("before");
+  if (!(frame.view.close_s > frame.view.raster_s)) absent.push_back("after");
   if (frame.curve.isBox()) absent.push_back("weighted");
-  if (plan::hasParts(pipeline) && frame.open_s < frame.close_s) std::erase_if(absent, isOfMotion);
+  if (plan::hasParts(pipeline) && frame.view.open_s < frame.view.close_s) std::erase_if(absent, isOfMotion);
   return absent;
 }
 

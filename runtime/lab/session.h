@@ -82,7 +82,7 @@ class Session {
     return frame;
   }
   // Warnings about the limits that a drawn frame met, one line each: shot limits first, then pass limits.
-  std::vector<std::string> limitsMet(const graph::FrameResult& frame) const {
+  std::vector<LimitMet> limitsMet(const graph::FrameResult& frame) const {
     return running_->limitsMet(shot_, frame);
   }
   // The frame with sub-pixel samples, run record and timings, as written by `strobe render`.

@@ -6,20 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "base/limit.h"
 #include "graph/graph.h"
 #include "lab/shot.h"
 #include "plan/plan.h"
 
 namespace strobe::lab {
 
-// Warnings "NODE: COUNT WHAT; RESULT", one for each nonzero counter that is declared as a limit. RESULT: the
-// consequence and a remedy.
-std::vector<std::string> limitsMet(const plan::Plan& plan, const graph::FrameResult& frame);
+// Facts "NODE: COUNT WHAT", one for each nonzero counter that is declared as a limit.
+std::vector<LimitMet> limitsMet(const plan::Plan& plan, const graph::FrameResult& frame);
 
-// Warnings about non-finite colours of a frame, if its colour is read back.
-std::vector<std::string> limitsMet(const graph::FrameResult& frame);
+// Limit of non-finite colours of a frame, if its colour is read back.
+std::vector<LimitMet> limitsMet(const graph::FrameResult& frame);
 
-// Warnings about the exposure of a shot and the clips of its scene.
-std::vector<std::string> limitsMet(const Shot& shot, const scene::Scene& scene);
+// Limits of the exposure of a shot and the clips of its scene.
+std::vector<LimitMet> limitsMet(const Shot& shot, const scene::Scene& scene);
 
 }  // namespace strobe::lab

@@ -328,9 +328,9 @@ void budgetPart(const Fonts& fonts, Desk& desk) {
 // ---- right: limits that the frame met
 
 void limitsPart(const Fonts& fonts, const char* title, const Side& side) {
-  if (side.warnings.empty()) return;
+  if (side.limits.empty()) return;
   heading(fonts, title);
-  for (const std::string& warning : side.warnings) wrappedIn(fonts.small, colours::kBad, warning);
+  for (const LimitMet& met : side.limits) wrappedIn(fonts.small, colours::kBad, met.text());
 }
 
 // ---- right: the pinned pixel

@@ -239,7 +239,7 @@ void Sides::draw(Side& side, const std::string& port) {
     std::string shown = output || tapped ? port : kColor;
     std::set<std::string> wanted = {kColor, shown, Side::kDepth};
     graph::FrameResult frame = side.session->draw(&wanted);
-    side.warnings = side.session->limitsMet(frame);
+    side.limits = side.session->limitsMet(frame);
     side.frame = std::move(frame);
     side.drawn_port = shown;
     side.color = image::threeChannels(side.frame.outputs.at(kColor).floats);

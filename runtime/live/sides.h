@@ -18,7 +18,7 @@ struct Side {
   image::Image color;                 // linear, three channels; empty before the first frame
   std::string drawn_port;             // displayed image of `frame`; "color" if the chosen image is missing
   std::string problem;                // message of a failed last frame, or ""
-  std::vector<std::string> warnings;  // limits that the frame met
+  std::vector<LimitMet> limits;  // limits that the frame met
   TimeHistory times;
   bool stale = true;  // values changed since the frame was drawn
   int frames_drawn = 0;

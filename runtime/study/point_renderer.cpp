@@ -40,15 +40,6 @@ class Stopwatch {
   double started_s_;
 };
 
-// Limits that a picture met, as "NODE: COUNT WHAT": its warnings without the warnings of the scene, and without the
-// advice after the semicolon.
-std::vector<std::string> limitsMet(const lab::Picture& picture) {
-  std::vector<std::string> met, of_scene = picture.record["scene"]["warnings"].get<std::vector<std::string>>();
-  for (const std::string& warning : picture.warnings)
-    if (!contains(of_scene, warning)) met.push_back(warning.substr(0, warning.find(';')));
-  return met;
-}
-
 // Display values, with marks on pixels that are not finite.
 Image displayed(const Image& linear, const image::ToneMap& tone) {
   Image display = image::toneMap(linear, tone);
@@ -244,7 +235,8 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
     std::string image = picture->record["outputs"]["color"];
     images += (i ? "," : "") + image;
     point.preset = picture->record["pipeline"].value("preset", "");
-    for (const std::string& limit : limitsMet(*picture)) addOnce(point.limits, limit);
+    for (const std::string& limit : picture->record["limits"].get<std::vector<std::string>>())
+      addOnce(point.limits, limit);
     input.before = nullptr, input.picture = nullptr;
     before.emplace(std::move(input));
   }

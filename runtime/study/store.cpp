@@ -53,14 +53,13 @@ void removeLocks(const Path& folder) {
 // Hash of the text fields of a truth's file. The record has the hashes of the images.
 std::string sumOf(const image::ExrFile& file) {
   std::string texts;
-  for (const char* name : {"key", "strobe", "warnings"}) texts += file.texts.at(name) + "|";
+  for (const char* name : {"key", "strobe"}) texts += file.texts.at(name) + "|";
   return hashText(texts);
 }
 
 std::string encoded(const std::string& key, const lab::Picture& picture) {
   image::ExrFile file = lab::exrOf(picture, {.multipart = true});
   file.texts["key"] = key;
-  file.texts["warnings"] = Json(picture.warnings).dump();
   file.texts["sum"] = sumOf(file);
   return image::encodeExr(file);
 }
@@ -72,7 +71,7 @@ std::shared_ptr<const lab::Picture> decoded(const std::string& key, const Path& 
     if (file.texts.at("key") != key || file.texts.at("sum") != sumOf(file)) return nullptr;
     auto picture = std::make_shared<lab::Picture>();
     picture->record = Json::parse(file.texts.at("strobe"));
-    picture->warnings = Json::parse(file.texts.at("warnings")).get<std::vector<std::string>>();
+    picture->warnings = picture->record.at("warnings").get<std::vector<std::string>>();
     picture->frame.outputs = lab::imagesOf(file, name);
     for (const auto& [output, read] : picture->frame.outputs)
       if (picture->record.at("outputs").at(output) != Json(lab::hashOf(read))) return nullptr;

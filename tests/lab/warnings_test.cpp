@@ -58,11 +58,13 @@ std::string kindsOf(const scene::Scene& scene, int frame, double exposure = 1, c
   shot.anchor = anchor;
   shot.animation = animation;
   std::string kinds;
-  for (const std::string& warning : limitsMet(shot, scene))
+  for (const LimitMet& met : limitsMet(shot, scene)) {
+    const std::string warning = met.text();
     kinds += warning.find("begins before") != std::string::npos       ? "before "
              : warning.find("spans the end") != std::string::npos     ? "seam "
              : warning.find("drive translation") != std::string::npos ? "shared "
                                                                       : warning;
+  }
   return kinds;
 }
 
@@ -154,9 +156,9 @@ TEST(ClipWarnings, ClipsOfOneTargetAreNamedUnlessOneIsChosen) {
   shot.fps = 24;
   shot.frame = 12;
   shot.exposure = 0;
-  const std::vector<std::string> all = limitsMet(shot, scene);
+  const std::vector<LimitMet> all = limitsMet(shot, scene);
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0],
+  EXPECT_EQ(all[0].text(),
             "clips 'walk', 'run' drive translation of node 'box'; the first clip in the file plays; --animation NAME "
             "chooses another");
   for (const char* name : {"walk", "run", "nod", "none"}) {

@@ -69,9 +69,9 @@ class RenderDisplacements : public RenderTest {
     seen.held = bench().scene(shot);
     seen.scene = &seen.held->loaded.scene;
     graph::Frame setup = lab::frameOf(shot, *seen.scene);
-    seen.capture = setup.pose_at(setup.raster_s);
-    seen.open = setup.pose_at(setup.open_s);
-    seen.close = setup.pose_at(setup.close_s);
+    seen.capture = setup.pose_at(setup.view.raster_s);
+    seen.open = setup.pose_at(setup.view.open_s);
+    seen.close = setup.pose_at(setup.view.close_s);
     const std::vector<scene::Instance> instances = scene::instancesOf(*seen.scene);
     const scene::Pose* poses[] = {&seen.capture, &seen.open, &seen.close};
     for (size_t p = 0; p < 3; ++p)
