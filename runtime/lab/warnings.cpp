@@ -37,8 +37,8 @@ std::vector<LimitMet> limitsMet(const graph::FrameResult& frame) {
   const image::NotFinite found = image::notFiniteIn(image);
   if (found.pixels == 0) return {};
   return {kNotFiniteLimit.metBy(fmt::format("color: {} of {} pixels {} not finite, the first at {},{} ({})",
-                                           found.pixels, image.width * image.height, found.pixels == 1 ? "is" : "are",
-                                           found.x, found.y, found.value))};
+                                            found.pixels, image.width * image.height, found.pixels == 1 ? "is" : "are",
+                                            found.x, found.y, found.value))};
 }
 
 // Limits of clips that do not play because an earlier clip drives the same target.
@@ -53,7 +53,7 @@ static std::vector<LimitMet> sharedTargets(const scene::Scene& scene) {
     const size_t more = names.size() - std::min(names.size(), kMostNames);
     names.resize(names.size() - more);
     met.push_back(kSharedTargetLimit.metBy(fmt::format("clips '{}'{} drive {}", fmt::join(names, "', '"),
-                                                      more ? fmt::format(" and {} more", more) : "", shared.second)));
+                                                       more ? fmt::format(" and {} more", more) : "", shared.second)));
   }
   return met;
 }
