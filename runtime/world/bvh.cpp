@@ -19,8 +19,6 @@ namespace strobe::world {
 
 namespace {
 
-constexpr double kNodeCost = 1, kBoxCost = 1;
-
 double halfArea(const Box& box) {
   double x = double(box.high.x) - box.low.x, y = double(box.high.y) - box.low.y, z = double(box.high.z) - box.low.z;
   return x < 0 ? 0 : x * y + y * z + z * x;
@@ -132,14 +130,11 @@ struct TreePart {
   uint32_t count() const { return end - begin; }
 };
 
-struct Subtree {
-  std::vector<shared::BvhNode> nodes;  // child indices relative to this subtree
-  double cost = 0;                     // not divided by the area of the root
-};
-
 // Splits parts in two by the heuristic, and joins the splits to nodes of four children.
 class BvhBuilder {
  public:
+  using Nodes = std::vector<shared::BvhNode>;  // child indices relative to the first node
+
   BvhBuilder(std::vector<BvhItem>& items, const BvhOptions& options)
       : items_(items), options_(options), spare_threads_(int(std::max(1u, std::thread::hardware_concurrency())) - 1) {}
 
@@ -151,13 +146,13 @@ class BvhBuilder {
     if (part.leaf) return part;
     part.split = count <= kFew ? bestSplitOfFew(part) : bestSplit(part);
     const double area = halfArea(part.box);
-    part.leaf =
-        count <= options_.leaf_boxes && !(kNodeCost * area + kBoxCost * part.split.cost < kBoxCost * area * count);
+    // Expected cost of a random line: 1 per node, 1 per box in a leaf.
+    part.leaf = count <= options_.leaf_boxes && !(area + part.split.cost < area * count);
     return part;
   }
 
-  // Appends the node of a part and its subtree; returns the index of the node.
-  uint32_t append(const TreePart& root, Subtree& tree) {
+  // Appends the node of a part and its subtree to `nodes`; returns the index of the node.
+  uint32_t append(const TreePart& root, Nodes& nodes) {
     std::array<TreePart, 4> children = {root};
     size_t count = 1;
     // Open the largest child first: a random line most likely hits it.
@@ -165,19 +160,18 @@ class BvhBuilder {
       auto larger = [](const TreePart& a, const TreePart& b) { return worth(a) < worth(b); };
       auto largest = std::max_element(children.begin(), children.begin() + count, larger);
       if (largest->leaf) break;
-      tree.cost += kNodeCost * halfArea(largest->box);
       auto [left, right] = opened(*largest);
       std::move_backward(largest + 1, children.begin() + count, children.begin() + count + 1);
       *largest = left, *(largest + 1) = right;
       ++count;
     }
-    const uint32_t index = uint32_t(tree.nodes.size());
-    tree.nodes.push_back(nodeOf(children, count));
-    if (root.count() > kWorthAThread) appendApart(children, count, index, tree);
+    const uint32_t index = uint32_t(nodes.size());
+    nodes.push_back(nodeOf(children, count));
+    if (root.count() > kWorthAThread) appendApart(children, count, index, nodes);
     else
       for (size_t c = 0; c < count; ++c) {
-        const uint32_t reference = children[c].leaf ? leafOf(children[c], tree) : append(children[c], tree);
-        tree.nodes[index].children[c] = reference;
+        const uint32_t reference = children[c].leaf ? leafOf(children[c]) : append(children[c], nodes);
+        nodes[index].children[c] = reference;
       }
     return index;
   }
@@ -200,11 +194,11 @@ class BvhBuilder {
   }
 
   // Builds the children as separate subtrees, then appends them in order.
-  void appendApart(const std::array<TreePart, 4>& children, size_t count, uint32_t index, Subtree& tree) {
-    std::array<std::future<Subtree>, 4> futures;
-    std::array<Subtree, 4> apart;
+  void appendApart(const std::array<TreePart, 4>& children, size_t count, uint32_t index, Nodes& nodes) {
+    std::array<std::future<Nodes>, 4> futures;
+    std::array<Nodes, 4> apart;
     auto below = [this](const TreePart& part) {
-      Subtree subtree;
+      Nodes subtree;
       append(part, subtree);
       return subtree;
     };
@@ -213,20 +207,19 @@ class BvhBuilder {
         futures[c] = started([below, part = children[c]] { return below(part); });
         if (!futures[c].valid()) apart[c] = below(children[c]);
       }
-    size_t nodes = tree.nodes.size();
+    size_t total = nodes.size();
     for (size_t c = 0; c < count; ++c) {
       if (futures[c].valid()) apart[c] = futures[c].get();
-      nodes += apart[c].nodes.size();
+      total += apart[c].size();
     }
-    tree.nodes.reserve(nodes);
+    nodes.reserve(total);
     for (size_t c = 0; c < count; ++c) {
-      const uint32_t first = uint32_t(tree.nodes.size());
-      tree.nodes[index].children[c] = children[c].leaf ? leafOf(children[c], tree) : first;
-      for (shared::BvhNode& node : apart[c].nodes) {
+      const uint32_t first = uint32_t(nodes.size());
+      nodes[index].children[c] = children[c].leaf ? leafOf(children[c]) : first;
+      for (shared::BvhNode& node : apart[c]) {
         for (uint32_t& child : node.children) child += child & BVH_LEAF ? 0 : first;
-        tree.nodes.push_back(node);
+        nodes.push_back(node);
       }
-      tree.cost += apart[c].cost;
       apart[c] = {};
     }
   }
@@ -365,8 +358,7 @@ class BvhBuilder {
 
   static double worth(const TreePart& part) { return part.leaf ? -1 : halfArea(part.box); }
 
-  uint32_t leafOf(const TreePart& leaf, Subtree& tree) const {
-    tree.cost += kBoxCost * halfArea(leaf.box) * leaf.count();
+  uint32_t leafOf(const TreePart& leaf) const {
     if (options_.leaf_boxes == 1) return BVH_LEAF | items_[leaf.begin].index;
     return BVH_LEAF | (leaf.count() - 1) << BVH_LEAF_COUNT | leaf.begin;
   }
@@ -397,12 +389,8 @@ Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options) {
   }
   BvhBuilder builder(items, options);
   const TreePart root = builder.examined(0, uint32_t(items.size()), 0);
-  Subtree tree;
-  builder.append(root, tree);
-  bvh.nodes = std::move(tree.nodes);
+  builder.append(root, bvh.nodes);
   bvh.nodes.front().reach = reachOf(bvh.nodes.front());
-  const double whole = halfArea(root.box);
-  bvh.cost = whole > 0 ? tree.cost / whole : 1;
   bvh.bounds = root.box;
   return bvh;
 }

@@ -30,14 +30,10 @@ struct BvhItem {
   uint32_t index = 0;
 };
 
-// A bounding volume hierarchy with up to four children per node, with the leaf order of its boxes and its expected
-// traversal cost.
+// A bounding volume hierarchy with up to four children per node, with the leaf order of its boxes.
 struct Bvh {
   std::vector<shared::BvhNode> nodes;  // root first, then depth first
   std::vector<uint32_t> order;         // box indices in leaf order
-  // Expected cost of a random line through the root, before nodes are joined to four children: 1 per node, 1 per box in
-  // a leaf.
-  double cost = 0;
   Box bounds;
 };
 
@@ -54,7 +50,7 @@ Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options = {});
 // Builds a tree over items with any indices, and sorts the items into leaf order; `order` stays empty.
 Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options = {});
 // Joins two trees with one box per leaf under a new root; the depth is one more than the depth of the deeper tree.
-// `order` stays empty, and `cost` 0.
+// `order` stays empty.
 Bvh joined(const Bvh& a, const Bvh& b);
 
 }  // namespace strobe::world

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runtime's own tree: what its nodes promise, on lists of boxes that make trees hard; its cost against Embree's.
+// The runtime's own tree: what its nodes promise, on lists of boxes that make trees hard.
 #include "world/bvh.h"
 
 #include <fmt/format.h>
@@ -8,16 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <random>
 #include <set>
 
 #include "world/refit.h"
-
-#if __has_include(<embree3/rtcore.h>)
-#include <embree3/rtcore.h>
-#define HAS_EMBREE 1
-#endif
 
 namespace strobe::world {
 namespace bvh_test {
@@ -289,87 +283,6 @@ TEST(Bvh, FittedIsTheSameEachTimeAndKeepsItsTopology) {
   for (size_t i = 0; i < built.nodes.size(); ++i)
     EXPECT_EQ(std::memcmp(once.nodes[i].children, built.nodes[i].children, sizeof built.nodes[i].children), 0);
 }
-
-#ifdef HAS_EMBREE
-// ---- Embree's tree over the same boxes, at medium quality: binned, by the same heuristic
-
-struct EmbreeNode {
-  RTCBounds bounds[2];
-  EmbreeNode* children[2] = {};
-  unsigned boxes = 0;  // of a leaf
-};
-
-double halfArea(const RTCBounds& b) {
-  double x = double(b.upper_x) - b.lower_x, y = double(b.upper_y) - b.lower_y, z = double(b.upper_z) - b.lower_z;
-  return x * y + y * z + z * x;
-}
-
-double costBelow(const EmbreeNode* node, double area) {
-  if (node->boxes) return area * node->boxes;
-  return area + costBelow(node->children[0], halfArea(node->bounds[0])) +
-         costBelow(node->children[1], halfArea(node->bounds[1]));
-}
-
-double embreeCost(const Boxes& boxes) {
-  RTCDevice device = rtcNewDevice("threads=1");
-  RTCBVH bvh = rtcNewBVH(device);
-  std::vector<RTCBuildPrimitive> primitives;
-  Box whole;
-  for (size_t i = 0; i < boxes.size(); ++i) {
-    const Box& b = boxes[i];
-    primitives.push_back({b.low.x, b.low.y, b.low.z, 0, b.high.x, b.high.y, b.high.z, unsigned(i)});
-    whole.add(b);
-  }
-  std::vector<std::unique_ptr<EmbreeNode>> nodes;
-  RTCBuildArguments arguments = rtcDefaultBuildArguments();
-  arguments.byteSize = sizeof arguments;
-  arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
-  arguments.maxBranchingFactor = 2;
-  arguments.maxDepth = 64;
-  arguments.sahBlockSize = 1;
-  arguments.minLeafSize = 1;
-  arguments.maxLeafSize = 4;
-  arguments.bvh = bvh;
-  arguments.primitives = primitives.data();
-  arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
-  arguments.userPtr = &nodes;
-  arguments.createNode = [](RTCThreadLocalAllocator, unsigned, void* user) -> void* {
-    auto& all = *static_cast<std::vector<std::unique_ptr<EmbreeNode>>*>(user);
-    return all.emplace_back(std::make_unique<EmbreeNode>()).get();
-  };
-  arguments.setNodeChildren = [](void* node, void** children, unsigned count, void*) {
-    for (unsigned c = 0; c < count; ++c)
-      static_cast<EmbreeNode*>(node)->children[c] = static_cast<EmbreeNode*>(children[c]);
-  };
-  arguments.setNodeBounds = [](void* node, const RTCBounds** bounds, unsigned count, void*) {
-    for (unsigned c = 0; c < count; ++c) static_cast<EmbreeNode*>(node)->bounds[c] = *bounds[c];
-  };
-  arguments.createLeaf = [](RTCThreadLocalAllocator, const RTCBuildPrimitive*, size_t count, void* user) -> void* {
-    auto& all = *static_cast<std::vector<std::unique_ptr<EmbreeNode>>*>(user);
-    EmbreeNode* leaf = all.emplace_back(std::make_unique<EmbreeNode>()).get();
-    leaf->boxes = unsigned(count);
-    return leaf;
-  };
-  auto* root = static_cast<EmbreeNode*>(rtcBuildBVH(&arguments));
-  vec3 size = whole.high - whole.low;
-  double area = double(size.x) * size.y + double(size.y) * size.z + double(size.z) * size.x;
-  double cost = costBelow(root, area) / area;
-  rtcReleaseBVH(bvh);
-  rtcReleaseDevice(device);
-  return cost;
-}
-
-TEST(Bvh, CostsNoMoreThanEmbrees) {
-  const std::pair<const char*, Boxes> lists[] = {
-      {"many", randomBoxes(20000, 0.02f)}, {"large", randomBoxes(5000, 0.3f)}, {"terrain", terrain(120)}};
-  for (const auto& [name, boxes] : lists) {
-    double embree = embreeCost(boxes);
-    EXPECT_LE(buildBvh(boxes).cost, 1.05 * embree) << name << ": Embree's costs " << embree;
-  }
-}
-#else
-TEST(Bvh, CostsNoMoreThanEmbrees) { GTEST_SKIP() << "there is no Embree 3"; }
-#endif
 
 }  // namespace bvh_test
 }  // namespace strobe::world
