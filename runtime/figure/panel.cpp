@@ -184,8 +184,9 @@ class Maker {
     return areaOf(in_pixels, picture, scale_, place, problems_);
   }
 
-  std::vector<FigureShape> shapes(Marks marks, const Taken& taken, const Lens& lens) {
-    for (BoxMark& box : marks.boxes) box.area = placed(box.area, box.place).value_or(Area());
+  std::vector<FigureShape> shapes(std::vector<FigureMark> marks, const Taken& taken, const Lens& lens) {
+    for (FigureMark& mark : marks)
+      if (mark.kind == FigureMark::Kind::box) mark.area = placed(mark.area, mark.place).value_or(Area());
     return shapesOf(marks, taken, lens, figure_.size(), problems_);
   }
 
