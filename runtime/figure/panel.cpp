@@ -138,9 +138,7 @@ class Maker {
     bool first = &*std::find_if(figure_.cells.begin(), figure_.cells.end(), of_row) == &cell_;
     if (first && size_t(cell_.row) < figure_.headings.size())
       block_.above = filled(figure_.headings[size_t(cell_.row)].note);
-    const Json& record = taken->picture->record;
-    block_.attribution = lab::attributionOf(record);
-    if (record.contains("shot")) block_.fps = record["shot"].value("fps", 0.0);
+    block_.attribution = lab::attributionOf(taken->picture->record);
     return block_;
   }
 
