@@ -382,7 +382,7 @@ class BvhBuilder {
 
 Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options) {
   Bvh bvh;
-  std::erase_if(items, [](const BvhItem& item) { return !(item.box.low.x <= item.box.high.x); });
+  std::erase_if(items, [](const BvhItem& item) { return item.box.empty(); });
   if (items.empty()) {
     bvh.nodes.push_back({});
     return bvh;
@@ -409,7 +409,7 @@ Bvh joined(const Bvh& a, const Bvh& b) {
   both.nodes.push_back({});
   std::vector<Box> boxes;
   for (const Bvh* part : {&a, &b}) {
-    if (!(part->bounds.low.x <= part->bounds.high.x)) continue;
+    if (part->bounds.empty()) continue;
     const uint32_t first = uint32_t(both.nodes.size());
     both.nodes.front().children[boxes.size()] = first;
     boxes.push_back(part->bounds);

@@ -5,24 +5,13 @@
 
 #include <vector>
 
-#include "math/geometry.h"
+#include "math/bounds.h"
 #include "shared/bvh.h"
 
 namespace strobe::world {
 
-// Axis-aligned box in single precision; empty (inverted) until a point or box is added.
-struct Box {
-  vec3 low = vec3(HUGE_VALF), high = vec3(-HUGE_VALF);
-  void add(const vec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  void add(const Box& other) {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-  }
-  bool operator==(const Box&) const = default;
-};
+// Axis-aligned box in single precision.
+using Box = BoundsOf<vec3>;
 
 // A box to put into a tree, with the index that its leaf stores.
 struct BvhItem {
