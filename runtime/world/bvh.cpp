@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "base/error.h"
-#include "world/refit.h"
 
 namespace strobe::world {
 
@@ -399,9 +398,7 @@ Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
   std::vector<BvhItem> items;
   items.reserve(boxes.size());
   for (size_t i = 0; i < boxes.size(); ++i) items.push_back({boxes[i], uint32_t(i)});
-  Bvh bvh = buildBvh(items, options);
-  for (const BvhItem& item : items) bvh.order.push_back(item.index);
-  return bvh;
+  return buildBvh(items, options);
 }
 
 Bvh joined(const Bvh& a, const Bvh& b) {
@@ -425,9 +422,10 @@ Bvh joined(const Bvh& a, const Bvh& b) {
 }
 
 void refitBvh(Bvh& bvh, const std::vector<Box>& boxes) {
+  if (boxes.empty()) return;
   std::vector<Box> around(bvh.nodes.size());
   // Children have higher numbers than their node.
-  for (size_t index = bvh.nodes.size(); index-- > 0 && !bvh.order.empty();) {
+  for (size_t index = bvh.nodes.size(); index-- > 0;) {
     shared::BvhNode& node = bvh.nodes[index];
     std::vector<Box> children(node.steps >> 24);
     for (size_t c = 0; c < children.size(); ++c) {
@@ -435,10 +433,11 @@ void refitBvh(Bvh& bvh, const std::vector<Box>& boxes) {
       if (!(reference & BVH_LEAF)) children[c] = around[reference];
       else
         for (uint32_t i = 0; i <= (reference >> BVH_LEAF_COUNT & 3); ++i)
-          children[c].add(boxes.at(bvh.order.at((reference & ((1u << BVH_LEAF_COUNT) - 1)) + i)));
+          children[c].add(boxes.at((reference & ((1u << BVH_LEAF_COUNT) - 1)) + i));
     }
     around[index] = setBounds(node, children);
   }
+  bvh.bounds = around.front();
   bvh.nodes.front().reach = reachOf(bvh.nodes.front());
 }
 
