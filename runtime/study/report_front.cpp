@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "lab/shot_data.h"
-#include "math/pareto.h"
+#include "math/statistics.h"
 #include "page/chart.h"
 #include "page/svg.h"
 #include "study/gallery.h"

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/numbers.h"
-#include "math/pareto.h"
+#include "math/statistics.h"
 #include "study/gallery.h"
 #include "study/layout.h"
 #include "study/store.h"
