@@ -134,7 +134,7 @@ static std::vector<bool> nodesThatMayMirror(const Scene& scene) {
   for (const Animation& clip : scene.animations)
     for (const Track& track : clip.tracks) {
       if (track.target != Track::Target::Scale) continue;
-      const dvec3 rest = glm::sign(scene.nodes[size_t(track.node)].scale);
+      const dvec3 rest = glm::sign(scene.nodes[size_t(track.node)].transform.scale);
       const bool keeps = track.interpolation != Track::Interpolation::CubicSpline &&
                          std::all_of(track.values.begin(), track.values.end(), [&](const dvec4& value) {
                            return glm::sign(dvec3(value)) == rest && value.x * value.y * value.z != 0;

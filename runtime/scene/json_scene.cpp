@@ -112,10 +112,7 @@ class SceneBuilder {
     node.name = fields.text("name", fmt::format("node_{}", index));
     fields.rename(fmt::format("node '{}'", node.name));
     if (!names_.emplace(node.name, index).second) fields.problem("another node has this name");
-    Placement placement = readPlacement(fields);
-    node.translation = placement.translation;
-    node.rotation = placement.rotation;
-    node.scale = placement.scale;
+    node.transform = readTransform(fields);
     node.mesh = readMesh(fields, json, node.name);
     if (const Json* light = fields.find("light")) {
       node.light = int(scene_.lights.size());
@@ -209,11 +206,10 @@ class SceneBuilder {
     MeshPart part;
     const Json* shape = fields.need("shape");
     part.material = materialIndex(fields.find("material"), fields.place());
-    Placement at = readPlacement(fields);
+    const Transform at = readTransform(fields);
     fields.finish();
     if (!shape) return part;
-    part.shape = transformed(readShape(*shape, fields.place(), problems_),
-                             Transform{at.translation, at.rotation, at.scale}.matrix());
+    part.shape = transformed(readShape(*shape, fields.place(), problems_), at.matrix());
     return part;
   }
 

@@ -36,7 +36,7 @@ static dmat4 sheared(const Node& node, const dmat4& matrix) {
 // Transform of the node itself, at rest.
 static dmat4 restMatrix(const Node& node) {
   if (node.matrix) return *node.matrix;
-  return sheared(node, Transform{node.translation, node.rotation, node.scale}.matrix());
+  return sheared(node, node.transform.matrix());
 }
 
 // Unit vector along `column`, orthogonal to `axes`; nothing if `column` is in their span.
@@ -65,11 +65,11 @@ void splitMatrix(Node& node) {
   dmat3 shear(1);
   for (int row = 0; row < 3; ++row) {
     const bool flat = std::abs(upper[row][row]) <= 1e-12 * glm::length(linear[row]);
-    node.scale[row] = flat ? 0 : upper[row][row];
+    node.transform.scale[row] = flat ? 0 : upper[row][row];
     for (int c = row + 1; c < 3 && !flat; ++c) shear[c][row] = upper[c][row] / upper[row][row];
   }
-  node.translation = dvec3((*node.matrix)[3]);
-  node.rotation = glm::quat_cast(turned);
+  node.transform.translation = dvec3((*node.matrix)[3]);
+  node.transform.rotation = glm::quat_cast(turned);
   node.matrix.reset();
   // Matrices are stored as floats, so a smaller shear is rounding.
   bool square = true;
@@ -294,7 +294,7 @@ std::vector<dmat4> Poser::nodesAt(double time_s, double held_time_s) const {
   std::vector<Transform> transforms(scene_.nodes.size());
   for (const Driven& driven : driven_) {
     const Node& node = scene_.nodes[size_t(driven.node)];
-    if (driven.keyed) transforms[size_t(driven.node)] = {node.translation, node.rotation, node.scale};
+    if (driven.keyed) transforms[size_t(driven.node)] = node.transform;
   }
   for (const Animation* clip : clips_)
     for (const Track& track : clip->tracks)

@@ -201,14 +201,20 @@ struct Skin {
   std::vector<dmat4> inverse_binds;  // by joint
 };
 
+// Translation, rotation and scale, applied in the reverse order.
+struct Transform {
+  dvec3 translation = dvec3(0);
+  dquat rotation = dquat(1, 0, 0, 0);
+  dvec3 scale = dvec3(1);
+  dmat4 matrix() const;
+};
+
 // Node of the scene hierarchy: transform relative to its parent, and the mesh, camera or light that it places.
 struct Node {
   std::string name;
   int parent = -1;
-  dvec3 translation = dvec3(0);
-  dquat rotation = dquat(1, 0, 0, 0);
-  dvec3 scale = dvec3(1);
-  std::optional<dmat4> matrix;  // replaces translation, rotation and scale
+  Transform transform;
+  std::optional<dmat4> matrix;  // replaces `transform`
   // Shear of a split matrix (`splitMatrix`), applied before scale, rotation and translation.
   std::optional<dmat3> shear = {};
   int mesh = -1, camera = -1, light = -1;
