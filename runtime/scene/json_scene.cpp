@@ -146,18 +146,18 @@ class SceneBuilder {
     const std::string key = file->string() + "\n" + options.variant;
     attached_.push_back([this, file = *file, options, key, node, animation, place] {
       try {
-        if (!parts_.contains(key)) parts_.emplace(key, loadGltf(file, options));
-        attach(key, node, animation);
+        if (!parts_.contains(key)) parts_.emplace(key, addedPart(loadGltf(file, options), scene_));
+        attachPart(parts_.at(key), node, animation);
       } catch (const Error& error) {
         problems_.add(place, fmt::format("gltf: {}", error.what()));
       }
     });
   }
 
-  void attach(const std::string& key, int node, const std::string& animation) {
+  void attachPart(const AttachedPart& part, int node, const std::string& animation) {
     const size_t first = scene_.nodes.size();
-    attacher_.attach(key, parts_.at(key), node, animation);
-    for (const SourceFile& file : parts_.at(key).files) files_.add(file);
+    attach(part, node, animation, scene_);
+    for (const SourceFile& file : part.scene.files) files_.add(file);
     for (size_t i = first; i < scene_.nodes.size(); ++i)
       if (!names_.emplace(scene_.nodes[i].name, int(i)).second)
         throw Error(fmt::format("another node is called '{}'", scene_.nodes[i].name));
@@ -344,8 +344,7 @@ class SceneBuilder {
   Problems problems_;
   SceneFiles files_;
   Scene scene_;
-  Attacher attacher_{scene_};
-  std::map<std::string, Scene> parts_;           // glTF files, by file and variant
+  std::map<std::string, AttachedPart> parts_;    // glTF files, by file and variant
   std::vector<std::function<void()>> attached_;  // one call per node with a glTF file
   std::map<std::string, int> names_, meshes_, materials_, textures_;
   size_t vertices_ = 0;
