@@ -29,9 +29,7 @@ AttachedPart addedPart(Scene part, Scene& scene) {
 
 static void attachClip(Animation clip, const std::string& prefix, int nodes, int cameras, int lights, Scene& scene) {
   clip.name = prefix + clip.name;
-  for (Track& track : clip.tracks) track.node += nodes;
-  for (WeightTrack& track : clip.weights) track.node += nodes;
-  for (PropertyTrack& track : clip.properties) track.index += track.isOfCamera() ? cameras : lights;
+  for (Track& track : clip.tracks) track.object += track.isOfNode() ? nodes : track.isOfCamera() ? cameras : lights;
   scene.animations.push_back(std::move(clip));
 }
 

@@ -302,7 +302,7 @@ class SceneBuilder {
     Track track;
     std::string name = fields.text("node", std::nullopt);
     auto node = names_.find(name);
-    if (node != names_.end()) track.node = node->second;
+    if (node != names_.end()) track.object = node->second;
     else fields.problem(fmt::format("unknown node '{}'{}", name, didYouMean(name, nodeNames())));
     std::string target = fields.choice("target", "translation", {"translation", "rotation", "scale"});
     track.target = target == "translation" ? Track::Target::Translation
@@ -325,9 +325,9 @@ class SceneBuilder {
       return fields.problem(
           fmt::format("{} times need {} values, got {}", track.times.size(), wanted, track.values.size()));
     for (const Track& other : animation.tracks)
-      if (other.node == track.node && other.target == track.target)
+      if (other.object == track.object && other.target == track.target)
         return fields.problem(fmt::format("another track drives the {} of node '{}'", target, name));
-    if (track.node >= 0) splitMatrix(scene_.nodes[size_t(track.node)]);
+    if (track.object >= 0) splitMatrix(scene_.nodes[size_t(track.object)]);
     animation.duration = std::max(animation.duration, track.times.back());
     animation.tracks.push_back(std::move(track));
   }
