@@ -69,15 +69,14 @@ static bool isCut(const Shot& shot, const scene::Scene& scene, const scene::Anim
 // Time of the first key without STEP interpolation, seconds; the end of the clip without such a key.
 static double firstKey(const scene::Animation& clip) {
   double first_s = clip.duration;
-  for (const scene::Track* track : scene::tracksOf(clip))
-    if (track->interpolation != scene::Track::Interpolation::Step) first_s = std::min(first_s, track->times.front());
+  for (const scene::Track& track : clip.tracks)
+    if (track.interpolation != scene::Track::Interpolation::Step) first_s = std::min(first_s, track.times.front());
   return first_s;
 }
 
 static bool jumpsAtTheEnd(const scene::Animation& clip) {
-  const std::vector<const scene::Track*> tracks = scene::tracksOf(clip);
-  return std::any_of(tracks.begin(), tracks.end(),
-                     [&](const scene::Track* track) { return scene::jumpsAtTheEnd(clip, *track); });
+  return std::any_of(clip.tracks.begin(), clip.tracks.end(),
+                     [&](const scene::Track& track) { return scene::jumpsAtTheEnd(clip, track); });
 }
 
 std::vector<LimitMet> limitsMet(const Shot& shot, const scene::Scene& scene) {

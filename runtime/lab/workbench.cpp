@@ -138,8 +138,7 @@ std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, 
   std::shared_ptr<world::GpuScene>& held = on_device[{slices, structures}];
   if (!held) {
     const double started_s = clockSeconds();
-    if (!unposed) world::requireMemory(loaded.scene, structures, gpu::limitsOf(device));
-    world::requireFits(loaded.scene, slices, gpu::limitsOf(device));
+    world::requireFits(loaded.scene, slices, structures, gpu::limitsOf(device));
     if (!unposed) unposed = std::make_shared<world::UnposedScene>(device, loaded.scene);
     held = std::make_shared<world::GpuScene>(device, loaded.scene, slices, unposed, structures);
     if (device_s == 0) device_s = clockSeconds() - started_s;

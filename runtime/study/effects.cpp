@@ -92,32 +92,34 @@ bool byDoubling(const std::vector<double>& numbers) {
   return *least > 0 && *most >= 5 * *least;
 }
 
-// Points with equal levels of all factors without numbers form a stratum.
-Slope slopeOf(const Effects& effects, const Observations& observations, size_t factor, bool doubling) {
+// Sets the slope. Points with equal levels of all factors without numbers form a stratum.
+void findSlope(const Effects& effects, const Observations& observations, FactorEffect& result) {
+  const size_t factor = result.factor;
   std::map<std::vector<int>, int> strata;
   std::vector<double> x, y;
   std::vector<int> stratum;
   for (const Observation& one : observations) {
     if (one.levels[factor] < 0) continue;
     double number = effects.factors[factor].numbers[size_t(one.levels[factor])];
-    x.push_back(doubling ? std::log2(number) : number);
+    x.push_back(result.doubling ? std::log2(number) : number);
     y.push_back(one.value);
     std::vector<int> texts;
     for (size_t f = 0; f < effects.factors.size(); ++f)
       if (effects.factors[f].numbers.empty()) texts.push_back(one.levels[f]);
     stratum.push_back(strata.emplace(texts, int(strata.size())).first->second);
   }
-  return slopeWithin(x, y, stratum);
+  result.slope = slopeWithin(x, y, stratum);
+  result.points = x.size();
 }
 
 FactorEffect mainOf(const Effects& effects, const Observations& observations, size_t factor) {
   const Factor& of = effects.factors[factor];
-  FactorEffect result{factor, LevelComparison::paired, mainEffect(observations, factor, of.levels()), {}, false};
+  FactorEffect result{factor, LevelComparison::paired, effectOf(observations, {factor}, {of.levels()})};
   if (result.effect.blocks > 0) return result;
   if (of.numbers.size() >= 3) {
     result.comparison = LevelComparison::slope;
     result.doubling = byDoubling(of.numbers);
-    result.slope = slopeOf(effects, observations, factor, result.doubling);
+    findSlope(effects, observations, result);
   } else {
     result.comparison = LevelComparison::unpaired;
     result.effect = unpairedEffect(observations, factor, of.levels());
@@ -142,7 +144,7 @@ Effects effectsOf(const Results& results, const std::string& shot, const std::st
   for (size_t f = 0; f < effects.factors.size(); ++f) effects.main.push_back(mainOf(effects, observations, f));
   for (size_t a = 0; a < effects.factors.size(); ++a)
     for (size_t b = a + 1; b < effects.factors.size(); ++b) {
-      PairEffect pair{a, b, interaction(observations, a, b, effects.factors[a].levels(), effects.factors[b].levels())};
+      PairEffect pair{a, b, effectOf(observations, {a, b}, {effects.factors[a].levels(), effects.factors[b].levels()})};
       if (pair.interaction.blocks > 0) effects.pairs.push_back(std::move(pair));
     }
   return effects;

@@ -149,7 +149,7 @@ Json mainJson(const FactorEffect& one) {
   static const char* const kComparisons[] = {"paired", "unpaired", "slope"};
   Json json = {{"factor", one.factor}, {"comparison", kComparisons[int(one.comparison)]}};
   if (one.comparison == LevelComparison::slope) {
-    json["slope"] = estimateJson(one.slope.slope);
+    json["slope"] = estimateJson(one.slope);
     json["doubling"] = one.doubling;
     return json;
   }
@@ -158,16 +158,13 @@ Json mainJson(const FactorEffect& one) {
   return json;
 }
 
-Json pairJson(const PairEffect& one) {
+Json pairJson(const PairEffect& one, size_t columns) {
   Json json = {{"first", one.first},
                {"second", one.second},
                {"blocks", one.interaction.blocks},
                {"incomplete", one.interaction.incomplete}};
-  for (const auto& row : one.interaction.cells) {
-    Json cells = Json::array();
-    for (const Estimate& cell : row) cells.push_back(estimateJson(cell));
-    json["cells"].push_back(cells);
-  }
+  for (size_t i = 0; i < one.interaction.levels.size(); ++i)
+    json["cells"][i / columns].push_back(estimateJson(one.interaction.levels[i]));
   return json;
 }
 
@@ -188,7 +185,8 @@ Json effectsJson(const Results& results) {
           json["factors"].push_back({{"name", factor.name}, {"labels", factor.labels}, {"numbers", factor.numbers}});
         json["main"] = json["pairs"] = Json::array();
         for (const FactorEffect& one : effects.main) json["main"].push_back(mainJson(one));
-        for (const PairEffect& one : effects.pairs) json["pairs"].push_back(pairJson(one));
+        for (const PairEffect& one : effects.pairs)
+          json["pairs"].push_back(pairJson(one, effects.factors[one.second].levels()));
         list.push_back(std::move(json));
       }
     }

@@ -100,7 +100,7 @@ class Sheet {
 
   static void frame(FigureCell& cell, const ShotSummary& shot) {
     for (size_t i = 0; i < shot.crops.size(); ++i) {
-      figure::BoxMark& box = cell.marks.boxes.emplace_back();
+      figure::FigureMark& box = cell.marks.emplace_back();
       box.area = areaOf(shot.crops[i]), box.colour = kCropColours[i % kCropColours.size()], box.width = 2;
     }
   }

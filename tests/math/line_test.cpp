@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A line through points small enough to work out by hand.
-#include "math/line.h"
+#include "math/effects.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "math/pareto.h"
+#include "math/statistics.h"
 
 #include <gtest/gtest.h>
 
