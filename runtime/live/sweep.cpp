@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/log.h"
-#include "image/crops.h"
+#include "image/draw.h"
 #include "image/metrics.h"
 #include "live/thumbnails.h"
 #include "math/statistics.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/crops.h"
 #include "image/draw.h"
 #include "image/tone.h"
 #include "live/sweep.h"

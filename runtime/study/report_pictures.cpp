@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/crops.h"
-#include "image/jpeg.h"
+#include "image/draw.h"
 #include "image/png.h"
 #include "lab/shot_data.h"
 #include "page/number.h"
