@@ -19,12 +19,6 @@ static Rectangle inside(const Image& image, const Rectangle& area) {
   return overlap(area, {0, 0, image.width, image.height});
 }
 
-Image filled(int width, int height, const Colour& colour) {
-  Image image(width, height, 3);
-  fill(image, {0, 0, width, height}, colour);
-  return image;
-}
-
 Image crop(const Image& image, Rectangle area) {
   Rectangle part = inside(image, area);
   if (part.width == 0 || part.height == 0)
@@ -72,15 +66,6 @@ void fill(Image& onto, Rectangle area, const Colour& colour) {
   Rectangle part = inside(onto, area);
   for (int y = part.y; y < part.y + part.height; ++y)
     for (int x = part.x; x < part.x + part.width; ++x) std::copy_n(colour.begin(), 3, onto.pixel(x, y));
-}
-
-void paste(Image& onto, const Image& what, int x, int y) {
-  STROBE_ASSERT(onto.channels == 3 && (what.channels == 1 || what.channels >= 3), "{} onto {} channels", what.channels,
-                onto.channels);
-  Rectangle part = inside(onto, {x, y, what.width, what.height});
-  for (int py = part.y; py < part.y + part.height; ++py)
-    for (int px = part.x; px < part.x + part.width; ++px)
-      for (int c = 0; c < 3; ++c) onto.at(px, py, c) = what.at(px - x, py - y, what.channels == 1 ? 0 : c);
 }
 
 Rectangle scaledCrop(const Rectangle& crop, double scale_x, double scale_y, const Image& picture) {

@@ -16,9 +16,6 @@ struct Rectangle {
 // Common part of two rectangles; without pixels if there is none.
 Rectangle overlap(const Rectangle& a, const Rectangle& b);
 
-// Display image of three channels.
-Image filled(int width, int height, const Colour& colour);
-
 // Pixels of `image` inside `area`. `area` is first clipped to the image; any channel count. Throws `Error` if no pixel
 // is left.
 Image crop(const Image& image, Rectangle area);
@@ -32,7 +29,6 @@ Image shrunk(const Image& linear, int width, int height);
 
 // `onto` has three channels.
 void fill(Image& onto, Rectangle area, const Colour& colour);
-void paste(Image& onto, const Image& what, int x, int y);  // top left corner of `what` at (x, y)
 
 // Scales `crop` with the sides of a picture. The result has at least one pixel and lies inside the picture.
 Rectangle scaledCrop(const Rectangle& crop, double scale_x, double scale_y, const Image& picture);
