@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "figure/captions.h"
-#include "image/crops.h"
+#include "image/draw.h"
 #include "image/false_colour.h"
 #include "image/flip.h"
 #include "lab/record.h"

@@ -6,7 +6,7 @@
 
 #include "image/exr.h"
 #include "image/false_colour.h"
-#include "math/pareto.h"
+#include "math/statistics.h"
 #include "page/number.h"
 #include "study/store.h"
 

@@ -10,7 +10,7 @@
 #include "base/hash.h"
 #include "base/lists.h"
 #include "base/log.h"
-#include "image/crops.h"
+#include "image/draw.h"
 #include "image/false_colour.h"
 #include "image/metrics.h"
 #include "image/png.h"

@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "base/lists.h"
-#include "image/crops.h"
-#include "image/jpeg.h"
+#include "image/draw.h"
 #include "image/png.h"
 #include "lab/shot_data.h"
 #include "page/number.h"
