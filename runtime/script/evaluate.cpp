@@ -297,9 +297,11 @@ plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& ask
   Json argument = {{"name", main.name}, {"file", main.shown}, {"sets", sets}, {"lenient", dropped != nullptr}};
   Json request = requestOf(main, "pipeline", argument, limits, asked.texts);
   addPreset(home, asked.sets, asked.texts, request);
-  // The file has the same result under the same name only: its name is in places, and its folder may have modules.
+  // A file under another name is another file: its name is in places, and its folder may have modules. A session
+  // evaluates an edit once, which takes longer from a loaded file.
+  const bool once = dropped || !asked.texts.empty();
   const std::string file = fmt::format("{}\n{}\n{}", main.file.string(), main.shown, main.own_folder);
-  Json result = evaluate(home, main, request, dependencies, limits, asked.texts.empty() ? file : kNoFile);
+  Json result = evaluate(home, main, request, dependencies, limits, once ? kNoFile : file);
   return pipelineOf(main, std::move(result), dropped);
 }
 
