@@ -19,6 +19,7 @@
 #include <map>
 #include <new>
 #include <sstream>
+#include <utility>
 
 #include "base/error.h"
 #include "base/json_text.h"
@@ -91,10 +92,8 @@ void setLimit(int resource, rlim_t value) {
 // process end calls that do not return to Lua's loop (a long library call).
 void startLimits(const Json& request) {
   g_cpu_s = request.at("cpu_s").get<double>();
-  const size_t memory_mb = request.at("memory_mb").get<size_t>();
-  g_sandbox->setMemory(memory_mb << 20);
 #ifndef __SANITIZE_ADDRESS__  // AddressSanitizer cannot run in a limited address space
-  setLimit(RLIMIT_AS, rlim_t(memory_mb) << 21);
+  setLimit(RLIMIT_AS, request.at("memory_mb").get<rlim_t>() << 21);
 #endif
   setLimit(RLIMIT_CPU, rlim_t(std::ceil(g_cpu_s + 0.25)));
   struct sigaction action {};
@@ -133,6 +132,7 @@ void setTask(const Json& request) {
   task.preset = request.value("preset", "");
   task.preset_shown = request.value("preset_shown", "");
   task.texts = request.at("texts").get<std::map<std::string, std::string>>();
+  task.memory_bytes = request.at("memory_mb").get<size_t>() << 20;
   g_sandbox->setTask(std::move(task));
 }
 

@@ -118,8 +118,8 @@ void Sandbox::list(const std::string& folder) {
   }
 }
 
-bool Sandbox::liesInHome(const Path& file) const {
-  const auto& roots = home_.roots();
+static bool liesInHome(const Home& home, const Path& file) {
+  const auto& roots = home.roots();
   return std::any_of(roots.begin(), roots.end(), [&](const Path& root) { return liesIn(file, root); });
 }
 
@@ -142,7 +142,7 @@ void Sandbox::resolve(const std::string& module) {
   if (in_home && isThere(file)) return read(file, home_.shown(file));
   Path own = task_.main.parent_path() / relative;
   if (task_.own_folder && isThere(own)) {
-    if (!liesIn(own, task_.main.parent_path()) && !liesInHome(own))
+    if (!liesIn(own, task_.main.parent_path()) && !liesInHome(home_, own))
       throw Error(fmt::format("module '{}' is a link that leads out of its folder", module));
     Path shown = Path(task_.shown).parent_path() / relative;
     return read(own, shown.string());
@@ -178,15 +178,12 @@ void* Sandbox::allocate(void* data, void* block, size_t old_size, size_t new_siz
     return nullptr;
   }
   size_t wanted = sandbox.used_bytes_ - freed + new_size;
-  void* grown = wanted <= sandbox.memory_bytes_ ? std::realloc(block, new_size) : nullptr;
+  void* grown = wanted <= sandbox.task_.memory_bytes ? std::realloc(block, new_size) : nullptr;
   if (grown) sandbox.used_bytes_ = wanted;
   return grown;
 }
 
-Sandbox::Sandbox(Home home, size_t memory_bytes)
-    : home_(std::move(home)),
-      memory_bytes_(memory_bytes),
-      library_(home_.shown(home_.shipped() / "scripts/strobe") + "/") {
+Sandbox::Sandbox(Home home) : home_(std::move(home)), library_(home_.shown(home_.shipped() / "scripts/strobe") + "/") {
   lua_ = lua_newstate(allocate, this);
   STROBE_ASSERT(lua_ != nullptr);
   *static_cast<Sandbox**>(lua_getextraspace(lua_)) = this;

@@ -39,9 +39,10 @@ class Sandbox {
     Path preset;              // the file that `native.preset` runs, or ""
     std::string preset_shown;
     std::map<std::string, std::string> texts;  // texts in place of files, by absolute path
+    size_t memory_bytes = size_t{256} << 20;   // limit of Lua's heap
   };
 
-  explicit Sandbox(Home home, size_t memory_bytes = size_t{256} << 20);
+  explicit Sandbox(Home home);
   Sandbox(const Sandbox&) = delete;
   Sandbox& operator=(const Sandbox&) = delete;
   // No destructor: finalizers of a script could run without end, so a process with a sandbox must end with `_exit`.
@@ -50,7 +51,6 @@ class Sandbox {
   // read again. A file that cannot be read is left out.
   void compileAhead(const Path& file, const std::string& shown);
 
-  void setMemory(size_t bytes) { memory_bytes_ = bytes; }
   void setTask(Task task) { task_ = std::move(task); }
   // Calls `function` of scripts/strobe/run.lua with `request` as a table. False after mistakes, which are in
   // `problems`.
@@ -94,7 +94,6 @@ class Sandbox {
   void take(const Path& file, Ahead& ahead);
   bool takeAhead(const Path& relative);
   void list(const std::string& folder);
-  bool liesInHome(const Path& file) const;
   bool isThere(const Path& file) const;
   std::vector<std::string> moduleNames() const;
   void collectProblems();
@@ -102,7 +101,6 @@ class Sandbox {
   std::string withFullNames(const std::string& message) const;
 
   Home home_;
-  size_t memory_bytes_;
   Task task_;
   std::string library_;  // the folder scripts/strobe, as in errors
   lua_State* lua_ = nullptr;
