@@ -19,7 +19,7 @@
 #include "lab/views.h"
 #include "scene/mitsuba.h"
 #include "script/evaluate.h"
-#include "script/process.h"
+#include "script/server.h"
 #include "shader/start.h"
 
 namespace strobe::app {
@@ -159,8 +159,8 @@ void render(const Home& home, RenderOptions options) {
   std::unique_ptr<lab::Tev> viewer;
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
-  // Start the script processes and the shader compiler while the device is created.
-  script::expectChildren(home, {}, lab::isGltf(shot.scene) ? 1 : 2);
+  // Start the script server and the shader compiler while the device is created.
+  script::startServer(home);
   std::future<void> started = std::async(std::launch::async, shader::startCompiler, std::cref(home));
   lab::Workbench bench(home, shot.device, validationWanted());
   bench.device().setTimeLimit(options.time_limit_s);

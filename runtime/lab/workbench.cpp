@@ -199,7 +199,8 @@ std::shared_ptr<const Evaluation> Workbench::evaluate(const std::string& pipelin
   if (known != evaluated_.end()) evaluated_.erase(known);
   if (evaluated_.size() >= kMost) evaluated_.clear();
   ++evaluations_;
-  auto evaluation = std::make_shared<Evaluation>(evaluator_.evaluate(pipeline, sets));
+  auto evaluation = std::make_shared<Evaluation>(evaluated(home_, pipeline, sets, limits, texts_));
+  texts_ = evaluation->texts;
   // Stamps before contents: a change in between then makes them differ.
   Stamps files = stampsOf(evaluation->scripts);
   if (isCurrent(evaluation->scripts)) evaluated_[key] = {std::move(files), evaluation};

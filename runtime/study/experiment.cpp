@@ -236,7 +236,7 @@ class ExperimentReader {
   }
   // Evaluates the pipelines; their problems follow the problems of scenes.
   void finish() {
-    auto outcomes = script::PipelineEvaluator(home_).evaluate(pipelines_);
+    auto outcomes = script::evaluatePipelines(home_, pipelines_);
     for (size_t i = 0; i < outcomes.size(); ++i) collect(problems_, origins_[i], [&] { outcomes[i].take(); });
   }
 
