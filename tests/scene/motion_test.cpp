@@ -172,7 +172,8 @@ TEST(Poser, AnAnimatedMatrixKeepsItsShear) {
       scene.animations[0].tracks.push_back(track(target, Track::Interpolation::Linear, {0}, {value}));
     };
     key(Track::Target::Translation, dvec4(node.transform.translation, 0));
-    key(Track::Target::Rotation, dvec4(node.transform.rotation.x, node.transform.rotation.y, node.transform.rotation.z, node.transform.rotation.w));
+    key(Track::Target::Rotation, dvec4(node.transform.rotation.x, node.transform.rotation.y, node.transform.rotation.z,
+                                       node.transform.rotation.w));
     key(Track::Target::Scale, dvec4(node.transform.scale, 0));
     // What a matrix flattens is posed by the vertices.
     auto worldOf = [](const Pose& pose) {
