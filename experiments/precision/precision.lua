@@ -10,8 +10,8 @@ local formats = { "velocity_format", "color_format", "both", "depth_encoding" }
 local arms = { "hybrid", "McGuire 2012", "Guertin 2014", "Jimenez 2014" }
 local shots = { "living_room", "textured_bar", "quad_2d", "wedge" }
 
--- Returns the test of an expectation. For each arm and shot, the error with every other value of `values` differs from the
--- error with the first value by less than the share `allowed`.
+-- Returns the test of an expectation: for each arm and shot, the error at each later value of `values` differs from the error
+-- at the first value by less than the fraction `allowed` of this error.
 local function steady(axis, values, allowed)
   return function(r)
     local most = 0

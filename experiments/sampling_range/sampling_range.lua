@@ -5,8 +5,8 @@
 local experiment = require "strobe.experiment"
 
 -- Reasons why some of the expectations below failed; reports print these reasons.
-local sides = "the card's left edge is lighter than its right edge, and the anchor decides which of the two edges lies " ..
-              "inside the region: the errors of truth with 16 samples differ by the same factor"
+local sides = "the background appears at the card's right edge with the anchor end, and at its lighter left edge with the " ..
+              "anchor start, so the inner errors differ between these anchors: even for truth with 16 samples"
 
 local twice = "the passes for tiles and for the mask run twice, once for each side of the raster time, and these passes " ..
               "take most of the time that hybrid_layered needs beyond a post-process"

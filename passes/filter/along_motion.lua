@@ -9,8 +9,8 @@ return pass.compute {
            "the noise",
   fails  = "Adds bias: where several motions meet, all surfaces are blurred along the longest displacement. " ..
            "Textures and silhouettes along this displacement are blurred if their contrast is within the noise. " ..
-           "Noise remains over distances longer than the filter levels cover.",
-  breaks = { linear = "weights depend on differences of luminance, and so on the light" },
+           "Noise in patches longer than the widest filter level remains.",
+  breaks = { linear = "weights depend on differences of luminance, so brighter light changes the weights" },
   size   = { of = "noisy" },
   reads  = {
     noisy    = { doc = "noisy image, or the output of the previous filter level, linear radiance" },

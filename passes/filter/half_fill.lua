@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Full picture from a filter that ran at half resolution in parts of the picture.
+-- Fills in the pixels that a filter left out where it ran at half resolution, in some parts of the picture.
 local pass = require "strobe.pass"
 
 return pass.compute {

@@ -39,7 +39,7 @@ return pass.compute {
     occluder  = pass.float { 0.02, min = 0, max = 1,
       doc = "smallest depth difference of an occluder, as a fraction of the depth of the pixel's own object. An occluder " ..
             "is a surface, on the path that is searched from the pixel, that is nearer than this object by at least that " ..
-            "difference. A path that ends behind an occluder is extended to the far edge of the occluder" },
+            "difference. A path whose end is hidden by an occluder is extended to the far edge of the occluder" },
   },
   counters = { off_screen = "paths that leave the image, counted as disoccluding nothing" },
 }

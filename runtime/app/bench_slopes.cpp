@@ -70,9 +70,9 @@ std::vector<double> counted(lab::Batch& batch, const std::vector<bench::NamedSho
   std::vector<double> counts;
   for (const bench::NamedShot& one : shots) {
     std::shared_ptr<const lab::Picture> picture = batch.picture(one.shot);
-    study::Sight sight;
-    sight.picture = picture.get();
-    study::Values values = study::measured(sight, {measure}, {});
+    study::MeasureInput input;
+    input.picture = picture.get();
+    study::Values values = study::measured(input, {measure}, {});
     counts.push_back(values.count(measure) ? values[measure].begin()->second : std::nan(""));
   }
   auto known = std::find_if(counts.begin(), counts.end(), [](double count) { return !std::isnan(count); });
@@ -139,7 +139,7 @@ study::Experiment experimentOf(const Home& home, const SlopesOptions& options) {
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
   if (!options.size.empty()) {
     std::array<int, 2> size = lab::parseSize(options.size);
-    experiment.setSize(size[0], size[1]);
+    experiment.width = size[0], experiment.height = size[1];
   }
   if (options.rounds > 0) experiment.rounds = {options.rounds, options.rounds, 0};
   return experiment;

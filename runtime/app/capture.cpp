@@ -67,14 +67,13 @@ auto ofManifests(const std::string& manifests, const Work& work) {
 void verify(const Home& home, const VerifyOptions& options) {
   if (!options.out.empty()) requireWritable(options.out);
   archive::Manifest manifest = archive::readManifest(options.manifest);
-  archive::Verification verdict = ofManifests(options.manifest, [&] {
+  const Json verification = ofManifests(options.manifest, [&] {
     return archive::verify(home, manifest, options.device, validationWanted(), options.out,
                            [](const std::string& line) { note(line); });
   });
-  Json json = archive::toJson(verdict.differences);
-  json["holds"] = verdict.holds, json["same_device"] = verdict.same_device, json["most_flip"] = verdict.most_flip;
-  std::fputs((options.json ? json.dump(1) + "\n" : archive::textOf(verdict)).c_str(), stdout);
-  if (!verdict.holds) throw Error("the repeated capture differs from its manifest");
+  const std::string text = archive::textOf(verification) + archive::verdictOf(verification);
+  std::fputs((options.json ? verification.dump(1) + "\n" : text).c_str(), stdout);
+  if (!verification.at("holds").get<bool>()) throw Error("the repeated capture differs from its manifest");
 }
 
 struct DiffOptions {
@@ -85,12 +84,12 @@ struct DiffOptions {
 void diff(const DiffOptions& options) {
   if (!options.out.empty()) requireWritable(options.out);
   archive::Manifest first = archive::readManifest(options.first), second = archive::readManifest(options.second);
-  archive::Differences differences = ofManifests(options.first + " or " + options.second,
-                                                 [&] { return archive::differencesOf(first, second, options.out); });
+  const Json differences = ofManifests(options.first + " or " + options.second,
+                                       [&] { return archive::differencesOf(first, second, options.out); });
   std::string text = archive::textOf(differences);
   if (text.empty()) text = "no differences\n";
-  std::fputs((options.json ? archive::toJson(differences).dump(1) + "\n" : text).c_str(), stdout);
-  if (!differences.identical()) throw Error("the two captures differ");
+  std::fputs((options.json ? differences.dump(1) + "\n" : text).c_str(), stdout);
+  if (!archive::identical(differences)) throw Error("the two captures differ");
 }
 
 }  // namespace

@@ -25,32 +25,34 @@ struct Request {
   bool given_exposures = false;
 };
 
-std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
-
-void printTable(const image::ImageComparison& result) {
-  page::Table table{"", {"measure", {"value", true}, "", ""}};
-  auto add = [&](const char* name, const std::optional<double>& value, const char* unit = "", std::string note = "") {
-    table.add({name, shown(value), unit, std::move(note)});
-  };
-  add("MSE", result.mse);
-  add("RMSE", result.rmse);
-  add("PSNR", result.psnr, "dB", "clamped, sRGB-encoded");
-  add("relMSE", result.relmse, "", "without the worst 0.1 %: " + shown(result.relmse_trimmed));
-  add("SMAPE", result.smape);
-  add("SSIM", result.ssim, "", "clamped, sRGB-encoded");
-  add("MS-SSIM", result.ms_ssim);
-  add("LDR-FLIP", result.ldr_flip, "", "largest " + shown(result.ldr_flip_max));
-  if (result.hdr_flip)
-    add("HDR-FLIP", result.hdr_flip, "",
-        fmt::format("largest {}; {} exposures, {:.4f} to {:.4f}, from {}", shown(result.hdr_flip_max),
-                    result.exposures.count, result.exposures.start, result.exposures.stop,
-                    image::exposureSourceName(result.exposures.source)));
-  fmt::print("{}\n{} pixels\n", page::textOf(table), result.pixels);
+std::string shown(const Json& value) {
+  if (value.is_null()) return "-";
+  return value.is_string() ? value.get<std::string>() : fmt::format("{:.6g}", value.get<double>());
 }
 
-// Writes the HDR map if there is one, else the LDR map: values in a .exr file, the colour map magma in a PNG otherwise.
-void writeMap(const Path& file, const image::ImageComparison& result) {
-  const image::Image& map = result.hdr_flip ? result.hdr_map : result.ldr_map;
+void printTable(const Json& numbers) {
+  page::Table table{"", {"measure", {"value", true}, "", ""}};
+  auto add = [&](const char* name, const char* key, const char* unit = "", std::string note = "") {
+    table.add({name, shown(numbers.at(key)), unit, std::move(note)});
+  };
+  add("MSE", "mse");
+  add("RMSE", "rmse");
+  add("PSNR", "psnr", "dB", "clamped, sRGB-encoded");
+  add("relMSE", "relmse", "", "without the worst 0.1 %: " + shown(numbers.at("relmse_trimmed")));
+  add("SMAPE", "smape");
+  add("SSIM", "ssim", "", "clamped, sRGB-encoded");
+  add("MS-SSIM", "ms_ssim");
+  add("LDR-FLIP", "ldr_flip", "", "largest " + shown(numbers.at("ldr_flip_max")));
+  if (!numbers.at("hdr_flip").is_null())
+    add("HDR-FLIP", "hdr_flip", "",
+        fmt::format("largest {}; {} exposures, {:.4f} to {:.4f}, from {}", shown(numbers.at("hdr_flip_max")),
+                    numbers.at("hdr_flip_exposures").get<int>(), numbers.at("hdr_flip_start").get<double>(),
+                    numbers.at("hdr_flip_stop").get<double>(), numbers.at("hdr_flip_source").get<std::string>()));
+  fmt::print("{}\n{} pixels\n", page::textOf(table), numbers.at("pixels").get<size_t>());
+}
+
+// Writes an error map: values in a .exr file, the colour map magma in a PNG otherwise.
+void writeMap(const Path& file, const image::Image& map) {
   if (file.extension() != ".exr") return image::writePng(file, image::heatMap(map, 0, 1));
   image::ExrFile content;
   content.add("", {"Y"}, map);
@@ -73,9 +75,9 @@ void compare(const Request& request) {
   options.pixels_per_degree = request.pixels_per_degree;
   if (request.given_exposures) options.exposures = request.exposures;
   image::ImageComparison result = image::compareImages(test.linear, reference.linear, mask.linear, options);
-  if (!request.flip_map.empty()) writeMap(request.flip_map, result);
-  if (!request.json) return printTable(result);
-  fmt::print("{}\n", image::comparisonJson(result).dump(2));
+  if (!request.flip_map.empty()) writeMap(request.flip_map, result.map);
+  if (!request.json) return printTable(result.numbers);
+  fmt::print("{}\n", result.numbers.dump(2));
 }
 
 }  // namespace

@@ -129,10 +129,9 @@ void addPlans(const plan::PipelineDesc& pipeline, graph::ShaderCheck& shaders) {
 void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>& requests, bool shapes,
                     std::vector<std::string>& problems) {
   graph::ShaderCheck shaders(home);
-  script::PipelineEvaluator evaluator(home);
   const auto folders = passFolders(home);
   auto check_all = [&](const std::vector<script::PipelineRequest>& asked, const auto& look) {
-    auto all = evaluator.evaluate(asked);
+    auto all = script::evaluatePipelines(home, asked);
     forEachOnAllCores(all.size(), [&](size_t i) {
       try {
         if (all[i].value) addPlans(*all[i].value, shaders);

@@ -83,7 +83,7 @@ static void requireNames(const CLI::App& program, const strobe::Home& home) {
 }
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild();
+  if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild(argc, argv);
   const strobe::Home home = strobe::Home::fromEnvironment();
   CLI::App program("Strobe: a research sandbox for motion blur", "strobe");
   program.set_version_flag("--version", std::string("strobe ") + strobe::kVersion);

@@ -18,7 +18,7 @@
 #include "lab/views.h"
 #include "scene/mitsuba.h"
 #include "script/evaluate.h"
-#include "script/process.h"
+#include "script/server.h"
 
 namespace strobe::app {
 
@@ -157,8 +157,8 @@ void render(const Home& home, RenderOptions options) {
   std::unique_ptr<lab::Tev> viewer;
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
-  // Start the script processes while the device is created.
-  script::expectChildren(home, {}, lab::isGltf(shot.scene) ? 1 : 2);
+  // Start the script server while the device is created.
+  script::startServer(home);
   lab::Workbench bench(home, shot.device, validationWanted());
   bench.device().setTimeLimit(options.time_limit_s);
   if (options.budget_ms > 0) settle(bench, options.budget_ms, shot);

@@ -32,13 +32,6 @@ struct SweepOptions {
   double truth_error = 0, time_limit_s = gpu::kTimeLimit_s;
 };
 
-// Results of an unfinished run, with the points drawn so far.
-study::Results resultsSoFar(const Path& file) {
-  study::Results results = study::resultsIn(file);
-  study::takePoints(results, file.parent_path());
-  return results;
-}
-
 // No sheet: the capture has its own figure.
 const ResultNames kDemoNames = {"demo.html", "",           "demo.json",           "demo.md",
                                 "table.csv", "passes.csv", "demo.unfinished.json"};
@@ -57,12 +50,10 @@ std::string commandOf(const Home& home, const std::string& name, const SweepOpti
   return line;
 }
 
-// Prints the results and the names of all files, including `besides`. Throws `Error` (exit code 1) if a point failed or
-// is missing, a file is damaged, or the results contradict an expectation.
-void show(const study::Results& results, const Path& folder, const ResultNames& names, bool json, bool still = false,
-          const std::vector<Path>& besides = {}, const std::vector<Path>& damaged = {}) {
-  std::vector<Path> files = writeResults(results, folder, names, still);
-  files.insert(files.end(), besides.begin(), besides.end());
+// Prints the results and the names of their files. Throws `Error` (exit code 1) if a point failed or is missing, a file
+// is damaged, or the results contradict an expectation.
+void show(const study::Results& results, const Path& folder, const std::vector<Path>& files, bool json,
+          const std::vector<Path>& damaged = {}) {
   std::fputs((json ? study::textOf(results) : study::Report(results, folder).text() + "\n").c_str(), stdout);
   for (const Path& file : files)
     if (!json) std::printf("%s\n", file.c_str());
@@ -76,11 +67,12 @@ void show(const study::Results& results, const Path& folder, const ResultNames& 
   throwIfAny(wrong);
 }
 
-study::Experiment experimentOf(const Home& home, const std::string& file, const SweepOptions& options) {
+study::Experiment experimentOf(const Home& home, const std::string& file, const SweepOptions& options,
+                               bool evaluate = true) {
   std::array<int, 2> size = options.size.empty() ? std::array<int, 2>{} : lab::parseSize(options.size);
-  study::Experiment experiment = study::readExperiment(home, file);
+  study::Experiment experiment = study::readExperiment(home, file, evaluate);
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
-  if (size[0]) experiment.setSize(size[0], size[1]);
+  if (size[0]) experiment.width = size[0], experiment.height = size[1];
   experiment.truth_error = options.truth_error;
   return experiment;
 }
@@ -99,19 +91,14 @@ void list(const study::Experiment& experiment, bool json) {
   fmt::print("{}, {}\n", countText(experiment.points(), "point"), countText(experiment.truths(), "truth"));
 }
 
-// Writes the outline at the start, so that an interrupted run can be laid out.
-study::Started keptOutline(const Path& outline, const std::string& command) {
-  return [=](study::Results results) {
-    results.command = command;
-    writeFileAtomically(outline, study::textOf(results));
-  };
-}
-
-// Reads the results back from their JSON, so that `report` gives the same page. Removes the outline.
-study::Results concluded(study::Results results, const std::string& command, const Path& outline) {
-  results.command = command;
-  std::filesystem::remove(outline);
-  return study::resultsFrom(study::toJson(results), "the results");
+// Writes the result files, then removes the outline, so that `report` always finds one of them. Reads the results back
+// from their JSON first, so that `report` gives the same page.
+std::vector<Path> conclude(study::Results& results, const study::Store& store, const ResultNames& names) {
+  results.command = store.command;
+  results = study::resultsFrom(study::toJson(results), "the results");
+  std::vector<Path> files = writeResults(results, store.folder(), names);
+  std::filesystem::remove(store.outline);
+  return files;
 }
 
 // Adds the number of kept points to the message of a pass that exceeds the time limit.
@@ -137,37 +124,35 @@ void sweep(const Home& home, const SweepOptions& options) {
   double started_s = clockSeconds();
   std::string file = hereOrAtHome(home, options.file);
   if (!options.dry_run) requireWritable(options.out);
-  study::Experiment experiment = experimentOf(home, file, options);
-  if (options.dry_run) return list(experiment, options.json);
+  study::Experiment checked = experimentOf(home, file, options);
+  if (options.dry_run) return list(checked, options.json);
   study::Store store(options.out);
   store.requires_exr = options.exr;
-  store.belongTo(experiment.title);
+  store.belongTo(checked.title);
   const ResultNames names;
-  const Path outline = store.folder() / names.outline;
-  Interruption interruption([&outline] { return "interrupted; " + study::keptIn(outline); });
+  store.outline = store.folder() / names.outline, store.command = commandOf(home, "sweep", options);
+  Interruption interruption([&store] { return "interrupted; " + study::keptIn(store.outline); });
   FrozenHome frozen(home, store.folder() / ".inputs");
-  experiment.file = frozen.at(file);
+  const study::Experiment experiment = experimentOf(frozen.home(), file, options, false);
   auto make = [&] {
     auto bench = std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted());
-    limitTime(*bench, options.time_limit_s, outline);
+    limitTime(*bench, options.time_limit_s, store.outline);
     return bench;
   };
-  const std::string command = commandOf(home, "sweep", options);
-  study::Started started = keptOutline(outline, command);
-  auto now = [&] { return resultsSoFar(outline); };
-  bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs, started, now);
+  bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs);
   std::unique_ptr<lab::Workbench> bench = make();
-  study::Results results = ranTo(outline, [&] { return study::run(experiment, *bench, store, started); });
+  lab::Batch batch(*bench);
+  study::Results results = ranTo(store.outline, [&] { return study::run(experiment, batch, store); });
   study::nameInputs(results.inputs, home);
   bench->device().refuseMessages();
   if (!good) throw Error("a process of the sweep failed; see its message above");
   note(fmt::format("{} in {:.0f} s", countText(experiment.points(), "point"), clockSeconds() - started_s));
-  show(concluded(std::move(results), command, outline), options.out, names, options.json);
+  const std::vector<Path> files = conclude(results, store, names);
+  show(results, options.out, files, options.json);
 }
 
 // Runs the experiment on the pictures of the capture. Each picture is drawn once, when the experiment first needs it.
-study::Results measured(const study::Experiment& experiment, archive::Capturing& capturing, const study::Store& store,
-                        const study::Started& started) {
+study::Results measured(const study::Experiment& experiment, archive::Capturing& capturing, const study::Store& store) {
   lab::Batch batch(capturing.bench());
   std::map<std::string, const archive::CapturedFrame*> frames;
   for (const archive::CapturedFrame& frame : capturing.frames())
@@ -176,7 +161,7 @@ study::Results measured(const study::Experiment& experiment, archive::Capturing&
     auto frame = frames.find(content);
     return frame == frames.end() ? nullptr : capturing.draw(*frame->second, progress);
   };
-  return study::run(experiment, batch, store, started);
+  return study::run(experiment, batch, store);
 }
 
 void demo(const Home& home, const SweepOptions& options) {
@@ -188,21 +173,21 @@ void demo(const Home& home, const SweepOptions& options) {
   requireWritable(options.out);
   // Report mistakes before anything is written.
   archive::readCapture(home, order.file, order.size);
-  study::Experiment experiment = experimentOf(home, order.file, options);
+  study::Experiment checked = experimentOf(home, order.file, options);
   study::Store store(options.out);
-  store.belongTo(experiment.title);
-  const Path outline = store.folder() / kDemoNames.outline;
-  Interruption interruption([&outline] { return "interrupted; " + study::keptIn(outline); });
+  store.belongTo(checked.title);
+  store.outline = store.folder() / kDemoNames.outline, store.command = commandOf(home, "demo", options);
+  Interruption interruption([&store] { return "interrupted; " + study::keptIn(store.outline); });
   archive::Capturing capturing(home, order, [](const std::string& line) { note(line); });
-  limitTime(capturing.bench(), options.time_limit_s, outline);
-  experiment.file = capturing.inputs().at(order.file);
-  const std::string command = commandOf(home, "demo", options);
-  study::Started started = keptOutline(outline, command);
-  study::Results results = ranTo(outline, [&] { return measured(experiment, capturing, store, started); });
-  std::vector<Path> figures = capturing.finish().figures;
+  limitTime(capturing.bench(), options.time_limit_s, store.outline);
+  const study::Experiment experiment = experimentOf(capturing.inputs().home(), order.file, options, false);
+  study::Results results = ranTo(store.outline, [&] { return measured(experiment, capturing, store); });
+  const std::vector<Path> figures = capturing.finish().figures;
   note(fmt::format("{} in {:.0f} s", countText(experiment.points(), "point"), clockSeconds() - started_s));
-  figures.push_back(order.folder / archive::kManifestFile);
-  show(concluded(std::move(results), command, outline), options.out, kDemoNames, options.json, false, figures);
+  std::vector<Path> files = conclude(results, store, kDemoNames);
+  files.insert(files.end(), figures.begin(), figures.end());
+  files.push_back(order.folder / archive::kManifestFile);
+  show(results, options.out, files, options.json);
 }
 
 void addCommon(CLI::App& command, SweepOptions& options) {
@@ -242,8 +227,8 @@ void report(const Home& home, const ReportOptions& options) {
   std::vector<Path> damaged = study::takePoints(results, folder), altered = study::alteredFiles(results, folder);
   damaged.insert(damaged.end(), altered.begin(), altered.end());
   if (!options.file.empty())
-    study::retell(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
-  show(results, folder, names, options.json, options.still, {}, damaged);
+    study::relabel(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
+  show(results, folder, writeResults(results, folder, names, options.still), options.json, damaged);
 }
 
 }  // namespace

@@ -45,14 +45,15 @@ void requireKnown(const std::string& option, const std::string& name, const std:
 std::vector<std::string> errorNames() {
   std::vector<std::string> names;
   for (const study::Measure& measure : study::measures()) {
-    bool is_error = measure.per_region && measure.better == study::Better::lower && !measure.is_change;
-    if (is_error && measure.name != "rmse_full" && measure.name != "flicker") names.push_back(measure.name);
+    bool is_error = measure.per_region && measure.better == study::Better::lower;
+    if (is_error && measure.needs == study::Needs::colours && measure.name != "rmse_full")
+      names.push_back(measure.name);
   }
   return names;
 }
 
-void setLimit(study::Wish& wish, const TuneOptions& options) {
-  using Limit = study::Wish::Limit;
+void setLimit(study::TuneRequest& request, const TuneOptions& options) {
+  using Limit = study::TuneRequest::Limit;
   int given = (options.budget_ms > 0) + (options.budget_ratio > 0) + !options.max_error.empty();
   if (given != 1)
     throw Error(fmt::format("{} of --budget-ms, --budget-ratio and --max-error {}: tune needs exactly one",
@@ -61,38 +62,38 @@ void setLimit(study::Wish& wish, const TuneOptions& options) {
                                          : "three",
                             given == 0 ? "is given" : "are given"),
                 {}, 2);
-  if (options.budget_ms > 0) wish.limits = Limit::ms, wish.limit = options.budget_ms;
-  if (options.budget_ratio > 0) wish.limits = Limit::ratio, wish.limit = options.budget_ratio;
+  if (options.budget_ms > 0) request.limits = Limit::ms, request.limit = options.budget_ms;
+  if (options.budget_ratio > 0) request.limits = Limit::ratio, request.limit = options.budget_ratio;
   if (options.max_error.empty()) return;
   bool is_ratio = options.max_error.ends_with("x");
   plan::Value number = plan::valueFromText(options.max_error.substr(0, options.max_error.size() - is_ratio));
   const auto* whole = std::get_if<int64_t>(&number);
   const auto* real = std::get_if<double>(&number);
-  wish.limits = is_ratio ? Limit::error_ratio : Limit::error;
-  wish.limit = whole ? double(*whole) : real ? *real : 0;
-  if (!(wish.limit > 0))
+  request.limits = is_ratio ? Limit::error_ratio : Limit::error;
+  request.limit = whole ? double(*whole) : real ? *real : 0;
+  if (!(request.limit > 0))
     throw Error(
         fmt::format("--max-error '{}' is neither a number above 0 nor a multiple of the base's error such as 1.1x",
                     options.max_error),
         {}, 2);
 }
 
-study::Wish wishOf(const TuneOptions& options) {
-  study::Wish wish;
-  setLimit(wish, options);
-  wish.shot = options.shot.resolve();
-  wish.vary = options.vary, wish.base = options.base;
-  wish.measure = options.measure, wish.region = options.region;
-  requireKnown("--measure", wish.measure, errorNames());
-  requireKnown("--region", wish.region, study::regionNames());
-  wish.own = options.cost == "own";
-  wish.evaluations = options.evaluations;
-  return wish;
+study::TuneRequest requestOf(const TuneOptions& options) {
+  study::TuneRequest request;
+  setLimit(request, options);
+  request.shot = options.shot.resolve();
+  request.vary = options.vary, request.base = options.base;
+  request.measure = options.measure, request.region = options.region;
+  requireKnown("--measure", request.measure, errorNames());
+  requireKnown("--region", request.region, study::regionNames());
+  request.own = options.cost == "own";
+  request.evaluations = options.evaluations;
+  return request;
 }
 
 // Command line that repeats the run.
-std::string commandOf(const TuneOptions& options, const study::Wish& wish) {
-  std::string line = lab::commandOf(wish.shot);
+std::string commandOf(const TuneOptions& options, const study::TuneRequest& request) {
+  std::string line = lab::commandOf(request.shot);
   line.replace(0, line.find(" render ") + 8, "strobe tune ");
   if (size_t out = line.rfind(" -o "); out != std::string::npos) line.erase(out);
   auto add = [&line](const std::string& option, const std::string& value, const std::string& usual = "") {
@@ -113,20 +114,20 @@ std::string commandOf(const TuneOptions& options, const study::Wish& wish) {
 
 // ---- output
 
-std::string goalText(const study::Wish& wish, const std::string& base) {
-  using Limit = study::Wish::Limit;
-  std::string cost = wish.own ? "own cost" : "cost", error = fmt::format("{} ({})", wish.measure, wish.region);
-  switch (wish.limits) {
+std::string goalText(const study::TuneRequest& request, const std::string& base) {
+  using Limit = study::TuneRequest::Limit;
+  std::string cost = request.own ? "own cost" : "cost", error = fmt::format("{} ({})", request.measure, request.region);
+  switch (request.limits) {
     case Limit::ms:
-      return fmt::format("the least {} within {} ms of {}", error, wish.limit, cost);
+      return fmt::format("the least {} within {} ms of {}", error, request.limit, cost);
     case Limit::ratio:
-      return fmt::format("the least {} within {} times the {} of {}", error, wish.limit, cost, base);
+      return fmt::format("the least {} within {} times the {} of {}", error, request.limit, cost, base);
     case Limit::error:
-      return fmt::format("the least {} within a {} of {}", cost, error, wish.limit);
+      return fmt::format("the least {} within a {} of {}", cost, error, request.limit);
     case Limit::error_ratio:
       break;
   }
-  return fmt::format("the least {} within {} times the {} of {}", cost, wish.limit, error, base);
+  return fmt::format("the least {} within {} times the {} of {}", cost, request.limit, error, base);
 }
 
 std::string textOf(const script::Settings& sets) {
@@ -135,12 +136,12 @@ std::string textOf(const script::Settings& sets) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::string tableOf(const study::Wish& wish, const study::Tuned& tuned, const study::Results& results) {
-  const study::Measure &error = study::measureNamed(wish.measure), &ms = study::measureNamed(wish.msName()),
-                       &ratio = study::measureNamed(wish.ratioName());
+std::string tableOf(const study::TuneRequest& request, const study::Tuned& tuned, const study::Results& results) {
+  const study::Measure &error = study::measureNamed(request.measure), &ms = study::measureNamed(request.msName()),
+                       &ratio = study::measureNamed(request.ratioName());
   page::Table table;
   table.columns = {"",
-                   {study::headOf(error) + ", " + wish.region, true},
+                   {study::headOf(error) + ", " + request.region, true},
                    {study::headOf(ms), true},
                    {study::headOf(ratio), true},
                    "changed"};
@@ -152,7 +153,7 @@ std::string tableOf(const study::Wish& wish, const study::Tuned& tuned, const st
   if (tuned.chosen) add("chosen", *tuned.chosen);
   if (tuned.nearest) add("nearest", *tuned.nearest);
   add(results.arms[0].name + ", as given", tuned.start);
-  if (!wish.base.empty()) add(results.arms[1].name, tuned.base);
+  if (!request.base.empty()) add(results.arms[1].name, tuned.base);
   return page::textOf(table);
 }
 
@@ -183,55 +184,55 @@ std::string renderCommand(lab::Shot shot, const Path& file) {
 }
 
 // "0.0167 (whole picture 0.0104) at a cost of 0.383".
-std::string textOf(const study::Wish& wish, const study::Measured& one) {
-  std::string whole = wish.region == "whole" ? "" : fmt::format(" (whole picture {:.4g})", one.whole_error);
-  return fmt::format("{} {:.4g}{} at a cost of {:.3f}", wish.measure, one.error, whole, one.ratio);
+std::string textOf(const study::TuneRequest& request, const study::Measured& one) {
+  std::string whole = request.region == "whole" ? "" : fmt::format(" (whole picture {:.4g})", one.whole_error);
+  return fmt::format("{} {:.4g}{} at a cost of {:.3f}", request.measure, one.error, whole, one.ratio);
 }
 
-std::string choiceText(const study::Wish& wish, const study::Tuned& tuned) {
+std::string choiceText(const study::TuneRequest& request, const study::Tuned& tuned) {
   const std::optional<study::Measured>& shown = tuned.chosen ? tuned.chosen : tuned.nearest;
   if (!shown) return "Nothing could be measured.";
   std::string settings = shown->changed.empty() ? "nothing changed" : textOf(shown->changed);
   std::string text =
       fmt::format("{}: {}, {}; as given {}", tuned.chosen ? "Chosen" : "No setting met the limit; the nearest",
-                  settings, textOf(wish, *shown), textOf(wish, tuned.start));
-  return text + (wish.base.empty() ? "." : fmt::format("; {} {}.", wish.base, textOf(wish, tuned.base)));
+                  settings, textOf(request, *shown), textOf(request, tuned.start));
+  return text + (request.base.empty() ? "." : fmt::format("; {} {}.", request.base, textOf(request, tuned.base)));
 }
 
-void explain(const study::Wish& wish, study::Tuned& tuned) {
+void explain(const study::TuneRequest& request, study::Tuned& tuned) {
   const std::string& base = tuned.results.arms[1].name;
-  tuned.results.question = "Which settings give " + goalText(wish, base) + "?";
+  tuned.results.question = "Which settings give " + goalText(request, base) + "?";
   tuned.results.note = fmt::format(
       "{} {} evaluations over {} parameters; a point names its changed parameters. The search began with points that "
       "fill the space, kept the best points of each level, and then made {}. Cost is the time of {}, divided by the "
       "time of {} in the same rounds.",
-      choiceText(wish, tuned), tuned.evaluations, tuned.results.axes.size(),
+      choiceText(request, tuned), tuned.evaluations, tuned.results.axes.size(),
       tuned.finished ? "steps along each parameter until no step was better"
                      : "steps along each parameter until the evaluations were used up",
-      wish.own ? "the passes that a frame without blur does not have" : "a frame", base);
+      request.own ? "the passes that a frame without blur does not have" : "a frame", base);
 }
 
 void tune(const Home& home, TuneOptions options) {
   double started_s = clockSeconds();
-  study::Wish wish = wishOf(options);
-  if (options.out.empty()) options.out = (Path("out/tune") / Path(wish.shot.pipeline).stem()).string() + ".lua";
+  study::TuneRequest request = requestOf(options);
+  if (options.out.empty()) options.out = (Path("out/tune") / Path(request.shot.pipeline).stem()).string() + ".lua";
   Path file = options.out, folder = file.parent_path() / file.stem();
   if (file.extension() != ".lua") throw Error(fmt::format("--out '{}': a preset is a .lua file", options.out), {}, 2);
   // Report mistakes before anything is written.
-  study::spaceOf(script::evaluatePipeline(home, {wish.shot.pipeline, wish.shot.sets}), {}, wish);
-  if (!wish.base.empty()) script::evaluatePipeline(home, {wish.base, {}});
+  study::spaceOf(script::evaluatePipeline(home, {request.shot.pipeline, request.shot.sets}), {}, request);
+  if (!request.base.empty()) script::evaluatePipeline(home, {request.base, {}});
   requireWritable(folder);
   study::Store store(folder);
   FrozenHome frozen(home, store.folder() / ".inputs");
-  lab::Workbench bench(frozen.home(), wish.shot.device, validationWanted());
-  study::Tuned tuned = study::tune(wish, bench, store);
+  lab::Workbench bench(frozen.home(), request.shot.device, validationWanted());
+  study::Tuned tuned = study::tune(request, bench, store);
   bench.device().refuseMessages();
-  explain(wish, tuned);
-  tuned.results.command = commandOf(options, wish);
+  explain(request, tuned);
+  tuned.results.command = commandOf(options, request);
   // Read back from their JSON, so that `report` gives the same page.
   study::Results results = study::resultsFrom(study::toJson(tuned.results), "the results");
   std::vector<Path> files = writeResults(results, folder);
-  std::string goal = goalText(wish, results.arms[1].name);
+  std::string goal = goalText(request, results.arms[1].name);
   if (tuned.chosen) {
     std::string what =
         fmt::format("{}, {}x{}: {:.4g}, ", results.title, results.width, results.height, tuned.chosen->error);
@@ -243,9 +244,9 @@ void tune(const Home& home, TuneOptions options) {
     std::printf("%s\n", jsonOf(tuned, file).dump(1).c_str());
   } else {
     std::printf("%s\n%s:\n%s\n", study::Report(results, folder).text().c_str(), goal.c_str(),
-                tableOf(wish, tuned, results).c_str());
+                tableOf(request, tuned, results).c_str());
     for (const Path& one : files) std::printf("%s\n", one.c_str());
-    if (tuned.chosen) std::printf("\n%s\n", renderCommand(wish.shot, file).c_str());
+    if (tuned.chosen) std::printf("\n%s\n", renderCommand(request.shot, file).c_str());
   }
   if (!tuned.chosen)
     throw Error(

@@ -61,7 +61,7 @@ struct CaptureFile {
 };
 
 // Reads and checks the file. Throws one `Error` with all mistakes, each with its place. A scene "shared:FILE" is
-// searched in the shared data. `size`: pixels; {0, 0}: from the file.
+// looked up in the shared data. `size`: pixels; {0, 0}: from the file.
 CaptureFile readCapture(const Home& home, const std::string& file, std::array<int, 2> size = {});
 
 // Shot of a picture, with its settings. `step` is an index of the captured shot's steps.

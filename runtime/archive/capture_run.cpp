@@ -35,15 +35,21 @@ static std::set<std::string> copyInputs(const Inputs& inputs, const InputNames& 
   return wanted;
 }
 
+Capturing::Places Capturing::mainPlace(const Home& home, const Order& order) {
+  auto frozen = std::make_unique<FrozenHome>(home, order.folder / ".inputs");
+  auto bench = std::make_unique<lab::Workbench>(frozen->home(), order.device, order.validation);
+  InputNames names(frozen->home(), home, frozen->at(order.file));
+  Places places;
+  places.emplace("", Place{std::move(frozen), std::move(bench), std::move(names)});
+  return places;
+}
+
 Capturing::Capturing(const Home& home, const Order& order, Report report)
     : order_(order),
       home_(home),
       report_(std::move(report)),
-      frozen_(home, order.folder / ".inputs"),
-      capture_(readCapture(frozen_.home(), frozen_.at(order.file), order.size)),
-      bench_(std::make_unique<lab::Workbench>(frozen_.home(), order.device, order.validation)),
-      taker_(*bench_, home, capture_, order_.folder,
-             [this](const Home& of) { return std::make_unique<lab::Workbench>(of, order_.device, order_.validation); }),
+      places_(mainPlace(home, order)),
+      capture_(readCapture(inputs().home(), inputs().at(order.file), order.size)),
       frames_(framesOf(capture_, isFigure(order.only) ? "" : order.only)) {
   removeLeftovers(order.folder);
 }
@@ -61,7 +67,7 @@ void Capturing::addFiles(const Path& folder) {
   if (folder.empty()) return;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && isText(entry.path()))
-      addInput(used_, taker_.names(), entry.path(), hashText(readText(entry.path())));
+      addInput(used_, main().names, entry.path(), hashText(readText(entry.path())));
 }
 
 // Shots that the cells show, each once.
@@ -77,7 +83,7 @@ std::vector<const CapturedShot*> Capturing::shotsOf(const Json& figure) const {
 
 void Capturing::drawFigures() {
   auto find = [this](const std::string& shot, const std::string& arm, int step) -> const figure::Taken& {
-    return taker_.find(shot, arm, step);
+    return this->find(shot, arm, step);
   };
   for (const auto* list : {&capture_.figures, &capture_.films})
     for (const Json& figure : *list) {
@@ -101,20 +107,13 @@ void Capturing::drawFigures() {
     }
 }
 
-// Adds the entry of a picture to the manifest. Moves inputs and files out of the entry: the manifest lists them once
-// for all pictures.
-void Capturing::collect(const CapturedFrame& frame) {
-  Json entry = taker_.entry(frame);
-  for (const auto& [name, input] : inputsFrom(entry["inputs"])) {
-    auto known = used_.find(name);
-    if (known != used_.end() && !(known->second == input))
-      throw Error("changed while pictures were taken; take the capture again", {name});
-    used_[name] = input;
-  }
+// Adds the entry of a picture to the manifest. Moves the files out of the entry: the manifest lists them once for all
+// pictures.
+void Capturing::collect(Json entry) {
   files_.update(entry["files"]);
   for (const auto& [kind, file] : entry["images"].items())
     if (kind == "png") picture_files_.push_back(order_.folder / file.get<std::string>());
-  for (const char* part : {"inputs", "files", "key"}) entry.erase(part);
+  for (const char* part : {"files", "key"}) entry.erase(part);
   pictures_.push_back(std::move(entry));
 }
 
@@ -135,21 +134,21 @@ Json Capturing::captureJson(const std::string& name) const {
 }
 
 Captured Capturing::finish() {
-  for (const script::Dependency& file : capture_.scripts) addInput(used_, taker_.names(), file.path, file.hash);
+  for (const script::Dependency& file : capture_.scripts) addInput(used_, main().names, file.path, file.hash);
   for (const CapturedArm& arm : capture_.arms) addFiles(arm.files);
   bool of_figure = isFigure(order_.only);
   for (size_t i = 0; i < frames_.size() && !of_figure; ++i) {
     const std::string name = frames_[i].name();
-    if (taker_.has(name)) continue;
-    bool drawn = taker_.draw(frames_[i]) != nullptr;
+    if (entries_.count(name)) continue;
+    bool drawn = draw(frames_[i]) != nullptr;
     if (report_) report_(fmt::format("{} of {}: {}{}", i + 1, frames_.size(), name, drawn ? "" : ", already drawn"));
   }
   if (order_.only.empty() || of_figure) drawFigures();
   for (const CapturedFrame& frame : framesOf(capture_))
-    if (taker_.has(frame.name())) collect(frame);
-  taker_.refuseMessages();
+    if (auto entry = entries_.find(frame.name()); entry != entries_.end()) collect(entry->second);
+  for (const auto& [files, place] : places_) place.bench->device().refuseMessages();
 
-  const InputNames& names = taker_.names();
+  const InputNames& names = main().names;
   std::set<std::string> listed = copyInputs(used_, names, order_.folder, order_.bundle);
   for (const auto& [name, file] : files_.items()) listed.insert(name);
   listed.insert(kManifestFile);
@@ -158,12 +157,12 @@ Captured Capturing::finish() {
                         {"format_version", kManifestVersion},
                         {"capture", captureJson(names.nameOf(capture_.file, true))},
                         {"program", programJson(home_)},
-                        {"device", deviceJson(bench_->device().info())},
+                        {"device", deviceJson(bench().device().info())},
                         {"inputs", toJson(used_)},
                         {"pictures", std::move(pictures_)},
                         {"files", std::move(files_)}}};
   writeFileAtomically(order_.folder / kManifestFile, manifest.json.dump(1) + "\n");
-  if (taker_.drawn() > 0) writeFileAtomically(order_.folder / "timings.json", taker_.timings().dump(1) + "\n");
+  if (drawn_ > 0) writeFileAtomically(order_.folder / "timings.json", timings_.dump(1) + "\n");
   writeFileAtomically(order_.folder / kSumsFile, sumsOf(order_.folder, listed));
   return {std::move(manifest), std::move(figure_files_), std::move(picture_files_)};
 }

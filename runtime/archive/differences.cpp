@@ -7,8 +7,9 @@
 #include <filesystem>
 
 #include "archive/capture_run.h"
-#include "image/comparison.h"
 #include "image/false_colour.h"
+#include "image/flip.h"
+#include "image/metrics.h"
 #include "image/png.h"
 
 namespace strobe::archive {
@@ -25,16 +26,8 @@ int64_t ordinal(float value) {
   return bits < 0 ? -int64_t(bits & 0x7fffffff) : bits;
 }
 
-struct Sums {
-  double mean = 0, mean_ulp = 0;
-  uint64_t numbers = 0;
-};
-
-void addNumber(ImageDifference& result, Sums& sums, double difference, double ulp) {
-  result.largest = std::max(result.largest, difference);
-  result.largest_ulp = std::max(result.largest_ulp, ulp);
-  sums.mean += difference, sums.mean_ulp += ulp;
-}
+// JSON has no infinity and no NaN.
+Json numberOr(double value) { return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value)); }
 
 // Calls `visit(x, y, channel, was, is)` for each pair of numbers with different bits.
 template <class Pixels, class Visit>
@@ -47,21 +40,43 @@ void forDifferences(const Pixels& was, const Pixels& is, const Visit& visit) {
 }
 
 template <class Pixels, class Ulp>
-void compareNumbers(ImageDifference& result, const Pixels& was, const Pixels& is, const Ulp& ulp_of) {
-  Sums sums;
-  sums.numbers = uint64_t(was.width) * uint64_t(was.height) * uint64_t(was.channels);
+Json comparedNumbers(const std::string& name, const Pixels& was, const Pixels& is, const Ulp& ulp_of) {
+  double largest = 0, sum = 0, largest_ulp = 0, sum_ulp = 0;
+  uint64_t pixels = 0;
   int last_x = -1, last_y = -1;
+  Json first = {{"first", {0, 0, 0}}, {"was", 0.0}, {"is", 0.0}};
   forDifferences(was, is, [&](int x, int y, int c, auto a, auto b) {
-    double difference = std::abs(double(a) - double(b));
+    double difference = std::abs(double(a) - double(b)), ulp = ulp_of(a, b);
     if (std::isnan(difference)) difference = HUGE_VAL;
-    if (result.pixels == 0)
-      result.x = x, result.y = y, result.channel = c, result.was = double(a), result.is = double(b);
-    if (x != last_x || y != last_y) ++result.pixels;
+    if (pixels == 0) first = {{"first", {x, y, c}}, {"was", numberOr(double(a))}, {"is", numberOr(double(b))}};
+    if (x != last_x || y != last_y) ++pixels;
     last_x = x, last_y = y;
-    addNumber(result, sums, difference, ulp_of(a, b));
+    largest = std::max(largest, difference), largest_ulp = std::max(largest_ulp, ulp);
+    sum += difference, sum_ulp += ulp;
   });
-  if (sums.numbers > 0)
-    result.mean = sums.mean / double(sums.numbers), result.mean_ulp = sums.mean_ulp / double(sums.numbers);
+  const double numbers = std::max(1.0, double(was.width) * double(was.height) * double(was.channels));
+  Json json = {{"image", name},
+               {"kept", true},
+               {"largest", numberOr(largest)},
+               {"average", numberOr(sum / numbers)},
+               {"largest_ulp", largest_ulp},
+               {"average_ulp", sum_ulp / numbers},
+               {"pixels", pixels}};
+  json.update(first);
+  return json;
+}
+
+// Compares two images of one format and size.
+Json compared(const std::string& name, const graph::ReadImage& was, const graph::ReadImage& is) {
+  if (!was.uints.values.empty())
+    return comparedNumbers(name, was.uints, is.uints,
+                           [](uint32_t a, uint32_t b) { return std::abs(double(a) - double(b)); });
+  Json json = comparedNumbers(name, was.floats, is.floats, [](float a, float b) {
+    return std::isnan(a) || std::isnan(b) ? 4294967296.0 : std::abs(double(ordinal(a)) - double(ordinal(b)));
+  });
+  if (name == "color" && was.floats.channels >= 3 && json["largest"].is_number())
+    json["flip"] = image::meanOf(image::hdrFlip(is.floats, was.floats).map);
+  return json;
 }
 
 bool sameSize(const graph::ReadImage& a, const graph::ReadImage& b) {
@@ -71,12 +86,13 @@ bool sameSize(const graph::ReadImage& a, const graph::ReadImage& b) {
   return same(a.floats, b.floats) && same(a.uints, b.uints);
 }
 
-// |a - b| of each pixel, scaled so that the largest difference is white.
-image::Image mapOf(const graph::ReadImage& was, const graph::ReadImage& is, double largest) {
+// |a - b| of each pixel, scaled so that the largest difference is white. `largest`: from `compared`.
+image::Image mapOf(const graph::ReadImage& was, const graph::ReadImage& is, const Json& largest) {
+  const double white = largest.is_number() ? largest.get<double>() : HUGE_VAL;
   bool uints = !was.uints.values.empty();
   image::Image map(uints ? was.uints.width : was.floats.width, uints ? was.uints.height : was.floats.height, 1);
   auto add = [&](int x, int y, int, auto a, auto b) {
-    double share = std::abs(double(a) - double(b)) / largest;
+    double share = std::abs(double(a) - double(b)) / white;
     map.at(x, y, 0) = std::max(map.at(x, y, 0), std::isfinite(share) ? float(share) : 1.0f);
   };
   if (uints) forDifferences(was.uints, is.uints, add);
@@ -86,17 +102,35 @@ image::Image mapOf(const graph::ReadImage& was, const graph::ReadImage& is, doub
 
 // ---- manifests
 
-std::vector<std::string> linesOf(const Json& was, const Json& is, const std::vector<std::string>& ignored = {}) {
+using Texts = std::map<std::string, std::string>;
+
+// A line for each name with different texts: "NAME: TEXT, now TEXT".
+std::vector<std::string> linesOf(const Texts& was, const Texts& is) {
+  Texts names = was;
+  names.insert(is.begin(), is.end());
+  auto textIn = [](const Texts& texts, const std::string& name) {
+    auto found = texts.find(name);
+    return found == texts.end() ? std::string("missing") : found->second;
+  };
   std::vector<std::string> lines;
-  std::set<std::string> names;
-  for (const Json* json : {&was, &is})
-    for (const auto& [name, value] : json->items()) names.insert(name);
-  for (const std::string& name : names) {
-    Json a = was.contains(name) ? was[name] : Json(), b = is.contains(name) ? is[name] : Json();
-    if (a == b || std::find(ignored.begin(), ignored.end(), name) != ignored.end()) continue;
-    lines.push_back(fmt::format("{}: {}, now {}", name, a.dump(), b.dump()));
-  }
+  for (const auto& [name, any] : names)
+    if (std::string a = textIn(was, name), b = textIn(is, name); a != b)
+      lines.push_back(fmt::format("{}: {}, now {}", name, a, b));
   return lines;
+}
+
+Texts fieldTexts(const Json& object) {
+  Texts texts;
+  for (const auto& [name, value] : object.items()) texts[name] = value.dump();
+  return texts;
+}
+
+Texts parameterTexts(const Json& list) {
+  Texts texts;
+  for (const Json& one : list)
+    texts[one.at("name").get<std::string>() + " of " + one.at("of").get<std::string>()] =
+        fmt::format("{} ({})", one.at("value").dump(), one.at("set_by").get<std::string>());
+  return texts;
 }
 
 std::vector<std::string> textLines(const Path& file) {
@@ -108,93 +142,73 @@ std::vector<std::string> textLines(const Path& file) {
   return lines;
 }
 
-// Sets the first different line of an input, if its texts are kept.
-void findLine(InputDifference& difference, const Path& was_folder, const Path& is_folder) {
-  Path was = was_folder / inputCopy(difference.name), is = is_folder / inputCopy(difference.name);
-  if (!fs::is_regular_file(was) || !fs::is_regular_file(is)) return;
-  if (!difference.name.ends_with(".lua") && !difference.name.ends_with(".glsl") && !difference.name.ends_with(".h"))
-    return;
+// First line of an input that differs, or an empty object if the texts of the input are not kept.
+Json firstLine(const std::string& name, const Path& was_folder, const Path& is_folder) {
+  Path was = was_folder / inputCopy(name), is = is_folder / inputCopy(name);
+  bool is_text = name.ends_with(".lua") || name.ends_with(".glsl") || name.ends_with(".h");
+  if (!is_text || !fs::is_regular_file(was) || !fs::is_regular_file(is)) return Json::object();
   std::vector<std::string> a = textLines(was), b = textLines(is);
   size_t at = 0;
   while (at < a.size() && at < b.size() && a[at] == b[at]) ++at;
-  if (at == a.size() && at == b.size()) return;
-  difference.line = int(at) + 1;
-  difference.was = at < a.size() ? a[at] : "", difference.is = at < b.size() ? b[at] : "";
+  if (at == a.size() && at == b.size()) return Json::object();
+  return {{"line", at + 1}, {"was", at < a.size() ? a[at] : ""}, {"is", at < b.size() ? b[at] : ""}};
 }
 
-std::vector<InputDifference> inputDifferences(const Manifest& stated, const Manifest& now) {
-  std::vector<InputDifference> differences;
+Json inputDifferences(const Manifest& stated, const Manifest& now) {
+  Json list = Json::array();
   Inputs was = inputsFrom(stated.json.at("inputs")), is = inputsFrom(now.json.at("inputs"));
   for (const auto& [name, input] : was) {
-    if (!is.count(name)) differences.push_back({InputDifference::Kind::missing, name, 0, "", ""});
+    if (!is.count(name)) list.push_back({{"name", name}, {"kind", "missing"}});
     else if (!(is.at(name) == input)) {
-      InputDifference& one = differences.emplace_back(InputDifference{InputDifference::Kind::altered, name, 0, "", ""});
-      findLine(one, stated.folder, now.folder);
+      list.push_back({{"name", name}, {"kind", "altered"}});
+      list.back().update(firstLine(name, stated.folder, now.folder));
     }
   }
   for (const auto& [name, input] : is)
-    if (!was.count(name)) differences.push_back({InputDifference::Kind::added, name, 0, "", ""});
-  return differences;
+    if (!was.count(name)) list.push_back({{"name", name}, {"kind", "added"}});
+  return list;
 }
 
-std::string parameterText(const Json& one) {
-  return fmt::format("{} ({})", one.at("value").dump(), one.at("set_by").get<std::string>());
-}
-
-std::vector<std::string> parameterDifferences(const Json& was, const Json& is) {
-  auto byName = [](const Json& list) {
-    std::map<std::string, Json> map;
-    for (const Json& one : list)
-      map[one.at("name").get<std::string>() + " of " + one.at("of").get<std::string>()] = one;
-    return map;
-  };
-  std::map<std::string, Json> a = byName(was), b = byName(is);
-  std::vector<std::string> lines;
-  for (const auto& [name, one] : a) {
-    if (!b.count(name)) lines.push_back(fmt::format("{}: {}, now missing", name, parameterText(one)));
-    else if (one.at("value") != b[name].at("value") || one.at("set_by") != b[name].at("set_by"))
-      lines.push_back(fmt::format("{}: {}, now {}", name, parameterText(one), parameterText(b[name])));
-  }
-  for (const auto& [name, one] : b)
-    if (!a.count(name)) lines.push_back(fmt::format("{}: missing, now {}", name, parameterText(one)));
-  return lines;
-}
+// True if an output of a pass or a layer of the picture differs.
+bool isImage(const Json& picture) { return picture.at("passes").get<int>() > 0 || !picture.at("layers").empty(); }
 
 class PictureComparer {
  public:
   PictureComparer(const Manifest& stated, const Manifest& now, const Path& folder)
       : stated_(stated), now_(now), folder_(folder) {}
 
-  PictureDifference compare(const Json& was, const Json& is) {
-    PictureDifference difference;
-    difference.name = was.at("name").get<std::string>();
-    difference.parameters = parameterDifferences(was.at("parameters"), is.at("parameters"));
-    difference.same_plan = was.at("plan") == is.at("plan");
+  Json compare(const Json& was, const Json& is) {
+    Json difference = {
+        {"name", was.at("name")},
+        {"parameters", linesOf(parameterTexts(was.at("parameters")), parameterTexts(is.at("parameters")))},
+        {"same_plan", was.at("plan") == is.at("plan")},
+        {"passes", 0},
+        {"layers", Json::array()}};
     was_images_.reset(), is_images_.reset();
     findPass(difference, was, is);
     for (const auto& [name, layer] : was.at("layers").items())
       if (!is.at("layers").contains(name) || is.at("layers").at(name).at("hash") != layer.at("hash"))
-        difference.layers.push_back(imageDifference(name, was, is));
+        difference["layers"].push_back(imageDifference(name, was, is));
     return difference;
   }
 
  private:
   // Finds the first pass, in the order of execution, that is missing or has a different output. Counts all such passes.
-  void findPass(PictureDifference& difference, const Json& was, const Json& is) {
+  void findPass(Json& difference, const Json& was, const Json& is) {
     std::map<std::string, const Json*> now;
     for (const Json& pass : is.at("passes")) now[pass.at("node").get<std::string>()] = &pass;
+    int passes = 0;
     for (const Json& pass : was.at("passes")) {
       const std::string node = pass.at("node").get<std::string>();
       std::string port = now.count(node) ? firstPort(pass, *now[node]) : "";
       if (now.count(node) && port.empty()) continue;
-      if (difference.passes++ > 0) continue;
-      difference.node = node;
-      difference.pass = pass.at("pass").get<std::string>(), difference.shader = pass.at("shader").get<std::string>();
-      if (!port.empty()) {
-        difference.first = imageDifference(node + "." + port, was, is);
-        drawMap(difference);
-      }
+      if (passes++ > 0) continue;
+      difference["first"] = {{"node", node}, {"pass", pass.at("pass")}, {"shader", pass.at("shader")}};
+      if (port.empty()) continue;
+      difference["first"].update(imageDifference(node + "." + port, was, is));
+      drawMap(difference);
     }
+    difference["passes"] = passes;
   }
 
   static std::string firstPort(const Json& was, const Json& is) {
@@ -211,21 +225,20 @@ class PictureComparer {
     return *images;
   }
 
-  ImageDifference imageDifference(const std::string& name, const Json& was, const Json& is) {
+  Json imageDifference(const std::string& name, const Json& was, const Json& is) {
     const Images &a = imagesOf(was_images_, stated_, was), &b = imagesOf(is_images_, now_, is);
-    if (!a.count(name) || !b.count(name) || !sameSize(a.at(name), b.at(name))) {
-      ImageDifference unknown;
-      unknown.image = name, unknown.is_kept = false;
-      return unknown;
-    }
+    bool kept = a.count(name) && b.count(name) && sameSize(a.at(name), b.at(name));
+    if (!kept) return {{"image", name}, {"kept", false}};
     return compared(name, a.at(name), b.at(name));
   }
 
-  void drawMap(const PictureDifference& difference) {
-    if (folder_.empty() || !difference.first->is_kept) return;
-    const std::string& name = difference.first->image;
-    image::Image map = mapOf(was_images_->at(name), is_images_->at(name), difference.first->largest);
-    image::writePng(folder_ / (difference.name + "." + name + ".png"), image::heatMap(map, 0, 1));
+  void drawMap(const Json& difference) {
+    const Json& first = difference.at("first");
+    if (folder_.empty() || !first.at("kept").get<bool>()) return;
+    const std::string name = first.at("image").get<std::string>();
+    image::Image map = mapOf(was_images_->at(name), is_images_->at(name), first.at("largest"));
+    image::writePng(folder_ / (difference.at("name").get<std::string>() + "." + name + ".png"),
+                    image::heatMap(map, 0, 1));
   }
 
   const Manifest &stated_, &now_;
@@ -245,140 +258,106 @@ std::vector<std::string> fileDifferences(const Manifest& stated, const Manifest&
   return lines;
 }
 
-std::string textOf(const ImageDifference& one) {
-  if (!one.is_kept) return fmt::format("{}: differs (its texels are not in both folders)", one.image);
+std::string textIn(const Json& object, const char* key) { return object.at(key).get<std::string>(); }
+
+// Number with `digits` significant digits, or the text in place of a number.
+std::string numberText(const Json& number, int digits) {
+  return number.is_string() ? number.get<std::string>() : fmt::format("{:.{}g}", number.get<double>(), digits);
+}
+
+std::string imageText(const Json& one) {
+  const std::string name = textIn(one, "image");
+  if (!one.at("kept").get<bool>()) return fmt::format("{}: differs (its texels are not in both folders)", name);
+  const Json& first = one.at("first");
   std::string text = fmt::format(
-      "{}: {} pixels, largest {:.6g} ({:.0f} units in the last place), mean {:.3g} ({:.3g}); first at {},{} "
-      "channel {}: {:.9g}, now {:.9g}",
-      one.image, one.pixels, one.largest, one.largest_ulp, one.mean, one.mean_ulp, one.x, one.y, one.channel, one.was,
-      one.is);
-  if (one.flip) text += fmt::format("; FLIP {:.6f}", *one.flip);
+      "{}: {} pixels, largest {} ({:.0f} units in the last place), mean {} ({}); first at {},{} channel {}: {}, now {}",
+      name, one.at("pixels").get<uint64_t>(), numberText(one.at("largest"), 6), one.at("largest_ulp").get<double>(),
+      numberText(one.at("average"), 3), numberText(one.at("average_ulp"), 3), first.at(0).get<int>(),
+      first.at(1).get<int>(), first.at(2).get<int>(), numberText(one.at("was"), 9), numberText(one.at("is"), 9));
+  if (one.contains("flip")) text += fmt::format("; FLIP {:.6f}", one.at("flip").get<double>());
   return text;
 }
 
-Json numberOr(double value) { return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value)); }
-
-Json toJson(const ImageDifference& one) {
-  Json json = {{"image", one.image}, {"kept", one.is_kept}};
-  if (!one.is_kept) return json;
-  json.update({{"largest", numberOr(one.largest)},
-               {"average", numberOr(one.mean)},
-               {"largest_ulp", one.largest_ulp},
-               {"average_ulp", one.mean_ulp},
-               {"pixels", one.pixels},
-               {"first", {one.x, one.y, one.channel}},
-               {"was", numberOr(one.was)},
-               {"is", numberOr(one.is)}});
-  if (one.flip) json["flip"] = *one.flip;
-  return json;
-}
-
-const char* kindName(InputDifference::Kind kind) {
-  return kind == InputDifference::Kind::altered   ? "altered"
-         : kind == InputDifference::Kind::missing ? "missing"
-                                                  : "added";
+std::string pictureText(const Json& one) {
+  std::string text = fmt::format("picture {}:{}\n", textIn(one, "name"),
+                                 isImage(one) ? "" : " the same, from other parameters or another plan");
+  for (const Json& line : one.at("parameters")) text += "  parameter " + line.get<std::string>() + "\n";
+  const Json first = one.value("first", Json::object());
+  if (!first.empty())
+    text +=
+        fmt::format("  the first pass whose output differs: {} (pass {}, shaders/{}.glsl); {} passes differ\n",
+                    textIn(first, "node"), textIn(first, "pass"), textIn(first, "shader"), one.at("passes").get<int>());
+  if (first.contains("image")) text += "    " + imageText(first) + "\n";
+  for (const Json& layer : one.at("layers"))
+    if (first.value("image", "") != textIn(layer, "image")) text += "  layer " + imageText(layer) + "\n";
+  return text;
 }
 
 }  // namespace
 
-ImageDifference compared(const std::string& name, const graph::ReadImage& was, const graph::ReadImage& is) {
-  ImageDifference result;
-  result.image = name;
-  if (!was.uints.values.empty())
-    compareNumbers(result, was.uints, is.uints, [](uint32_t a, uint32_t b) { return std::abs(double(a) - double(b)); });
-  else
-    compareNumbers(result, was.floats, is.floats, [](float a, float b) {
-      return std::isnan(a) || std::isnan(b) ? 4294967296.0 : std::abs(double(ordinal(a)) - double(ordinal(b)));
-    });
-  bool is_color = name == "color" && was.floats.channels >= 3 && std::isfinite(result.largest);
-  if (is_color)
-    result.flip = image::compareImages(image::threeChannels(is.floats), image::threeChannels(was.floats)).hdr_flip;
-  return result;
-}
-
-bool Differences::identical() const {
-  bool same = std::none_of(pictures.begin(), pictures.end(), [](const auto& picture) { return picture.isImage(); });
-  return same && missing.empty() && files.empty();
-}
-
-bool Differences::within(double most_flip) const {
-  auto is_within = [&](const PictureDifference& picture) {
-    return std::all_of(picture.layers.begin(), picture.layers.end(), [&](const ImageDifference& layer) {
-      return layer.image != "color" || (layer.flip && *layer.flip <= most_flip);
-    });
+Json differencesOf(const Manifest& stated, const Manifest& now, const Path& folder) {
+  auto lines = [&](const char* part) {
+    return linesOf(fieldTexts(stated.json.at(part)), fieldTexts(now.json.at(part)));
   };
-  return missing.empty() && std::all_of(pictures.begin(), pictures.end(), is_within);
-}
-
-Differences differencesOf(const Manifest& stated, const Manifest& now, const Path& folder) {
-  Differences differences;
-  differences.program = linesOf(stated.json.at("program"), now.json.at("program"));
-  differences.device = linesOf(stated.json.at("device"), now.json.at("device"));
-  differences.inputs = inputDifferences(stated, now);
+  Json all = {{"identical", true},
+              {"program", lines("program")},
+              {"device", lines("device")},
+              {"missing", Json::array()},
+              {"added", Json::array()},
+              {"files", fileDifferences(stated, now)},
+              {"inputs", inputDifferences(stated, now)},
+              {"pictures", Json::array()}};
   std::map<std::string, const Json*> is;
-  for (const Json& picture : now.json.at("pictures")) is[picture.at("name").get<std::string>()] = &picture;
+  for (const Json& picture : now.json.at("pictures")) is[textIn(picture, "name")] = &picture;
   PictureComparer comparer(stated, now, folder);
+  bool same_images = true;
   for (const Json& picture : stated.json.at("pictures")) {
-    const std::string name = picture.at("name").get<std::string>();
+    const std::string name = textIn(picture, "name");
     if (!is.count(name)) {
-      differences.missing.push_back(name);
+      all["missing"].push_back(name);
       continue;
     }
-    PictureDifference one = comparer.compare(picture, *is[name]);
-    if (one.isImage() || !one.parameters.empty() || !one.same_plan) differences.pictures.push_back(std::move(one));
+    Json one = comparer.compare(picture, *is[name]);
+    same_images = same_images && !isImage(one);
+    if (isImage(one) || !one["parameters"].empty() || !one["same_plan"]) all["pictures"].push_back(std::move(one));
     is.erase(name);
   }
-  for (const auto& [name, picture] : is) differences.added.push_back(name);
-  differences.files = fileDifferences(stated, now);
-  return differences;
+  for (const auto& [name, picture] : is) all["added"].push_back(name);
+  all["identical"] = same_images && all["missing"].empty() && all["files"].empty();
+  return all;
 }
 
-std::string textOf(const Differences& all) {
+bool identical(const Json& differences) { return differences.at("identical").get<bool>(); }
+
+bool within(const Json& differences, double most_flip) {
+  auto is_within = [&](const Json& layer) {
+    return layer.at("image") != "color" || (layer.contains("flip") && layer.at("flip").get<double>() <= most_flip);
+  };
+  const Json& pictures = differences.at("pictures");
+  return differences.at("missing").empty() && std::all_of(pictures.begin(), pictures.end(), [&](const Json& picture) {
+           const Json& layers = picture.at("layers");
+           return std::all_of(layers.begin(), layers.end(), is_within);
+         });
+}
+
+std::string textOf(const Json& differences) {
   std::string text;
-  for (const std::string& line : all.program) text += "program: " + line + "\n";
-  for (const std::string& line : all.device) text += "device: " + line + "\n";
-  for (const InputDifference& one : all.inputs) {
-    text += fmt::format("input {}: {}\n", kindName(one.kind), one.name);
-    if (one.line) text += fmt::format("  line {}: {}\n  now     {}\n", one.line, one.was, one.is);
+  auto add = [&](const char* key, const char* begin, const char* end) {
+    for (const Json& one : differences.at(key)) text += begin + one.get<std::string>() + end + "\n";
+  };
+  add("program", "program: ", "");
+  add("device", "device: ", "");
+  for (const Json& one : differences.at("inputs")) {
+    text += fmt::format("input {}: {}\n", textIn(one, "kind"), textIn(one, "name"));
+    if (one.contains("line"))
+      text += fmt::format("  line {}: {}\n  now     {}\n", one.at("line").get<int>(), textIn(one, "was"),
+                          textIn(one, "is"));
   }
-  for (const std::string& name : all.missing) text += fmt::format("picture {}: missing\n", name);
-  for (const std::string& name : all.added) text += fmt::format("picture {}: new\n", name);
-  for (const PictureDifference& one : all.pictures) {
-    text += fmt::format("picture {}:{}\n", one.name,
-                        one.isImage() ? "" : " the same, from other parameters or another plan");
-    for (const std::string& line : one.parameters) text += "  parameter " + line + "\n";
-    if (one.passes)
-      text += fmt::format("  the first pass whose output differs: {} (pass {}, shaders/{}.glsl); {} passes differ\n",
-                          one.node, one.pass, one.shader, one.passes);
-    if (one.first) text += "    " + textOf(*one.first) + "\n";
-    for (const ImageDifference& layer : one.layers)
-      if (!one.first || layer.image != one.first->image) text += "  layer " + textOf(layer) + "\n";
-  }
-  for (const std::string& name : all.files) text += "file " + name + ": differs\n";
+  add("missing", "picture ", ": missing");
+  add("added", "picture ", ": new");
+  for (const Json& one : differences.at("pictures")) text += pictureText(one);
+  add("files", "file ", ": differs");
   return text;
-}
-
-Json toJson(const Differences& all) {
-  Json json = {{"identical", all.identical()}, {"program", all.program},   {"device", all.device},
-               {"missing", all.missing},       {"added", all.added},       {"files", all.files},
-               {"inputs", Json::array()},      {"pictures", Json::array()}};
-  for (const InputDifference& one : all.inputs) {
-    Json input = {{"name", one.name}, {"kind", kindName(one.kind)}};
-    if (one.line) input.update({{"line", one.line}, {"was", one.was}, {"is", one.is}});
-    json["inputs"].push_back(std::move(input));
-  }
-  for (const PictureDifference& one : all.pictures) {
-    Json picture = {{"name", one.name},
-                    {"parameters", one.parameters},
-                    {"same_plan", one.same_plan},
-                    {"passes", one.passes},
-                    {"layers", Json::array()}};
-    if (one.passes) picture["first"] = {{"node", one.node}, {"pass", one.pass}, {"shader", one.shader}};
-    if (one.first) picture["first"].update(toJson(*one.first));
-    for (const ImageDifference& layer : one.layers) picture["layers"].push_back(toJson(layer));
-    json["pictures"].push_back(std::move(picture));
-  }
-  return json;
 }
 
 }  // namespace strobe::archive

@@ -92,10 +92,13 @@ void addInput(Inputs& inputs, const InputNames& names, const Path& file, const s
   }
   if (!fs::is_regular_file(file)) return;
   std::string name = names.nameOf(file, allow_outside);
-  if (inputs.count(name)) return;
+  if (auto known = inputs.find(name); known != inputs.end()) {
+    if (known->second.hash == was) return;
+    throw Error("changed while pictures were taken; take the capture again", {name});
+  }
   std::string text = readText(file);
   if (hashText(text) != was) throw Error("changed while it was in use", {file.string()});
-  inputs[name] = {name, sha256(text), text.size()};
+  inputs[name] = {name, sha256(text), text.size(), was};
 }
 
 // Adds the files that every shader of a pass is compiled with.

@@ -16,6 +16,7 @@ struct Input {
   std::string name;
   std::string sha256;
   uint64_t bytes = 0;
+  std::string hash = {};  // hash when the file was used (base/hash.h, hashText); not in manifests
   bool operator==(const Input&) const = default;
 };
 using Inputs = std::map<std::string, Input>;  // by name
@@ -54,7 +55,7 @@ class InputNames {
 };
 
 // Adds a file. `was`: hash of the file's content when it was used (base/hash.h, hashText). Throws `Error` if the file
-// changed since. For a folder that was listed, adds its scripts.
+// changed since, or between two uses. For a folder that was listed, adds its scripts.
 void addInput(Inputs& inputs, const InputNames& names, const Path& file, const std::string& was,
               bool allow_outside = false);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "archive/taker.h"
+// Pictures of a capture: drawing, and reading back.
 
 #include <algorithm>
 #include <filesystem>
 
-#include "archive/manifest.h"
+#include "archive/capture_run.h"
 #include "base/hash.h"
 #include "base/log.h"
 #include "base/sealed_json.h"
@@ -143,66 +143,38 @@ std::vector<CapturedFrame> framesOf(const CaptureFile& capture, const std::strin
   return frames;
 }
 
-Taker::Taker(lab::Workbench& bench, const Home& original, const CaptureFile& capture, const Path& folder,
-             MakeBench make)
-    : capture_(capture),
-      folder_(folder),
-      make_bench_(std::move(make)),
-      own_{bench, InputNames(bench.home(), original, capture.file)} {}
-
-const Taker::Place& Taker::placeOf(const CapturedArm& arm) {
-  if (arm.files.empty()) return own_;
-  auto known = others_.find(arm.files);
-  if (known != others_.end()) return known->second;
-  auto home =
-      std::make_unique<FrozenHome>(own_.bench.home(), folder_ / fmt::format(".inputs_{}", others_.size()), arm.files);
-  std::unique_ptr<lab::Workbench> bench = make_bench_(home->home());
-  Place place{*bench, InputNames(home->home(), own_.names, arm.files), std::move(home), std::move(bench)};
-  return others_.emplace(arm.files, std::move(place)).first->second;
-}
-
-void Taker::refuseMessages() const {
-  own_.bench.device().refuseMessages();
-  for (const auto& [folder, other] : others_) other.bench.device().refuseMessages();
+const Capturing::Place& Capturing::placeOf(const Path& files) {
+  auto known = places_.find(files);
+  if (known != places_.end()) return known->second;
+  const Path copy = order_.folder / fmt::format(".inputs_{}", places_.size() - 1);
+  auto home = std::make_unique<FrozenHome>(inputs().home(), copy, files);
+  auto bench = std::make_unique<lab::Workbench>(home->home(), order_.device, order_.validation);
+  InputNames names(home->home(), main().names, files);
+  return places_.emplace(files, Place{std::move(home), std::move(bench), std::move(names)}).first->second;
 }
 
 // Drawing with the outputs of all passes tapped.
-std::unique_ptr<lab::Drawing> Taker::drawingOf(lab::Workbench& bench, lab::Shot& shot) {
+static std::unique_ptr<lab::Drawing> drawingOf(lab::Workbench& bench, lab::Shot& shot) {
   std::shared_ptr<const lab::Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
   std::shared_ptr<lab::HeldScene> scene = bench.scene(shot, true);
   shot.taps = plan::filledImages(*lab::plannedOf(bench, shot, evaluation->pipeline).plan);
   return std::make_unique<lab::Drawing>(bench, scene, lab::plannedOf(bench, shot, evaluation->pipeline), evaluation);
 }
 
-// Hash of everything that determines the files: shot, program, device, and the kept layers.
-std::string Taker::keyOf(const CapturedFrame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const {
-  const gpu::DeviceInfo& device = own_.bench.device().info();
+// Hash of everything that determines the files: shot, inputs, program, device, and the kept layers.
+std::string Capturing::keyOf(const CapturedFrame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const {
+  const gpu::DeviceInfo& device = main().bench->device().info();
   const Layers layers = layersOf(capture_, *frame.shot, *frame.arm);
   const image::ToneMap& tone = frame.shot->tone;
   std::string key = lab::canonical(shot) + drawing.planned().hash + drawing.scene().hash + lab::programHash();
+  for (const auto* files : {&drawing.evaluation().scripts, &drawing.scene().dependencies})
+    for (const script::Dependency& file : *files) key += file.hash;
   for (const auto& [node, pipeline] : drawing.graph().pipelines())
     for (const auto& [file, hash] : pipeline->sources) key += hash;
   key += fmt::format("|{}|{}|{}|{}", device.name, device.driver, layers.all, fmt::join(layers.names, " "));
   key += fmt::format("|{}|{}|{}|{}|{}", tone.stops, int(tone.curve), frame.shot->scene_name, frame.shot->attribution,
                      frame.shot->steps[frame.step].label);
   return hashText(key);
-}
-
-bool Taker::areCurrent(const Json& inputs) {
-  for (const auto& [name, input] : inputsFrom(inputs)) {
-    auto known = sums_.find(name);
-    if (known == sums_.end()) {
-      Path file = own_.names.pathOf(name);
-      known = sums_.emplace(name, fs::is_regular_file(file) ? sha256(readText(file)) : "").first;
-    }
-    if (known->second != input.sha256) return false;
-  }
-  return true;
-}
-
-Json Taker::entry(const CapturedFrame& frame) {
-  draw(frame);
-  return entries_.at(frame.name());
 }
 
 // The picture as drawn without taps.
@@ -212,19 +184,20 @@ static std::shared_ptr<const lab::Picture> withoutTaps(lab::Picture picture) {
   return std::make_shared<const lab::Picture>(std::move(picture));
 }
 
-std::shared_ptr<const lab::Picture> Taker::draw(const CapturedFrame& frame, const Progress& progress) {
+std::shared_ptr<const lab::Picture> Capturing::draw(const CapturedFrame& frame, const Progress& progress) {
   const std::string name = frame.name();
   if (entries_.count(name)) return nullptr;
-  lab::Shot shot = shotOf(capture_, *frame.shot, *frame.arm, frame.step);
-  std::unique_ptr<lab::Drawing> drawing = drawingOf(placeOf(*frame.arm).bench, shot);
+  lab::Shot shot = this->shot(frame);
+  const Place& place = placeOf(frame.arm->files);
+  std::unique_ptr<lab::Drawing> drawing = drawingOf(*place.bench, shot);
+  addInputs(used_, place.names, place.home->home(), *drawing, shot.allow_outside);
   std::string key = keyOf(frame, *drawing, shot);
-  Path file = folder_ / "pictures" / (name + ".json");
+  Path file = order_.folder / "pictures" / (name + ".json");
   if (fs::exists(file)) {
     std::optional<Json> known = unsealed(readText(file));
     if (!known)
       warn(fmt::format("{}: is damaged or from an earlier program; its picture is taken again", file.string()));
-    bool same = known && known->value("key", "") == key && isThere(folder_, known->at("files"));
-    if (same && areCurrent(known->at("inputs"))) {
+    if (known && known->value("key", "") == key && isThere(order_.folder, known->at("files"))) {
       entries_[name] = *known;
       return nullptr;
     }
@@ -239,14 +212,10 @@ std::shared_ptr<const lab::Picture> Taker::draw(const CapturedFrame& frame, cons
   return withoutTaps(std::move(picture));
 }
 
-Json Taker::take(const CapturedFrame& frame, const lab::Shot& shot, lab::Drawing& drawing, const lab::Picture& picture,
-                 uint64_t runs) {
+Json Capturing::take(const CapturedFrame& frame, const lab::Shot& shot, lab::Drawing& drawing,
+                     const lab::Picture& picture, uint64_t runs) {
   const std::string name = frame.name();
   timings_[name] = picture.timings;
-  Inputs inputs;
-  const Place& place = placeOf(*frame.arm);
-  addInputs(inputs, place.names, place.bench.home(), drawing, shot.allow_outside);
-
   lab::Shot untapped = shot;
   untapped.taps.clear();
   plan::Plan plan = lab::planOf(untapped, drawing.evaluation().pipeline, drawing.planned().backend);
@@ -256,9 +225,9 @@ Json Taker::take(const CapturedFrame& frame, const lab::Shot& shot, lab::Drawing
 
   const Path stem = Path("pictures") / name;
   const std::string exr = stem.string() + ".exr", png = stem.string() + ".png";
-  image::writePng(folder_ / png, image::toneMap(lab::colorOf(picture), frame.shot->tone));
+  image::writePng(order_.folder / png, image::toneMap(lab::colorOf(picture), frame.shot->tone));
   const Json record = recordOf(picture, *frame.shot);
-  writeLayers(folder_ / exr, picture, record, layers);
+  writeLayers(order_.folder / exr, picture, record, layers);
   return {{"name", name},
           {"shot", frame.shot->name},
           {"arm", frame.arm->name},
@@ -275,17 +244,16 @@ Json Taker::take(const CapturedFrame& frame, const lab::Shot& shot, lab::Drawing
           {"nodes", nodesOf(shot, drawing.scene().scene)},
           {"camera_from_world", matrixJson(picture.camera_from_world)},
           {"ndc_from_world", matrixJson(picture.ndc_from_world)},
-          {"inputs", toJson(inputs)},
-          {"files", {{png, fileEntry(folder_ / png)}, {exr, fileEntry(folder_ / exr)}}}};
+          {"files", {{png, fileEntry(order_.folder / png)}, {exr, fileEntry(order_.folder / exr)}}}};
 }
 
 // ---- read back
 
-figure::Taken Taker::readBack(const Json& entry) const {
+figure::Taken Capturing::readBack(const Json& entry) const {
   auto picture = std::make_shared<lab::Picture>();
   picture->record = entry.at("record");
   for (auto& [layer, image] :
-       readLayers(folder_ / entry.at("images").at("exr").get<std::string>(), entry.at("layers"))) {
+       readLayers(order_.folder / entry.at("images").at("exr").get<std::string>(), entry.at("layers"))) {
     bool is_output = layer.find('.') == std::string::npos;
     (is_output ? picture->frame.outputs : picture->frame.taps)[layer] = std::move(image);
   }
@@ -298,7 +266,7 @@ figure::Taken Taker::readBack(const Json& entry) const {
   return taken;
 }
 
-const figure::Taken& Taker::find(const std::string& shot, const std::string& arm, int step) {
+const figure::Taken& Capturing::find(const std::string& shot, const std::string& arm, int step) {
   auto known = std::find_if(kept_.begin(), kept_.end(), [&](const figure::Taken& one) {
     return one.shot == shot && one.arm == arm && one.step == step;
   });
@@ -309,7 +277,8 @@ const figure::Taken& Taker::find(const std::string& shot, const std::string& arm
   CapturedFrame frame{&capture_.shot(shot), &capture_.arm(arm), size_t(step)};
   if (size_t(step) >= frame.shot->steps.size())
     throw Error(fmt::format("shot '{}' has {} steps, but no step {}", shot, frame.shot->steps.size(), step));
-  kept_.push_front(readBack(entry(frame)));
+  draw(frame);
+  kept_.push_front(readBack(entries_.at(frame.name())));
   if (kept_.size() > figure::kPicturesFound) kept_.pop_back();
   return kept_.front();
 }

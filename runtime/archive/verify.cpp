@@ -62,8 +62,8 @@ Path scriptOf(const Home& home, const Manifest& manifest, bool bundle) {
 
 }  // namespace
 
-Verification verify(const Home& home, const Manifest& manifest, const std::string& device, bool validation,
-                    const Path& pictures, const std::function<void(const std::string&)>& report) {
+Json verify(const Home& home, const Manifest& manifest, const std::string& device, bool validation,
+            const Path& pictures, const std::function<void(const std::string&)>& report) {
   const Json& capture = manifest.json.at("capture");
   bool bundle = capture.value("bundle", false);
   if (bundle) checkBundle(manifest);
@@ -76,22 +76,21 @@ Verification verify(const Home& home, const Manifest& manifest, const std::strin
   order.size = capture.at("size").get<std::array<int, 2>>();
   order.bundle = bundle, order.device = device, order.validation = validation;
   Captured again = runCapture(from, order, report);
-  Verification verdict;
-  verdict.differences = differencesOf(manifest, again.manifest, pictures);
-  verdict.same_device = verdict.differences.sameDevice();
-  verdict.most_flip = capture.value("most_flip", 0.0);
-  verdict.holds =
-      verdict.differences.identical() || (!verdict.same_device && verdict.differences.within(verdict.most_flip));
-  return verdict;
+  Json verification = differencesOf(manifest, again.manifest, pictures);
+  const bool same_device = verification["device"].empty();
+  const double most_flip = capture.value("most_flip", 0.0);
+  verification["holds"] = identical(verification) || (!same_device && within(verification, most_flip));
+  verification["same_device"] = same_device;
+  verification["most_flip"] = most_flip;
+  return verification;
 }
 
-std::string textOf(const Verification& verdict) {
-  std::string text = textOf(verdict.differences);
-  if (verdict.differences.identical())
-    return text + "identical: every output of every pass, every layer, every figure\n";
-  if (verdict.same_device) return text + "not identical\n";
-  return text + fmt::format("another device: {} the mean FLIP of {:g} that the capture allows\n",
-                            verdict.holds ? "within" : "beyond", verdict.most_flip);
+std::string verdictOf(const Json& verification) {
+  if (identical(verification)) return "identical: every output of every pass, every layer, every figure\n";
+  if (verification.at("same_device").get<bool>()) return "not identical\n";
+  return fmt::format("another device: {} the mean FLIP of {:g} that the capture allows\n",
+                     verification.at("holds").get<bool>() ? "within" : "beyond",
+                     verification.at("most_flip").get<double>());
 }
 
 }  // namespace strobe::archive

@@ -79,7 +79,9 @@ Home copy(const Home& home, const Path& folder, const Path& other) {
     if (!other.empty() && fs::is_directory(others)) copyFolder(others, roots.back(), false);
   }
   if (!other.empty() && fs::exists(other / FrozenHome::kAbsent)) leaveOut(home, roots, other / FrozenHome::kAbsent);
-  return Home(home, roots, home.data());
+  Home result(home, roots, home.data());
+  if (other.empty()) result.originals = home.roots();
+  return result;
 }
 
 // A process that was just killed holds its locks until the system has ended it.
@@ -125,7 +127,7 @@ Home copied(const Home& home, const Path& folder, const Path& other) {
 }  // namespace
 
 FrozenHome::FrozenHome(const Home& home, const Path& folder, const Path& other)
-    : original_(home), folder_(folder), home_(copied(home, folder, other)), lock_(locked(folder)) {}
+    : folder_(folder), home_(copied(home, folder, other)), lock_(locked(folder)) {}
 
 FrozenHome::~FrozenHome() {
   std::error_code ignored;
@@ -134,12 +136,8 @@ FrozenHome::~FrozenHome() {
 }
 
 std::string FrozenHome::at(const std::string& file) const {
-  Path path = fs::absolute(file).lexically_normal();
-  const std::vector<Path>& roots = original_.roots();
-  for (size_t i = 0; i < roots.size(); ++i)
-    if (liesIn(path, roots[i]) && fs::exists(home_.roots()[i] / path.lexically_relative(roots[i])))
-      return (home_.roots()[i] / path.lexically_relative(roots[i])).string();
-  return file;
+  const Path original = fs::absolute(file).lexically_normal(), copy = copyOf(home_, original);
+  return copy == original ? file : copy.string();
 }
 
 }  // namespace strobe

@@ -8,7 +8,8 @@
 namespace strobe {
 
 // A copy of the Lua and GLSL files of a home, removed by the destructor. Models and pictures beside scenes and captures
-// are linked, not copied. Files outside of the home's roots are not copied.
+// are linked, not copied. Files outside of the home's roots are not copied. Scripts that are named by their path in the
+// home are read from the copy too (`copyOf`).
 class FrozenHome {
  public:
   static constexpr const char* kAbsent = "absent.txt";
@@ -25,11 +26,10 @@ class FrozenHome {
   ~FrozenHome();
 
   const Home& home() const { return home_; }
-  // Path of the copy if `file` lies in a root and was copied, else `file`.
+  // Path of the copy if `file` lies in a root and was copied, otherwise `file`; also `file` if there is an `other`.
   std::string at(const std::string& file) const;
 
  private:
-  const Home original_;
   Path folder_;
   Home home_;
   int lock_ = -1;

@@ -92,6 +92,14 @@ std::optional<Path> projectAround(Path folder) {
 
 bool liesIn(const Path& file, const Path& folder) { return isBelow(real(file), real(folder)); }
 
+Path copyOf(const Home& home, const Path& file) {
+  for (size_t i = 0; i < home.originals.size(); ++i) {
+    Path copy = home.roots()[i] / file.lexically_relative(home.originals[i]);
+    if (liesIn(file, home.originals[i]) && isThere(copy)) return copy;
+  }
+  return file;
+}
+
 Path Home::shippedWith(const Path& program) {
   Path installed = program.parent_path().parent_path() / "share/strobe", sources = STROBE_SOURCE_DIR;
   return isFolder(installed / "scripts") || !isFolder(sources) ? installed : sources;

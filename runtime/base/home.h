@@ -43,6 +43,9 @@ class Home {
   // exists.
   static Path shippedWith(const Path& program);
 
+  // Roots that the roots are copies of (FrozenHome); empty: this home is not a copy.
+  std::vector<Path> originals;
+
   // Absolute folders; the shipped folder is the last.
   const std::vector<Path>& roots() const { return roots_; }
   const Path& shipped() const { return roots_.back(); }
@@ -100,6 +103,10 @@ class Home {
 
 // "/p/shaders or /s/shaders", for messages on missing files.
 std::string placesText(const Home& home, const Path& folder);
+
+// Path of the copy of a file, if `home` is a copy of the file's home and has the file; otherwise `file`. `file` is
+// absolute.
+Path copyOf(const Home& home, const Path& file);
 
 // True if `file` lies in `folder`, with links followed.
 bool liesIn(const Path& file, const Path& folder);

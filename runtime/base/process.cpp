@@ -6,7 +6,6 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <optional>
 #include <string_view>
@@ -73,18 +71,10 @@ class Feeding {
 
   int descriptor() const { return descriptor_.get(); }
 
-  // Appends `text` to the unsent input. The stream stays open unless `is_last`.
-  void give(const std::string& text, bool is_last) {
-    rest_.erase(0, std::exchange(done_, 0));
-    rest_ += text;
-    is_last_ = is_last;
-  }
-  bool hasMore() const { return is_last_ || done_ < rest_.size(); }
-
   // Sends as much as the child takes at once. Closes the stream after the last input, or if the child does not read any
   // more.
   void write() {
-    if (rest_.size() == done_) rest_ = program_.more_input ? program_.more_input() : "", done_ = 0;
+    if (rest_.size() == done_) rest_ = program_.more_input(), done_ = 0;
     if (rest_.empty()) return descriptor_.reset();
     ssize_t sent = ::send(descriptor_.get(), rest_.data() + done_, rest_.size() - done_, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent > 0) done_ += static_cast<size_t>(sent);
@@ -96,7 +86,6 @@ class Feeding {
   Descriptor descriptor_;
   std::string rest_;
   size_t done_ = 0;
-  bool is_last_ = true;
 };
 
 // A stream of the child, and the text read from it.
@@ -136,15 +125,9 @@ struct Birth {
   char* const* arguments;
   char* const* environment;
   int input, output, errors;
-  rlim_t cpu_s, memory_bytes;
   sigset_t signals;
   pid_t parent;
 };
-
-void limit(int resource, rlim_t soft, rlim_t hard) {
-  rlimit limits{soft, hard};
-  ::setrlimit(resource, &limits);
-}
 
 // Returns errno if the program cannot be started.
 int become(const Birth& birth) {
@@ -155,10 +138,6 @@ int become(const Birth& birth) {
   ::dup2(birth.output, STDOUT_FILENO);
   if (birth.errors >= 0) ::dup2(birth.errors, STDERR_FILENO);
   ::closefrom(STDERR_FILENO + 1);
-  // The soft limit sends a signal that a program may catch; the hard limit ends the program.
-  if (birth.cpu_s) limit(RLIMIT_CPU, birth.cpu_s, birth.cpu_s + 1);
-  if (birth.memory_bytes) limit(RLIMIT_AS, birth.memory_bytes, birth.memory_bytes);
-  if (birth.cpu_s || birth.memory_bytes) limit(RLIMIT_CORE, 0, 0);
   ::sigprocmask(SIG_SETMASK, &birth.signals, nullptr);
   ::execvpe(birth.arguments[0], birth.arguments, birth.environment);
   return errno;
@@ -172,15 +151,8 @@ pid_t start(const Program& program, const Descriptor& input, const Stream& outpu
   int error_stream = program.errors == Program::Errors::apart         ? errors.writing.get()
                      : program.errors == Program::Errors::with_output ? output.writing.get()
                                                                       : -1;
-  Birth birth{argument_list.data(),
-              variable_list.data(),
-              input.get(),
-              output.writing.get(),
-              error_stream,
-              rlim_t(std::ceil(program.cpu_s)),
-              rlim_t(program.memory_bytes),
-              {},
-              ::getpid()};
+  Birth birth{
+      argument_list.data(), variable_list.data(), input.get(), output.writing.get(), error_stream, {}, ::getpid()};
   sigset_t all;
   ::sigfillset(&all);
   ::pthread_sigmask(SIG_BLOCK, &all, &birth.signals);
@@ -213,21 +185,17 @@ double leftOf(const Program& program, double started_s) {
   return program.wall_s > 0 ? started_s + program.wall_s - clockSeconds() : 1e9;
 }
 
-// True if stdout of a child is the complete answer. An empty function waits for the child's end.
-using IsWhole = std::function<bool(const std::string& output)>;
-
-// Reads until the child closes its streams or exceeds its time or room. Returns true if the answer is complete before.
-bool collect(const Program& program, std::array<Stream, 2>& streams, Feeding* feeding, double started_s,
-             const IsWhole& is_whole, ProgramEnd& end) {
+// Reads until the child closes its streams or exceeds its time or room.
+void collect(const Program& program, std::array<Stream, 2>& streams, Feeding* feeding, double started_s,
+             ProgramEnd& end) {
   for (;;) {
-    if (is_whole && is_whole(streams[0].text)) return true;
     std::array<pollfd, 3> waiting{pollfd{streams[0].reading.get(), POLLIN, 0},
                                   pollfd{streams[1].reading.get(), POLLIN, 0},
-                                  pollfd{feeding && feeding->hasMore() ? feeding->descriptor() : -1, POLLOUT, 0}};
-    if (waiting[0].fd < 0 && waiting[1].fd < 0) return false;
+                                  pollfd{feeding ? feeding->descriptor() : -1, POLLOUT, 0}};
+    if (waiting[0].fd < 0 && waiting[1].fd < 0) return;
     double left_s = leftOf(program, started_s);
     end.timed_out = left_s <= 0;
-    if (end.timed_out || (end.too_long && !program.drops_rest)) return false;
+    if (end.timed_out || (end.too_long && !program.drops_rest)) return;
     double longest_s = program.meanwhile ? 0.02 : 3600;
     int ready = ::poll(waiting.data(), waiting.size(), int(std::min(left_s, longest_s) * 1000) + 1);
     if (program.meanwhile) program.meanwhile();
@@ -259,96 +227,31 @@ void reap(pid_t child, const Program& program, double started_s, ProgramEnd& end
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
 }
 
-// A child and its connections to this process.
-struct Child {
-  std::array<Stream, 2> streams;
-  std::optional<Feeding> feeding;
-  pid_t id = -1;
-};
-
-// With `feeds`, the child gets a stream of input; otherwise all of its input exists at the start.
-void start(Child& child, const Program& program, bool feeds) {
-  STROBE_ASSERT(!program.arguments.empty());
-  Descriptor input;
-  if (feeds) child.feeding.emplace(program, input);
-  else fill(input, program);
-  child.streams[0].open(program);
-  if (program.errors == Program::Errors::apart) child.streams[1].open(program);
-  child.id = start(program, input, child.streams[0], child.streams[1]);
-  for (Stream& stream : child.streams) stream.writing.reset();
-}
-
-// Collects the output until the answer is complete (true) or the child has ended (false).
-bool answered(Child& child, const Program& program, const IsWhole& is_whole, ProgramEnd& end) {
-  const double started_s = clockSeconds();
-  bool whole = false;
-  try {
-    whole = collect(program, child.streams, child.feeding ? &*child.feeding : nullptr, started_s, is_whole, end);
-  } catch (...) {
-    endAndRethrow(child.id);
-  }
-  if (!whole) reap(child.id, program, started_s, end);
-  end.output = std::exchange(child.streams[0].text, {});
-  end.errors = std::exchange(child.streams[1].text, {});
-  end.seconds = clockSeconds() - started_s;
-  return whole;
-}
-
 }  // namespace
 
 ProgramEnd run(const Program& program) {
-  Child child;
-  start(child, program, program.more_input != nullptr);
+  STROBE_ASSERT(!program.arguments.empty());
+  Descriptor input;
+  std::optional<Feeding> feeding;
+  if (program.more_input) feeding.emplace(program, input);
+  else fill(input, program);
+  std::array<Stream, 2> streams;
+  streams[0].open(program);
+  if (program.errors == Program::Errors::apart) streams[1].open(program);
+  const double started_s = clockSeconds();
+  const pid_t child = start(program, input, streams[0], streams[1]);
+  input.reset();
+  for (Stream& stream : streams) stream.writing.reset();
   ProgramEnd end;
-  answered(child, program, {}, end);
-  return end;
-}
-
-struct WaitingProgram::State {
-  Program program;
-  Child child;
-  bool is_over = false;
-};
-
-WaitingProgram::WaitingProgram(Program program) : state_(std::make_unique<State>()) {
-  state_->program = std::move(program);
-  start(state_->child, state_->program, true);
-  // Sends as much as the child takes now. The rest follows with the next input.
-  Feeding& feeding = *state_->child.feeding;
-  feeding.give("", false);
-  if (feeding.hasMore()) feeding.write();
-}
-
-WaitingProgram::WaitingProgram(WaitingProgram&&) noexcept = default;
-
-WaitingProgram::~WaitingProgram() {
-  if (!state_ || state_->is_over) return;
-  const pid_t child = state_->child.id;
-  ::kill(-child, SIGKILL);
-  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
-}
-
-bool WaitingProgram::waits() const {
-  siginfo_t info{};
-  const pid_t child = state_->child.id;
-  return !state_->is_over && ::waitid(P_PID, id_t(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
-}
-
-ProgramEnd WaitingProgram::run(const std::string& input) {
-  STROBE_ASSERT(!std::exchange(state_->is_over, true), "the program has ended");
-  state_->child.feeding->give(input, true);
-  ProgramEnd end;
-  answered(state_->child, state_->program, {}, end);
-  return end;
-}
-
-ProgramEnd WaitingProgram::ask(const std::string& input, double wall_s, const IsWhole& is_whole) {
-  STROBE_ASSERT(!state_->is_over, "the program has ended");
-  state_->program.wall_s = wall_s;
-  state_->child.feeding->give(input, false);
-  ProgramEnd end;
-  state_->is_over = true;
-  state_->is_over = !answered(state_->child, state_->program, is_whole, end);
+  try {
+    collect(program, streams, feeding ? &*feeding : nullptr, started_s, end);
+  } catch (...) {
+    endAndRethrow(child);
+  }
+  reap(child, program, started_s, end);
+  end.output = std::move(streams[0].text);
+  end.errors = std::move(streams[1].text);
+  end.seconds = clockSeconds() - started_s;
   return end;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,7 @@
 
 namespace strobe {
 
-// Child process to run: arguments, environment, input, and limits on time, memory and output.
+// Child process to run: arguments, environment, input, and limits on time and output.
 struct Program {
   // The first argument is the program: a path, or a name in PATH.
   std::vector<std::string> arguments;
@@ -26,11 +25,8 @@ struct Program {
   enum class Errors { apart, with_output, inherited };
   Errors errors = Errors::apart;
 
-  // Limits; 0: no limit. At the wall-clock limit, the whole process group of the child is killed. The system enforces
-  // the other limits (SIGXCPU, failed allocations).
+  // Limit of wall-clock time, at which the whole process group of the child is killed; 0: no limit.
   double wall_s = 0;
-  double cpu_s = 0;  // whole seconds, rounded up
-  size_t memory_bytes = 0;
   // Bytes kept of each stream. A child that writes more is killed, or with `drops_rest` continues and the rest is
   // dropped.
   size_t output_bytes = size_t{64} << 20;
@@ -57,28 +53,5 @@ struct ProgramEnd {
 // Runs the program until it has closed its streams and has ended. The child leads its own process group. It is killed
 // if this process ends first. Throws `Error` if the program cannot be started.
 ProgramEnd run(const Program& program);
-
-// A program that is started before its input exists, to save the start time later, or that answers several inputs. The
-// destructor ends the program, unless it has ended. The system ends it with the thread that created it.
-class WaitingProgram {
- public:
-  // Starts the program and writes `program.input`; more input follows. Throws `Error` if the program cannot be started.
-  explicit WaitingProgram(Program program);
-  WaitingProgram(WaitingProgram&&) noexcept;
-  ~WaitingProgram();
-  // True if the program still waits for input.
-  bool waits() const;
-  // Writes the last input and waits for the end, as `strobe::run`. The wall-clock limit counts from this call.
-  ProgramEnd run(const std::string& input);
-  // Writes `input` and waits until `is_whole` returns true for the text written to stdout since this call. The program
-  // then waits for the next input. If it ends before or exceeds a limit, it is over, and the result states why.
-  // `wall_s` counts from this call.
-  ProgramEnd ask(const std::string& input, double wall_s,
-                 const std::function<bool(const std::string& output)>& is_whole);
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
 
 }  // namespace strobe

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "bench/times.h"
-#include "math/line.h"
+#include "math/effects.h"
 
 namespace strobe::bench {
 

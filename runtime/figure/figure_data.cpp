@@ -40,41 +40,25 @@ void take(const Json& from, const char* name, Value& into, More&&... more) {
   if constexpr (sizeof...(more) > 0) take(from, more...);
 }
 
-void takeCommon(const Json& json, FigureMark& mark) {
-  take(json, "color", mark.colour, "width", mark.width, "text", mark.text);
-  mark.place = placeOf(json, {});
-}
-
-void takeOwn(const Json& json, Arrow& arrow) {
-  take(json, "on", arrow.to.node, "to", arrow.to.pixel, "from", arrow.from, "by", arrow.by);
-}
-void takeOwn(const Json& json, Circle& circle) {
-  take(json, "on", circle.at.node, "at", circle.at.pixel, "radius", circle.radius);
-}
-void takeOwn(const Json& json, BoxMark& box) { box.area = areaOf(json.at("area")); }
-void takeOwn(const Json& json, RangeMark& range) {
-  range.at = pointOf(json.at("at"));
-  take(json, "anchor", range.anchor, "along", range.along, "samples", range.samples, "displacement",
-       range.displacement);
-}
-void takeOwn(const Json& json, Words& words) { words.at = pointOf(json.at("at")); }
-
-template <class Kind>
-void takeMarks(const Json& json, const char* name, std::vector<Kind>& into) {
-  if (!json.contains(name)) return;
-  for (const Json& one : json[name]) {
-    takeCommon(one, into.emplace_back());
-    takeOwn(one, into.back());
+std::vector<FigureMark> marksOf(const Json& json) {
+  using Kind = FigureMark::Kind;
+  constexpr std::pair<const char*, Kind> kLists[] = {{"boxes", Kind::box},
+                                                     {"circles", Kind::circle},
+                                                     {"ranges", Kind::range},
+                                                     {"arrows", Kind::arrow},
+                                                     {"texts", Kind::text}};
+  std::vector<FigureMark> marks;
+  for (const auto& [list, kind] : kLists) {
+    if (!json.contains(list)) continue;
+    for (const Json& one : json[list]) {
+      FigureMark& mark = marks.emplace_back();
+      mark.kind = kind;
+      mark.place = placeOf(one, {});
+      take(one, "color", mark.colour, "width", mark.width, "text", mark.text, "on", mark.at.node, "at", mark.at.pixel,
+           "to", mark.at.pixel, "from", mark.from, "by", mark.by, "radius", mark.radius, "area", mark.area, "anchor",
+           mark.anchor, "along", mark.along, "samples", mark.samples, "displacement", mark.displacement);
+    }
   }
-}
-
-Marks marksOf(const Json& json) {
-  Marks marks;
-  takeMarks(json, "arrows", marks.arrows);
-  takeMarks(json, "boxes", marks.boxes);
-  takeMarks(json, "circles", marks.circles);
-  takeMarks(json, "ranges", marks.ranges);
-  takeMarks(json, "texts", marks.texts);
   return marks;
 }
 

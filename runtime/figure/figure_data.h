@@ -29,48 +29,25 @@ struct Area {
   std::string region;
 };
 
-// Properties common to all marks over a picture: place in the file, colour, line width in pixels of the figure, text.
+// Mark over a picture or inset. Kinds in the order of drawing.
 struct FigureMark {
+  enum class Kind { box, circle, range, arrow, text };
+  Kind kind = Kind::box;
   Place place;
   Colour colour = {1.0f, 0.824f, 0.118f};
   double width = 3;  // of lines, pixels of the figure
   std::string text;
-};
-// Arrow over a picture, with its tip at `to`. The other end is a pixel, an offset from the tip, or at the upper left
-// by default.
-struct Arrow : FigureMark {
-  Spot to;
-  std::optional<dvec2> from, by;  // position of the other end; offset of the other end from the tip
-};
-// Circle over a picture: centre, and radius in pixels of the capture.
-struct Circle : FigureMark {
-  Spot at;
-  double radius = 0;
-};
-// Outline of a rectangle over a picture.
-struct BoxMark : FigureMark {
-  Area area;
-};
-// Sample range of a filter for a pixel, along the displacement of an image at the pixel.
-struct RangeMark : FigureMark {
-  dvec2 at = dvec2(0);
-  std::string anchor;  // "" for the shot's anchor
-  std::string along = "velocity";
+  Spot at;  // tip of an arrow; centre of a circle or a text; pixel of a range
+  // Arrow: position of the other end; offset of the other end from the tip. Without both, the other end is at the upper
+  // left.
+  std::optional<dvec2> from, by;
+  double radius = 0;  // circle: pixels of the capture
+  Area area;          // box
+  // Range: sample range of a filter, along the displacement of the image `along` at the pixel. `anchor`: "" for the
+  // shot's anchor.
+  std::string anchor, along = "velocity";
   int samples = 0;
   bool displacement = false;
-};
-// Text over a picture, centred at a pixel.
-struct Words : FigureMark {
-  dvec2 at = dvec2(0);
-};
-
-// All marks over one picture or inset, by kind: arrows, boxes, circles, sample ranges and texts.
-struct Marks {
-  std::vector<Arrow> arrows;
-  std::vector<BoxMark> boxes;
-  std::vector<Circle> circles;
-  std::vector<RangeMark> ranges;
-  std::vector<Words> texts;
 };
 
 // Magnified part of a picture, drawn in a corner of the picture or below it, with its own marks.
@@ -80,7 +57,7 @@ struct Inset {
   int zoom = 4;
   std::string at = "bottom right";
   Colour frame = {1.0f, 0.824f, 0.118f};
-  Marks marks;
+  std::vector<FigureMark> marks;  // in the order of drawing
 };
 
 // Part of a caption: a text, or one of the other values with its format. `style`: 'f', 'g', or 0 for the default
@@ -109,7 +86,7 @@ struct FigureCell {
   std::optional<Colour> frame;
   std::vector<CaptionPart> caption;
   std::vector<Inset> insets;
-  Marks marks;
+  std::vector<FigureMark> marks;  // in the order of drawing
 };
 
 // Text above a row. The note is filled in as a caption of the row's first cell.

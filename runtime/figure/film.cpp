@@ -61,37 +61,6 @@ bool hasFfmpeg() {
 
 int evenOf(int length) { return length + length % 2; }
 
-// Frames of a film. Each has the size of the first frame.
-class Frames {
- public:
-  Frames(const FigureData& film, const FindTaken& find, const std::string& truth_arm, int steps)
-      : film_(film), find_(find), truth_arm_(truth_arm), steps_(steps) {}
-
-  int width = 0, height = 0;  // set by the first `next`; even, because two neighbouring pixels share their colour
-
-  // Returns the RGB bytes of the next frame; "" after the last frame.
-  std::string next() {
-    if (step_ == steps_) return "";
-    Layout layout = layoutOf(film_, find_, truth_arm_, step_, Captions::one_line);
-    if (width == 0) width = evenOf(layout.width()), height = evenOf(layout.height());
-    if (layout.width() > width || layout.height() > height)
-      throw Error(fmt::format("step {} of film '{}' is larger than the first: {}x{} instead of {}x{}", step_,
-                              film_.name, layout.width(), layout.height(), width, height),
-                  film_.place);
-    Canvas canvas(Canvas::Kind::pixels, width, height);
-    layout.draw(canvas);
-    ++step_;
-    return image::levelsOf(canvas.pixels());
-  }
-
- private:
-  const FigureData& film_;
-  const FindTaken& find_;
-  const std::string& truth_arm_;
-  const int steps_;
-  int step_ = 0;
-};
-
 // Frame rate of the film, or of the first shot in the film.
 double fpsOf(const FigureData& film, const FindTaken& find) {
   if (film.fps > 0) return film.fps;
@@ -111,14 +80,29 @@ std::vector<Path> writeFilm(const Json& data, const FindTaken& find, int steps, 
   if (!hasFfmpeg())
     throw Error(fmt::format("film '{}' needs ffmpeg, which is not installed (Debian package ffmpeg)", film.name),
                 film.place);
-  Frames frames(film, find, truth_arm, steps);
-  std::string first = frames.next();
+  int step = 0;
+  int width = 0, height = 0;  // of the first frame; even, because two neighbouring pixels share their colour
+  // RGB bytes of the next frame, of the size of the first frame; "" after the last frame.
+  auto next = [&]() -> std::string {
+    if (step == steps) return "";
+    Layout layout = layoutOf(film, find, truth_arm, step, Captions::one_line);
+    if (width == 0) width = evenOf(layout.width()), height = evenOf(layout.height());
+    if (layout.width() > width || layout.height() > height)
+      throw Error(fmt::format("step {} of film '{}' is larger than the first: {}x{} instead of {}x{}", step, film.name,
+                              layout.width(), layout.height(), width, height),
+                  film.place);
+    Canvas canvas(Canvas::Kind::pixels, width, height);
+    layout.draw(canvas);
+    ++step;
+    return image::levelsOf(canvas.pixels());
+  };
+  std::string first = next();
   fs::create_directories(folder);
   Path file = folder / (film.name + "." + film.format);
   TemporaryFile temporary(file);
   Program ffmpeg;
-  ffmpeg.arguments = commandOf(film.format, frames.width, frames.height, fpsOf(film, find), temporary.path());
-  ffmpeg.more_input = [&] { return first.empty() ? frames.next() : std::exchange(first, {}); };
+  ffmpeg.arguments = commandOf(film.format, width, height, fpsOf(film, find), temporary.path());
+  ffmpeg.more_input = [&] { return first.empty() ? next() : std::exchange(first, {}); };
   ProgramEnd end = run(ffmpeg);
   if (!end.succeeded())
     throw Error(fmt::format("film '{}': ffmpeg ended with {}: {}", film.name, end.code(), end.errors), film.place);

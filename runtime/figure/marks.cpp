@@ -14,8 +14,26 @@ class Drawer {
   Drawer(const Taken& taken, const Lens& lens, double size, Problems& problems)
       : taken_(taken), lens_(lens), size_(size), problems_(problems) {}
 
-  void draw(const Arrow& arrow) {
-    std::optional<dvec2> tip = placed(arrow.to, arrow, "an arrow");
+  void draw(const FigureMark& mark) {
+    switch (mark.kind) {
+      case FigureMark::Kind::box:
+        return box(mark);
+      case FigureMark::Kind::circle:
+        return circle(mark);
+      case FigureMark::Kind::range:
+        return range(mark);
+      case FigureMark::Kind::arrow:
+        return arrow(mark);
+      case FigureMark::Kind::text:
+        return text(mark);
+    }
+  }
+
+  std::vector<FigureShape> finished() { return std::move(shapes_); }
+
+ private:
+  void arrow(const FigureMark& arrow) {
+    std::optional<dvec2> tip = placed(arrow, "an arrow");
     if (!tip) return;
     dvec2 to = lens_.inFigure(*tip), from = to - dvec2(34, 34) * size_;
     if (arrow.from) from = lens_.inFigure(lens_.centre(*arrow.from));
@@ -28,15 +46,15 @@ class Drawer {
     add(ShapeKind::words, arrow).to = from + back * 11.0 * size_;
   }
 
-  void draw(const Circle& circle) {
-    std::optional<dvec2> at = placed(circle.at, circle, "a circle");
+  void circle(const FigureMark& circle) {
+    std::optional<dvec2> at = placed(circle, "a circle");
     if (!at) return;
     add(ShapeKind::ring, circle).to = lens_.inFigure(*at);
     shapes_.back().radius = circle.radius * lens_.scale().x * lens_.zoom();
     if (!circle.text.empty()) words(circle, lens_.inFigure(*at) + dvec2(0, shapes_.back().radius + 12 * size_));
   }
 
-  void draw(const BoxMark& box) {
+  void box(const FigureMark& box) {
     dvec2 corner(box.area.x, box.area.y), far = corner + dvec2(box.area.width, box.area.height);
     dvec2 middle = lens_.corner(0.5 * (corner + far));
     if (!lens_.shows(middle)) return problem(box, "a box has its middle");
@@ -49,8 +67,8 @@ class Drawer {
 
   // X - d t over the times t of the exposure: raster-time position of the point that is at X at time t
   // (shaders/lib/blur.glsl).
-  void draw(const RangeMark& range) {
-    dvec2 at = lens_.centre(range.at);
+  void range(const FigureMark& range) {
+    dvec2 at = lens_.centre(range.at.pixel);
     if (!lens_.shows(at)) return problem(range, "a range is placed");
     std::optional<dvec2> found = displacementAt(range, at);
     std::optional<dvec2> window = windowOf(range);
@@ -85,15 +103,12 @@ class Drawer {
     if (!range.text.empty()) words(range, pixel + dvec2(0, (3 * range.width + 10) * size_));
   }
 
-  void draw(const Words& text) {
-    dvec2 at = lens_.centre(text.at);
+  void text(const FigureMark& text) {
+    dvec2 at = lens_.centre(text.at.pixel);
     if (!lens_.shows(at)) return problem(text, "a text is placed");
     words(text, lens_.inFigure(at));
   }
 
-  std::vector<FigureShape> finished() { return std::move(shapes_); }
-
- private:
   FigureShape& add(ShapeKind kind, const FigureMark& mark) {
     FigureShape& shape = shapes_.emplace_back();
     shape.kind = kind, shape.colour = mark.colour, shape.width = mark.width * size_;
@@ -110,7 +125,8 @@ class Drawer {
   }
 
   // Position in the picture, pixels. Empty for a node that is not visible.
-  std::optional<dvec2> placed(const Spot& spot, const FigureMark& mark, const std::string& what) {
+  std::optional<dvec2> placed(const FigureMark& mark, const std::string& what) {
+    const Spot& spot = mark.at;
     if (spot.node.empty()) {
       dvec2 at = lens_.centre(spot.pixel);
       if (lens_.shows(at)) return at;
@@ -133,7 +149,7 @@ class Drawer {
   }
 
   // Displacement over the exposure at a position in the picture, pixels, from the image that the range follows.
-  std::optional<dvec2> displacementAt(const RangeMark& range, dvec2 at) {
+  std::optional<dvec2> displacementAt(const FigureMark& range, dvec2 at) {
     const graph::ReadImage* read = findImage(taken_, range.along, range.place, problems_);
     if (!read) return {};
     if (read->floats.empty() || read->floats.channels < 2) {
@@ -149,7 +165,7 @@ class Drawer {
   }
 
   // Start and end of the exposure relative to the raster time, in exposures.
-  std::optional<dvec2> windowOf(const RangeMark& range) {
+  std::optional<dvec2> windowOf(const FigureMark& range) {
     const Json& record = taken_.picture->record;
     std::string anchor = range.anchor;
     if (anchor.empty() && record.contains("shot")) anchor = record["shot"].value("anchor", "end");
@@ -186,14 +202,10 @@ const graph::ReadImage* findImage(const Taken& taken, const std::string& name, c
   return nullptr;
 }
 
-std::vector<FigureShape> shapesOf(const Marks& marks, const Taken& taken, const Lens& lens, double size,
-                                  Problems& problems) {
+std::vector<FigureShape> shapesOf(const std::vector<FigureMark>& marks, const Taken& taken, const Lens& lens,
+                                  double size, Problems& problems) {
   Drawer drawer(taken, lens, size, problems);
-  for (const BoxMark& box : marks.boxes) drawer.draw(box);
-  for (const Circle& circle : marks.circles) drawer.draw(circle);
-  for (const RangeMark& range : marks.ranges) drawer.draw(range);
-  for (const Arrow& arrow : marks.arrows) drawer.draw(arrow);
-  for (const Words& text : marks.texts) drawer.draw(text);
+  for (const FigureMark& mark : marks) drawer.draw(mark);
   return drawer.finished();
 }
 

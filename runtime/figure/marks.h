@@ -46,7 +46,7 @@ const graph::ReadImage* findImage(const Taken& taken, const std::string& name, c
 
 // `size`: factor for line widths. A mark outside of the lens is a mistake, except for a mark on a node of the scene,
 // which is then omitted.
-std::vector<FigureShape> shapesOf(const Marks& marks, const Taken& taken, const Lens& lens, double size,
-                                  Problems& problems);
+std::vector<FigureShape> shapesOf(const std::vector<FigureMark>& marks, const Taken& taken, const Lens& lens,
+                                  double size, Problems& problems);
 
 }  // namespace strobe::figure

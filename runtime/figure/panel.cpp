@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "figure/captions.h"
-#include "image/crops.h"
+#include "image/draw.h"
 #include "image/false_colour.h"
 #include "image/flip.h"
 #include "lab/record.h"
@@ -138,9 +138,7 @@ class Maker {
     bool first = &*std::find_if(figure_.cells.begin(), figure_.cells.end(), of_row) == &cell_;
     if (first && size_t(cell_.row) < figure_.headings.size())
       block_.above = filled(figure_.headings[size_t(cell_.row)].note);
-    const Json& record = taken->picture->record;
-    block_.attribution = lab::attributionOf(record);
-    if (record.contains("shot")) block_.fps = record["shot"].value("fps", 0.0);
+    block_.attribution = lab::attributionOf(taken->picture->record);
     return block_;
   }
 
@@ -184,8 +182,9 @@ class Maker {
     return areaOf(in_pixels, picture, scale_, place, problems_);
   }
 
-  std::vector<FigureShape> shapes(Marks marks, const Taken& taken, const Lens& lens) {
-    for (BoxMark& box : marks.boxes) box.area = placed(box.area, box.place).value_or(Area());
+  std::vector<FigureShape> shapes(std::vector<FigureMark> marks, const Taken& taken, const Lens& lens) {
+    for (FigureMark& mark : marks)
+      if (mark.kind == FigureMark::Kind::box) mark.area = placed(mark.area, mark.place).value_or(Area());
     return shapesOf(marks, taken, lens, figure_.size(), problems_);
   }
 

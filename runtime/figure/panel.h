@@ -24,7 +24,6 @@ struct Block {
   std::string caption;
   std::string above;        // note above the row, if this is the row's first cell
   std::string attribution;  // of the scene
-  double fps = 0;           // of the shot
 };
 
 // Block of a cell. `step`: step of a cell that does not set one. Mistakes (missing image, node or region, crop outside

@@ -63,7 +63,8 @@ static void setPose(world::GpuScene& scene, gpu::Staging& staging, uint32_t slic
 void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const Frame& setup) {
   dvec3 origin = frameOrigin(setup);
   scene.setMotion(staging, setup.facts.moves, setup.motion.paths);
-  const double times[] = {setup.view.raster_s, setup.view.open_s, setup.view.close_s, setup.view.raster_s - setup.frame_s};
+  const double times[] = {setup.view.raster_s, setup.view.open_s, setup.view.close_s,
+                          setup.view.raster_s - setup.frame_s};
   for (uint32_t slice : {SLICE_RASTER, SLICE_SHUTTER_OPEN, SLICE_SHUTTER_CLOSE, SLICE_PREVIOUS})
     setPose(scene, staging, slice, plan, setup, times[slice], origin);
 }

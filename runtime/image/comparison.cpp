@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "base/json.h"
 #include "image/exr.h"
 #include "image/metrics.h"
 #include "image/png.h"
@@ -141,43 +140,6 @@ void alignPictures(ComparedPicture& test, ComparedPicture& reference, ComparedPi
   mask.linear = cutTo(mask.linear, mask.data, area);
 }
 
-static void requireComparable(const Image& test, const Image& reference, const Image& mask) {
-  auto refuse = [&](const char* what, const Image& other) {
-    throw Error(fmt::format("the {} has {}x{} pixels, but the test image has {}x{}", what, other.width, other.height,
-                            test.width, test.height));
-  };
-  if (!sameSize(reference, test)) refuse("reference", reference);
-  if (mask.empty()) return;
-  if (!sameSize(mask, test)) refuse("mask", mask);
-  if (countedPixels(test, mask) == 0) throw Error("the mask is empty: all its pixels are below 0.5");
-}
-
-ImageComparison compareImages(const Image& test, const Image& reference, const Image& mask,
-                              const CompareOptions& options) {
-  requireComparable(test, reference, mask);
-  ImageComparison result;
-  result.pixels = countedPixels(test, mask);
-  result.mse = meanSquaredError(test, reference, mask);
-  result.rmse = std::sqrt(result.mse);
-  result.psnr = psnr(test, reference, mask);
-  result.relmse = relativeMse(test, reference, mask);
-  result.relmse_trimmed = trimmedRelativeMse(test, reference, mask);
-  result.smape = smape(test, reference, mask);
-  result.ssim = ssim(test, reference, mask);
-  if (mask.empty()) result.ms_ssim = multiScaleSsim(test, reference);
-
-  result.ldr_map = ldrFlip(test, reference, options.pixels_per_degree);
-  result.ldr_flip = meanOf(result.ldr_map, mask);
-  result.ldr_flip_max = largestOf(result.ldr_map, mask);
-  if (!options.hdr) return result;
-  HdrFlip hdr = hdrFlip(test, reference, options.exposures, options.pixels_per_degree);
-  result.hdr_flip = meanOf(hdr.map, mask);
-  result.hdr_flip_max = largestOf(hdr.map, mask);
-  result.exposures = hdr.exposures;
-  result.hdr_map = std::move(hdr.map);
-  return result;
-}
-
 // JSON has no infinity, and null means "not measured".
 static Json number(const std::optional<double>& value) {
   if (!value || std::isnan(*value)) return nullptr;
@@ -185,30 +147,36 @@ static Json number(const std::optional<double>& value) {
   return *value;
 }
 
-Json comparisonJson(const ImageComparison& comparison) {
-  const ImageComparison& c = comparison;
-  const std::pair<const char*, std::optional<double>> values[] = {{"mse", c.mse},
-                                                                  {"rmse", c.rmse},
-                                                                  {"psnr", c.psnr},
-                                                                  {"relmse", c.relmse},
-                                                                  {"relmse_trimmed", c.relmse_trimmed},
-                                                                  {"smape", c.smape},
-                                                                  {"ssim", c.ssim},
-                                                                  {"ms_ssim", c.ms_ssim},
-                                                                  {"ldr_flip", c.ldr_flip},
-                                                                  {"ldr_flip_max", c.ldr_flip_max},
-                                                                  {"hdr_flip", c.hdr_flip},
-                                                                  {"hdr_flip_max", c.hdr_flip_max}};
-  Json json;
-  for (const auto& [name, value] : values) json[name] = number(value);
-  if (comparison.hdr_flip) {
-    json["hdr_flip_start"] = comparison.exposures.start;
-    json["hdr_flip_stop"] = comparison.exposures.stop;
-    json["hdr_flip_exposures"] = comparison.exposures.count;
-    json["hdr_flip_source"] = exposureSourceName(comparison.exposures.source);
+ImageComparison compareImages(const Image& test, const Image& reference, const Image& mask,
+                              const CompareOptions& options) {
+  const size_t pixels = countedPixels(test, mask);
+  if (pixels == 0) throw Error("the mask is empty: all its pixels are below 0.5");
+  const double mse = meanSquaredError(test, reference, mask);
+  Image map = ldrFlip(test, reference, options.pixels_per_degree);
+  Json numbers = {{"mse", number(mse)},
+                  {"rmse", number(std::sqrt(mse))},
+                  {"psnr", number(psnr(test, reference, mask))},
+                  {"relmse", number(relativeMse(test, reference, mask))},
+                  {"relmse_trimmed", number(trimmedRelativeMse(test, reference, mask))},
+                  {"smape", number(smape(test, reference, mask))},
+                  {"ssim", number(ssim(test, reference, mask))},
+                  {"ms_ssim", mask.empty() ? number(multiScaleSsim(test, reference)) : Json()},
+                  {"ldr_flip", number(meanOf(map, mask))},
+                  {"ldr_flip_max", number(largestOf(map, mask))},
+                  {"hdr_flip", nullptr},
+                  {"hdr_flip_max", nullptr}};
+  if (options.hdr) {
+    HdrFlip hdr = hdrFlip(test, reference, options.exposures, options.pixels_per_degree);
+    numbers["hdr_flip"] = number(meanOf(hdr.map, mask));
+    numbers["hdr_flip_max"] = number(largestOf(hdr.map, mask));
+    numbers["hdr_flip_start"] = hdr.exposures.start;
+    numbers["hdr_flip_stop"] = hdr.exposures.stop;
+    numbers["hdr_flip_exposures"] = hdr.exposures.count;
+    numbers["hdr_flip_source"] = exposureSourceName(hdr.exposures.source);
+    map = std::move(hdr.map);
   }
-  json["pixels"] = comparison.pixels;
-  return json;
+  numbers["pixels"] = pixels;
+  return {std::move(numbers), std::move(map)};
 }
 
 }  // namespace strobe::image

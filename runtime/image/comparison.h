@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/json_fwd.h"
+#include "base/json.h"
 #include "image/draw.h"
 #include "image/flip.h"
 
@@ -42,26 +42,19 @@ struct CompareOptions {
   double pixels_per_degree = kPixelsPerDegree;
 };
 
-// Errors of an image against a reference image. Absent values were not measured: SSIM of an image smaller than its
-// window, HDR-FLIP if it was not requested.
+// Errors of an image against a reference image.
 struct ImageComparison {
-  double mse = 0, rmse = 0, psnr = 0, relmse = 0, relmse_trimmed = 0, smape = 0;
-  std::optional<double> ssim, ms_ssim;  // ms_ssim takes no mask; absent with a mask
-  double ldr_flip = 0, ldr_flip_max = 0;
-  std::optional<double> hdr_flip, hdr_flip_max;
-  Exposures exposures;     // of hdr_flip
-  Image ldr_map, hdr_map;  // error maps of the whole image
-  size_t pixels = 0;       // number of compared pixels
+  // Keys mse rmse psnr relmse relmse_trimmed smape ssim ms_ssim ldr_flip ldr_flip_max hdr_flip hdr_flip_max pixels;
+  // with HDR also hdr_flip_start hdr_flip_stop hdr_flip_exposures hdr_flip_source. Null: not measured, as SSIM of an
+  // image smaller than its window, MS-SSIM with a mask, and HDR-FLIP unless requested. The PSNR of identical images is
+  // "inf".
+  Json numbers;
+  Image map;  // error map of the whole image: of HDR-FLIP if it was requested, else of LDR-FLIP
 };
 
-// Compares linear colour of the same size; `mask` as in metrics.h (empty: all pixels). Throws `Error` if sizes differ
-// or the mask selects no pixel.
+// Compares linear colour of the same size; `mask` as in metrics.h (empty: all pixels). Throws `Error` if the mask
+// selects no pixel.
 ImageComparison compareImages(const Image& test, const Image& reference, const Image& mask = {},
                               const CompareOptions& options = {});
-
-// Keys mse rmse psnr relmse relmse_trimmed smape ssim ms_ssim ldr_flip ldr_flip_max hdr_flip hdr_flip_max pixels; with
-// HDR also hdr_flip_start hdr_flip_stop hdr_flip_exposures hdr_flip_source. Absent values are null. The PSNR of
-// identical images is the string "inf".
-Json comparisonJson(const ImageComparison& comparison);
 
 }  // namespace strobe::image

@@ -2,6 +2,7 @@
 #include "image/draw.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 
@@ -16,12 +17,6 @@ Rectangle overlap(const Rectangle& a, const Rectangle& b) {
 // Part of a rectangle in an image.
 static Rectangle inside(const Image& image, const Rectangle& area) {
   return overlap(area, {0, 0, image.width, image.height});
-}
-
-Image filled(int width, int height, const Colour& colour) {
-  Image image(width, height, 3);
-  fill(image, {0, 0, width, height}, colour);
-  return image;
 }
 
 Image crop(const Image& image, Rectangle area) {
@@ -73,13 +68,71 @@ void fill(Image& onto, Rectangle area, const Colour& colour) {
     for (int x = part.x; x < part.x + part.width; ++x) std::copy_n(colour.begin(), 3, onto.pixel(x, y));
 }
 
-void paste(Image& onto, const Image& what, int x, int y) {
-  STROBE_ASSERT(onto.channels == 3 && (what.channels == 1 || what.channels >= 3), "{} onto {} channels", what.channels,
-                onto.channels);
-  Rectangle part = inside(onto, {x, y, what.width, what.height});
-  for (int py = part.y; py < part.y + part.height; ++py)
-    for (int px = part.x; px < part.x + part.width; ++px)
-      for (int c = 0; c < 3; ++c) onto.at(px, py, c) = what.at(px - x, py - y, what.channels == 1 ? 0 : c);
+Rectangle scaledCrop(const Rectangle& crop, double scale_x, double scale_y, const Image& picture) {
+  auto scaled = [](int value, double scale, int most) { return std::clamp(int(std::lround(value * scale)), 1, most); };
+  int width = scaled(crop.width, scale_x, picture.width), height = scaled(crop.height, scale_y, picture.height);
+  return {std::clamp(int(crop.x * scale_x), 0, picture.width - width),
+          std::clamp(int(crop.y * scale_y), 0, picture.height - height), width, height};
+}
+
+namespace {
+
+// Summed-area table of a map.
+class AreaSums {
+ public:
+  template <class Value>
+  AreaSums(const Image& map, const Value& value_of)
+      : row_(size_t(map.width) + 1), sums_(row_ * (size_t(map.height) + 1), 0) {
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x)
+        at(x + 1, y + 1) = value_of(map.at(x, y, 0)) + at(x, y + 1) + at(x + 1, y) - at(x, y);
+  }
+
+  double over(const Rectangle& area) {
+    int right = area.x + area.width, bottom = area.y + area.height;
+    return at(right, bottom) - at(area.x, bottom) - at(right, area.y) + at(area.x, area.y);
+  }
+
+ private:
+  double& at(int x, int y) { return sums_[size_t(y) * row_ + size_t(x)]; }
+
+  const size_t row_;
+  std::vector<double> sums_;
+};
+
+// Calls `visit` with each window of this size in the map, row by row.
+template <class Visit>
+void forWindows(const Image& map, int width, int height, const Visit& visit) {
+  for (int y = 0; y + height <= map.height; ++y)
+    for (int x = 0; x + width <= map.width; ++x) visit(Rectangle{x, y, width, height});
+}
+
+}  // namespace
+
+Rectangle densestCrop(const Image& mask, int width, int height) {
+  AreaSums sums(mask, [](float value) { return value >= 0.5f ? 1.0 : 0.0; });
+  Rectangle best{(mask.width - width) / 2, (mask.height - height) / 2, width, height};
+  double most = 0, least = 0;
+  const int qx = width / 4, qy = height / 4;
+  forWindows(mask, width, height, [&](const Rectangle& window) {
+    double all = sums.over(window);
+    // Among equal windows, choose the window with the most mask pixels in its middle.
+    double middle = sums.over({window.x + qx, window.y + qy, width - 2 * qx, height - 2 * qy});
+    if (all < most || (all == most && middle <= least)) return;
+    most = all, least = middle, best = window;
+  });
+  return best;
+}
+
+Rectangle worstWindow(const Image& map, int width, int height) {
+  width = std::clamp(width, 1, map.width), height = std::clamp(height, 1, map.height);
+  AreaSums sums(map, [](float value) { return double(value); });
+  Rectangle worst{0, 0, width, height};
+  double most = -1;
+  forWindows(map, width, height, [&](const Rectangle& window) {
+    if (double all = sums.over(window); all > most + 1e-9) most = all, worst = window;
+  });
+  return worst;
 }
 
 }  // namespace strobe::image

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies of parts of images. Pixels outside of an image are skipped.
+// Copies of parts of images, and the placement of crops. Pixels outside of an image are skipped.
 #pragma once
 
 #include "image/image.h"
@@ -16,9 +16,6 @@ struct Rectangle {
 // Common part of two rectangles; without pixels if there is none.
 Rectangle overlap(const Rectangle& a, const Rectangle& b);
 
-// Display image of three channels.
-Image filled(int width, int height, const Colour& colour);
-
 // Pixels of `image` inside `area`. `area` is first clipped to the image; any channel count. Throws `Error` if no pixel
 // is left.
 Image crop(const Image& image, Rectangle area);
@@ -32,6 +29,15 @@ Image shrunk(const Image& linear, int width, int height);
 
 // `onto` has three channels.
 void fill(Image& onto, Rectangle area, const Colour& colour);
-void paste(Image& onto, const Image& what, int x, int y);  // top left corner of `what` at (x, y)
+
+// Scales `crop` with the sides of a picture. The result has at least one pixel and lies inside the picture.
+Rectangle scaledCrop(const Rectangle& crop, double scale_x, double scale_y, const Image& picture);
+
+// Window of this size with the most pixels of a mask. Of several windows, the window with the most mask pixels in its
+// middle.
+Rectangle densestCrop(const Image& mask, int width, int height);
+
+// Window of this size with the largest sum of a map of one channel; the first of several.
+Rectangle worstWindow(const Image& map, int width, int height);
 
 }  // namespace strobe::image

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PNG files of display images (sRGB-encoded values in [0,1], see tone.h). 8 bits are written; any depth is read.
+// PNG and JPEG files of display images (sRGB-encoded values in [0,1], see tone.h). PNG: 8 bits are written; any depth
+// is read. JPEG is only written.
 #pragma once
 
 #include <string>
@@ -36,5 +37,9 @@ struct LinearPng {
 // Reads a PNG as display-referred, at any bit depth. The chunks sRGB, gAMA and cHRM are used; without these chunks the
 // values are sRGB. cICP and iCCP are used if they state sRGB, and noted otherwise.
 LinearPng readLinearPng(const Path& file);
+
+// JPEG file for pages that would be too large with PNG: small and lossy. `display` has 1 or 3 channels; values are
+// clamped. `quality` is 1 to 100. Equal arguments give equal bytes.
+std::string encodeJpeg(const Image& display, int quality);
 
 }  // namespace strobe::image

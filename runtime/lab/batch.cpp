@@ -59,8 +59,8 @@ std::shared_ptr<const Evaluation> Batch::derived(const std::string& pipeline, co
   }
   if (rest.empty()) return base.evaluation;
   try {
-    return std::make_shared<Evaluation>(Evaluation{plan::withSettings(*base.pipeline, rest), base.evaluation->scripts,
-                                                   base.evaluation->texts, base.evaluation->described});
+    return std::make_shared<Evaluation>(
+        Evaluation{plan::withSettings(*base.pipeline, rest), base.evaluation->scripts, base.evaluation->texts});
   } catch (const Error&) {
     return nullptr;  // the caller then runs the scripts, for a better message
   }

@@ -2,6 +2,7 @@
 // A shot ready to draw: scene on the device, plan, images and pipelines. Sessions, batches and renders use it.
 #pragma once
 
+#include "base/limit.h"
 #include "lab/workbench.h"
 
 namespace strobe::lab {

@@ -2,7 +2,6 @@
 #include "lab/evaluation.h"
 
 #include <algorithm>
-#include <set>
 
 #include "base/hash.h"
 #include "base/log.h"
@@ -38,10 +37,10 @@ static script::Texts textsOf(const std::vector<script::Dependency>& files, const
 }
 
 Evaluation evaluated(const Home& home, const std::string& pipeline, const script::Settings& sets,
-                     const script::Limits& limits) {
+                     const script::Limits& limits, const script::Texts& known) {
   Evaluation evaluation;
   evaluation.pipeline = script::evaluatePipeline(home, {pipeline, sets}, &evaluation.scripts, limits);
-  evaluation.texts = textsOf(evaluation.scripts, {}, {});
+  evaluation.texts = textsOf(evaluation.scripts, {}, known);
   return evaluation;
 }
 
@@ -56,53 +55,15 @@ bool isCurrent(const std::vector<script::Dependency>& files) {
                      [](const auto& file) { return script::hashOfPath(file.path) == file.hash; });
 }
 
-// Stamps of the files and of the folders of all roots. A new file in such a folder may take precedence over another.
-static Stamps stampsOfPlaces(const Home& home, const std::vector<script::Dependency>& files) {
-  Stamps stamps = stampsOf(files);
-  std::set<Path> folders;
-  for (const auto& file : files) {
-    folders.insert(file.path.parent_path());
-    if (auto name = home.nameOf(file.path))
-      for (const Path& place : home.places(Path(*name).parent_path())) folders.insert(place);
-  }
-  for (const Path& folder : folders) stamps.add(folder);
-  return stamps;
-}
-
-Evaluation Evaluator::evaluate(const std::string& pipeline, const script::Settings& sets) {
-  auto loaded = loaded_.find(pipeline);
-  if (loaded != loaded_.end() && !loaded->second.files.current()) {
-    loaded_.clear();
-    evaluator_.reset();
-    loaded = loaded_.end();
-  }
-  if (loaded == loaded_.end()) {
-    Evaluation first = evaluated(home_, pipeline, sets, limits_);
-    Stamps files = stampsOfPlaces(home_, first.scripts);
-    if (isCurrent(first.scripts)) loaded_[pipeline] = {std::move(files), first.texts};
-    return first;
-  }
-  if (!evaluator_ || within_ != limits_) {
-    within_ = limits_;
-    evaluator_ = std::make_unique<script::PipelineEvaluator>(home_, limits_);
-  }
-  Evaluation evaluation;
-  evaluation.pipeline = evaluator_->evaluate({pipeline, sets}, &evaluation.scripts);
-  evaluation.texts = textsOf(evaluation.scripts, {}, loaded->second.texts);
-  return evaluation;
-}
-
 Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
-                bool lenient, const Evaluation& before) {
+                bool lenient, const script::Texts& known) {
   Attempt tried;
   double started_s = clockSeconds();
   try {
     script::PipelineRequest request{shot.pipeline, shot.sets, texts};
     auto* dropped = lenient ? &tried.dropped : nullptr;
-    tried.good.described = before.described;
-    tried.good.pipeline =
-        script::evaluatePipeline(home, request, &tried.good.scripts, limits, dropped, &tried.good.described);
-    tried.good.texts = textsOf(tried.good.scripts, texts, before.texts);
+    tried.good.pipeline = script::evaluatePipeline(home, request, &tried.good.scripts, limits, dropped);
+    tried.good.texts = textsOf(tried.good.scripts, texts, known);
     tried.usable = true;
   } catch (const std::exception& error) {  // an `Error`, or a folder removed while it is listed
     tried.problems.push_back(error.what());
@@ -120,7 +81,7 @@ static script::Texts changedTexts(const script::Texts& good) {
 }
 
 Attempt attemptAround(const Home& home, const Shot& shot, const Evaluation& good, const script::Limits& limits) {
-  Attempt newest = attempt(home, shot, {}, limits, true, good);
+  Attempt newest = attempt(home, shot, {}, limits, true, good.texts);
   if (newest.usable || good.texts.empty()) return newest;
   script::Texts changed = changedTexts(good.texts), put_back;
   std::vector<std::string> problems = newest.problems;
@@ -131,7 +92,7 @@ Attempt attemptAround(const Home& home, const Shot& shot, const Evaluation& good
       if (problems.back().find(home.shown(file)) != std::string::npos) put_back[file] = text;
     if (put_back.size() == before) put_back = changed;
     if (put_back.size() == changed.size()) break;  // no other combination is left
-    Attempt around = attempt(home, shot, put_back, limits, true, good);
+    Attempt around = attempt(home, shot, put_back, limits, true, good.texts);
     ms += around.ms;
     problems.insert(problems.end(), around.problems.begin(), around.problems.end());
     if (!around.usable) continue;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/log.h"
-#include "script/process.h"
 
 namespace strobe::lab {
 
@@ -125,7 +124,6 @@ std::optional<FileChanges> ChangedFiles::newChanges(const Running& running, bool
 }
 
 std::optional<FileChanges> ChangedFiles::look(const Running& running, bool wait) {
-  if (!wait && !pending_) script::expectChildren(bench_.home(), bench_.limits, 1, running.drawing.evaluation().scripts);
   const bool first = !watches_all_;
   if (first) watchFolders(running.drawing);
   std::optional<FileChanges> changes = pending_ ? evaluatedInBackground(wait) : newChanges(running, first, wait);

@@ -93,7 +93,7 @@ std::shared_ptr<const Evaluation> Session::evaluationOf(const Shot& shot) const 
   auto decides = [&](const script::Setting& set) { return plan::decidesGraph(now.pipeline, set.first); };
   if (changed && std::none_of(changed->begin(), changed->end(), decides)) try {
       return std::make_shared<Evaluation>(
-          Evaluation{plan::withSettings(now.pipeline, *changed), now.scripts, now.texts, now.described});
+          Evaluation{plan::withSettings(now.pipeline, *changed), now.scripts, now.texts});
     } catch (const Error&) {
       // Run the scripts below, for a better message.
     }

@@ -82,9 +82,7 @@ class Session {
     return frame;
   }
   // Warnings about the limits that a drawn frame met, one line each: shot limits first, then pass limits.
-  std::vector<LimitMet> limitsMet(const graph::FrameResult& frame) const {
-    return running_->limitsMet(shot_, frame);
-  }
+  std::vector<LimitMet> limitsMet(const graph::FrameResult& frame) const { return running_->limitsMet(shot_, frame); }
   // The frame with sub-pixel samples, run record and timings, as written by `strobe render`.
   Picture capture(const std::function<void(int done, int of)>& progress = {}, bool id_coverage = false) {
     return running_->capture(shot_, nullptr, progress, id_coverage);

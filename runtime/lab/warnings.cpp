@@ -37,8 +37,8 @@ std::vector<LimitMet> limitsMet(const graph::FrameResult& frame) {
   const image::NotFinite found = image::notFiniteIn(image);
   if (found.pixels == 0) return {};
   return {kNotFiniteLimit.metBy(fmt::format("color: {} of {} pixels {} not finite, the first at {},{} ({})",
-                                           found.pixels, image.width * image.height, found.pixels == 1 ? "is" : "are",
-                                           found.x, found.y, found.value))};
+                                            found.pixels, image.width * image.height, found.pixels == 1 ? "is" : "are",
+                                            found.x, found.y, found.value))};
 }
 
 // Limits of clips that do not play because an earlier clip drives the same target.
@@ -53,7 +53,7 @@ static std::vector<LimitMet> sharedTargets(const scene::Scene& scene) {
     const size_t more = names.size() - std::min(names.size(), kMostNames);
     names.resize(names.size() - more);
     met.push_back(kSharedTargetLimit.metBy(fmt::format("clips '{}'{} drive {}", fmt::join(names, "', '"),
-                                                      more ? fmt::format(" and {} more", more) : "", shared.second)));
+                                                       more ? fmt::format(" and {} more", more) : "", shared.second)));
   }
   return met;
 }
@@ -69,15 +69,14 @@ static bool isCut(const Shot& shot, const scene::Scene& scene, const scene::Anim
 // Time of the first key without STEP interpolation, seconds; the end of the clip without such a key.
 static double firstKey(const scene::Animation& clip) {
   double first_s = clip.duration;
-  for (const scene::Track* track : scene::tracksOf(clip))
-    if (track->interpolation != scene::Track::Interpolation::Step) first_s = std::min(first_s, track->times.front());
+  for (const scene::Track& track : clip.tracks)
+    if (track.interpolation != scene::Track::Interpolation::Step) first_s = std::min(first_s, track.times.front());
   return first_s;
 }
 
 static bool jumpsAtTheEnd(const scene::Animation& clip) {
-  const std::vector<const scene::Track*> tracks = scene::tracksOf(clip);
-  return std::any_of(tracks.begin(), tracks.end(),
-                     [&](const scene::Track* track) { return scene::jumpsAtTheEnd(clip, *track); });
+  return std::any_of(clip.tracks.begin(), clip.tracks.end(),
+                     [&](const scene::Track& track) { return scene::jumpsAtTheEnd(clip, track); });
 }
 
 std::vector<LimitMet> limitsMet(const Shot& shot, const scene::Scene& scene) {

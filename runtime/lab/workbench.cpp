@@ -64,7 +64,7 @@ static std::string shownBeside(const std::string& scene, const Path& file) {
 }
 
 scene::FilePlaces filePlaces(const Home& home, const std::string& scene, bool allow_outside) {
-  scene::FilePlaces places{script::sceneScript(home, scene).parent_path(), {}, allow_outside};
+  scene::FilePlaces places{script::sceneFolder(home, scene), {}, allow_outside};
   for (const Path& root : home.roots())
     if (places.root.empty() && liesIn(places.folder, root)) places.root = root;
   return places;
@@ -137,8 +137,7 @@ std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, 
   std::shared_ptr<world::GpuScene>& held = on_device[{slices, structures}];
   if (!held) {
     const double started_s = clockSeconds();
-    if (!unposed) world::requireMemory(loaded.scene, structures, gpu::limitsOf(device));
-    world::requireFits(loaded.scene, slices, gpu::limitsOf(device));
+    world::requireFits(loaded.scene, slices, structures, gpu::limitsOf(device));
     if (!unposed) unposed = std::make_shared<world::UnposedScene>(device, loaded.scene);
     held = std::make_shared<world::GpuScene>(device, loaded.scene, slices, unposed, structures);
     if (device_s == 0) device_s = clockSeconds() - started_s;
@@ -199,7 +198,8 @@ std::shared_ptr<const Evaluation> Workbench::evaluate(const std::string& pipelin
   if (known != evaluated_.end()) evaluated_.erase(known);
   if (evaluated_.size() >= kMost) evaluated_.clear();
   ++evaluations_;
-  auto evaluation = std::make_shared<Evaluation>(evaluator_.evaluate(pipeline, sets));
+  auto evaluation = std::make_shared<Evaluation>(evaluated(home_, pipeline, sets, limits, texts_));
+  texts_ = evaluation->texts;
   // Stamps before contents: a change in between then makes them differ.
   Stamps files = stampsOf(evaluation->scripts);
   if (isCurrent(evaluation->scripts)) evaluated_[key] = {std::move(files), evaluation};

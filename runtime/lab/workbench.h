@@ -132,8 +132,8 @@ class Workbench {
   std::shared_ptr<gpu::Device> device_;
   graph::PipelineCache cache_;
   std::list<KnownScene> scenes_;  // most recently used first
-  Evaluator evaluator_{home_, limits};
   std::map<std::string, KnownEvaluation> evaluated_;
+  script::Texts texts_;  // of the last evaluation
   int evaluations_ = 0;
 };
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "live/control_panel.h"
-
 #include <algorithm>
 #include <cstring>
 
+#include "live/panels.h"
 #include "live/sweep_axis.h"
 
 namespace strobe::live {

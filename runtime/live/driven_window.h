@@ -1,14 +1,41 @@
 // SPDX-License-Identifier: MIT
-// Actions of the drive file's commands in the window, and the conditions that they wait for.
+// Drive files: commands to the window, one per line, for tests and for screenshots of the window. A command may wait
+// for a condition.
 #pragma once
 
-#include "live/drive.h"
 #include "live/panels.h"
 #include "live/picture_view.h"
 #include "live/sweeper.h"
 #include "live/window.h"
 
 namespace strobe::live {
+
+class DrivenWindow;
+
+// One parsed line of a drive file, the script that controls the window: name, arguments and place in the file.
+struct Command {
+  std::string name;
+  std::vector<std::string> arguments;
+  Place place;
+};
+
+// Name, arguments, description and action of a command. The guide, the parser and the window use the same table.
+struct CommandForm {
+  std::string name;
+  std::string arguments;  // "NAME VALUE"; "[X]" is optional
+  std::string doc;
+  // Executes a command. Returns false if it must be called again after the next frame. Throws `Error` on failure.
+  bool (*run)(DrivenWindow& window, const Command& command);
+};
+
+// Words are separated by spaces. Double quotes join words. '#' outside of quotes begins a comment. Throws `Error` with
+// all mistakes and their lines. The message for an unknown command has the nearest known command.
+std::vector<Command> parseDrive(const std::string& text, const std::string& file);
+
+// Argument of a command as a number. Both functions throw `Error` at the command's place if the text is not such a
+// number.
+double numberOf(const Command& command, size_t argument);
+int integerOf(const Command& command, size_t argument);
 
 // Parts of the window that commands use. The parts must outlive the DrivenWindow.
 struct DrivenParts {
@@ -27,28 +54,22 @@ struct DrivenParts {
 // over several frames.
 class DrivenWindow {
  public:
+  static const std::vector<CommandForm> kForms;  // all commands
+
   // Throws `Error` with all mistakes of the file.
   DrivenWindow(const Path& file, const DrivenParts& parts);
   DrivenWindow(const DrivenWindow&) = delete;
 
   // Executes commands until one has to wait; call once per turn. Throws `Error` at the place of the failed command.
-  void advance() { drive_.advance(); }
-  bool done() const { return drive_.done(); }
+  void advance();
+  bool done() const { return next_ == commands_.size(); }
   // Sets ImGui's pointer and button from the commands, so that the position of the mouse has no effect.
   void point(const PictureView& view) const;
 
  private:
-  using Handlers = std::map<std::string, Handler>;
-  Handlers handlers();
-  void addShotHandlers(Handlers& handlers);
-  void addLookHandlers(Handlers& handlers);
-  void addWaitHandlers(Handlers& handlers);
-  void addFileHandlers(Handlers& handlers);
-  void addSweepHandlers(Handlers& handlers);
-  Handler afterFrames(int frames, std::function<void(const Command&)> then);
-
   DrivenParts parts_;
-  Drive drive_;
+  std::vector<Command> commands_;
+  size_t next_ = 0;
   // State of commands that wait.
   std::optional<int> wait_from_;
   std::optional<double> wait_since_s_;

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/log.h"
-#include "live/control_panel.h"
 #include "page/number.h"
 
 namespace strobe::live {
@@ -177,24 +176,6 @@ void errorTable(const Fonts& fonts, Desk& desk) {
            desk.look().mode == Mode::Error ? "truth starts" : "choose error (5) to gather truth for an RMSE");
 }
 
-// Lists the values that differ between the two sides.
-void differences(const Fonts& fonts, Desk& desk) {
-  if (!desk.b() || !ImGui::TreeNodeEx("differences", ImGuiTreeNodeFlags_SpanAvailWidth)) return;
-  std::map<std::string, std::string> of_b;
-  for (const lab::Control& control : desk.b()->session->controls())
-    of_b[control.declaration.name] = lab::plainText(control.value);
-  int shown = 0;
-  for (const lab::Control& control : desk.a().session->controls()) {
-    auto found = of_b.find(control.declaration.name);
-    std::string value = lab::plainText(control.value);
-    if (found == of_b.end() || found->second == value) continue;
-    textIn(fonts.small, colours::kText, fmt::format("{}: {} | {}", control.declaration.name, value, found->second));
-    ++shown;
-  }
-  if (shown == 0) textIn(fonts.small, colours::kDim, "no control of both has different values");
-  ImGui::TreePop();
-}
-
 // Setting of the mode. One row in every mode, so that the rows below do not move.
 void modePart(const Fonts& fonts, Desk& desk) {
   Look& look = desk.look();
@@ -226,7 +207,6 @@ void comparePart(const Fonts& fonts, Desk& desk, PanelState& state) {
   modePart(fonts, desk);
   Look& look = desk.look();
   if (desk.b() || look.mode == Mode::Error) errorTable(fonts, desk);
-  differences(fonts, desk);
 }
 
 // ---- right: times

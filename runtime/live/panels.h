@@ -10,6 +10,7 @@
 #include "live/keys.h"
 #include "live/placement.h"
 #include "live/style.h"
+#include "live/widgets.h"
 
 namespace strobe::live {
 
@@ -41,6 +42,12 @@ void beginPanel(const char* name, float x, float y, float width, float height, b
 
 // Calls `change`. An `Error` becomes the message.
 void attempt(PanelState& state, const std::function<void()>& change);
+
+// Draws the value of the last slider as a bar along the slider's lower edge, so that the bar does not cover the text.
+void slidePlace(const Widget& slider, double value);
+
+// Draws the panel of controls: one widget per declaration, in groups that can be folded and searched.
+void drawControls(const Fonts& fonts, Desk& desk, PanelState& state);
 
 // Draws the panels at the sides of the window. Returns the remaining area for the picture.
 WindowArea drawPanels(const Fonts& fonts, Desk& desk, PanelState& state);

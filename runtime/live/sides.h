@@ -3,6 +3,7 @@
 // takes all other values from A.
 #pragma once
 
+#include "base/limit.h"
 #include "lab/session.h"
 #include "live/camera.h"
 #include "live/times.h"
@@ -15,9 +16,9 @@ struct Side {
 
   std::unique_ptr<lab::Session> session;
   graph::FrameResult frame;
-  image::Image color;                 // linear, three channels; empty before the first frame
-  std::string drawn_port;             // displayed image of `frame`; "color" if the chosen image is missing
-  std::string problem;                // message of a failed last frame, or ""
+  image::Image color;            // linear, three channels; empty before the first frame
+  std::string drawn_port;        // displayed image of `frame`; "color" if the chosen image is missing
+  std::string problem;           // message of a failed last frame, or ""
   std::vector<LimitMet> limits;  // limits that the frame met
   TimeHistory times;
   bool stale = true;  // values changed since the frame was drawn

@@ -6,9 +6,8 @@
 #include <limits>
 
 #include "base/log.h"
-#include "image/crops.h"
+#include "image/draw.h"
 #include "image/metrics.h"
-#include "live/thumbnails.h"
 #include "math/statistics.h"
 
 namespace strobe::live {
@@ -90,7 +89,7 @@ bool Sweep::step(const GatheredTruth& shared) { return draw() || measure(shared)
 
 void Sweep::fail(SweepPoint& point, const Error& error) {
   point.problem = error.message();
-  point.color = point.thumbnail = {};
+  point.color = {};
 }
 
 bool Sweep::draw() {
@@ -99,7 +98,6 @@ bool Sweep::draw() {
   if (stopped_ || next == points_.end()) return false;
   try {
     next->color = image::threeChannels(*batch_.color(next->shot));
-    next->thumbnail = reduced(next->color);
     batch_.forgetColorsOf(next->shot.pipeline);
   } catch (const Error& error) {
     fail(*next, error);
@@ -207,6 +205,25 @@ int Sweep::samples() const {
     least = least == 0 ? point.samples : std::min(least, point.samples);
   }
   return least;
+}
+
+// ---- thumbnails
+
+static const int kThumbnail = 192;  // longer side, pixels
+
+image::Image reduced(const image::Image& linear) {
+  const int longer = std::max(linear.width, linear.height);
+  if (longer <= kThumbnail) return linear;
+  return image::shrunk(linear, std::max(1, kThumbnail * linear.width / longer),
+                       std::max(1, kThumbnail * linear.height / longer));
+}
+
+image::Image thumbnailOf(const SweepPoint& point, const SweepPoint* worst) {
+  if (!worst || point.color.empty()) return reduced(point.color);
+  const image::Rectangle area = image::scaledCrop(worst->worst, double(point.color.width) / worst->color.width,
+                                                  double(point.color.height) / worst->color.height, point.color);
+  const image::Image small = reduced(image::crop(point.color, area));
+  return image::magnify(small, std::max(1, kThumbnail / std::max(small.width, small.height)));
 }
 
 }  // namespace strobe::live

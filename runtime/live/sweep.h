@@ -10,13 +10,12 @@
 
 namespace strobe::live {
 
-// Result of one point of a parameter sweep: the shot, its picture and thumbnail, GPU times in milliseconds, RMSE
+// Result of one point of a parameter sweep: the shot, its picture, GPU times in milliseconds, RMSE
 // against ground truth, and the crop with the largest error.
 struct SweepPoint {
   std::vector<size_t> at;       // index of the value on each axis
   lab::Shot shot;               // shot with these values
   image::Image color;           // linear, three channels; empty before it is drawn
-  image::Image thumbnail;       // `color`, reduced
   std::string problem;          // message of a failure, or ""
   std::vector<double> ms;       // device time of a frame, for each round
   std::optional<double> error;  // RMSE of the linear colour against ground truth with `samples` samples
@@ -87,5 +86,12 @@ class Sweep {
 
 // Returns the shot with another value of the control `name`.
 lab::Shot withValue(lab::Shot shot, const std::string& name, const plan::Value& value);
+
+// Picture reduced by box filtering until no side is longer than a thumbnail's; never enlarged.
+image::Image reduced(const image::Image& linear);
+
+// Linear thumbnail of a point; empty before the point is drawn. Shows the crop of `worst` (Sweep::worst) with its
+// pixels as squares, or the whole picture if `worst` is null.
+image::Image thumbnailOf(const SweepPoint& point, const SweepPoint* worst);
 
 }  // namespace strobe::live

@@ -6,6 +6,7 @@
 
 #include "image/legend.h"
 #include "image/magma.h"
+#include "image/tone.h"
 #include "live/widgets.h"
 #include "page/number.h"
 
@@ -231,12 +232,16 @@ float heightOf(const Sweeper& sweeper, const WindowArea& area) {
 
 void SweepPanel::prepare(Surface& surface, const Sweeper& sweeper, double stops) {
   if (!sweeper.isOpen()) return;
-  Made made{sweeper.serial(), sweeper.sweep().drawn(), stops, sweeper.sweep().worst()};
-  if (made.worst) made.x = made.worst->worst.x, made.y = made.worst->worst.y;
-  if (made_ == made) return;
-  thumbnails_ = thumbnailsOf(sweeper.sweep(), stops);
-  surface.upload(sheet_, "sweep", thumbnails_.sheet, true);
-  made_ = made;
+  const Sweep& sweep = sweeper.sweep();
+  const SweepPoint* worst = sweep.worst();
+  const Made made{sweeper.serial(), stops, worst, worst ? worst->worst : image::Rectangle()};
+  thumbnails_.resize(sweep.points().size());
+  for (size_t i = 0; i < thumbnails_.size(); ++i) {
+    const SweepPoint& point = sweep.points()[i];
+    if (point.color.empty() || thumbnails_[i].made == made) continue;
+    surface.upload(thumbnails_[i].texture, "sweep", image::toneMap(thumbnailOf(point, worst), {float(stops)}), true);
+    thumbnails_[i].made = made;
+  }
 }
 
 // Draws the thumbnail of a point. The crop has the aspect ratio of `size`.
@@ -245,11 +250,10 @@ void SweepPanel::drawPicture(const Sweep& sweep, size_t point, ImVec2 at, ImVec2
   ImVec2 end(at.x + size.x, at.y + size.y);
   const SweepPoint& of = sweep.points()[point];
   // Points of a sweep that began after the thumbnails were made lack a thumbnail.
-  bool has_picture = !of.color.empty() && sheet_ && point < thumbnails_.places.size();
+  bool has_picture = !of.color.empty() && point < thumbnails_.size() && thumbnails_[point].texture;
   if (!has_picture)
     return list->AddRectFilled(at, end, of.problem.empty() ? colours::kBackground : IM_COL32(58, 28, 26, 255));
-  const auto& place = thumbnails_.places[point];
-  list->AddImage(sheet_->id(), at, end, ImVec2(place[0], place[1]), ImVec2(place[2], place[3]));
+  list->AddImage(thumbnails_[point].texture->id(), at, end);
 }
 
 void SweepPanel::describe(const Fonts& fonts, const Sweep& sweep, size_t point) const {

@@ -6,7 +6,6 @@
 #include "live/panels.h"
 #include "live/surface.h"
 #include "live/sweeper.h"
-#include "live/thumbnails.h"
 
 namespace strobe::live {
 
@@ -38,14 +37,18 @@ class SweepPanel {
   };
 
  private:
-  // State that the thumbnails were made from.
+  // State that a thumbnail was made from.
   struct Made {
     int serial = 0;
-    size_t drawn = 0;
     double stops = 0;
     const SweepPoint* worst = nullptr;
-    int x = 0, y = 0;  // corner of the crop of `worst`
+    image::Rectangle crop;  // of `worst`
     bool operator==(const Made&) const = default;
+  };
+  // Thumbnail of a point on the device.
+  struct Thumbnail {
+    std::optional<Made> made;
+    std::unique_ptr<PanelTexture> texture;
   };
 
   void drawHead(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelState& state);
@@ -56,9 +59,7 @@ class SweepPanel {
   void drawPicture(const Sweep& sweep, size_t point, ImVec2 at, ImVec2 size) const;
   void describe(const Fonts& fonts, const Sweep& sweep, size_t point) const;
 
-  std::unique_ptr<PanelTexture> sheet_;
-  Thumbnails thumbnails_;
-  std::optional<Made> made_;
+  std::vector<Thumbnail> thumbnails_;  // by point
   bool focus_ = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "math/effects.h"
 
+#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
@@ -33,8 +34,6 @@ std::map<std::vector<int>, Cells> blocksOf(const Observations& observations, con
   return blocks;
 }
 
-std::vector<std::vector<double>> estimatesInput(size_t count) { return std::vector<std::vector<double>>(count); }
-
 }  // namespace
 
 Estimate estimatedMean(const std::vector<double>& values) {
@@ -46,27 +45,40 @@ Estimate estimatedMean(const std::vector<double>& values) {
   return estimate;
 }
 
-MainEffect mainEffect(const Observations& observations, size_t factor, size_t levels) {
-  MainEffect effect;
-  std::vector<std::vector<double>> differences = estimatesInput(levels);
-  for (const auto& [block, cells] : blocksOf(observations, {factor})) {
-    if (cells.size() < levels) {
+Effect effectOf(const Observations& observations, const std::vector<size_t>& factors,
+                const std::vector<size_t>& levels) {
+  Effect effect;
+  const bool of_pair = factors.size() == 2;
+  const size_t count = of_pair ? levels[0] * levels[1] : levels[0];
+  std::vector<std::vector<double>> rests(count);
+  for (const auto& [block, cells] : blocksOf(observations, factors)) {
+    if (cells.size() < count) {
       ++effect.incomplete;
       continue;
     }
     ++effect.blocks;
     double middle = 0;
-    for (const auto& [cell, values] : cells) middle += mean(values) / double(levels);
-    for (const auto& [cell, values] : cells) differences[size_t(cell[0])].push_back(mean(values) - middle);
+    std::array<std::vector<double>, 2> means = {std::vector<double>(levels.front()),
+                                                std::vector<double>(levels.back())};
+    for (const auto& [cell, values] : cells) {
+      const double value = mean(values);
+      middle += value / double(count);
+      for (size_t f = 0; of_pair && f < 2; ++f) means[f][size_t(cell[f])] += value / double(levels[1 - f]);
+    }
+    for (const auto& [cell, values] : cells) {
+      const size_t first = size_t(cell.front()), last = size_t(cell.back());
+      if (of_pair) rests[first * levels[1] + last].push_back(mean(values) - means[0][first] - means[1][last] + middle);
+      else rests[first].push_back(mean(values) - middle);
+    }
   }
-  for (const std::vector<double>& of_level : differences) effect.levels.push_back(estimatedMean(of_level));
+  for (const std::vector<double>& of_level : rests) effect.levels.push_back(estimatedMean(of_level));
   return effect;
 }
 
-MainEffect unpairedEffect(const Observations& observations, size_t factor, size_t levels) {
-  MainEffect effect;
+Effect unpairedEffect(const Observations& observations, size_t factor, size_t levels) {
+  Effect effect;
   std::vector<double> all;
-  std::vector<std::vector<double>> differences = estimatesInput(levels);
+  std::vector<std::vector<double>> differences(levels);
   for (const Observation& one : observations)
     if (one.levels[factor] >= 0) all.push_back(one.value);
   double middle = mean(all);
@@ -76,37 +88,7 @@ MainEffect unpairedEffect(const Observations& observations, size_t factor, size_
   return effect;
 }
 
-Interaction interaction(const Observations& observations, size_t first, size_t second, size_t first_levels,
-                        size_t second_levels) {
-  Interaction result;
-  std::vector<std::vector<std::vector<double>>> rests(first_levels, estimatesInput(second_levels));
-  for (const auto& [block, cells] : blocksOf(observations, {first, second})) {
-    if (cells.size() < first_levels * second_levels) {
-      ++result.incomplete;
-      continue;
-    }
-    ++result.blocks;
-    std::vector<double> rows(first_levels, 0), columns(second_levels, 0);
-    double middle = 0;
-    for (const auto& [cell, values] : cells) {
-      double value = mean(values);
-      rows[size_t(cell[0])] += value / double(second_levels);
-      columns[size_t(cell[1])] += value / double(first_levels);
-      middle += value / double(first_levels * second_levels);
-    }
-    for (const auto& [cell, values] : cells) {
-      size_t row = size_t(cell[0]), column = size_t(cell[1]);
-      rests[row][column].push_back(mean(values) - rows[row] - columns[column] + middle);
-    }
-  }
-  for (const auto& row : rests) {
-    result.cells.emplace_back();
-    for (const std::vector<double>& cell : row) result.cells.back().push_back(estimatedMean(cell));
-  }
-  return result;
-}
-
-Slope slopeWithin(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& strata) {
+Estimate slopeWithin(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& strata) {
   std::map<int, std::vector<size_t>> members;
   for (size_t i = 0; i < x.size(); ++i) members[strata[i]].push_back(i);
   double xx = 0, xy = 0, yy = 0;
@@ -118,16 +100,28 @@ Slope slopeWithin(const std::vector<double>& x, const std::vector<double>& y, co
       xx += dx * dx, xy += dx * dy, yy += dy * dy;
     }
   }
-  Slope result;
-  result.observations = x.size();
-  if (!(xx > 0)) return result;
-  result.slope.value = xy / xx;
+  Estimate slope;
+  if (!(xx > 0)) return slope;
+  slope.value = xy / xx;
   double degrees = double(x.size()) - double(members.size()) - 1;
-  if (degrees < 1) return result;
+  if (degrees < 1) return slope;
   double rest = std::max(0.0, yy - xy * xy / xx);
   double half = tQuantile(degrees) * std::sqrt(rest / degrees / xx);
-  result.slope.low = result.slope.value - half, result.slope.high = result.slope.value + half;
-  return result;
+  slope.low = slope.value - half, slope.high = slope.value + half;
+  return slope;
+}
+
+LineFit lineThrough(const std::vector<double>& x, const std::vector<double>& y) {
+  LineFit line;
+  line.slope = slopeWithin(x, y, std::vector<int>(x.size(), 0));
+  line.intercept = mean(y) - line.slope.value * mean(x);
+  double all = 0, rest = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    all += std::pow(y[i] - mean(y), 2);
+    rest += std::pow(y[i] - line.at(x[i]), 2);
+  }
+  if (all > 0) line.r2 = 1 - rest / all;
+  return line;
 }
 
 }  // namespace strobe

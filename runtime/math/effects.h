@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "math/statistics.h"
@@ -28,35 +29,37 @@ struct Observation {
 };
 using Observations = std::vector<Observation>;  // all with the same number of factors
 
-// Main effect of one factor. Element i of `levels`: the value at level i minus the mean of its block, averaged over
-// complete blocks.
-struct MainEffect {
+// Main effect of one factor, or interaction of two. Element i of `levels` belongs to level i; of two factors, to level
+// i / n of the first and i % n of the second, which has n levels. Main effect: the value at the level minus the mean of
+// its block, averaged over complete blocks. Interaction: value - mean of the first's level - mean of the second's level
+// + mean of the block, averaged over complete blocks.
+struct Effect {
   std::vector<Estimate> levels;
   size_t blocks = 0, incomplete = 0;
 };
-MainEffect mainEffect(const Observations& observations, size_t factor, size_t levels);
+// `factors`: one or two. `levels`: number of levels of each.
+Effect effectOf(const Observations& observations, const std::vector<size_t>& factors,
+                const std::vector<size_t>& levels);
 
 // Main effect of a factor without complete blocks: the value at a level minus the mean of all values, averaged over the
 // observations of that level. The interval is over these observations. The result includes the effects of all other
 // factors that vary.
-MainEffect unpairedEffect(const Observations& observations, size_t factor, size_t levels);
-
-// Interaction of two factors. Element [i][j] of `cells`, for level i of `first` and level j of `second`: cell - mean of
-// its row - mean of its column + mean of the block, averaged over complete blocks. Blocks have equal levels of all
-// factors but these two.
-struct Interaction {
-  std::vector<std::vector<Estimate>> cells;
-  size_t blocks = 0, incomplete = 0;
-};
-Interaction interaction(const Observations& observations, size_t first, size_t second, size_t first_levels,
-                        size_t second_levels);
+Effect unpairedEffect(const Observations& observations, size_t factor, size_t levels);
 
 // Slope of a straight line over `x` by least squares, with a separate intercept for each stratum. The degrees of
 // freedom of its t interval are n - strata - 1. NaN if x does not vary within strata.
-struct Slope {
-  Estimate slope;
-  size_t observations = 0;
+Estimate slopeWithin(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& strata);
+
+// Slope with its confidence interval, intercept and coefficient of determination of a least-squares line y(x).
+struct LineFit {
+  Estimate slope;  // t interval with n - 2 degrees of freedom; the interval is NaN for fewer than three points
+  double intercept = std::numeric_limits<double>::quiet_NaN();
+  double r2 = std::numeric_limits<double>::quiet_NaN();  // coefficient of determination; NaN if y does not vary
+
+  double at(double x) const { return intercept + slope.value * x; }
 };
-Slope slopeWithin(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& strata);
+
+// `x` and `y` have the same size and finite values. All results are NaN if x does not vary.
+LineFit lineThrough(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace strobe

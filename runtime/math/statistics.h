@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace strobe {
@@ -48,5 +50,10 @@ double variance(const std::vector<double>& values);
 
 // Standard deviation of the mean of independent values: sqrt(variance / n). At least two values.
 double standardError(const std::vector<double>& values);
+
+// Indices of the points that no other point dominates, by ascending first value; the first of equal points. A point
+// dominates another one if neither of its values is larger and one is smaller. Points with a value that is not finite
+// are left out.
+std::vector<size_t> paretoFront(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace strobe

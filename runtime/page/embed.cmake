@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, the C++ table of the files in FOLDER (runtime/page/embedded.h):
+# Writes OUTPUT, the C++ table of the files in FOLDER (runtime/page/templates.h):
 #   cmake -DFOLDER=... -DOUTPUT=... -P embed.cmake
 file(GLOB files ${FOLDER}/*)
 list(SORT files)
-set(text "// Written by runtime/page/embed.cmake.\n#include \"page/embedded.h\"\n\nnamespace strobe::page {\n\n")
+set(text "// Written by runtime/page/embed.cmake.\n#include \"page/templates.h\"\n\nnamespace strobe::page {\n\n")
 string(APPEND text "static const EmbeddedFile kFiles[] = {\n")
 foreach(file ${files})
   get_filename_component(name ${file} NAME)

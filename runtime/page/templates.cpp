@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/json.h"
-#include "page/embedded.h"
 #include "page/markup.h"
 
 namespace strobe::page {
@@ -14,8 +13,8 @@ namespace strobe::page {
 namespace mustache = kainjow::mustache;
 
 std::string_view asset(std::string_view name) {
-  for (const EmbeddedFile& file : embeddedFiles())
-    if (file.name == name) return file.content;
+  for (const auto& [file, content] : embeddedFiles())
+    if (file == name) return content;
   assertFailed("asset", __FILE__, __LINE__, std::string(name));
 }
 

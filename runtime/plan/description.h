@@ -315,14 +315,13 @@ bool hasParts(const PipelineDesc& pipeline);
 // Readers of the canonical form. Its text comes from another process, so names, references, types and ranges are
 // checked. Throws `Error` with the place of a mistake.
 PassDesc passFromJson(const Json& json);
-// Data that several descriptions of one pipeline have in common. These descriptions have a number n in place of the nth
-// pass of `passes`, counted from 1, and no field "params".
+std::vector<ParamDesc> paramsFromJson(const Json& list);
+// Parts that descriptions of pipelines often have in common. A description without "passes" and "params" takes these.
 struct SharedParts {
   std::vector<PassDesc> passes;
   std::vector<ParamDesc> params;
 };
-SharedParts knownFromJson(const Json& json);
-PipelineDesc pipelineFromJson(const Json& json, const SharedParts& known = {});
+PipelineDesc pipelineFromJson(const Json& json, SharedParts parts = {});
 
 // The checks of `passFromJson` that concern several fields. Throws `Error` at the place of the first mistake.
 void checkPass(const PassDesc& pass);

@@ -135,25 +135,11 @@ void refuseTwinRoles(const Reader& reader, const std::vector<ParamDesc>& params)
   }
 }
 
-PassDesc passOf(const Reader& reader, const Json& json, const SharedParts& known) {
-  if (!json.is_number_integer()) return passFromJson(json);
-  const int64_t number = json.get<int64_t>();
-  if (number < 1 || uint64_t(number) > known.passes.size()) reader.fail(fmt::format("unknown pass number {}", number));
-  return known.passes[size_t(number) - 1];
-}
-
 }  // namespace
 
-SharedParts knownFromJson(const Json& json) {
-  Reader reader(json, "known declarations");
-  SharedParts known;
-  known.params = itemsOf(reader.list("params"), readParam);
-  for (const Json& pass : reader.list("passes")) known.passes.push_back(passFromJson(pass));
-  reader.finish();
-  return known;
-}
+std::vector<ParamDesc> paramsFromJson(const Json& list) { return itemsOf(list, readParam); }
 
-PipelineDesc pipelineFromJson(const Json& json, const SharedParts& known) {
+PipelineDesc pipelineFromJson(const Json& json, SharedParts parts) {
   Reader reader(json, "pipeline");
   PipelineDesc pipeline;
   pipeline.name = reader.text("name", std::nullopt);
@@ -161,7 +147,7 @@ PipelineDesc pipelineFromJson(const Json& json, const SharedParts& known) {
   pipeline.doc = reader.text("doc");
   reader.setPlace({pipeline.file});
   if (reader.has("kind")) pipeline.kind = static_cast<PipelineDesc::Kind>(reader.oneOf("kind", pipelineKindNames()));
-  pipeline.params = reader.has("params") ? itemsOf(reader.list("params"), readParam) : known.params;
+  pipeline.params = reader.has("params") ? itemsOf(reader.list("params"), readParam) : std::move(parts.params);
   pipeline.graph_params = namesIn(reader.list("graph_params"), pipeline);
   refuseTwinRoles(reader, pipeline.params);
   readPresets(reader, pipeline);
@@ -169,7 +155,7 @@ PipelineDesc pipelineFromJson(const Json& json, const SharedParts& known) {
   if (reader.has("breaks")) pipeline.breaks = breaksOf(reader, reader.table("breaks"));
   pipeline.compare_with = reader.text("compare_with");
   pipeline.equals = itemsOf(reader.list("equals"), [&](const Json& equal) { return readEqual(equal, pipeline); });
-  pipeline.passes = itemsOf(reader.list("passes"), [&](const Json& pass) { return passOf(reader, pass, known); });
+  pipeline.passes = reader.has("passes") ? itemsOf(reader.list("passes"), passFromJson) : std::move(parts.passes);
   pipeline.loops = itemsOf(reader.list("loops"), readLoop);
   pipeline.nodes = itemsOf(reader.list("nodes"), readNode);
   pipeline.outputs = textsByName(reader, "outputs");

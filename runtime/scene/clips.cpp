@@ -9,14 +9,6 @@
 
 namespace strobe::scene {
 
-std::vector<const Track*> tracksOf(const Animation& clip) {
-  std::vector<const Track*> tracks;
-  for (const Track& track : clip.tracks) tracks.push_back(&track);
-  for (const WeightTrack& track : clip.weights) tracks.push_back(&track.keys);
-  for (const PropertyTrack& track : clip.properties) tracks.push_back(&track.keys);
-  return tracks;
-}
-
 bool jumpsAtTheEnd(const Animation& clip, const Track& track) {
   if (track.interpolation == Track::Interpolation::Step) return false;
   const dvec4 first = valueAt(track, 0), last = valueAt(track, clip.duration);
@@ -34,31 +26,20 @@ using TargetKey = std::array<int, 3>;
 using NamedTarget = std::pair<TargetKey, std::string>;
 
 NamedTarget targetOf(const Scene& scene, const Track& track) {
-  static const char* const kNames[] = {"translation", "rotation", "scale"};
-  const int target = int(track.target);
-  return {{0, track.node, target},
-          fmt::format("{} of node '{}'", kNames[target], scene.nodes[size_t(track.node)].name)};
-}
-
-NamedTarget targetOf(const Scene& scene, const WeightTrack& track) {
-  return {{1, track.node, int(track.target)},
-          fmt::format("weight {} of node '{}'", track.target, scene.nodes[size_t(track.node)].name)};
-}
-
-NamedTarget targetOf(const Scene& scene, const PropertyTrack& track) {
-  static const char* const kNames[] = {"field of view", "half height", "near plane", "colour",
-                                       "intensity",     "range",       "inner cone", "outer cone"};
-  const size_t index = size_t(track.index);
-  const std::string& name = track.isOfCamera() ? scene.cameras[index].name : scene.lights[index].name;
-  return {{2, int(track.property), track.index},
-          fmt::format("{} of {} '{}'", kNames[int(track.property)], track.isOfCamera() ? "camera" : "light", name)};
+  static const char* const kNames[] = {"translation", "rotation", "scale",     "weight", "field of view", "half height",
+                                       "near plane",  "colour",   "intensity", "range",  "inner cone",    "outer cone"};
+  const size_t object = size_t(track.object);
+  std::string name = kNames[int(track.target)];
+  if (track.target == Track::Target::Weight) name += fmt::format(" {}", track.weight);
+  name += track.isOfNode()     ? fmt::format(" of node '{}'", scene.nodes[object].name)
+          : track.isOfCamera() ? fmt::format(" of camera '{}'", scene.cameras[object].name)
+                               : fmt::format(" of light '{}'", scene.lights[object].name);
+  return {{int(track.target), track.object, int(track.weight)}, name};
 }
 
 std::vector<NamedTarget> targetsOf(const Scene& scene, const Animation& clip) {
   std::vector<NamedTarget> targets;
   for (const Track& track : clip.tracks) targets.push_back(targetOf(scene, track));
-  for (const WeightTrack& track : clip.weights) targets.push_back(targetOf(scene, track));
-  for (const PropertyTrack& track : clip.properties) targets.push_back(targetOf(scene, track));
   return targets;
 }
 

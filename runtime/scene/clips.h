@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Clips of a scene: their tracks, and the clips that play together.
+// Clips of a scene: jumps at their ends, and the clips that play together.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace strobe::scene {
-
-// Keys of all tracks of a clip: nodes, weights, cameras and lights.
-std::vector<const Track*> tracksOf(const Animation& clip);
 
 // True if the value of a track at the end of its clip differs from its value at the start by more than the rounding of
 // floats. False for STEP tracks, because they do not blur. The quaternions q and -q are one rotation.

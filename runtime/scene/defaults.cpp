@@ -79,12 +79,12 @@ static void addCamera(Scene& scene) {
 
   Node node;
   node.name = "default camera";
-  node.rotation =
+  node.transform.rotation =
       glm::angleAxis(glm::radians(20.0), dvec3(0, 1, 0)) * glm::angleAxis(glm::radians(-15.0), dvec3(1, 0, 0));
-  dmat3 world_from_camera = glm::mat3_cast(node.rotation);
+  dmat3 world_from_camera = glm::mat3_cast(node.transform.rotation);
   double distance = framingDistance(bounds, world_from_camera, camera.vertical_fov);
   if (distance <= 0) distance = 1;
-  node.translation = bounds.middle() + world_from_camera[2] * distance;
+  node.transform.translation = bounds.middle() + world_from_camera[2] * distance;
   node.camera = int(scene.cameras.size());
   camera.near = distance * 1e-3;
   scene.cameras.push_back(camera);
@@ -111,7 +111,7 @@ static void addLight(Scene& scene, int camera) {
   Node node;
   node.name = "default light";
   node.parent = camera;
-  node.rotation =
+  node.transform.rotation =
       glm::angleAxis(glm::radians(-20.0), dvec3(0, 1, 0)) * glm::angleAxis(glm::radians(-20.0), dvec3(1, 0, 0));
   node.light = int(scene.lights.size());
   scene.lights.push_back(light);

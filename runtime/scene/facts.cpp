@@ -44,7 +44,7 @@ static std::vector<bool> movingNodes(const Scene& scene, const std::string& anim
   std::vector<bool> moves(scene.nodes.size(), false);
   for (const Animation* clip : clipsOf(scene, animation))
     for (const Track& track : clip->tracks)
-      if (varies(*clip, track, from_s, to_s)) moves[size_t(track.node)] = true;
+      if (track.isOfTransform() && varies(*clip, track, from_s, to_s)) moves[size_t(track.object)] = true;
   for (const ConstantMotion& motion : scene.motions)
     if (isMotion(motion)) moves[size_t(motion.node)] = true;
   markDescendants(scene, moves);
@@ -55,8 +55,9 @@ static std::vector<bool> movingNodes(const Scene& scene, const std::string& anim
 static std::vector<bool> morphingNodes(const Scene& scene, const std::string& animation, double from_s, double to_s) {
   std::vector<bool> morphs(scene.nodes.size(), false);
   for (const Animation* clip : clipsOf(scene, animation))
-    for (const WeightTrack& track : clip->weights)
-      if (varies(*clip, track.keys, from_s, to_s)) morphs[size_t(track.node)] = true;
+    for (const Track& track : clip->tracks)
+      if (track.target == Track::Target::Weight && varies(*clip, track, from_s, to_s))
+        morphs[size_t(track.object)] = true;
   return morphs;
 }
 
@@ -105,9 +106,9 @@ class Driven {
   // True if keys change the lens of a camera or the emission of a light.
   bool isProperty(bool of_camera, int index, Span span) const {
     for (const Animation* clip : clipsOf(scene_, animation_))
-      for (const PropertyTrack& track : clip->properties)
-        if (track.isOfCamera() == of_camera && track.index == index && isTime(span) &&
-            varies(*clip, track.keys, span.first, span.second))
+      for (const Track& track : clip->tracks)
+        if ((of_camera ? track.isOfCamera() : track.isOfLight()) && track.object == index && isTime(span) &&
+            varies(*clip, track, span.first, span.second))
           return true;
     return false;
   }

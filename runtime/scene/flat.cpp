@@ -87,7 +87,7 @@ std::vector<bool> flatteningNodes(const Scene& scene) {
   for (const dmat4& world : worlds) flattens.push_back(isFlat(dmat3(world)));
   for (const Animation& clip : scene.animations)
     for (const Track& track : clip.tracks)
-      if (track.target == Track::Target::Scale && mayFlatten(scalesOf(track))) flattens[size_t(track.node)] = true;
+      if (track.target == Track::Target::Scale && mayFlatten(scalesOf(track))) flattens[size_t(track.object)] = true;
   markDescendants(scene, flattens);
   return flattens;
 }

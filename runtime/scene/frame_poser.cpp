@@ -44,11 +44,11 @@ void FramePoser::addClips(std::vector<NodeTime>& nodes) const {
   for (const Animation* clip : clipsOf(scene_, animation_)) {
     if (clip->cuts.empty()) continue;
     const NodeTime its{Clock::Objects, {}, {clip}};
-    for (const Track& track : clip->tracks) nodes[size_t(track.node)].add(its);
-    for (const WeightTrack& track : clip->weights) nodes[size_t(track.node)].add(its);
-    for (const PropertyTrack& track : clip->properties)
-      for (size_t i = 0; i < nodes.size(); ++i)
-        if ((track.isOfCamera() ? scene_.nodes[i].camera : scene_.nodes[i].light) == track.index) nodes[i].add(its);
+    for (const Track& track : clip->tracks) {
+      if (track.isOfNode()) nodes[size_t(track.object)].add(its);
+      for (size_t i = 0; i < nodes.size() && !track.isOfNode(); ++i)
+        if ((track.isOfCamera() ? scene_.nodes[i].camera : scene_.nodes[i].light) == track.object) nodes[i].add(its);
+    }
   }
 }
 

@@ -143,13 +143,13 @@ class GltfLoader {
   void readTransform(const Json& json, const std::string& where, Node& node) {
     auto t = file_.numbers(json, "translation", {0, 0, 0}, where), s = file_.numbers(json, "scale", {1, 1, 1}, where);
     auto r = file_.numbers(json, "rotation", {0, 0, 0, 1}, where);
-    node.translation = {t[0], t[1], t[2]};
-    node.scale = {s[0], s[1], s[2]};
+    node.transform.translation = {t[0], t[1], t[2]};
+    node.transform.scale = {s[0], s[1], s[2]};
     dquat rotation(r[3], r[0], r[1], r[2]);
     double length = glm::length(rotation);
     if (std::abs(length - 1) > 0.01)
       file_.refuse(where, fmt::format("its rotation is a quaternion of length {}, not 1", length));
-    node.rotation = rotation / length;
+    node.transform.rotation = rotation / length;
     if (!json.contains("matrix")) return;
     for (const char* part : {"translation", "rotation", "scale"})
       if (json.contains(part)) file_.refuse(where, fmt::format("has both a matrix and a {}", part));

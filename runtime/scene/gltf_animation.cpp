@@ -48,15 +48,14 @@ class AnimationReader {
     std::optional<PointerTarget> target = targetOf(channel, where);
     if (!target) return;
     const Json& sampler = json["samplers"][file_.size(channel, "sampler", std::nullopt, where)];
-    if (!target->morphed.empty()) return readWeights(sampler, where, *target, animation);
+    if (target->target == Track::Target::Weight) return readWeights(sampler, where, *target, animation);
     Track track;
-    track.node = target->node;
+    track.object = target->object;
     track.target = target->target;
     readKeys(sampler, where, track);
     readValues(sampler, where, target->components, track);
     animation.duration = std::max(animation.duration, track.times.back());
-    if (target->property) return animation.properties.push_back({*target->property, target->index, std::move(track)});
-    splitMatrix(scene_.nodes[track.node]);
+    if (track.isOfTransform()) splitMatrix(scene_.nodes[track.object]);
     animation.tracks.push_back(std::move(track));
   }
 
@@ -66,14 +65,14 @@ class AnimationReader {
     std::string path = file_.text(target, "path", where);
     if (path == "pointer") return pointed(target, where);
     PointerTarget result;
-    result.node = file_.index(target, "node", "nodes", where);
-    if (result.node < 0) return warn(where + ": has no target node and is left out"), std::nullopt;
-    if (path == "weights") return once(weightsOf(file_, {result.node}, where), pointerTo(result.node, path), where);
+    result.object = file_.index(target, "node", "nodes", where);
+    if (result.object < 0) return warn(where + ": has no target node and is left out"), std::nullopt;
+    if (path == "weights") return once(weightsOf(file_, {result.object}, where), pointerTo(result.object, path), where);
     if (path == "rotation") result.target = Track::Target::Rotation, result.components = 4;
     else if (path == "scale") result.target = Track::Target::Scale;
     else if (path != "translation")
       return warn(fmt::format("{}: path '{}' is not supported; the channel is left out", where, path)), std::nullopt;
-    return once(result, pointerTo(result.node, path), where);
+    return once(result, pointerTo(result.object, path), where);
   }
 
   std::optional<PointerTarget> pointed(const Json& target, const std::string& where) {
@@ -134,6 +133,7 @@ class AnimationReader {
   // Adds a track for each weight. A key stores the values (or the tangents) of all weights in order.
   void readWeights(const Json& sampler, const std::string& where, const PointerTarget& target, Animation& animation) {
     Track keys;
+    keys.target = Track::Target::Weight;
     readKeys(sampler, where, keys);
     const size_t count = size_t(target.components);
     const Values values = outputOf(sampler, where, "SCALAR", count, keys);
@@ -141,7 +141,11 @@ class AnimationReader {
     for (size_t w = 0; w < count; ++w) {
       keys.values.clear();
       for (size_t i = w; i < values.count; i += count) keys.values.push_back(dvec4(values.numbers[i], 0, 0, 0));
-      for (int node : target.morphed) animation.weights.push_back({node, target.first_weight + w, keys});
+      keys.weight = target.first_weight + w;
+      for (int node : target.morphed) {
+        keys.object = node;
+        animation.tracks.push_back(keys);
+      }
     }
   }
 

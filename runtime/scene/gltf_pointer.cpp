@@ -9,7 +9,7 @@ namespace strobe::scene {
 
 namespace {
 
-using Property = PropertyTrack::Property;
+using Target = Track::Target;
 
 const Json& listAt(const GltfFile& file, const std::string& pointer) {
   if (pointer == "/nodes/") return file.all("nodes");
@@ -18,29 +18,28 @@ const Json& listAt(const GltfFile& file, const std::string& pointer) {
 }
 
 struct Row {
-  const char* list;        // pointer before the number
-  const char* rest;        // pointer after the number
-  const char* needs = "";  // a member that the object must have
-  std::optional<Property> property = {};
-  Track::Target target = Track::Target::Translation;
+  const char* list;   // pointer before the number
+  const char* rest;   // pointer after the number
+  const char* needs;  // a member that the object must have; "" for none
+  Target target;
   int components = 1;
 };
 
 constexpr const char* kLights = "/extensions/KHR_lights_punctual/lights/";
 
 const Row kRows[] = {
-    {"/nodes/", "/translation", "", {}, Track::Target::Translation, 3},
-    {"/nodes/", "/rotation", "", {}, Track::Target::Rotation, 4},
-    {"/nodes/", "/scale", "", {}, Track::Target::Scale, 3},
-    {"/cameras/", "/perspective/yfov", "perspective", Property::FieldOfView},
-    {"/cameras/", "/perspective/znear", "perspective", Property::Near},
-    {"/cameras/", "/orthographic/ymag", "orthographic", Property::HalfHeight},
-    {"/cameras/", "/orthographic/znear", "orthographic", Property::Near},
-    {kLights, "/color", "", Property::Color, Track::Target::Translation, 3},
-    {kLights, "/intensity", "", Property::Intensity},
-    {kLights, "/range", "", Property::Range},
-    {kLights, "/spot/innerConeAngle", "spot", Property::InnerCone},
-    {kLights, "/spot/outerConeAngle", "spot", Property::OuterCone},
+    {"/nodes/", "/translation", "", Target::Translation, 3},
+    {"/nodes/", "/rotation", "", Target::Rotation, 4},
+    {"/nodes/", "/scale", "", Target::Scale, 3},
+    {"/cameras/", "/perspective/yfov", "perspective", Target::FieldOfView},
+    {"/cameras/", "/perspective/znear", "perspective", Target::Near},
+    {"/cameras/", "/orthographic/ymag", "orthographic", Target::HalfHeight},
+    {"/cameras/", "/orthographic/znear", "orthographic", Target::Near},
+    {kLights, "/color", "", Target::Color, 3},
+    {kLights, "/intensity", "", Target::Intensity},
+    {kLights, "/range", "", Target::Range},
+    {kLights, "/spot/innerConeAngle", "spot", Target::InnerCone},
+    {kLights, "/spot/outerConeAngle", "spot", Target::OuterCone},
 };
 
 // Number between two parts of a pointer; nothing if the pointer has other parts.
@@ -75,7 +74,7 @@ std::optional<PointerTarget> weightsTarget(const GltfFile& file, const std::stri
   const int mesh = of_mesh ? int(*number) : file.index(file.all("nodes")[*number], "mesh", "meshes", where);
   const size_t count = mesh < 0 ? 0 : targetsOf(file, mesh);
   if (count == 0 || (one && *one >= count)) refuse();
-  PointerTarget result;
+  PointerTarget result{Target::Weight};
   result.morphed = of_mesh ? nodesWithWeightsOf(file, mesh) : std::vector<int>{int(*number)};
   result.first_weight = one.value_or(0);
   result.components = one ? 1 : int(count);
@@ -85,7 +84,7 @@ std::optional<PointerTarget> weightsTarget(const GltfFile& file, const std::stri
 }  // namespace
 
 PointerTarget weightsOf(const GltfFile& file, const std::vector<int>& nodes, const std::string& where) {
-  PointerTarget result;
+  PointerTarget result{Target::Weight};
   result.morphed = nodes;
   for (int node : nodes) {
     const int mesh = file.index(file.all("nodes").at(node), "mesh", "meshes", where);
@@ -104,9 +103,8 @@ std::optional<PointerTarget> pointerTarget(const GltfFile& file, const std::stri
     bool is_there = *number < list.size() && (!*row.needs || list[*number].contains(row.needs));
     if (!is_there) file.refuse(where, fmt::format("the target of its pointer '{}' does not exist", pointer));
     PointerTarget result;
-    (row.property ? result.index : result.node) = int(*number);
+    result.object = int(*number);
     result.target = row.target;
-    result.property = row.property;
     result.components = row.components;
     return result;
   }

@@ -8,12 +8,10 @@
 
 namespace strobe::scene {
 
-// Transform of a node, weights of morph targets, or a property of a camera or light.
+// Target of a track. `object` is unused for weights.
 struct PointerTarget {
-  int node = -1;
   Track::Target target = Track::Target::Translation;
-  std::optional<PropertyTrack::Property> property;
-  int index = -1;                 // of the camera or light
+  int object = -1;                // index of the node, camera or light
   int components = 3;             // components of a value; for weights, their number
   std::vector<int> morphed = {};  // nodes with driven weights, which start at `first_weight`
   size_t first_weight = 0;

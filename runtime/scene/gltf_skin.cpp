@@ -134,12 +134,12 @@ static std::vector<bool> nodesThatMayMirror(const Scene& scene) {
   for (const Animation& clip : scene.animations)
     for (const Track& track : clip.tracks) {
       if (track.target != Track::Target::Scale) continue;
-      const dvec3 rest = glm::sign(scene.nodes[size_t(track.node)].scale);
+      const dvec3 rest = glm::sign(scene.nodes[size_t(track.object)].transform.scale);
       const bool keeps = track.interpolation != Track::Interpolation::CubicSpline &&
                          std::all_of(track.values.begin(), track.values.end(), [&](const dvec4& value) {
                            return glm::sign(dvec3(value)) == rest && value.x * value.y * value.z != 0;
                          });
-      if (!keeps) may[size_t(track.node)] = true;
+      if (!keeps) may[size_t(track.object)] = true;
     }
   markDescendants(scene, may);
   return may;
@@ -170,7 +170,8 @@ size_t targetsOf(const GltfFile& file, int mesh) {
 void dropIdleWeights(Scene& scene) {
   std::vector<bool> driven(scene.nodes.size(), false);
   for (const Animation& clip : scene.animations)
-    for (const WeightTrack& track : clip.weights) driven[size_t(track.node)] = true;
+    for (const Track& track : clip.tracks)
+      if (track.target == Track::Target::Weight) driven[size_t(track.object)] = true;
   for (size_t i = 0; i < scene.nodes.size(); ++i) {
     std::vector<double>& weights = scene.nodes[i].weights;
     bool idle = std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0; });

@@ -57,20 +57,20 @@ static dquat lookingAt(SceneFields& fields, const dvec3& from, const dvec3& at) 
   return glm::quat_cast(dmat3(right, glm::cross(back, right), back));
 }
 
-Placement readPlacement(SceneFields& fields) {
-  Placement placement;
-  placement.translation = fields.vector3("position", dvec3(0));
+Transform readTransform(SceneFields& fields) {
+  Transform transform;
+  transform.translation = fields.vector3("position", dvec3(0));
   dvec3 turn = glm::radians(fields.vector3("rotation", dvec3(0)));
-  placement.rotation = glm::angleAxis(turn.y, dvec3(0, 1, 0)) * glm::angleAxis(turn.x, dvec3(1, 0, 0)) *
+  transform.rotation = glm::angleAxis(turn.y, dvec3(0, 1, 0)) * glm::angleAxis(turn.x, dvec3(1, 0, 0)) *
                        glm::angleAxis(turn.z, dvec3(0, 0, 1));
   const Json* scale = fields.find("scale");
-  if (scale && scale->is_number()) placement.scale = dvec3(fields.number("scale", 1));
-  else if (scale) placement.scale = fields.vector3("scale", dvec3(1));
+  if (scale && scale->is_number()) transform.scale = dvec3(fields.number("scale", 1));
+  else if (scale) transform.scale = fields.vector3("scale", dvec3(1));
   if (fields.has("look_at")) {
     if (fields.has("rotation")) fields.problem("has both 'rotation' and 'look_at'");
-    placement.rotation = lookingAt(fields, placement.translation, fields.vector3("look_at", std::nullopt));
+    transform.rotation = lookingAt(fields, transform.translation, fields.vector3("look_at", std::nullopt));
   }
-  return placement;
+  return transform;
 }
 
 // --- shapes -------------------------------------------------------------------------------------------------------

@@ -11,12 +11,7 @@ namespace strobe::scene {
 
 // Members of a table: position, rotation (degrees: about z, then x, then y), scale (one number or three), look_at (a
 // point in the same space, which -z faces).
-struct Placement {
-  dvec3 translation = dvec3(0);
-  dquat rotation = dquat(1, 0, 0, 0);
-  dvec3 scale = dvec3(1);
-};
-Placement readPlacement(SceneFields& fields);
+Transform readTransform(SceneFields& fields);
 
 Shape readShape(const Json& json, const Place& place, Problems& problems);
 // An image has only level 0. Its further levels depend on its use, for colours or for numbers.

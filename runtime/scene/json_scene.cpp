@@ -112,10 +112,7 @@ class SceneBuilder {
     node.name = fields.text("name", fmt::format("node_{}", index));
     fields.rename(fmt::format("node '{}'", node.name));
     if (!names_.emplace(node.name, index).second) fields.problem("another node has this name");
-    Placement placement = readPlacement(fields);
-    node.translation = placement.translation;
-    node.rotation = placement.rotation;
-    node.scale = placement.scale;
+    node.transform = readTransform(fields);
     node.mesh = readMesh(fields, json, node.name);
     if (const Json* light = fields.find("light")) {
       node.light = int(scene_.lights.size());
@@ -149,18 +146,18 @@ class SceneBuilder {
     const std::string key = file->string() + "\n" + options.variant;
     attached_.push_back([this, file = *file, options, key, node, animation, place] {
       try {
-        if (!parts_.contains(key)) parts_.emplace(key, loadGltf(file, options));
-        attach(key, node, animation);
+        if (!parts_.contains(key)) parts_.emplace(key, addedPart(loadGltf(file, options), scene_));
+        attachPart(parts_.at(key), node, animation);
       } catch (const Error& error) {
         problems_.add(place, fmt::format("gltf: {}", error.what()));
       }
     });
   }
 
-  void attach(const std::string& key, int node, const std::string& animation) {
+  void attachPart(const AttachedPart& part, int node, const std::string& animation) {
     const size_t first = scene_.nodes.size();
-    attacher_.attach(key, parts_.at(key), node, animation);
-    for (const SourceFile& file : parts_.at(key).files) files_.add(file);
+    attach(part, node, animation, scene_);
+    for (const SourceFile& file : part.scene.files) files_.add(file);
     for (size_t i = first; i < scene_.nodes.size(); ++i)
       if (!names_.emplace(scene_.nodes[i].name, int(i)).second)
         throw Error(fmt::format("another node is called '{}'", scene_.nodes[i].name));
@@ -209,11 +206,10 @@ class SceneBuilder {
     MeshPart part;
     const Json* shape = fields.need("shape");
     part.material = materialIndex(fields.find("material"), fields.place());
-    Placement at = readPlacement(fields);
+    const Transform at = readTransform(fields);
     fields.finish();
     if (!shape) return part;
-    part.shape = transformed(readShape(*shape, fields.place(), problems_),
-                             Transform{at.translation, at.rotation, at.scale}.matrix());
+    part.shape = transformed(readShape(*shape, fields.place(), problems_), at.matrix());
     return part;
   }
 
@@ -306,7 +302,7 @@ class SceneBuilder {
     Track track;
     std::string name = fields.text("node", std::nullopt);
     auto node = names_.find(name);
-    if (node != names_.end()) track.node = node->second;
+    if (node != names_.end()) track.object = node->second;
     else fields.problem(fmt::format("unknown node '{}'{}", name, didYouMean(name, nodeNames())));
     std::string target = fields.choice("target", "translation", {"translation", "rotation", "scale"});
     track.target = target == "translation" ? Track::Target::Translation
@@ -329,9 +325,9 @@ class SceneBuilder {
       return fields.problem(
           fmt::format("{} times need {} values, got {}", track.times.size(), wanted, track.values.size()));
     for (const Track& other : animation.tracks)
-      if (other.node == track.node && other.target == track.target)
+      if (other.object == track.object && other.target == track.target)
         return fields.problem(fmt::format("another track drives the {} of node '{}'", target, name));
-    if (track.node >= 0) splitMatrix(scene_.nodes[size_t(track.node)]);
+    if (track.object >= 0) splitMatrix(scene_.nodes[size_t(track.object)]);
     animation.duration = std::max(animation.duration, track.times.back());
     animation.tracks.push_back(std::move(track));
   }
@@ -348,8 +344,7 @@ class SceneBuilder {
   Problems problems_;
   SceneFiles files_;
   Scene scene_;
-  Attacher attacher_{scene_};
-  std::map<std::string, Scene> parts_;           // glTF files, by file and variant
+  std::map<std::string, AttachedPart> parts_;    // glTF files, by file and variant
   std::vector<std::function<void()>> attached_;  // one call per node with a glTF file
   std::map<std::string, int> names_, meshes_, materials_, textures_;
   size_t vertices_ = 0;

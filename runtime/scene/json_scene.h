@@ -16,8 +16,8 @@ struct Suggestion {
 };
 
 // `file` is the place in errors for tables without a place. Equal meshes, materials and textures are made once. Files
-// that the scene names are searched in `places`, by default the folder of `file`. Throws one `Error` with all mistakes:
-// unknown keys, wrong types, values out of range, unknown node names, files that cannot be read.
+// that the scene names are looked up in `places`, by default the folder of `file`. Throws one `Error` with all
+// mistakes: unknown keys, wrong types, values out of range, unknown node names, files that cannot be read.
 Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {},
                     const Painter& paint = paintPattern, const std::optional<FilePlaces>& places = std::nullopt);
 

@@ -36,7 +36,7 @@ static dmat4 sheared(const Node& node, const dmat4& matrix) {
 // Transform of the node itself, at rest.
 static dmat4 restMatrix(const Node& node) {
   if (node.matrix) return *node.matrix;
-  return sheared(node, Transform{node.translation, node.rotation, node.scale}.matrix());
+  return sheared(node, node.transform.matrix());
 }
 
 // Unit vector along `column`, orthogonal to `axes`; nothing if `column` is in their span.
@@ -65,11 +65,11 @@ void splitMatrix(Node& node) {
   dmat3 shear(1);
   for (int row = 0; row < 3; ++row) {
     const bool flat = std::abs(upper[row][row]) <= 1e-12 * glm::length(linear[row]);
-    node.scale[row] = flat ? 0 : upper[row][row];
+    node.transform.scale[row] = flat ? 0 : upper[row][row];
     for (int c = row + 1; c < 3 && !flat; ++c) shear[c][row] = upper[c][row] / upper[row][row];
   }
-  node.translation = dvec3((*node.matrix)[3]);
-  node.rotation = glm::quat_cast(turned);
+  node.transform.translation = dvec3((*node.matrix)[3]);
+  node.transform.rotation = glm::quat_cast(turned);
   node.matrix.reset();
   // Matrices are stored as floats, so a smaller shear is rounding.
   bool square = true;
@@ -294,11 +294,12 @@ std::vector<dmat4> Poser::nodesAt(double time_s, double held_time_s) const {
   std::vector<Transform> transforms(scene_.nodes.size());
   for (const Driven& driven : driven_) {
     const Node& node = scene_.nodes[size_t(driven.node)];
-    if (driven.keyed) transforms[size_t(driven.node)] = {node.translation, node.rotation, node.scale};
+    if (driven.keyed) transforms[size_t(driven.node)] = node.transform;
   }
   for (const Animation* clip : clips_)
     for (const Track& track : clip->tracks)
-      applyTrack(track, valueAt(*clip, track, time_s, held_time_s), transforms[size_t(track.node)]);
+      if (track.isOfTransform())
+        applyTrack(track, valueAt(*clip, track, time_s, held_time_s), transforms[size_t(track.object)]);
 
   std::vector<dmat4> worlds = rest_worlds_;
   for (const auto& [node, keyed, motions] : driven_) {
@@ -316,8 +317,9 @@ std::vector<std::vector<double>> Poser::weightsAt(double time_s, double held_tim
   std::vector<std::vector<double>> weights;
   for (const Node& node : scene_.nodes) weights.push_back(node.weights);
   for (const Animation* clip : clips_)
-    for (const WeightTrack& track : clip->weights)
-      weights[size_t(track.node)][track.target] = valueAt(*clip, track.keys, time_s, held_time_s).x;
+    for (const Track& track : clip->tracks)
+      if (track.target == Track::Target::Weight)
+        weights[size_t(track.object)][track.weight] = valueAt(*clip, track, time_s, held_time_s).x;
   return weights;
 }
 
@@ -378,32 +380,33 @@ static dmat4 unitFrame(const dmat4& world, const std::string& name) {
   return dmat4(dvec4(x, 0), dvec4(glm::cross(z, x), 0), dvec4(z, 0), world[3]);
 }
 
-static void applyProperty(PropertyTrack::Property property, const dvec4& value, Camera& camera) {
-  using P = PropertyTrack::Property;
-  (property == P::FieldOfView  ? camera.vertical_fov
-   : property == P::HalfHeight ? camera.half_height
-                               : camera.near) = value.x;
+static void applyTrack(const Track& track, const dvec4& value, Camera& camera) {
+  using T = Track::Target;
+  (track.target == T::FieldOfView  ? camera.vertical_fov
+   : track.target == T::HalfHeight ? camera.half_height
+                                   : camera.near) = value.x;
 }
 
-static void applyProperty(PropertyTrack::Property property, const dvec4& value, Light& light) {
-  using P = PropertyTrack::Property;
-  if (property == P::Color) light.color = vec3(value);
+static void applyTrack(const Track& track, const dvec4& value, Light& light) {
+  using T = Track::Target;
+  if (track.target == T::Color) light.color = vec3(value);
   else
-    (property == P::Intensity   ? light.intensity
-     : property == P::Range     ? light.range
-     : property == P::InnerCone ? light.inner_cone
-                                : light.outer_cone) = value.x;
+    (track.target == T::Intensity   ? light.intensity
+     : track.target == T::Range     ? light.range
+     : track.target == T::InnerCone ? light.inner_cone
+                                    : light.outer_cone) = value.x;
 }
 
 // Applies the keys of the lens and of lights.
 void Poser::keyProperties(Pose& pose, double time_s, double held_time_s) const {
   for (const Animation* clip : clips_) {
-    for (const PropertyTrack& track : clip->properties) {
-      dvec4 value = valueAt(*clip, track.keys, time_s, held_time_s);
-      bool ours = camera_node_ >= 0 && scene_.nodes[camera_node_].camera == track.index;
-      if (track.isOfCamera() && ours) applyProperty(track.property, value, pose.camera);
-      for (size_t i = 0; i < lights_.size() && !track.isOfCamera(); ++i)
-        if (scene_.nodes[lights_[i]].light == track.index) applyProperty(track.property, value, pose.lights[i]);
+    for (const Track& track : clip->tracks) {
+      if (track.isOfNode()) continue;
+      dvec4 value = valueAt(*clip, track, time_s, held_time_s);
+      bool ours = camera_node_ >= 0 && scene_.nodes[camera_node_].camera == track.object;
+      if (track.isOfCamera() && ours) applyTrack(track, value, pose.camera);
+      for (size_t i = 0; i < lights_.size() && track.isOfLight(); ++i)
+        if (scene_.nodes[lights_[i]].light == track.object) applyTrack(track, value, pose.lights[i]);
     }
   }
 }
@@ -422,7 +425,8 @@ Poser::Poser(const Scene& scene, int camera_node, const std::string& animation)
 std::vector<Poser::Driven> Poser::drivenNodes() const {
   std::vector<Driven> all(scene_.nodes.size());
   for (const Animation* clip : clips_)
-    for (const Track& track : clip->tracks) all[size_t(track.node)].keyed = true;
+    for (const Track& track : clip->tracks)
+      if (track.isOfTransform()) all[size_t(track.object)].keyed = true;
   for (const ConstantMotion& motion : scene_.motions) all[size_t(motion.node)].motions.push_back(&motion);
   std::vector<Driven> driven;
   for (int node : hierarchyOrder(scene_)) {
@@ -440,7 +444,8 @@ std::vector<size_t> Poser::drivenInstances() const {
   std::vector<bool> may_move(scene_.nodes.size());
   for (const Driven& driven : driven_) may_move[size_t(driven.node)] = true;
   for (const Animation* clip : clips_)
-    for (const WeightTrack& track : clip->weights) may_move[size_t(track.node)] = true;
+    for (const Track& track : clip->tracks)
+      if (track.target == Track::Target::Weight) may_move[size_t(track.object)] = true;
   std::vector<size_t> driven;
   for (size_t i = 0; i < instances_.size(); ++i) {
     const size_t node = size_t(instances_[i].node);

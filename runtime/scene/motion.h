@@ -7,14 +7,6 @@
 
 namespace strobe::scene {
 
-// Transform of a node in its parts.
-struct Transform {
-  dvec3 translation = dvec3(0);
-  dquat rotation = dquat(1, 0, 0, 0);
-  dvec3 scale = dvec3(1);
-  dmat4 matrix() const;
-};
-
 // Replaces the matrix of a node by translation, rotation, scale and shear, with the same product.
 void splitMatrix(Node& node);
 

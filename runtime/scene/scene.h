@@ -141,31 +141,37 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-// Keyed translation, rotation or scale of a node.
+// Keyed value: transform of a node, weight of a morph target, or property of a camera or a light.
 struct Track {
-  enum class Target { Translation, Rotation, Scale };
+  // Of a node up to Weight, of a camera up to Near, else of a light.
+  enum class Target {
+    Translation,
+    Rotation,
+    Scale,
+    Weight,
+    FieldOfView,
+    HalfHeight,
+    Near,
+    Color,
+    Intensity,
+    Range,
+    InnerCone,
+    OuterCone
+  };
   enum class Interpolation { Step, Linear, CubicSpline };
-  int node = -1;
+  int object = -1;  // index of the node, camera or light
   Target target = Target::Translation;
   Interpolation interpolation = Interpolation::Linear;
   std::vector<double> times;  // seconds, increasing
-  std::vector<dvec4> values;  // xyz or quaternion xyzw; CubicSpline: in-tangent, value, out-tangent per key
-};
+  // xyz, quaternion xyzw, or number x, in the units of Camera and Light; CubicSpline: in-tangent, value, out-tangent
+  // per key
+  std::vector<dvec4> values;
+  size_t weight = 0;  // Weight: index into Node::weights
 
-// Keyed number or colour of a camera or a light.
-struct PropertyTrack {
-  enum class Property { FieldOfView, HalfHeight, Near, Color, Intensity, Range, InnerCone, OuterCone };
-  Property property = Property::FieldOfView;
-  int index = -1;  // into Scene::cameras for the first three properties, else into Scene::lights
-  Track keys;      // without a node; xyz is a colour, x a number; units as in Camera and Light
-  bool isOfCamera() const { return property <= Property::Near; }
-};
-
-// The keyed weight of a morph target.
-struct WeightTrack {
-  int node = -1;  // node with the weight in Node::weights
-  size_t target = 0;
-  Track keys;  // without a node; x is the weight
+  bool isOfTransform() const { return target <= Target::Scale; }
+  bool isOfNode() const { return target <= Target::Weight; }
+  bool isOfCamera() const { return target >= Target::FieldOfView && target <= Target::Near; }
+  bool isOfLight() const { return target >= Target::Color; }
 };
 
 // Animation clip: keyed transforms of nodes, keyed properties of cameras and lights, and keyed morph weights. The clip
@@ -174,8 +180,6 @@ struct Animation {
   std::string name;
   std::vector<Track> tracks;
   double duration = 0;  // seconds; later times repeat from the start
-  std::vector<PropertyTrack> properties = {};
-  std::vector<WeightTrack> weights = {};
   // Cuts of the clip: times, s, from 0 to its duration. In every repetition, the driven properties jump at these times.
   // A cut at 0 or at the duration is a jump between repetitions.
   std::vector<double> cuts = {};
@@ -201,14 +205,20 @@ struct Skin {
   std::vector<dmat4> inverse_binds;  // by joint
 };
 
+// Translation, rotation and scale, applied in the reverse order.
+struct Transform {
+  dvec3 translation = dvec3(0);
+  dquat rotation = dquat(1, 0, 0, 0);
+  dvec3 scale = dvec3(1);
+  dmat4 matrix() const;
+};
+
 // Node of the scene hierarchy: transform relative to its parent, and the mesh, camera or light that it places.
 struct Node {
   std::string name;
   int parent = -1;
-  dvec3 translation = dvec3(0);
-  dquat rotation = dquat(1, 0, 0, 0);
-  dvec3 scale = dvec3(1);
-  std::optional<dmat4> matrix;  // replaces translation, rotation and scale
+  Transform transform;
+  std::optional<dmat4> matrix;  // replaces `transform`
   // Shear of a split matrix (`splitMatrix`), applied before scale, rotation and translation.
   std::optional<dmat3> shear = {};
   int mesh = -1, camera = -1, light = -1;

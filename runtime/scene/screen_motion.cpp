@@ -109,15 +109,14 @@ static bool isFollowed(const Scene& scene, double from_s, double to_s, double st
   for (const Animation& clip : scene.animations) {
     if (beginsAgain(clip, from_s, to_s)) return false;
     double first_s = clipTime(from_s, clip.duration), last_s = clipTime(to_s, clip.duration);
-    // True if there are fewer than two poses per key. Neighbouring keys differ by half a turn at most.
+    // True if there are fewer than two poses per key of a node. Neighbouring keys differ by half a turn at most.
     auto is_dense = [&](const Track& track) {
+      if (!track.isOfNode()) return false;
       auto first = std::upper_bound(track.times.begin(), track.times.end(), first_s);
       auto last = std::lower_bound(track.times.begin(), track.times.end(), last_s);
       return last - first > kTimes / 2;
     };
     if (std::any_of(clip.tracks.begin(), clip.tracks.end(), is_dense)) return false;
-    for (const WeightTrack& track : clip.weights)
-      if (is_dense(track.keys)) return false;
   }
   return true;
 }
@@ -133,7 +132,8 @@ static std::vector<double> timesOf(const Scene& scene, const FrameView& frame) {
     const double offset_s = from_s - clipTime(from_s, clip.duration);
     for (const Track& track : clip.tracks)
       for (double key_s : track.times)
-        if (key_s + offset_s > from_s && key_s + offset_s < to_s) times.push_back(key_s + offset_s);
+        if (track.isOfTransform() && key_s + offset_s > from_s && key_s + offset_s < to_s)
+          times.push_back(key_s + offset_s);
   }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());

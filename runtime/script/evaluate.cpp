@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
 
 #include "base/cores.h"
 #include "base/hash.h"
 #include "base/json_text.h"
-#include "script/batch.h"
+#include "script/server.h"
 
 namespace strobe::script {
 
@@ -20,7 +23,8 @@ namespace {
 
 // The main file of an evaluation.
 struct Main {
-  Path file;  // absolute
+  Path file;    // absolute; in a copy of a home, the copy
+  Path folder;  // of the file itself: a copy may lack the models and pictures beside the file
   std::string shown;
   std::string name;  // without folder and ".lua"
   bool own_folder = false;
@@ -38,8 +42,10 @@ std::vector<std::string> mainNames(const Home& home, const Path& folder) {
 
 Main mainFile(const Home& home, const std::string& path, const Texts& texts = {}) {
   Main main;
-  main.file = fs::absolute(path).lexically_normal();
-  main.shown = home.shown(path);
+  const Path file = fs::absolute(path).lexically_normal();
+  main.file = copyOf(home, file);
+  main.folder = file.parent_path();
+  main.shown = home.shown(main.file == file ? Path(path) : main.file);
   main.name = main.file.stem();
   main.own_folder = true;
   if (texts.count(main.file) || fs::is_regular_file(main.file)) return main;
@@ -93,7 +99,7 @@ std::string outOfMemory(const Limits& limits) {
 std::string endedBy(const ProgramEnd& child, const Limits& limits) {
   if (child.timed_out) return fmt::format("stopped: more than {} s (the limit for a script)", limits.wall_s);
   if (child.too_long) return "stopped: the result of the script is larger than 64 MB";
-  if (child.signal == SIGXCPU || child.signal == SIGKILL) {
+  if (child.signal == SIGXCPU) {
     const char* text = "stopped: more than {} s of processor time (the limit for a script); endless loop?";
     return fmt::format(fmt::runtime(text), limits.cpu_s);
   }
@@ -135,12 +141,11 @@ std::string plain(std::string text) {
   throw Error("the script failed without an error message");
 }
 
-Json requestOf(const Home& home, const Main& main, const std::string& function, const Json& argument,
-               const Limits& limits, const Texts& texts) {
-  return {{"function", function},       {"argument", argument},          {"roots", home.roots()},
-          {"main", main.file.string()}, {"shown", main.shown},           {"own_folder", main.own_folder},
-          {"cpu_s", limits.cpu_s},      {"memory_mb", limits.memory_mb}, {"texts", Json(texts)},
-          {"names_files", true}};
+Json requestOf(const Main& main, const std::string& function, const Json& argument, const Limits& limits,
+               const Texts& texts) {
+  return {{"function", function},  {"argument", argument},          {"main", main.file.string()},
+          {"shown", main.shown},   {"own_folder", main.own_folder}, {"texts", Json(texts)},
+          {"cpu_s", limits.cpu_s}, {"wall_s", limits.wall_s},       {"memory_mb", limits.memory_mb}};
 }
 
 // Adds the path of the preset if the preset is a file: in a root (which may be a copy), otherwise in the current
@@ -152,15 +157,14 @@ void addPreset(const Home& home, const Settings& sets, const Texts& texts, Json&
   if (!set.ends_with(".lua")) return;
   Path here = fs::absolute(set).lexically_normal();
   bool is_here = texts.count(here) || Path(set).is_absolute();
-  Path file = is_here ? here : home.find(set).value_or(here);
+  Path file = is_here ? copyOf(home, here) : home.find(set).value_or(here);
   request["preset"] = file.string();
   request["preset_shown"] = home.shown(file);
 }
 
 // Result in the answer to a request. The answer comes from a process that ran an untrusted script, so all its fields
 // are checked.
-Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>* dependencies, const Limits& limits,
-              Json* hashes = nullptr) {
+Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>* dependencies, const Limits& limits) {
   bool answered = child.succeeded() && !child.too_long;
   Json answer = answered ? jsonFromText(child.output) : Json();
   if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
@@ -168,97 +172,59 @@ Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>
     if (dependencies) *dependencies = dependenciesOf(answer.at("files"));
     if (answer.contains("out_of_memory")) throw Error(outOfMemory(limits), {main.shown});
     if (answer.contains("errors")) throwProblems(answer["errors"]);
-    if (hashes) *hashes = std::move(answer.at("hashes"));
     return std::move(answer.at("result"));
   } catch (const Json::exception&) {
     throw Error("the answer of the script's process has a wrong form", {main.shown});
   }
 }
 
-// Result of `function` of run.lua; for a pipeline also the `hashes`, if requested.
+// Result of a request. `file`: see `answerTo`.
 Json evaluate(const Home& home, const Main& main, const Json& request, std::vector<Dependency>* dependencies,
-              const Limits& limits, Json* hashes = nullptr) {
+              const Limits& limits, const std::string& file = kNoFile) {
   if (dependencies) *dependencies = {};
   if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
-  return resultOf(main, runChild(home.program(), textOf(request), limits), dependencies, limits, hashes);
+  return resultOf(main, answerTo(home, file, textOf(request), limits.wall_s), dependencies, limits);
 }
 
 Json evaluate(const Home& home, const Main& main, const std::string& function, const Json& argument,
               std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts = {}) {
-  return evaluate(home, main, requestOf(home, main, function, argument, limits, texts), dependencies, limits);
+  return evaluate(home, main, requestOf(main, function, argument, limits, texts), dependencies, limits);
 }
 
-// One of many evaluations: a request, or the error that prevented the request.
-struct PreparedRequest {
-  Main main;
-  Json request;
-  std::exception_ptr error;
-};
-
-template <class Prepare>
-PreparedRequest prepared(const Prepare& prepare) {
-  PreparedRequest one;
-  try {
-    prepare(one);
-  } catch (const Error&) {
-    one.error = std::current_exception();
-  }
-  return one;
-}
-
-// Data shared by several answers. Each text is parsed once, on all cores.
-class SharedTexts {
- public:
-  void add(const std::vector<Answer>& answers) {
-    std::vector<std::shared_ptr<const std::string>> texts;
-    for (const Answer& answer : answers)
-      if (answer.shared && known_.try_emplace(answer.shared).second) texts.push_back(answer.shared);
-    forEachOnAllCores(texts.size(), [&](size_t i) { known_.find(texts[i])->second = read(*texts[i]); });
-  }
-  const plan::SharedParts& of(const Answer& answer) const {
-    static const plan::SharedParts none;
-    return answer.shared ? known_.find(answer.shared)->second : none;
-  }
-
- private:
-  // Data of a text; empty if the text has a mistake, so that answers that refer to the data are refused.
-  static plan::SharedParts read(const std::string& text) {
+// Outcomes of `evaluate(0)` to `evaluate(count - 1)`, on all cores.
+template <class Value, class Evaluate>
+std::vector<Outcome<Value>> outcomesOf(size_t count, const Evaluate& evaluate) {
+  std::vector<Outcome<Value>> outcomes(count);
+  forEachOnAllCores(count, [&](size_t i) {
     try {
-      return plan::knownFromJson(jsonFromText(text));
+      outcomes[i].value = evaluate(i);
     } catch (const Error&) {
-    } catch (const Json::exception&) {
-    }
-    return {};
-  }
-
-  // Keys own the texts, so that an address is not reused for another text.
-  std::map<std::shared_ptr<const std::string>, plan::SharedParts> known_;
-};
-
-// Outcomes of all evaluations, with the results converted by `read` on all cores.
-template <class Value, class Read>
-std::vector<Outcome<Value>> outcomesOf(Children& children, SharedTexts& shared, const std::vector<PreparedRequest>& all,
-                                       const Limits& limits, const Read& read) {
-  std::vector<Json> requests;
-  std::vector<size_t> asked;
-  for (size_t i = 0; i < all.size(); ++i)
-    if (!all[i].error) requests.push_back(all[i].request), asked.push_back(i);
-  for (Json& request : requests) request["names_files"] = false;
-  const std::vector<Answer> answers = children.answers(requests);
-  shared.add(answers);
-  std::vector<Outcome<Value>> outcomes(all.size());
-  for (size_t i = 0; i < all.size(); ++i) outcomes[i].error = all[i].error;
-  forEachOnAllCores(asked.size(), [&](size_t k) {
-    Outcome<Value>& outcome = outcomes[asked[k]];
-    try {
-      const Main& main = all[asked[k]].main;
-      outcome.value = read(main, resultOf(main, answers[k].end, nullptr, limits), shared.of(answers[k]));
-    } catch (const Error&) {
-      outcome.error = std::current_exception();
+      outcomes[i].error = std::current_exception();
     }
   });
   return outcomes;
 }
+
+// Values read from texts. Most texts of an evaluation are also texts of earlier evaluations.
+template <class Value>
+class ReadTexts {
+ public:
+  template <class Read>
+  std::shared_ptr<const Value> of(const std::string& text, const Read& read) {
+    constexpr size_t kMost = 4096;
+    std::unique_lock lock(mutex_);
+    if (auto known = values_.find(text); known != values_.end()) return known->second;
+    lock.unlock();
+    auto value = std::make_shared<const Value>(read(jsonFromText(text)));
+    lock.lock();
+    if (values_.size() >= kMost) values_.clear();
+    return values_[text] = std::move(value);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::unordered_map<std::string, std::shared_ptr<const Value>> values_;
+};
 
 Json settingsJson(const Settings& sets) {
   Json list = Json::array();
@@ -308,82 +274,43 @@ Setting settingFromText(const std::string& text, const std::string& option) {
   return {text.substr(0, equals), plan::valueFromText(text.substr(equals + 1))};
 }
 
-static Json pipelineRequest(const Home& home, const Main& main, const PipelineRequest& asked, bool lenient,
-                            const Limits& limits) {
-  Json sets = settingsJson(lastOfEach(asked.sets, false));
-  Json argument = {{"name", main.name}, {"file", main.shown}, {"sets", sets}, {"lenient", lenient}};
-  Json request = requestOf(home, main, "pipeline", argument, limits, asked.texts);
-  addPreset(home, asked.sets, asked.texts, request);
-  return request;
-}
-
-static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<DroppedSetting>* dropped,
-                                     const plan::SharedParts& known = {}) {
+static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<DroppedSetting>* dropped) {
+  static ReadTexts<plan::PassDesc> passes;
+  static ReadTexts<std::vector<plan::ParamDesc>> params;
   try {
     if (dropped) *dropped = droppedSettings(result.at("dropped"));
-    result.erase("dropped");
-    return plan::pipelineFromJson(result, known);
+    plan::SharedParts parts;
+    for (const Json& pass : result.at("passes"))
+      parts.passes.push_back(*passes.of(pass.get_ref<const std::string&>(), plan::passFromJson));
+    parts.params = *params.of(result.at("params").get_ref<const std::string&>(), plan::paramsFromJson);
+    for (const char* read : {"dropped", "passes", "params"}) result.erase(read);
+    return plan::pipelineFromJson(result, std::move(parts));
   } catch (const Json::exception&) {
     throw Error("the description of the pipeline has a wrong form", {main.shown});
   }
 }
 
-plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& request,
+plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& asked,
                                     std::vector<Dependency>* dependencies, const Limits& limits,
-                                    std::vector<DroppedSetting>* dropped, std::shared_ptr<const Described>* described) {
-  Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
-  Json asked = pipelineRequest(home, main, request, dropped != nullptr, limits);
-  if (!described) return pipelineOf(main, evaluate(home, main, asked, dependencies, limits), dropped);
-  const Described none, &before = *described ? **described : none;
-  asked["known"] = {{"passes", before.pass_hashes}, {"params", before.params_hash}};
-  Json hashes;
-  Json result = evaluate(home, main, asked, dependencies, limits, &hashes);
-  plan::PipelineDesc pipeline = pipelineOf(main, std::move(result), dropped, before.known);
-  auto now = std::make_shared<Described>(Described{{pipeline.passes, pipeline.params}, {}, {}});
-  try {
-    now->pass_hashes = hashes.at("passes").get<std::vector<std::string>>();
-    now->params_hash = hashes.at("params").get<std::string>();
-  } catch (const Json::exception&) {
-    throw Error("the answer of the script's process has a wrong form", {main.shown});
-  }
-  if (now->pass_hashes.size() == pipeline.passes.size()) *described = std::move(now);
-  return pipeline;
+                                    std::vector<DroppedSetting>* dropped) {
+  Main main = mainOf(home, asked.name_or_path, "pipeline", asked.texts);
+  Json sets = settingsJson(lastOfEach(asked.sets, false));
+  Json argument = {{"name", main.name}, {"file", main.shown}, {"sets", sets}, {"lenient", dropped != nullptr}};
+  Json request = requestOf(main, "pipeline", argument, limits, asked.texts);
+  addPreset(home, asked.sets, asked.texts, request);
+  // A file under another name is another file: its name is in places, and its folder may have modules. A session
+  // evaluates an edit once, which takes longer from a loaded file.
+  const bool once = dropped || !asked.texts.empty();
+  const std::string file = fmt::format("{}\n{}\n{}", main.file.string(), main.shown, main.own_folder);
+  Json result = evaluate(home, main, request, dependencies, limits, once ? kNoFile : file);
+  return pipelineOf(main, std::move(result), dropped);
 }
 
-struct PipelineEvaluator::State {
-  Home home;
-  Limits limits;
-  Children children;
-  SharedTexts shared = {};
-};
-
-PipelineEvaluator::PipelineEvaluator(const Home& home, const Limits& limits)
-    : state_(new State{home, limits, Children(home.program(), limits)}) {}
-
-PipelineEvaluator::~PipelineEvaluator() = default;
-
-std::vector<Outcome<plan::PipelineDesc>> PipelineEvaluator::evaluate(const std::vector<PipelineRequest>& requests) {
-  std::vector<PreparedRequest> all;
-  for (const PipelineRequest& request : requests)
-    all.push_back(prepared([&](PreparedRequest& one) {
-      one.main = mainOf(state_->home, request.name_or_path, "pipeline", request.texts);
-      one.request = pipelineRequest(state_->home, one.main, request, false, state_->limits);
-    }));
-  return outcomesOf<plan::PipelineDesc>(state_->children, state_->shared, all, state_->limits,
-                                        [](const Main& main, Json result, const plan::SharedParts& known) {
-                                          return pipelineOf(main, std::move(result), nullptr, known);
-                                        });
-}
-
-plan::PipelineDesc PipelineEvaluator::evaluate(const PipelineRequest& request, std::vector<Dependency>* dependencies) {
-  const auto& [home, limits, children, shared] = *state_;
-  Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
-  const std::vector<Answer> answers = state_->children.answers({pipelineRequest(home, main, request, false, limits)});
-  const Answer& answer = answers.front();
-  if (answer.is_lost && !answer.end.timed_out) return evaluatePipeline(home, request, dependencies, limits);
-  if (dependencies) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
-  state_->shared.add(answers);
-  return pipelineOf(main, resultOf(main, answer.end, dependencies, limits), nullptr, shared.of(answer));
+std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
+                                                           const std::vector<PipelineRequest>& requests,
+                                                           const Limits& limits) {
+  return outcomesOf<plan::PipelineDesc>(requests.size(),
+                                        [&](size_t i) { return evaluatePipeline(home, requests[i], nullptr, limits); });
 }
 
 Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
@@ -393,22 +320,14 @@ Json evaluateScene(const Home& home, const std::string& name_or_path, const Sett
   return evaluate(home, main, "scene", argument, dependencies, limits, texts);
 }
 
-Path sceneScript(const Home& home, const std::string& name_or_path) {
-  return fs::absolute(mainOf(home, name_or_path, "scene", {}).file).lexically_normal();
+Path sceneFolder(const Home& home, const std::string& name_or_path) {
+  return mainOf(home, name_or_path, "scene", {}).folder;
 }
 
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
                                           const Limits& limits) {
-  std::vector<PreparedRequest> all;
-  for (const std::string& name : names_or_paths)
-    all.push_back(prepared([&](PreparedRequest& one) {
-      one.main = mainOf(home, name, "scene", {});
-      Json argument = {{"file", one.main.shown}, {"sets", Json::array()}};
-      one.request = requestOf(home, one.main, "scene", argument, limits, {});
-    }));
-  Children children(home.program(), limits);
-  SharedTexts none;
-  return outcomesOf<Json>(children, none, all, limits, [](const Main&, Json result, const auto&) { return result; });
+  return outcomesOf<Json>(names_or_paths.size(),
+                          [&](size_t i) { return evaluateScene(home, names_or_paths[i], {}, nullptr, limits); });
 }
 
 std::string kindOfFile(const Home& home, const std::string& path) {

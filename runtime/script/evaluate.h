@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Evaluation of Lua files to plain data. Each call evaluates in a child process with limits on processor time, memory
-// and wall clock. The child is a new process of this program, or for `PipelineEvaluator` a copy of a process that has
-// loaded the scripts. The result is validated before use. Drawing does not run Lua.
+// Evaluation of Lua files to plain data. Each evaluation has a process of its own with limits on processor time, memory
+// and wall clock (script/server.h). The result is validated before use. Drawing does not run Lua. All functions are
+// thread-safe.
 #pragma once
 
 #include <exception>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,13 +45,6 @@ struct Limits {
   bool operator==(const Limits&) const = default;
 };
 
-// Passes and parameters of an earlier evaluation. The next answer refers to unchanged ones in place of a copy.
-struct Described {
-  plan::SharedParts known;
-  std::vector<std::string> pass_hashes;  // hashes of the passes' descriptions in the child
-  std::string params_hash;
-};
-
 // Request to evaluate a pipeline's Lua file: its name or path, the settings, and texts to use in place of files.
 struct PipelineRequest {
   std::string name_or_path;  // "x" for scripts/pipelines/x.lua, or a path that ends in ".lua"
@@ -69,12 +61,10 @@ struct DroppedSetting {
 // Evaluates a pipeline. With `dropped`, settings that do not fit are left out and listed there; otherwise they are
 // errors.
 // The evaluate functions throw `Error` with the places of the user's lines, for all mistakes of one table at once.
-// `dependencies` is filled on failure too, so that a reload can wait for the next save. `described` is the data of an
-// earlier evaluation, or null; on success it is replaced by the data of this evaluation.
+// `dependencies` is filled on failure too, so that a reload can wait for the next save.
 plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& request,
                                     std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {},
-                                    std::vector<DroppedSetting>* dropped = nullptr,
-                                    std::shared_ptr<const Described>* described = nullptr);
+                                    std::vector<DroppedSetting>* dropped = nullptr);
 
 // Result of one of many evaluations: either `value` or `error`.
 template <class Value>
@@ -89,29 +79,18 @@ struct Outcome {
   }
 };
 
-// Evaluates many pipelines, each like `evaluatePipeline` and with its own limits, but without a new program for each.
-class PipelineEvaluator {
- public:
-  explicit PipelineEvaluator(const Home& home, const Limits& limits = {});
-  ~PipelineEvaluator();
-
-  // Outcomes in the order of `requests`. Each file is read once, for the first request that needs it. Not thread-safe.
-  std::vector<Outcome<plan::PipelineDesc>> evaluate(const std::vector<PipelineRequest>& requests);
-  // Evaluates one pipeline; `dependencies` as for `evaluatePipeline`.
-  plan::PipelineDesc evaluate(const PipelineRequest& request, std::vector<Dependency>* dependencies);
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
+// Evaluates many pipelines on all cores. Outcomes in the order of `requests`.
+std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
+                                                           const std::vector<PipelineRequest>& requests,
+                                                           const Limits& limits = {});
 
 // The plain data that a scene file returns, keys sorted; an empty table is an empty array. `name_or_path` is a name in
 // scripts/scenes or a path that ends in ".lua". Settings with the prefix "scene." are in the global `scene_params`,
 // without the prefix; a setting that the scene does not read is an error.
 Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
                    std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {}, const Texts& texts = {});
-// Absolute path of a scene's file. Throws `Error` like `evaluateScene` if the file does not exist.
-Path sceneScript(const Home& home, const std::string& name_or_path);
+// Absolute folder of the files that a scene names. Throws `Error` like `evaluateScene` if the scene does not exist.
+Path sceneFolder(const Home& home, const std::string& name_or_path);
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
                                           const Limits& limits = {});
 
@@ -136,8 +115,7 @@ std::string pipelineOfKind(const Home& home, plan::PipelineDesc::Kind kind, cons
 std::vector<std::string> pipelineNames(const Home& home);
 std::vector<std::string> sceneNames(const Home& home);
 
-// Main function of `strobe --script-child`: reads a request from stdin and writes the answer to stdout. Ends the
-// process.
-[[noreturn]] void runScriptChild();
+// Main function of `strobe --script-child ROOT...`, the server of script/server.h. Ends the process.
+[[noreturn]] void runScriptChild(int argc, char** argv);
 
 }  // namespace strobe::script

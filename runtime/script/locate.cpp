@@ -12,8 +12,19 @@ namespace {
 struct Token {
   std::string_view text;  // contents of a string without its quotes
   int line;
-  bool word;  // a name or keyword
+  bool word;        // a name or keyword
+  int nesting = 0;  // 1 if it opens a bracket or block, -1 if it closes one
 };
+
+bool opens(const Token& token) {
+  if (!token.word) return token.text == "{" || token.text == "(" || token.text == "[";
+  return token.text == "function" || token.text == "if" || token.text == "do" || token.text == "repeat";
+}
+
+bool closes(const Token& token) {
+  if (!token.word) return token.text == "}" || token.text == ")" || token.text == "]";
+  return token.text == "end" || token.text == "until";
+}
 
 class Lexer {
  public:
@@ -21,6 +32,7 @@ class Lexer {
 
   std::vector<Token> tokens() {
     while (skipBlank(), at_ < source_.size()) step();
+    for (Token& token : tokens_) token.nesting = opens(token) - closes(token);
     return std::move(tokens_);
   }
 
@@ -87,28 +99,19 @@ class Lexer {
   std::vector<Token> tokens_;
 };
 
-bool opens(const Token& token) {
-  if (!token.word) return token.text == "{" || token.text == "(" || token.text == "[";
-  return token.text == "function" || token.text == "if" || token.text == "do" || token.text == "repeat";
-}
+// True if a field or an entry of a table may begin after the token.
+bool precedesItem(const Token& token) { return token.text == "{" || token.text == "," || token.text == ";"; }
 
-bool closes(const Token& token) {
-  if (!token.word) return token.text == "}" || token.text == ")" || token.text == "]";
-  return token.text == "end" || token.text == "until";
-}
-
-// True if a field `key` begins at `i`; `value` is then the token after its "=".
+// True if the item at `i` is a field `key`; `value` is then the token after its "=".
 bool fieldAt(const std::vector<Token>& tokens, size_t i, const std::string& key, size_t& value) {
-  auto is = [&](size_t at, const char* text) { return at < tokens.size() && tokens[at].text == text; };
-  if (!is(i - 1, "{") && !is(i - 1, ",") && !is(i - 1, ";")) return false;
+  auto is = [&](size_t at, std::string_view text) { return at < tokens.size() && tokens[at].text == text; };
   value = is(i, "[") ? i + 4 : i + 2;
-  return is(i, "[") ? is(i + 1, key.c_str()) && is(i + 3, "=") : is(i, key.c_str()) && is(i + 1, "=");
+  return is(i, "[") ? is(i + 1, key) && is(i + 3, "=") : is(i, key) && is(i + 1, "=");
 }
 
-// True if an entry of a list begins at `i`: a value without a name.
+// True if the item at `i` is an entry of a list: a value without a name.
 bool entryAt(const std::vector<Token>& tokens, size_t i) {
-  auto is = [&](size_t at, const char* text) { return at < tokens.size() && tokens[at].text == text; };
-  if (!is(i - 1, "{") && !is(i - 1, ",") && !is(i - 1, ";")) return false;
+  auto is = [&](size_t at, std::string_view text) { return at < tokens.size() && tokens[at].text == text; };
   return !is(i, "}") && !is(i, "[") && !is(i + 1, "=");
 }
 
@@ -123,8 +126,9 @@ Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vect
   int depth = 1, entries = 0;
   for (size_t i = open + 1; i < tokens.size() && depth > 0; ++i) {
     size_t value = i;
-    bool is_entry = depth == 1 && entryAt(tokens, i) && std::to_string(++entries) == path[done];
-    if (is_entry || (depth == 1 && fieldAt(tokens, i, path[done], value))) {
+    const bool is_item = depth == 1 && precedesItem(tokens[i - 1]);
+    const bool is_entry = is_item && entryAt(tokens, i) && std::to_string(++entries) == path[done];
+    if (is_entry || (is_item && fieldAt(tokens, i, path[done], value))) {
       found = {done + 1, tokens[i].line};
       if (found.keys == path.size()) return found;
       auto is = [&](const char* text) { return tokens[value].text == text; };
@@ -133,7 +137,7 @@ Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vect
       Found below = nested ? searchTable(tokens, value, path, done + 1) : found;
       return below.keys > found.keys ? below : found;
     }
-    depth += opens(tokens[i]) - closes(tokens[i]);
+    depth += tokens[i].nesting;
   }
   return found;
 }

@@ -35,8 +35,12 @@ static bool isModuleName(const std::string& name) {
   return plain && name.front() != '.' && name.back() != '.' && name.find("..") == std::string::npos;
 }
 
-void Sandbox::readAhead(const Path& file, const std::string& shown) {
-  Ahead ahead;
+void Sandbox::compileAhead(const Path& file, const std::string& shown) {
+  if (stillAhead(file)) return;
+  const auto outdated = ahead_.extract(file.string());
+  if (outdated) luaL_unref(lua_, LUA_REGISTRYINDEX, outdated.mapped().chunk);
+  if (outdated) lua_gc(lua_, LUA_GCCOLLECT);
+  Ahead ahead{shown, {}, {}};
   ahead.stamps.add(file);
   ready_chunk_ = 0;
   chunk_ = "@" + shown;
@@ -46,13 +50,13 @@ void Sandbox::readAhead(const Path& file, const std::string& shown) {
   if (lua_pcall(lua_, 0, 0, 0) != LUA_OK) return;
   std::map<std::string, LuaSource> sources;
   sources.try_emplace(shown, source_).first->second.prepare();
-  ahead.shown = shown, ahead.text = source_, ahead.hash = hashText(source_);
+  ahead.text = source_, ahead.hash = hashText(source_);
   ahead.chunk = ready_chunk_;
   ahead.source = sources.extract(shown);
-  ahead_[file.string()] = std::move(ahead);
+  ahead_.emplace(file.string(), std::move(ahead));
 }
 
-// The data read ahead for a file, or null if the file or its replacement text has changed since.
+// The compiled data of a file, or null if the file or its replacement text has changed since.
 Sandbox::Ahead* Sandbox::stillAhead(const Path& file) {
   auto found = ahead_.find(file.string());
   if (found == ahead_.end()) return nullptr;
@@ -61,7 +65,17 @@ Sandbox::Ahead* Sandbox::stillAhead(const Path& file) {
   return (given == task_.texts.end() ? ahead.stamps.current() : given->second == ahead.text) ? &ahead : nullptr;
 }
 
+void Sandbox::noteState(const Path& file) {
+  stamps_.add(file);
+  const Path folder = file.parent_path();
+  if (!folders_.insert(folder).second) return;
+  stamps_.add(folder);
+  const std::optional<std::string> name = home_.nameOf(file);
+  for (const Path& place : name ? home_.places(Path(*name).parent_path()) : std::vector<Path>()) stamps_.add(place);
+}
+
 void Sandbox::take(const Path& file, Ahead& ahead) {
+  noteState(file);
   chunk_ = "@" + ahead.shown;
   source_ = ahead.text;
   ready_chunk_ = ahead.chunk;
@@ -70,7 +84,7 @@ void Sandbox::take(const Path& file, Ahead& ahead) {
   files_.push_back({file, ahead.shown, ahead.hash});
 }
 
-// Takes a file of the home folder that was read ahead, if it is still the first match in the roots. Searching each
+// Takes a file of the home folder that was compiled ahead, if it is still the first match in the roots. Searching each
 // root, and checking that links stay inside the roots, takes longer than running most modules.
 bool Sandbox::takeAhead(const Path& relative) {
   for (const Path& place : home_.places(relative)) {
@@ -83,6 +97,7 @@ bool Sandbox::takeAhead(const Path& relative) {
 void Sandbox::read(const Path& file, const std::string& shown) {
   Ahead* ahead = stillAhead(file);
   if (ahead && ahead->shown == shown) return take(file, *ahead);
+  noteState(file);
   chunk_ = "@" + shown;
   ready_chunk_ = 0;
   auto given = task_.texts.find(file.string());
@@ -98,12 +113,13 @@ void Sandbox::list(const std::string& folder) {
   // Folders that do not exist yet are dependencies too, because a project may add them.
   for (const Path& path : home_.places(folder)) {
     auto listed = std::find_if(files_.begin(), files_.end(), [&](const Dependency& file) { return file.path == path; });
+    stamps_.add(path);
     if (listed == files_.end()) files_.push_back({path, home_.shown(path), hashOfPath(path)});
   }
 }
 
-bool Sandbox::liesInHome(const Path& file) const {
-  const auto& roots = home_.roots();
+static bool liesInHome(const Home& home, const Path& file) {
+  const auto& roots = home.roots();
   return std::any_of(roots.begin(), roots.end(), [&](const Path& root) { return liesIn(file, root); });
 }
 
@@ -126,7 +142,7 @@ void Sandbox::resolve(const std::string& module) {
   if (in_home && isThere(file)) return read(file, home_.shown(file));
   Path own = task_.main.parent_path() / relative;
   if (task_.own_folder && isThere(own)) {
-    if (!liesIn(own, task_.main.parent_path()) && !liesInHome(own))
+    if (!liesIn(own, task_.main.parent_path()) && !liesInHome(home_, own))
       throw Error(fmt::format("module '{}' is a link that leads out of its folder", module));
     Path shown = Path(task_.shown).parent_path() / relative;
     return read(own, shown.string());
@@ -162,15 +178,12 @@ void* Sandbox::allocate(void* data, void* block, size_t old_size, size_t new_siz
     return nullptr;
   }
   size_t wanted = sandbox.used_bytes_ - freed + new_size;
-  void* grown = wanted <= sandbox.memory_bytes_ ? std::realloc(block, new_size) : nullptr;
+  void* grown = wanted <= sandbox.task_.memory_bytes ? std::realloc(block, new_size) : nullptr;
   if (grown) sandbox.used_bytes_ = wanted;
   return grown;
 }
 
-Sandbox::Sandbox(Home home, size_t memory_bytes)
-    : home_(std::move(home)),
-      memory_bytes_(memory_bytes),
-      library_(home_.shown(home_.shipped() / "scripts/strobe") + "/") {
+Sandbox::Sandbox(Home home) : home_(std::move(home)), library_(home_.shown(home_.shipped() / "scripts/strobe") + "/") {
   lua_ = lua_newstate(allocate, this);
   STROBE_ASSERT(lua_ != nullptr);
   *static_cast<Sandbox**>(lua_getextraspace(lua_)) = this;

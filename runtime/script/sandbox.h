@@ -9,6 +9,7 @@
 #include <functional>
 #include <lua.hpp>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,18 +39,18 @@ class Sandbox {
     Path preset;              // the file that `native.preset` runs, or ""
     std::string preset_shown;
     std::map<std::string, std::string> texts;  // texts in place of files, by absolute path
+    size_t memory_bytes = size_t{256} << 20;   // limit of Lua's heap
   };
 
-  explicit Sandbox(Home home, size_t memory_bytes = size_t{256} << 20);
+  explicit Sandbox(Home home);
   Sandbox(const Sandbox&) = delete;
   Sandbox& operator=(const Sandbox&) = delete;
   // No destructor: finalizers of a script could run without end, so a process with a sandbox must end with `_exit`.
 
   // Reads and compiles a file before a script requires it; `shown` is its name in errors. A file that changes later is
   // read again. A file that cannot be read is left out.
-  void readAhead(const Path& file, const std::string& shown);
+  void compileAhead(const Path& file, const std::string& shown);
 
-  // Must be called before the first `run`.
   void setTask(Task task) { task_ = std::move(task); }
   // Calls `function` of scripts/strobe/run.lua with `request` as a table. False after mistakes, which are in
   // `problems`.
@@ -60,6 +61,8 @@ class Sandbox {
 
   const std::vector<Problem>& problems() const { return problems_; }
   const std::vector<Dependency>& files() const { return files_; }
+  // Stamps of these files, taken before they were read, and of folders that may get a file in their place.
+  const Stamps& stamps() const { return stamps_; }
   bool outOfMemory() const { return out_of_memory_; }
   lua_State* state() { return lua_; }
 
@@ -76,21 +79,21 @@ class Sandbox {
   // A file that was read before a script required it.
   struct Ahead {
     std::string shown, text, hash;
-    Stamps stamps;  // taken before the file was read
-    int chunk = 0;  // number of the compiled function in the registry
-    std::map<std::string, LuaSource>::node_type source;
+    Stamps stamps = {};  // taken before the file was read
+    int chunk = 0;       // number of the compiled function in the registry
+    std::map<std::string, LuaSource>::node_type source = {};
   };
 
   void openLibraries();
   void loadPrelude();
   bool guarded(const std::function<void()>& work);
   void resolve(const std::string& module);
+  void noteState(const Path& file);
   void read(const Path& file, const std::string& shown);
   Ahead* stillAhead(const Path& file);
   void take(const Path& file, Ahead& ahead);
   bool takeAhead(const Path& relative);
   void list(const std::string& folder);
-  bool liesInHome(const Path& file) const;
   bool isThere(const Path& file) const;
   std::vector<std::string> moduleNames() const;
   void collectProblems();
@@ -98,13 +101,14 @@ class Sandbox {
   std::string withFullNames(const std::string& message) const;
 
   Home home_;
-  size_t memory_bytes_;
   Task task_;
   std::string library_;  // the folder scripts/strobe, as in errors
   lua_State* lua_ = nullptr;
   size_t used_bytes_ = 0;
   bool out_of_memory_ = false;
   std::vector<Dependency> files_;
+  Stamps stamps_;
+  std::set<Path> folders_;                    // folders in `stamps_`
   std::map<std::string, LuaSource> sources_;  // by shown name
   std::map<std::string, Ahead> ahead_;        // by path
   std::vector<Problem> problems_;

@@ -34,7 +34,7 @@ struct Compiled {
 };
 
 // Compiles a shader. Throws `Error` with a line "file:line: message" for each error of the compiler.
-// `#include "a/b.glsl"` is searched in the folder of the including file, then in the shaders folder.
+// `#include "a/b.glsl"` is looked up in the folder of the including file, then in the shaders folder.
 // `sources` (may be null) keeps the files for later calls.
 Compiled compile(const Home& home, const ShaderSource& source, ShaderStage stage, Output output = Output::Spirv,
                  Sources* sources = nullptr);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "page/number.h"
 
 namespace strobe::study {
@@ -118,13 +119,12 @@ std::string Curve::range(const std::string& arm, Against against) const {
 }
 
 std::string Curve::replacement(const std::string& inside) const {
-  std::vector<std::string> measured = arms(), known;
-  for (const ArmSummary& arm : results_.arms) known.push_back(arm.name);
+  const std::vector<std::string> measured = arms(), known = namesOf(results_.arms);
   auto require = [&](const std::string& arm) {
-    if (std::find(known.begin(), known.end(), arm) == known.end())
+    if (!contains(known, arm))
       throw Error(
           fmt::format("the reading of axis '{}' has an unknown arm '{}'{}", axis_.name, arm, didYouMean(arm, known)));
-    return std::find(measured.begin(), measured.end(), arm) != measured.end();
+    return contains(measured, arm);
   };
   for (const char* end : {"from ", "to "})
     if (inside.starts_with(end)) {
@@ -145,7 +145,7 @@ std::string Curve::replacement(const std::string& inside) const {
     if (arm == "truth") return shownShare(sigma(i));
     return require(arm) ? shownShare(error(arm, i)) : page::kNotMeasured;
   }
-  bool is_value = std::find(axis_.labels.begin(), axis_.labels.end(), wanted) != axis_.labels.end();
+  bool is_value = contains(axis_.labels, wanted);
   if (is_value) return page::kNotMeasured;  // value of the axis without a point in these results
   throw Error(fmt::format("the reading of axis '{}' has an unknown value '{}'", axis_.name, wanted));
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/lists.h"
+
 namespace strobe::study {
 
 const char* const kHowToReadEffects =
@@ -41,13 +43,15 @@ struct Candidate {
   std::vector<int> levels;  // one per point
 };
 
-// Numbers the levels that occur, in the order of `labels`.
+// Numbers the levels that occur, in the order of `labels`. `levelOf`: label of a point, as an index; -1: none.
+template <class LevelOf>
 Candidate candidate(const std::string& name, const std::vector<std::string>& labels, const std::vector<double>& numbers,
-                    const std::vector<int>& raw) {
-  Candidate result{{name, {}, {}}, raw};
+                    const std::vector<Levelled>& points, const LevelOf& levelOf) {
+  Candidate result{{name, {}, {}}, {}};
+  for (const Levelled& one : points) result.levels.push_back(levelOf(one));
   std::map<int, int> renumbered = {{-1, -1}};
   for (int label = 0; label < int(labels.size()); ++label) {
-    if (std::find(raw.begin(), raw.end(), label) == raw.end()) continue;
+    if (!contains(result.levels, label)) continue;
     renumbered[label] = int(result.factor.labels.size());
     result.factor.labels.push_back(labels[size_t(label)]);
     if (!numbers.empty()) result.factor.numbers.push_back(numbers[size_t(label)]);
@@ -63,28 +67,21 @@ int placeOf(const std::vector<It>& all, const It& one) {
 }
 
 Candidate ofAxis(const AxisSummary& axis, const std::vector<Levelled>& points) {
-  std::vector<int> raw;
-  for (const Levelled& one : points) {
-    const Json* value = one.group->valueOn(axis.name);
-    raw.push_back(value ? placeOf(axis.values, *value) : -1);
-  }
   std::vector<double> numbers;
   for (const Json& value : axis.values)
     if (value.is_number()) numbers.push_back(value.get<double>());
   if (numbers.size() < axis.values.size()) numbers.clear();
-  return candidate(axis.name, axis.labels, numbers, raw);
+  return candidate(axis.name, axis.labels, numbers, points, [&](const Levelled& one) {
+    const Json* value = one.group->valueOn(axis.name);
+    return value ? placeOf(axis.values, *value) : -1;
+  });
 }
 
 std::vector<Candidate> candidatesOf(const Results& results, const std::vector<Levelled>& points) {
-  std::vector<std::string> arms, shots;
-  for (const ArmSummary& arm : results.arms) arms.push_back(arm.name);
-  for (const ShotSummary& shot : results.shots) shots.push_back(shot.name);
-  std::vector<int> arm_of, shot_of;
-  for (const Levelled& one : points) {
-    arm_of.push_back(placeOf(arms, one.point->arm));
-    shot_of.push_back(placeOf(shots, one.group->shot));
-  }
-  std::vector<Candidate> candidates = {candidate("arm", arms, {}, arm_of), candidate("shot", shots, {}, shot_of)};
+  const std::vector<std::string> arms = namesOf(results.arms), shots = namesOf(results.shots);
+  std::vector<Candidate> candidates = {
+      candidate("arm", arms, {}, points, [&](const Levelled& one) { return placeOf(arms, one.point->arm); }),
+      candidate("shot", shots, {}, points, [&](const Levelled& one) { return placeOf(shots, one.group->shot); })};
   for (const AxisSummary& axis : results.axes) candidates.push_back(ofAxis(axis, points));
   std::erase_if(candidates, [](const Candidate& one) { return one.factor.levels() < 2; });
   return candidates;
@@ -95,32 +92,34 @@ bool byDoubling(const std::vector<double>& numbers) {
   return *least > 0 && *most >= 5 * *least;
 }
 
-// Points with equal levels of all factors without numbers form a stratum.
-Slope slopeOf(const Effects& effects, const Observations& observations, size_t factor, bool doubling) {
+// Sets the slope. Points with equal levels of all factors without numbers form a stratum.
+void findSlope(const Effects& effects, const Observations& observations, FactorEffect& result) {
+  const size_t factor = result.factor;
   std::map<std::vector<int>, int> strata;
   std::vector<double> x, y;
   std::vector<int> stratum;
   for (const Observation& one : observations) {
     if (one.levels[factor] < 0) continue;
     double number = effects.factors[factor].numbers[size_t(one.levels[factor])];
-    x.push_back(doubling ? std::log2(number) : number);
+    x.push_back(result.doubling ? std::log2(number) : number);
     y.push_back(one.value);
     std::vector<int> texts;
     for (size_t f = 0; f < effects.factors.size(); ++f)
       if (effects.factors[f].numbers.empty()) texts.push_back(one.levels[f]);
     stratum.push_back(strata.emplace(texts, int(strata.size())).first->second);
   }
-  return slopeWithin(x, y, stratum);
+  result.slope = slopeWithin(x, y, stratum);
+  result.points = x.size();
 }
 
 FactorEffect mainOf(const Effects& effects, const Observations& observations, size_t factor) {
   const Factor& of = effects.factors[factor];
-  FactorEffect result{factor, LevelComparison::paired, mainEffect(observations, factor, of.levels()), {}, false};
+  FactorEffect result{factor, LevelComparison::paired, effectOf(observations, {factor}, {of.levels()})};
   if (result.effect.blocks > 0) return result;
   if (of.numbers.size() >= 3) {
     result.comparison = LevelComparison::slope;
     result.doubling = byDoubling(of.numbers);
-    result.slope = slopeOf(effects, observations, factor, result.doubling);
+    findSlope(effects, observations, result);
   } else {
     result.comparison = LevelComparison::unpaired;
     result.effect = unpairedEffect(observations, factor, of.levels());
@@ -145,7 +144,7 @@ Effects effectsOf(const Results& results, const std::string& shot, const std::st
   for (size_t f = 0; f < effects.factors.size(); ++f) effects.main.push_back(mainOf(effects, observations, f));
   for (size_t a = 0; a < effects.factors.size(); ++a)
     for (size_t b = a + 1; b < effects.factors.size(); ++b) {
-      PairEffect pair{a, b, interaction(observations, a, b, effects.factors[a].levels(), effects.factors[b].levels())};
+      PairEffect pair{a, b, effectOf(observations, {a, b}, {effects.factors[a].levels(), effects.factors[b].levels()})};
       if (pair.interaction.blocks > 0) effects.pairs.push_back(std::move(pair));
     }
   return effects;

@@ -31,15 +31,16 @@ enum class LevelComparison {
 struct FactorEffect {
   size_t factor = 0;
   LevelComparison comparison = LevelComparison::paired;
-  MainEffect effect;  // by level; unused for a slope
-  Slope slope;
+  Effect effect;  // by level; unused for a slope
+  Estimate slope;
+  size_t points = 0;      // of the slope
   bool doubling = false;  // the slope is per doubling, not per unit
 };
 
 // Interaction of two factors: the part of their joint effect on a measure beyond the sum of their main effects.
 struct PairEffect {
   size_t first = 0, second = 0;
-  Interaction interaction;  // has at least one complete block
+  Effect interaction;  // has at least one complete block
 };
 
 // Statistical analysis of one measure: factors, main effects and pairwise interactions, with 95 % intervals.

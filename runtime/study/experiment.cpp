@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/inputs.h"
+#include "base/lists.h"
 #include "lab/shot_data.h"
 #include "lab/shot_options.h"
 #include "lab/workbench.h"
@@ -17,11 +18,6 @@ namespace strobe::study {
 namespace {
 
 const std::vector<std::string> kDefaultRegions = {"whole", "inner", "hidden", "outer"};
-
-template <class Value>
-void take(const Json& from, const char* name, Value& into) {
-  if (from.contains(name)) into = from.at(name).get<Value>();
-}
 
 Place placeFrom(const Json& json) { return {json.at("file").get<std::string>(), json.at("line").get<int>()}; }
 
@@ -128,8 +124,7 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
   take(json, "base", experiment.base);
   take(json, "expectations", experiment.expectations);
   std::array<int, 2> size = json.value("size", std::array<int, 2>{960, 540});
-  experiment.file_width = size[0], experiment.file_height = size[1];
-  experiment.setSize(size[0], size[1]);
+  experiment.width = experiment.file_width = size[0], experiment.height = experiment.file_height = size[1];
   experiment.regions = json.value("regions", kDefaultRegions);
   experiment.measures = json.value("measures", std::vector<std::string>{"rmse", "flip", "ms"});
   for (const Json& arm : json.at("arms")) experiment.arms.push_back(armOf(arm, script));
@@ -144,8 +139,7 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
     const Json& back = json["background"];
     experiment.background = Background{back.at("arm"), back.at("color"), back.at("valid"), back.at("front")};
   }
-  experiment.layout = json.value("layout", Json::object());
-  if (experiment.layout.is_array()) experiment.layout = Json::object();
+  experiment.layout = layoutFrom(json.value("layout", Json::object()));
   return experiment;
 }
 
@@ -223,8 +217,7 @@ void collect(std::vector<std::string>& problems, const Origin& origin, const Ste
   try {
     step();
   } catch (const Error& error) {
-    for (const std::string& line : origin.placed(error))
-      if (std::find(problems.begin(), problems.end(), line) == problems.end()) problems.push_back(line);
+    for (const std::string& line : origin.placed(error)) addOnce(problems, line);
   }
 }
 
@@ -243,7 +236,7 @@ class ExperimentReader {
   }
   // Evaluates the pipelines; their problems follow the problems of scenes.
   void finish() {
-    auto outcomes = script::PipelineEvaluator(home_).evaluate(pipelines_);
+    auto outcomes = script::evaluatePipelines(home_, pipelines_);
     for (size_t i = 0; i < outcomes.size(); ++i) collect(problems_, origins_[i], [&] { outcomes[i].take(); });
   }
 
@@ -299,7 +292,7 @@ void check(const Home& home, const Experiment& experiment, const std::string& fi
   bool has_sequence = std::any_of(experiment.shots.begin(), experiment.shots.end(),
                                   [](const StudiedShot& shot) { return !shot.frames.empty(); });
   for (const std::string& name : experiment.measures)
-    if (measureNamed(name).of_sequence && !has_sequence)
+    if (measureNamed(name).needs == Needs::before && !has_sequence)
       refuse(fmt::format("measure '{}' needs a shot with frames = {{ from, to, step }}", name));
   throwIfAny(problems);
   if (evaluate) evaluateAll(home, experiment, problems);
@@ -323,8 +316,6 @@ std::string nameOf(ArmRole role) {
   return role == ArmRole::truth ? "truth" : role == ArmRole::floor ? "floor" : "method";
 }
 
-void Experiment::setSize(int w, int h) { width = w, height = h; }
-
 size_t Experiment::points() const {
   size_t count = 0;
   for (const Group& group : groups) count += group.arms.size();
@@ -332,10 +323,12 @@ size_t Experiment::points() const {
 }
 
 size_t Experiment::truths() const {
-  std::set<std::string> distinct;
-  for (const Group& group : groups) distinct.insert(lab::canonical(truthShotOf(*this, group)));
-  return distinct.size();
+  std::set<std::string> commands;
+  for (const Group& group : groups) commands.insert(commandOf(shots[group.shot], truthShotOf(*this, group)));
+  return countTruths(std::move(commands));
 }
+
+size_t countTruths(std::set<std::string> commands) { return commands.size() - commands.count(""); }
 
 script::Settings joined(script::Settings base, const script::Settings& more) {
   base.insert(base.end(), more.begin(), more.end());
@@ -370,9 +363,7 @@ lab::Shot shotOf(const Experiment& experiment, const Group& group, const Studied
   lab::Shot shot = bareShot(experiment, group);
   shot.pipeline = arm.pipeline;
   shot.sets = joined(shot.sets, arm.sets);
-  auto lacks = [&arm](const std::string& name) {
-    return std::find(arm.lacks.begin(), arm.lacks.end(), name) != arm.lacks.end();
-  };
+  auto lacks = [&arm](const std::string& name) { return contains(arm.lacks, name); };
   for (const At& at : group.at)
     for (const auto& [name, value] : experiment.axes[at.axis].settings[at.value].sets)
       if (!lacks(name) && !lacks(experiment.axes[at.axis].name)) lab::putSetting(shot.sets, name, value);

@@ -5,12 +5,14 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 #include "base/error.h"
 #include "image/draw.h"
 #include "image/tone.h"
 #include "lab/batch.h"
 #include "lab/shot_data.h"
+#include "study/layout.h"
 
 namespace strobe::study {
 
@@ -133,7 +135,7 @@ struct ExperimentSummary {
   bool partial = false;                        // only some points of the file
   int width = 0, height = 0;                   // size of the pictures
   std::vector<std::string> regions, measures;  // as the experiment requests them
-  Json layout;
+  ReportLayout layout;
   Inputs inputs;  // scripts that define the experiment; in results, all files that points depend on
 };
 
@@ -155,11 +157,21 @@ struct Experiment : ExperimentSummary {
   std::optional<Background> background;
   size_t expectations = 0;
 
-  void setSize(int width, int height);
   size_t points() const;
-  // Number of distinct truths. Values of an axis that do not affect truth share one truth.
-  size_t truths() const;
+  size_t truths() const;  // distinct; values of an axis that do not affect truth share one truth
 };
+
+// Names of arms, shots, axes or measures.
+template <class Named>
+std::vector<std::string> namesOf(const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& one : all) names.push_back(one.name);
+  return names;
+}
+
+// Number of truths with different contents, by the commands that draw them. "": cannot be drawn. A key of a point of
+// truth also has the measures.
+size_t countTruths(std::set<std::string> commands);
 
 // Reads an experiment file, or a capture file with `measures`. Checks it without a device, and with `evaluate` also
 // pipelines, settings and scenes. A scene "shared:FILE" is read from the shared data; if the scene is missing, the

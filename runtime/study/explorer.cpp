@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "study/effects.h"
-#include "study/layout.h"
 #include "study/page_images.h"
 #include "study/report.h"
 
@@ -15,10 +15,6 @@ const char* nameOf(Better better) {
   return better == Better::lower ? "lower" : better == Better::higher ? "higher" : "neither";
 }
 
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 Json measuresJson(const Results& results) {
   Json list = Json::array();
   for (const std::string& name : results.measures) {
@@ -28,7 +24,7 @@ Json measuresJson(const Results& results) {
                     {"unit", one.unit},
                     {"better", nameOf(one.better)},
                     {"per_region", one.per_region},
-                    {"is_time", one.is_time},
+                    {"is_time", one.isTime()},
                     {"doc", one.doc}});
   }
   return list;
@@ -38,9 +34,7 @@ Json shotsJson(const Results& results) {
   Json list = Json::array();
   for (const ShotSummary& shot : results.shots) {
     if (!shot.missing.empty()) continue;
-    Json crops = Json::array();
-    for (const image::Rectangle& crop : shot.crops) crops.push_back({crop.x, crop.y, crop.width, crop.height});
-    list.push_back({{"name", shot.name}, {"title", shot.title}, {"crops", crops}});
+    list.push_back({{"name", shot.name}, {"title", shot.title}, {"crops", toJson(shot.crops)}});
   }
   return list;
 }
@@ -155,7 +149,7 @@ Json mainJson(const FactorEffect& one) {
   static const char* const kComparisons[] = {"paired", "unpaired", "slope"};
   Json json = {{"factor", one.factor}, {"comparison", kComparisons[int(one.comparison)]}};
   if (one.comparison == LevelComparison::slope) {
-    json["slope"] = estimateJson(one.slope.slope);
+    json["slope"] = estimateJson(one.slope);
     json["doubling"] = one.doubling;
     return json;
   }
@@ -164,16 +158,13 @@ Json mainJson(const FactorEffect& one) {
   return json;
 }
 
-Json pairJson(const PairEffect& one) {
+Json pairJson(const PairEffect& one, size_t columns) {
   Json json = {{"first", one.first},
                {"second", one.second},
                {"blocks", one.interaction.blocks},
                {"incomplete", one.interaction.incomplete}};
-  for (const auto& row : one.interaction.cells) {
-    Json cells = Json::array();
-    for (const Estimate& cell : row) cells.push_back(estimateJson(cell));
-    json["cells"].push_back(cells);
-  }
+  for (size_t i = 0; i < one.interaction.levels.size(); ++i)
+    json["cells"][i / columns].push_back(estimateJson(one.interaction.levels[i]));
   return json;
 }
 
@@ -194,7 +185,8 @@ Json effectsJson(const Results& results) {
           json["factors"].push_back({{"name", factor.name}, {"labels", factor.labels}, {"numbers", factor.numbers}});
         json["main"] = json["pairs"] = Json::array();
         for (const FactorEffect& one : effects.main) json["main"].push_back(mainJson(one));
-        for (const PairEffect& one : effects.pairs) json["pairs"].push_back(pairJson(one));
+        for (const PairEffect& one : effects.pairs)
+          json["pairs"].push_back(pairJson(one, effects.factors[one.second].levels()));
         list.push_back(std::move(json));
       }
     }
@@ -217,11 +209,11 @@ Json noticesOf(const PointCounts& counts, const std::string& reduced) {
 }  // namespace
 
 FirstView firstViewOf(const Results& results) {
-  FirstView view{"", "rmse", has(results.regions, "inner") ? "inner" : "whole"};
-  for (const char* name : {"ms", "ms_ratio"})  // times of a software device are comparable only as ratios
-    if (has(results.measures, name) && (view.x.empty() || results.software)) view.x = name;
-  if (std::optional<FrontLayout> front = frontOf(results.layout)) view = {front->x, front->y, front->region};
-  if (!has(results.measures, view.y) && !results.measures.empty()) view.y = results.measures.front();
+  FirstView view{"", "rmse", contains(results.regions, std::string("inner")) ? "inner" : "whole"};
+  for (const std::string name : {"ms", "ms_ratio"})  // times of a software device are comparable only as ratios
+    if (contains(results.measures, name) && (view.x.empty() || results.software)) view.x = name;
+  if (const auto& front = results.layout.front) view = {front->x, front->y, front->region};
+  if (!contains(results.measures, view.y) && !results.measures.empty()) view.y = results.measures.front();
   return view;
 }
 

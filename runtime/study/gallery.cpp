@@ -6,6 +6,7 @@
 
 #include "image/exr.h"
 #include "image/false_colour.h"
+#include "math/statistics.h"
 #include "page/number.h"
 #include "study/store.h"
 
@@ -66,8 +67,9 @@ Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& f
   return gallery;
 }
 
-std::string headOf(const Measure& measure) {
-  return measure.unit.empty() ? measure.title : measure.title + ", " + measure.unit;
+std::string headOf(const Measure& measure, const std::string& region) {
+  std::string head = measure.unit.empty() ? measure.title : measure.title + ", " + measure.unit;
+  return region.empty() || !measure.per_region ? head : head + ", " + region;
 }
 
 std::string shownValue(const Measure& measure, double value) {
@@ -83,6 +85,28 @@ std::string shownValue(const Measure& measure, double value) {
 std::string orLack(const std::string& shown, double value, const PointGroup& group, const Point& point) {
   std::string lack = std::isnan(value) ? group.lackOf(point) : "";
   return lack.empty() ? shown : lack;
+}
+
+std::vector<FrontPoint> frontPoints(const Results& results, const ShotSummary& shot, const FrontLayout& layout) {
+  std::vector<FrontPoint> points;
+  for (const PointGroup* group : groupsOf(results, shot))
+    for (const Point& point : group->points) {
+      double x = point.value(layout.x, layout.region), y = point.value(layout.y, layout.region);
+      if (point.role == ArmRole::method && std::isfinite(y)) points.push_back({group, &point, x, y});
+    }
+  return points;
+}
+
+std::vector<FrontPoint> frontOf(const std::vector<FrontPoint>& points, const FrontLayout& layout) {
+  auto cost = [](const std::string& measure, double value) {
+    return measureNamed(measure).better == Better::higher ? -value : value;
+  };
+  bool has_x = std::any_of(points.begin(), points.end(), [](const FrontPoint& one) { return std::isfinite(one.x); });
+  std::vector<std::pair<double, double>> costs;
+  for (const FrontPoint& one : points) costs.emplace_back(has_x ? cost(layout.x, one.x) : 0, cost(layout.y, one.y));
+  std::vector<FrontPoint> front;
+  for (size_t i : paretoFront(costs)) front.push_back(points[i]);
+  return front;
 }
 
 std::string describeShot(const Results& results, const ShotSummary& shot) {

@@ -2,7 +2,6 @@
 // Pictures of a shot, read from the files that its results name, and texts for these pictures.
 #pragma once
 
-#include "study/layout.h"
 #include "study/results.h"
 
 namespace strobe::study {
@@ -35,13 +34,24 @@ std::vector<const PointGroup*> groupsOf(const Results& results, const ShotSummar
 // marked as in the window.
 Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& folder);
 
-// Title with unit: "time, ms".
-std::string headOf(const Measure& measure);
+// Title with unit: "time, ms"; with the region, if the measure has a value per region: "RMSE, inner".
+std::string headOf(const Measure& measure, const std::string& region = "");
 // Value of a measure, formatted for its unit.
 std::string shownValue(const Measure& measure, double value);
 
 // `shown`, or the reason for a missing value: "failed", "2 px not finite".
 std::string orLack(const std::string& shown, double value, const PointGroup& group, const Point& point);
+
+// Point of a method, with two measures.
+struct FrontPoint {
+  const PointGroup* group;
+  const Point* point;
+  double x, y;
+};
+// Points of the methods in a shot with a finite `y`.
+std::vector<FrontPoint> frontPoints(const Results& results, const ShotSummary& shot, const FrontLayout& layout);
+// Their Pareto front, or the points with the best `y` if no point has a finite `x`.
+std::vector<FrontPoint> frontOf(const std::vector<FrontPoint>& points, const FrontLayout& layout);
 
 // Size, exposure, anchor and motion of a shot.
 std::string describeShot(const Results& results, const ShotSummary& shot);

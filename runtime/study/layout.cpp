@@ -3,53 +3,55 @@
 
 #include <array>
 
-#include "base/json.h"
-
 namespace strobe::study {
 
-std::optional<PicturesLayout> picturesLayoutOf(const Json& layout) {
-  if (!layout.contains("pictures")) return std::nullopt;
-  const Json& json = layout["pictures"];
-  PicturesLayout result;
-  if (!json.is_object()) return result;  // empty Lua table
-  std::array<double, 2> crop = json.value("crop_size", std::array<double, 2>{120, 68});
-  result.crop_width = int(crop[0]), result.crop_height = int(crop[1]);
-  result.difference_gain = json.value("difference_gain", result.difference_gain);
-  return result;
+namespace {
+
+PicturesLayout picturesFrom(const Json& json) {
+  PicturesLayout pictures;
+  std::array<double, 2> crop = {double(pictures.crop_width), double(pictures.crop_height)};
+  take(json, "crop_size", crop);
+  pictures.crop_width = int(crop[0]), pictures.crop_height = int(crop[1]);
+  take(json, "difference_gain", pictures.difference_gain);
+  return pictures;
 }
 
-std::optional<CurvesLayout> curvesOf(const Json& layout) {
-  if (!layout.contains("curves")) return std::nullopt;
-  CurvesLayout result;
-  if (layout["curves"].is_object()) result.factor = layout["curves"].value("factor", result.factor);
-  return result;
+CurvesLayout curvesFrom(const Json& json) {
+  CurvesLayout curves;
+  take(json, "factor", curves.factor);
+  return curves;
 }
 
-std::optional<FrontLayout> frontOf(const Json& layout) {
-  if (!layout.contains("front")) return std::nullopt;
-  FrontLayout result;
-  const Json& json = layout["front"];
-  if (!json.is_object()) return result;
-  result.title = json.value("title", ""), result.note = json.value("note", "");
-  result.x = json.value("x", result.x), result.y = json.value("y", result.y);
-  result.region = json.value("region", result.region);
-  result.together = json.value("together", result.together);
-  return result;
+FrontLayout frontFrom(const Json& json) {
+  FrontLayout front;
+  take(json, "title", front.title), take(json, "note", front.note);
+  take(json, "x", front.x), take(json, "y", front.y), take(json, "region", front.region);
+  take(json, "together", front.together);
+  return front;
 }
 
-std::optional<TableLayout> tableOf(const Json& layout) {
-  if (!layout.contains("table") && !layout.empty()) return std::nullopt;
-  TableLayout result;
-  if (!layout.contains("table") || !layout["table"].is_object()) return result;
-  const Json& json = layout["table"];
-  using Names = std::vector<std::string>;
-  result.title = json.value("title", "");
-  result.note = json.value("note", "");
-  result.axes = json.value("axes", Names());
-  result.cells = json.value("cells", Names());
-  result.once = json.value("once", Names());
-  result.share = json.value("share", false);
-  return result;
+TableLayout tableFrom(const Json& json) {
+  TableLayout table;
+  take(json, "title", table.title), take(json, "note", table.note);
+  take(json, "axes", table.axes), take(json, "cells", table.cells), take(json, "once", table.once);
+  take(json, "share", table.share);
+  return table;
+}
+
+}  // namespace
+
+ReportLayout layoutFrom(const Json& json) {
+  ReportLayout layout;
+  if (!json.is_object() || json.empty()) return layout;
+  layout.json = json;
+  layout.table.reset();
+  // An empty Lua table is an array.
+  auto part = [&](const char* name) { return json[name].is_object() ? json[name] : Json::object(); };
+  if (json.contains("pictures")) layout.pictures = picturesFrom(part("pictures"));
+  if (json.contains("curves")) layout.curves = curvesFrom(part("curves"));
+  if (json.contains("front")) layout.front = frontFrom(part("front"));
+  if (json.contains("table")) layout.table = tableFrom(part("table"));
+  return layout;
 }
 
 }  // namespace strobe::study

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Layout of an experiment's report: pictures, curves, tables. Read from the checked `layout` of the experiment file.
+// Layout of an experiment's report: pictures, curves, tables.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/json_fwd.h"
+#include "base/json.h"
 
 namespace strobe::study {
 
@@ -38,10 +38,22 @@ struct FrontLayout {
   bool together = false;
 };
 
-std::optional<PicturesLayout> picturesLayoutOf(const Json& layout);
-std::optional<CurvesLayout> curvesOf(const Json& layout);
-std::optional<FrontLayout> frontOf(const Json& layout);
-// An empty layout gives a table of all points.
-std::optional<TableLayout> tableOf(const Json& layout);
+// Layout of a report, with the parts that the experiment has. Without parts: a table of all points.
+struct ReportLayout {
+  std::optional<PicturesLayout> pictures;
+  std::optional<CurvesLayout> curves;
+  std::optional<FrontLayout> front;
+  std::optional<TableLayout> table = TableLayout();
+  Json json = Json::object();  // as written in the experiment file and in results
+};
+
+// Takes the value of a field, if there is such a field.
+template <class Value>
+void take(const Json& from, const char* name, Value& into) {
+  if (from.contains(name)) into = from.at(name).get<Value>();
+}
+
+// Throws an exception of the JSON library for a field of another type.
+ReportLayout layoutFrom(const Json& json);
 
 }  // namespace strobe::study

@@ -26,20 +26,17 @@ struct TruthPicture {
   image::Exposures exposures;                 // for HDR-FLIP
 };
 
-// Input of a measure: a picture and the pictures for comparison.
-struct Sight {
+// Input of a measure of a picture: the picture and the pictures for comparison.
+struct MeasureInput {
   ArmRole role = ArmRole::method;
   const TruthPicture* truth = nullptr;
   const lab::Picture* picture = nullptr;  // outputs and record
   image::Image color;
-  const Sight* before = nullptr;         // previous frame of a sequence, or null
+  const MeasureInput* before = nullptr;  // previous frame of a sequence, or null
   const image::Image* benign = nullptr;  // picture of the same arm at the benign value, or null
   const image::Image* front = nullptr;   // foreground picture; null unless the arm provides the background
   const Background* background = nullptr;
-  uint64_t bytes = 0;                       // memory of all images that a frame holds at once
-  std::vector<double> times_ms;             // frame times after one warm-up frame
-  std::vector<double> base_ms;              // frame times of the base arm in the same rounds
-  std::vector<double> own_ms, own_base_ms;  // times of the method's own passes (run.h)
+  uint64_t bytes = 0;  // memory of all images that a frame holds at once
 
   // Error maps, computed on first use.
   const image::Image& flip() const;
@@ -47,6 +44,12 @@ struct Sight {
 
  private:
   mutable image::Image flip_, hdr_flip_;
+};
+
+// Input of a measure of times: milliseconds by round, after one warm-up frame.
+struct TimesInput {
+  std::vector<double> frame_ms, base_ms;    // of the arm and of the base arm
+  std::vector<double> own_ms, own_base_ms;  // of the method's own passes (run.h)
 };
 
 // Pixels that a measure covers.
@@ -58,20 +61,29 @@ struct Region {
 // Direction in which a measure improves: lower (errors, times), higher (PSNR, SSIM), or neither.
 enum class Better { lower, higher, neither };
 
-// Measured quantity of a picture, such as RMSE or frame time: name, unit, direction of improvement and function.
-struct Measure {
-  std::string name, title, unit;
+// Images that a measure of a picture depends on. If the colours of one of these are not finite, the value is NaN.
+enum class Needs { nothing, colours, benign, before };
+
+// Properties of a measure that have usual values.
+struct MeasureTraits {
+  std::string unit;
   Better better = Better::lower;
-  bool per_region = false;
-  std::string doc;  // how it is computed
-  // NaN: not measured. Only a measure `per_region` uses the region. The value of a sequence is the mean over its
-  // frames.
-  double (*of)(const Sight& sight, const Region& region) = nullptr;
-  bool is_time = false;      // measured on additional frames, not on the picture
-  bool is_change = false;    // compared with the benign value
-  bool to_base = false;      // ratio to the value of the base arm
-  bool of_sequence = false;  // needs at least two frames
-  bool of_any = false;       // measured even if colours are not finite, as times are
+  Needs needs = Needs::colours;
+  bool to_base = false;  // ratio to the value of the base arm
+};
+
+// Measured quantity of a picture, such as RMSE, or of times: name, properties, and one of two functions, which return
+// NaN if nothing was measured.
+struct Measure : MeasureTraits {
+  using OfPicture = double (*)(const MeasureInput& input, const Region& region);
+  using OfTimes = double (*)(const TimesInput& times);
+
+  std::string name, title, doc;    // `doc`: how it is computed
+  bool per_region = false;         // has a value per region; other measures ignore the region
+  OfPicture of_picture = nullptr;  // the value of a sequence is the mean over its frames
+  OfTimes of_times = nullptr;      // times are measured on additional frames
+
+  bool isTime() const { return of_times; }
 };
 
 const std::vector<Measure>& measures();
@@ -79,8 +91,10 @@ std::vector<std::string> measureNames();
 const Measure& measureNamed(const std::string& name);  // asserts that the name exists
 
 // Values by measure and region; the region is "all" for a measure that is not per region. Values that were not measured
-// are left out. Colours that are not finite, in the picture or in truth, make a value NaN.
+// are left out.
 using Values = std::map<std::string, std::map<std::string, double>>;
-Values measured(const Sight& sight, const std::vector<std::string>& names, const std::vector<std::string>& regions);
+// Values of the measures of pictures among `names`.
+Values measured(const MeasureInput& input, const std::vector<std::string>& names,
+                const std::vector<std::string>& regions);
 
 }  // namespace strobe::study

@@ -6,10 +6,8 @@
 
 #include "base/cores.h"
 #include "base/hash.h"
-#include "image/crops.h"
 #include "image/draw.h"
 #include "image/flip.h"
-#include "image/jpeg.h"
 #include "image/png.h"
 #include "page/page.h"
 #include "study/store.h"

@@ -8,13 +8,15 @@
 #include <limits>
 
 #include "base/hash.h"
+#include "base/lists.h"
 #include "base/log.h"
-#include "image/crops.h"
+#include "image/draw.h"
 #include "image/false_colour.h"
 #include "image/metrics.h"
 #include "image/png.h"
 #include "lab/against_truth.h"
 #include "lab/capture.h"
+#include "lab/record.h"
 #include "lab/shot_data.h"
 #include "study/points.h"
 
@@ -51,13 +53,13 @@ void requireSize(const Image& image, const Image& picture, const std::string& wh
                           picture.height));
 }
 
-}  // namespace
-
-image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const PicturesLayout& size,
-                            const TruthPicture& truth) {
+// Rectangle of a crop in a picture of truth. A crop without coordinates has the size of the layout and lies where the
+// region inner is densest.
+image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const TruthPicture& truth) {
   double scale_x = double(experiment.width) / experiment.file_width,
          scale_y = double(experiment.height) / experiment.file_height;
   if (crop) return scaledCrop(*crop, scale_x, scale_y, truth.color);
+  const PicturesLayout size = experiment.layout.pictures.value_or(PicturesLayout());
   image::Rectangle scaled = scaledCrop({0, 0, size.crop_width, size.crop_height}, scale_x, scale_y, truth.color);
   auto inner = truth.masks.find("inner");
   if (inner != truth.masks.end()) return densestCrop(inner->second, scaled.width, scaled.height);
@@ -65,6 +67,7 @@ image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, cons
           scaled.height};
 }
 
+// Colour, masks, standard errors and exposures of a picture of truth.
 TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& picture) {
   TruthPicture truth;
   truth.color = lab::colorOf(picture);
@@ -75,6 +78,8 @@ TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& pi
   truth.exposures = image::automaticExposures(truth.color, truth.color);
   return truth;
 }
+
+}  // namespace
 
 std::string failureOf(const std::function<void()>& step) {
   try {
@@ -144,8 +149,8 @@ void PointRenderer::loadTruth(const TaskGroup& group) {
   auto kept = [&](const std::string& key, const lab::Shot& shot, size_t frames) {
     return store_.truth(key, [&] { return drawnTruth(shot, group.truth().cost / int(frames)); });
   };
-  std::vector<lab::Shot> shots = sequenceOf(experiment_, *group.group, group.truth().shot), full;
-  if (group.full) full = sequenceOf(experiment_, *group.group, *group.full);
+  std::vector<lab::Shot> shots = sequenceOf(*group.studied, group.truth().shot), full;
+  if (group.full) full = sequenceOf(*group.studied, *group.full);
   for (size_t i = 0; i < shots.size(); ++i) {
     truths_.push_back(kept(group.truth_keys[i], shots[i], shots.size()));
     held_against_.push_back(truthPictureOf(experiment_, *truths_.back()));
@@ -161,15 +166,16 @@ void PointRenderer::warnOnce(const std::string& who, const std::vector<std::stri
 }
 
 // Collects the references of a picture: truth, the picture at the benign value, and the foreground for its background.
-Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame) {
-  auto atFrame = [&](const lab::Shot& shot) { return sequenceOf(experiment_, *group.group, shot)[frame]; };
-  Sight sight;
-  sight.role = task.arm->role;
-  sight.truth = &held_against_[frame];
-  sight.picture = &picture;
-  sight.color = lab::colorOf(picture);
-  requireSize(sight.truth->color, sight.color, "truth");
-  sight.bytes = plan::bytesAliased(*batch_.planOf(task.shot));
+MeasureInput PointRenderer::inputOf(const TaskGroup& group, const Task& task, const lab::Picture& picture,
+                                    size_t frame) {
+  auto atFrame = [&](const lab::Shot& shot) { return sequenceOf(*group.studied, shot)[frame]; };
+  MeasureInput input;
+  input.role = task.arm->role;
+  input.truth = &held_against_[frame];
+  input.picture = &picture;
+  input.color = lab::colorOf(picture);
+  requireSize(input.truth->color, input.color, "truth");
+  input.bytes = plan::bytesAliased(*batch_.planOf(task.shot));
   if (std::optional<Group> benign = benignOf(experiment_, *group.group); benign && task.compares) {
     bool is_truth = task.arm->role == ArmRole::truth;
     lab::Shot shot = atFrame(is_truth ? truthShotOf(experiment_, *benign) : shotOf(experiment_, *benign, *task.arm));
@@ -177,26 +183,26 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
       return store_.truth(truthKeyOf(experiment_, batch_, shot), [&] { return drawnTruth(shot, task.cost); });
     };
     benign_ = is_truth ? lab::colorOf(*truth()) : lab::colorOf(*batch_.picture(shot));
-    requireSize(benign_, sight.color, "the picture at the benign value");
-    sight.benign = &benign_;
+    requireSize(benign_, input.color, "the picture at the benign value");
+    input.benign = &benign_;
   }
   const std::optional<Background>& background = experiment_.background;
-  if (!background || background->arm != task.arm->name) return sight;
+  if (!background || background->arm != task.arm->name) return input;
   for (const std::string& output : {background->color, background->valid}) {
     auto found = picture.frame.outputs.find(output);
     if (found == picture.frame.outputs.end())
       throw Error(fmt::format("arm '{}' has no output '{}', which the background names", task.arm->name, output),
                   {experiment_.file});
-    requireSize(found->second.floats, sight.color, fmt::format("output '{}', which the background names,", output));
+    requireSize(found->second.floats, input.color, fmt::format("output '{}', which the background names,", output));
   }
-  sight.background = &*background;
+  input.background = &*background;
   for (const StudiedArm& arm : experiment_.arms)
     if (arm.name == background->front) {
       front_ = lab::colorOf(*batch_.picture(atFrame(shotOf(experiment_, *group.group, arm))));
-      requireSize(front_, sight.color, fmt::format("arm '{}'", arm.name));
-      sight.front = &front_;
+      requireSize(front_, input.color, fmt::format("arm '{}'", arm.name));
+      input.front = &front_;
     }
-  return sight;
+  return input;
 }
 
 // Mean of each value over the frames with this value.
@@ -214,41 +220,44 @@ static Values meanOf(const std::vector<Values>& frames) {
 // The files of a sequence show its last frame.
 Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   prepareTruth(group);
-  std::vector<lab::Shot> shots = sequenceOf(experiment_, *group.group, task.shot);
+  std::vector<lab::Shot> shots = sequenceOf(*group.studied, task.shot);
   std::shared_ptr<const lab::Picture> picture;
   std::vector<Values> frames;
-  std::optional<Sight> before;
+  std::optional<MeasureInput> before;
   std::string images;
   Point point;
   for (size_t i = 0; i < shots.size(); ++i) {
     picture = task.arm->role == ArmRole::truth ? truths_[i] : drawn(shots[i], task.cost / int(shots.size()));
     Stopwatch watch(spent_.measuring_s);
-    Sight sight = sightOf(group, task, *picture, i);
-    if (before) sight.before = &*before;
-    frames.push_back(measured(sight, task.measures, experiment_.regions));
+    MeasureInput input = inputOf(group, task, *picture, i);
+    if (before) input.before = &*before;
+    frames.push_back(measured(input, task.measures, experiment_.regions));
     std::string image = picture->record["outputs"]["color"];
     images += (i ? "," : "") + image;
     point.preset = picture->record["pipeline"].value("preset", "");
     for (const std::string& limit : picture->record["limits"].get<std::vector<std::string>>())
-      if (std::find(point.limits.begin(), point.limits.end(), limit) == point.limits.end())
-        point.limits.push_back(limit);
-    sight.before = nullptr, sight.picture = nullptr;
-    before.emplace(std::move(sight));
+      addOnce(point.limits, limit);
+    input.before = nullptr, input.picture = nullptr;
+    before.emplace(std::move(input));
   }
   point.values = meanOf(frames);
   point.image = shots.size() > 1 ? hashText(images) : images;
+  if (task.arm->role == ArmRole::truth) {
+    point.attribution = lab::attributionOf(truths_.front()->record);
+    for (const Crop& crop : group.studied->wanted_crops)
+      point.crops.push_back(placedCrop(experiment_, crop, held_against_.front()));
+  }
   if (experiment_.truth_error > 0 && task.arm->role == ArmRole::truth) {
     lab::Shot shot = task.shot;
     for (const auto& [name, value] : truths_.front()->record["shot"]["set"].items())
       lab::putSetting(shot.sets, name, plan::valueFromJson(value));
-    point.command = commandOf(experiment_.shots[group.group->shot], shot);
+    point.command = commandOf(*group.studied, shot);
   }
-  const StudiedShot& studied = experiment_.shots[group.group->shot];
-  std::string at = describe(experiment_, *group.group);
-  warnOnce(fmt::format("{}{}, {}", studied.title, at.empty() ? "" : ", " + at, task.arm->name), picture->warnings);
+  const std::string at = afterComma(describe(experiment_, *group.group));
+  warnOnce(fmt::format("{}{}, {}", group.studied->title, at, task.arm->name), picture->warnings);
   Stopwatch watch(spent_.keeping_s);
   keepFiles(group, task, *picture, point);
-  if (pictures_) write(group, task, *picture, point);
+  if (experiment_.layout.pictures) write(group, task, *picture, point);
   return point;
 }
 
@@ -259,7 +268,7 @@ void PointRenderer::noteFile(Point& point, const Path& file) const {
 
 // Writes the picture as shown, and the linear picture if required.
 void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
-  const image::ToneMap& tone = experiment_.shots[group.group->shot].tone;
+  const image::ToneMap& tone = group.studied->tone;
   std::string png = image::encodePng(displayed(lab::colorOf(picture), tone), image::PngEffort::fast);
   Path file = pointFile(store_.folder(), task.key, ".png");
   // Not flushed to disk here; the JSON file of the point is written later and is flushed.
@@ -273,7 +282,7 @@ void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const la
 // Writes the files of the layout. The EXR has `color`, `error` and, for truth, masks; the record has the hash of every
 // output.
 void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
-  const StudiedShot& studied = experiment_.shots[group.group->shot];
+  const StudiedShot& studied = *group.studied;
   const StudiedArm& arm = *task.arm;
   std::string name = lab::fileNameOf(arm.name);
   for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].labels[at.value]);
@@ -303,9 +312,8 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
 
 // Draws, measures and stores one point. A lost device ends the run and leaves the point not drawn.
 void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
-  std::string at = describe(experiment_, *group.group);
-  std::string name =
-      fmt::format("{}{}, {}", experiment_.shots[group.group->shot].name, at.empty() ? "" : ", " + at, task.arm->name);
+  const std::string at = afterComma(describe(experiment_, *group.group));
+  const std::string name = fmt::format("{}{}, {}", group.studied->name, at, task.arm->name);
   batch_.bench().device().setSubject(name);
   Point point;
   const std::string failed = failureOf([&] { point = measuredPoint(group, task); });
@@ -314,12 +322,6 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
     warn(fmt::format("{}: failed: {}", name, failed));
   }
   store_.keep(task.key, point);
-}
-
-std::shared_ptr<const lab::Picture> PointRenderer::firstTruth(const TaskGroup& group) {
-  progress_ = [](int) {};
-  lab::Shot shot = sequenceOf(experiment_, *group.group, group.truth().shot).front();
-  return store_.truth(group.truth_keys.front(), [&] { return drawnTruth(shot, 0); });
 }
 
 void PointRenderer::render(const TaskGroup& group, const Progress& progress) {

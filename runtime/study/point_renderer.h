@@ -8,14 +8,6 @@
 
 namespace strobe::study {
 
-// Rectangle of a crop in a picture of truth. A crop without coordinates has the size of `size` and lies where the
-// region inner is densest.
-image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const PicturesLayout& size,
-                            const TruthPicture& truth);
-
-// Colour, masks, standard errors and exposures of a picture of truth.
-TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& truth);
-
 // Runs `step`. Returns the reason of its failure, "" without one. Rethrows failures that end the run: a file that
 // cannot be written, a lost device.
 std::string failureOf(const std::function<void()>& step);
@@ -28,14 +20,11 @@ class PointRenderer {
 
   // All arguments must outlive the renderer.
   PointRenderer(const Experiment& experiment, lab::Batch& batch, const Store& store)
-      : experiment_(experiment), batch_(batch), store_(store), pictures_(picturesLayoutOf(experiment.layout)) {}
+      : experiment_(experiment), batch_(batch), store_(store) {}
 
   // Draws, measures and stores a point for each task without a point in the store. The point of a failed task has the
   // reason. Throws `Error` if the store cannot write.
   void render(const TaskGroup& group, const Progress& progress);
-
-  // First truth of a group, from the store or newly drawn.
-  std::shared_ptr<const lab::Picture> firstTruth(const TaskGroup& group);
 
   // Time spent so far, seconds.
   struct Spent {
@@ -49,7 +38,7 @@ class PointRenderer {
   std::shared_ptr<const lab::Picture> drawnTruth(const lab::Shot& shot, int cost);
   void prepareTruth(const TaskGroup& group);
   void loadTruth(const TaskGroup& group);
-  Sight sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame);
+  MeasureInput inputOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame);
   Point measuredPoint(const TaskGroup& group, const Task& task);
   void noteFile(Point& point, const Path& file) const;
   void keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);
@@ -59,7 +48,6 @@ class PointRenderer {
   const Experiment& experiment_;
   lab::Batch& batch_;
   const Store& store_;
-  const std::optional<PicturesLayout> pictures_;
   Progress progress_;
   Spent spent_;
 

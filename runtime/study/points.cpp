@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/lists.h"
 #include "study/measures.h"
 
 namespace strobe::study {
@@ -14,15 +15,8 @@ namespace {
 // Allowed values, by "arm", "shot" or the name of an axis; an empty list allows every value.
 using Conditions = std::map<std::string, std::vector<std::string>>;
 
-template <class It>
-std::vector<std::string> namesOf(const std::vector<It>& all) {
-  std::vector<std::string> names;
-  for (const It& one : all) names.push_back(one.name);
-  return names;
-}
-
 void requireOneOf(const std::string& name, const std::vector<std::string>& known, const std::string& what) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  if (contains(known, name)) return;
   throw Error(fmt::format("--only: unknown {} '{}'{}; there {} {}", what, name, didYouMean(name, known),
                           known.size() == 1 ? "is" : "are", fmt::join(known, ", ")),
               {}, 2);
@@ -45,7 +39,7 @@ std::vector<std::string> partsOf(const Experiment& experiment, const std::string
   for (size_t start = 0; start <= expression.size();) {
     size_t end = std::min(expression.find(',', start), expression.size());
     std::string one = expression.substr(start, end - start);
-    bool begins = one.find('=') != std::string::npos || std::find(axes.begin(), axes.end(), one) != axes.end();
+    bool begins = one.find('=') != std::string::npos || contains(axes, one);
     if (begins || parts.empty()) parts.push_back(one);
     else parts.back() += "," + one;
     start = end + 1;
@@ -69,7 +63,7 @@ Conditions conditionsOf(const Experiment& experiment, const std::string& express
 bool allows(const Conditions& conditions, const std::string& name, const std::string& value) {
   auto found = conditions.find(name);
   if (found == conditions.end() || found->second.empty()) return true;
-  return std::find(found->second.begin(), found->second.end(), value) != found->second.end();
+  return contains(found->second, value);
 }
 
 // True if the group lies on every axis of the conditions, at an allowed value.
@@ -84,23 +78,22 @@ bool isAt(const Experiment& experiment, const Group& group, const Conditions& co
   });
 }
 
-// Base arm of the time ratios (by default the first method), if the group has the arm.
-std::optional<size_t> baseAmong(const Experiment& experiment, const Group& group) {
-  for (size_t arm : group.arms) {
-    const StudiedArm& one = experiment.arms[arm];
-    if (experiment.base.empty() ? one.role == ArmRole::method : one.name == experiment.base) return arm;
-  }
-  return std::nullopt;
-}
-
-// Base arm of the time ratios, if ratios are measured and the group is the first of its shot with this arm.
+// Base arm of the time ratios (by default the first method), if ratios are measured and the group is the first of its
+// shot with this arm.
 std::optional<size_t> baseIn(const Experiment& experiment, const Group& group) {
+  auto baseAmong = [&](const Group& one) -> std::optional<size_t> {
+    for (size_t arm : one.arms) {
+      const StudiedArm& of = experiment.arms[arm];
+      if (experiment.base.empty() ? of.role == ArmRole::method : of.name == experiment.base) return arm;
+    }
+    return std::nullopt;
+  };
   bool has_ratios = std::any_of(experiment.measures.begin(), experiment.measures.end(),
                                 [](const std::string& name) { return measureNamed(name).to_base; });
   auto first = std::find_if(experiment.groups.begin(), experiment.groups.end(),
-                            [&](const Group& one) { return one.shot == group.shot && baseAmong(experiment, one); });
+                            [&](const Group& one) { return one.shot == group.shot && baseAmong(one); });
   bool is_first = has_ratios && first != experiment.groups.end() && first->at == group.at;
-  return is_first ? baseAmong(experiment, group) : std::nullopt;
+  return is_first ? baseAmong(group) : std::nullopt;
 }
 
 }  // namespace

@@ -161,19 +161,19 @@ std::string describeLibrary(const page::Library& library) {
 }  // namespace
 
 Report::Report(const Results& results, const Path& folder) : results_(results), folder_(folder) {
-  if (!picturesLayoutOf(results.layout)) return;
+  if (!results.layout.pictures) return;
   for (const ShotSummary& shot : results.shots) galleries_.push_back(galleryOf(results, shot, folder));
 }
 
 // All parts, without empty paragraphs.
 Parts Report::parts(const std::optional<PictureSize>& size) const {
   Parts sections;
-  if (picturesLayoutOf(results_.layout)) append(sections, pictureParts(results_, galleries_, size));
-  if (curvesOf(results_.layout)) append(sections, curveParts(results_));
-  std::optional<TableLayout> table = tableOf(results_.layout);
-  if (frontOf(results_.layout)) append(sections, still(frontParts(results_)));
-  if (frontOf(results_.layout) || table) append(sections, still(effectParts(results_)));
-  if (table) append(sections, table->axes.empty() ? still(tableParts(results_)) : tableParts(results_));
+  const ReportLayout& layout = results_.layout;
+  if (layout.pictures) append(sections, pictureParts(results_, galleries_, size));
+  if (layout.curves) append(sections, curveParts(results_));
+  if (layout.front) append(sections, still(frontParts(results_)));
+  if (layout.front || layout.table) append(sections, still(effectParts(results_)));
+  if (layout.table) append(sections, layout.table->axes.empty() ? still(tableParts(results_)) : tableParts(results_));
 
   Parts parts = summaryOf(results_);
   append(parts, sentencesOf(expectationsBeside(results_, sections)));

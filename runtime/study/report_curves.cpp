@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "lab/shot_data.h"
 #include "page/chart.h"
 #include "page/number.h"
@@ -27,8 +28,7 @@ std::string titleOf(const AxisSummary& axis) { return axis.unit.empty() ? axis.t
 std::vector<std::string> armsOf(const std::vector<Curve>& curves) {
   std::vector<std::string> arms;
   for (const Curve& curve : curves)
-    for (const std::string& arm : curve.arms())
-      if (std::find(arms.begin(), arms.end(), arm) == arms.end()) arms.push_back(arm);
+    for (const std::string& arm : curve.arms()) addOnce(arms, arm);
   return arms;
 }
 
@@ -242,7 +242,7 @@ const char* const kHowToRead =
 }  // namespace
 
 Parts curveParts(const Results& results) {
-  double factor = curvesOf(results.layout)->factor;
+  double factor = results.layout.curves->factor;
   std::vector<Curve> curves = curvesIn(results, factor);
   Parts parts;
   if (curves.empty()) return parts;

@@ -24,7 +24,7 @@ page::Emphasis markOf(const Estimate& estimate) {
 }
 
 std::string basisOf(const FactorEffect& one) {
-  if (one.comparison == LevelComparison::slope) return fmt::format("line through {} points", one.slope.observations);
+  if (one.comparison == LevelComparison::slope) return fmt::format("line through {} points", one.points);
   if (one.comparison == LevelComparison::unpaired) return "unpaired";
   std::string text = countText(size_t(one.effect.blocks), "block");
   return one.effect.incomplete ? text + fmt::format(", {} incomplete left out", one.effect.incomplete) : text;
@@ -43,7 +43,7 @@ page::Table mainTable(const Effects& effects) {
   for (const FactorEffect& one : effects.main) {
     const Factor& factor = effects.factors[one.factor];
     if (one.comparison == LevelComparison::slope)
-      addEstimate(table, factor.name, one.doubling ? "per doubling" : "per unit", one.slope.slope, basisOf(one));
+      addEstimate(table, factor.name, one.doubling ? "per doubling" : "per unit", one.slope, basisOf(one));
     for (size_t level = 0; level < one.effect.levels.size(); ++level)
       addEstimate(table, factor.name, factor.labels[level], one.effect.levels[level], basisOf(one));
   }
@@ -54,14 +54,13 @@ page::Table mainTable(const Effects& effects) {
 page::Table pairTable(const Effects& effects, size_t most) {
   struct Cell {
     const PairEffect* pair;
-    size_t row, column;
+    size_t index;  // of the estimate
     const Estimate* estimate;
   };
   std::vector<Cell> cells;
   for (const PairEffect& pair : effects.pairs)
-    for (size_t row = 0; row < pair.interaction.cells.size(); ++row)
-      for (size_t column = 0; column < pair.interaction.cells[row].size(); ++column)
-        cells.push_back({&pair, row, column, &pair.interaction.cells[row][column]});
+    for (size_t i = 0; i < pair.interaction.levels.size(); ++i)
+      cells.push_back({&pair, i, &pair.interaction.levels[i]});
   std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return std::abs(a.estimate->value) > std::abs(b.estimate->value);
   });
@@ -72,7 +71,7 @@ page::Table pairTable(const Effects& effects, size_t most) {
     const Factor &first = effects.factors[cell.pair->first], &second = effects.factors[cell.pair->second];
     page::Emphasis mark = markOf(*cell.estimate);
     table.add({first.name + " × " + second.name,
-               first.labels[cell.row] + ", " + second.labels[cell.column],
+               first.labels[cell.index / second.levels()] + ", " + second.labels[cell.index % second.levels()],
                {cell.estimate->value, signedNumber(cell.estimate->value), mark},
                {intervalText(*cell.estimate), mark},
                fmt::format("{}", cell.pair->interaction.blocks)});
@@ -90,9 +89,7 @@ Parts effectParts(const Results& results) {
   for (const ShotSummary& shot : results.shots) {
     Effects effects = effectsOf(results, shot.name, view.y, view.region);
     if (effects.factors.size() < 2) continue;
-    const Measure& measure = measureNamed(view.y);
-    std::string of = headOf(measure) + (measure.per_region ? ", " + view.region : "");
-    parts.push_back(heading(shot.title + ": " + of, 3, "", ReportPart::kPage));
+    parts.push_back(heading(shot.title + ": " + headOf(measureNamed(view.y), view.region), 3, "", ReportPart::kPage));
     parts.push_back({mainTable(effects), ReportPart::kPage});
     if (!effects.pairs.empty()) parts.push_back({pairTable(effects, 12), ReportPart::kPage});
   }

@@ -4,11 +4,9 @@
 #include <limits>
 
 #include "lab/shot_data.h"
-#include "math/pareto.h"
 #include "page/chart.h"
 #include "page/svg.h"
 #include "study/gallery.h"
-#include "study/layout.h"
 #include "study/report.h"
 
 namespace strobe::study {
@@ -17,26 +15,15 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-// Point of a method, with its two measures.
-struct FrontPoint {
-  const PointGroup* group;
-  const Point* point;
-  double x, y;
-};
-
-std::string titleOf(const Measure& measure, const std::string& region) {
-  return measure.per_region ? headOf(measure) + ", " + region : headOf(measure);
-}
-
 // Points of `shots`, and their Pareto front.
 class Front {
  public:
   Front(const Results& results, const std::vector<ShotSummary>& shots, const FrontLayout& layout)
       : results_(results), shots_(shots), layout_(layout), x_(measureNamed(layout.x)), y_(measureNamed(layout.y)) {
-    for (const ShotSummary& shot : shots) add(groupsOf(results, shot));
-    std::vector<std::pair<double, double>> costs;
-    for (const FrontPoint& one : all_) costs.emplace_back(cost(x_, one.x), cost(y_, one.y));
-    for (size_t i : paretoFront(costs)) front_.push_back(&all_[i]);
+    for (const ShotSummary& shot : shots)
+      for (const FrontPoint& one : frontPoints(results, shot, layout))
+        if (std::isfinite(one.x)) all_.push_back(one);
+    front_ = frontOf(all_, layout);
   }
 
   bool empty() const { return all_.empty(); }
@@ -48,20 +35,11 @@ class Front {
   }
 
  private:
-  void add(const std::vector<const PointGroup*>& groups) {
-    for (const PointGroup* group : groups)
-      for (const Point& point : group->points) {
-        if (point.role != ArmRole::method) continue;
-        double x = point.value(layout_.x, layout_.region), y = point.value(layout_.y, layout_.region);
-        if (std::isfinite(x) && std::isfinite(y)) all_.push_back({group, &point, x, y});
-      }
-  }
   // Pareto front as steps; if all shots are together, the line y = x over the range of x.
   page::Series line() const;
-  static double cost(const Measure& measure, double value) { return measure.better == Better::higher ? -value : value; }
   page::ChartAxis axis(const Measure& measure) const {
     page::ChartAxis axis;
-    axis.title = titleOf(measure, layout_.region);
+    axis.title = headOf(measure, layout_.region);
     double least = kUnbounded, most = 0;
     for (const FrontPoint& one : all_) {
       if (layout_.together || &measure == &x_) least = std::min(least, one.x), most = std::max(most, one.x);
@@ -81,7 +59,7 @@ class Front {
   const Measure& x_;
   const Measure& y_;
   std::vector<FrontPoint> all_;
-  std::vector<const FrontPoint*> front_;
+  std::vector<FrontPoint> front_;
 };
 
 page::Series Front::line() const {
@@ -94,7 +72,7 @@ page::Series Front::line() const {
     for (double x : {least->x, most->x}) line.points.push_back({x, x});
   } else {
     line.label = "front", line.stepped = true;
-    for (const FrontPoint* one : front_) line.points.push_back({one->x, one->y});
+    for (const FrontPoint& one : front_) line.points.push_back({one.x, one.y});
   }
   return line;
 }
@@ -127,17 +105,17 @@ page::Chart Front::chart() const {
 
 page::Table Front::table() const {
   page::Table table;
-  table.columns = {"method", "values", {titleOf(x_, layout_.region), true}, {titleOf(y_, layout_.region), true}};
-  for (const FrontPoint* one : front_)
-    table.add({one->point->arm, describe(*one->group), page::TableCell(one->x, shownValue(x_, one->x)),
-               page::TableCell(one->y, shownValue(y_, one->y))});
+  table.columns = {"method", "values", {headOf(x_, layout_.region), true}, {headOf(y_, layout_.region), true}};
+  for (const FrontPoint& one : front_)
+    table.add({one.point->arm, describe(*one.group), page::TableCell(one.x, shownValue(x_, one.x)),
+               page::TableCell(one.y, shownValue(y_, one.y))});
   return table;
 }
 
 }  // namespace
 
 Parts frontParts(const Results& results) {
-  FrontLayout layout = frontOf(results.layout).value();
+  const FrontLayout& layout = *results.layout.front;
   Parts parts = {heading(layout.title.empty() ? "Front" : layout.title, 2, "front", ReportPart::kRead),
                  text(layout.note, Tone::plain, ReportPart::kRead)};
   auto figure = [&](const Front& front, const std::string& name) {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/crops.h"
-#include "image/jpeg.h"
+#include "base/lists.h"
+#include "image/draw.h"
 #include "image/png.h"
 #include "lab/shot_data.h"
 #include "page/number.h"
@@ -14,10 +14,6 @@ namespace strobe::study {
 namespace {
 
 using image::Image;
-
-bool isAmong(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 page::TableCell cellOf(const Measure& measure, const PointGroup& group, const Point& point, const std::string& region) {
   double value = point.value(measure.name, region);
@@ -43,12 +39,12 @@ struct PictureColumn {
 std::vector<PictureColumn> columnsOf(const Results& results) {
   std::vector<PictureColumn> columns;
   for (const Measure& measure : measures()) {
-    if (!isAmong(results.measures, measure.name) || !measure.per_region) continue;
+    if (!contains(results.measures, measure.name) || !measure.per_region) continue;
     bool whole = measure.name == "rmse_full";  // one column only
     for (const std::string& region : whole ? std::vector<std::string>{"whole"} : results.regions)
       columns.push_back({&measure, region, whole ? "RMSE whole, full shading" : measure.title + " " + region});
   }
-  if (isAmong(results.measures, "ms"))
+  if (contains(results.measures, std::string("ms")))
     columns.push_back({&measureNamed("ms"), "", results.software ? "time (software)" : "time"});
   return columns;
 }
@@ -110,12 +106,6 @@ std::string regionsText(const Results& results, const PointGroup& group) {
   return fmt::format("anchor {}; {}", group.anchor, fmt::join(parts, ", "));
 }
 
-// Values of a group without the anchor, which the text already has.
-std::string valuesText(const PointGroup& group) {
-  std::string text = describe(group, "anchor");
-  return text.empty() ? "" : ", " + text;
-}
-
 // `quality`: quality of a JPEG; 0: PNG.
 page::PagePicture pictureOf(const std::string& caption, const Image& display, const std::string& name = "",
                             int quality = 0) {
@@ -170,7 +160,7 @@ page::Pictures differencesOf(const Gallery& gallery, double gain) {
 }
 
 void addPictures(const Results& results, const Gallery& gallery, const PictureSize& size, Parts& parts) {
-  double gain = picturesLayoutOf(results.layout)->difference_gain;
+  double gain = results.layout.pictures->difference_gain;
   parts.push_back(heading("Pictures", 3, "", ReportPart::kPage));
   parts.push_back({picturesOf(gallery, size), ReportPart::kPage});
   for (const image::Rectangle& area : gallery.shot->crops) {
@@ -195,9 +185,10 @@ void addShot(const Results& results, const Gallery& gallery, const std::optional
   bool compares = pictures && gallery.shown.size() > 1;
   if (compares) parts.push_back({wipeOf(gallery), ReportPart::kPage});
   for (const PointGroup* group : groupsOf(results, shot)) {
-    parts.push_back(heading("Errors, anchor " + group->anchor + valuesText(*group), 3, "", ReportPart::kPage));
-    parts.push_back(text("Regions: " + regionsText(results, *group) + valuesText(*group) + ".", Tone::soft,
-                         ReportPart::kTerminal | ReportPart::kDocument));
+    parts.push_back(
+        heading("Errors, anchor " + group->anchor + afterComma(describe(*group, "anchor")), 3, "", ReportPart::kPage));
+    parts.push_back(text("Regions: " + regionsText(results, *group) + afterComma(describe(*group, "anchor")) + ".",
+                         Tone::soft, ReportPart::kTerminal | ReportPart::kDocument));
     parts.push_back({errorTable(results, *group)});
   }
   parts.push_back(

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "page/number.h"
 #include "study/curves.h"
 #include "study/gallery.h"
@@ -21,7 +22,7 @@ class AxisTable {
     for (const PointGroup& group : results.groups) {
       if (group.at.size() != 1 || group.at[0].first != axis.name) continue;
       groups_.push_back(&group);
-      if (std::find(shots_.begin(), shots_.end(), group.shot) == shots_.end()) shots_.push_back(group.shot);
+      addOnce(shots_, group.shot);
     }
   }
 
@@ -162,7 +163,7 @@ std::string explained(const Results& results, const TableLayout& layout) {
 }  // namespace
 
 Parts tableParts(const Results& results) {
-  TableLayout layout = tableOf(results.layout).value();
+  const TableLayout& layout = *results.layout.table;
   Parts parts;
   if (layout.axes.empty()) {
     parts.push_back(heading(layout.title.empty() ? "Points" : layout.title, 2, "points", ReportPart::kRead));

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/lists.h"
 #include "base/sealed_json.h"
 #include "base/version.h"
-#include "study/layout.h"
 
 namespace strobe::study {
 
@@ -121,7 +121,7 @@ Json shotJson(const ShotSummary& shot) {
   Json json = textsOf(shot);
   json["fps"] = numberJson(shot.fps);
   json["exposure"] = numberJson(shot.exposure);
-  for (const auto& crop : shot.crops) json["crops"].push_back({crop.x, crop.y, crop.width, crop.height});
+  if (!shot.crops.empty()) json["crops"] = toJson(shot.crops);
   json["stops"] = shot.tone.stops;
   json["filmic"] = shot.tone.curve == image::ToneMap::Curve::filmic;
   return json;
@@ -132,8 +132,7 @@ ShotSummary shotOf(const Json& json) {
   takeTexts(json, shot);
   shot.fps = json.at("fps");
   shot.exposure = json.at("exposure");
-  for (const Json& crop : json.value("crops", Json::array()))
-    shot.crops.push_back({crop.at(0), crop.at(1), crop.at(2), crop.at(3)});
+  shot.crops = cropsFrom(json.value("crops", Json::array()));
   shot.tone.stops = json.at("stops");
   if (json.at("filmic").get<bool>()) shot.tone.curve = image::ToneMap::Curve::filmic;
   return shot;
@@ -165,7 +164,7 @@ Results read(const Json& json) {
     results.arms.push_back({{arm.at("name"), arm.at("pipeline"), {}}, roleOf(arm.at("role")), arm.at("shown")});
   for (const Json& shot : json.at("shots")) results.shots.push_back(shotOf(shot));
   for (const Json& axis : json.at("axes")) results.axes.push_back(axisFrom(axis));
-  results.layout = json.at("layout");
+  results.layout = layoutFrom(json.at("layout"));
   for (const Json& group : json.at("groups")) results.groups.push_back(pointGroupFrom(group));
   for (const Json& expectation : json.at("expectations")) takeTexts(expectation, results.expectations.emplace_back());
   results.inputs = json.value("inputs", results.inputs);
@@ -188,11 +187,10 @@ const It& named(const std::vector<It>& all, const std::string& name) {
 
 void requireMeasures(const Results& results) {
   std::vector<std::string> names = results.measures, known = measureNames();
-  if (std::optional<FrontLayout> front = frontOf(results.layout)) names.insert(names.end(), {front->x, front->y});
-  if (std::optional<TableLayout> table = tableOf(results.layout))
+  if (const auto& front = results.layout.front) names.insert(names.end(), {front->x, front->y});
+  if (const auto& table = results.layout.table)
     for (const auto* list : {&table->cells, &table->once}) names.insert(names.end(), list->begin(), list->end());
-  for (const std::string& name : names)
-    require(std::find(known.begin(), known.end(), name) != known.end(), fmt::format("unknown measure '{}'", name));
+  for (const std::string& name : names) require(contains(known, name), fmt::format("unknown measure '{}'", name));
 }
 
 void requireSound(const Results& results, const AxisSummary& axis) {
@@ -200,7 +198,7 @@ void requireSound(const Results& results, const AxisSummary& axis) {
   require(axis.labels.size() == count && axis.benign.value_or(0) < std::max<size_t>(count, 1),
           fmt::format("axis '{}' has {} values and {} labels", axis.name, count, axis.labels.size()));
   bool numbers = std::all_of(axis.values.begin(), axis.values.end(), [](const Json& one) { return one.is_number(); });
-  require(numbers || !axis.hasCurves() || !curvesOf(results.layout),
+  require(numbers || !axis.hasCurves() || !results.layout.curves,
           fmt::format("axis '{}' has curves, but values that are not numbers", axis.name));
 }
 
@@ -229,7 +227,6 @@ void requireSound(const Results& results) {
           fmt::format("the size is {}x{}", results.width, results.height));
   require(!results.arms.empty(), "the list of arms is empty");
   requireMeasures(results);
-  picturesLayoutOf(results.layout), curvesOf(results.layout);  // throws for fields of another type
   for (const AxisSummary& axis : results.axes) requireSound(results, axis);
   for (const ShotSummary& shot : results.shots) requireSound(results, shot);
   for (const PointGroup& group : results.groups) requireSound(results, group);
@@ -335,9 +332,10 @@ std::string describe(const PointGroup& group, const std::string& without) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string afterComma(const std::string& text) { return text.empty() ? "" : ", " + text; }
+
 std::string describe(const PointGroup& group, const Point& point) {
-  std::string at = describe(group);
-  return fmt::format("{}{}, {}: {}", group.shot, at.empty() ? "" : ", " + at, point.arm, point.failed);
+  return fmt::format("{}{}, {}: {}", group.shot, afterComma(describe(group)), point.arm, point.failed);
 }
 
 std::vector<std::string> Results::failed() const {
@@ -355,12 +353,23 @@ size_t Results::missing() const {
   return count;
 }
 
+size_t Results::points() const {
+  size_t count = 0;
+  for (const PointGroup& group : groups) count += group.points.size() - 1;
+  return count;
+}
+
+size_t Results::truths(bool missing) const {
+  std::set<std::string> commands;
+  for (const PointGroup& group : groups)
+    if (!missing || group.truth().isMissing()) commands.insert(group.truth().key.empty() ? "" : group.truth().command);
+  return countTruths(std::move(commands));
+}
+
 std::string Results::missingText() const {
-  size_t points = 0, truths = 0;
-  for (const PointGroup& group : groups) points += group.points.size() - 1, truths += group.truth().isMissing();
   std::vector<std::string> parts;
-  if (size_t left = missing()) parts.push_back(fmt::format("{} of {} points", left, points));
-  if (truths > 0) parts.push_back(fmt::format("{} of {} truths", truths, groups.size()));
+  if (size_t left = missing()) parts.push_back(fmt::format("{} of {} points", left, points()));
+  if (size_t left = truths(true)) parts.push_back(fmt::format("{} of {} truths", left, truths()));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -371,6 +380,16 @@ Json numberJson(double value) {
 
 void takeTexts(const Json& json, AxisSummary& axis) { takeTexts<AxisSummary>(json, axis); }
 void takeTexts(const Json& json, ShotSummary& shot) { takeTexts<ShotSummary>(json, shot); }
+
+Json toJson(const std::vector<image::Rectangle>& crops) {
+  return listOf(crops, [](const image::Rectangle& crop) { return Json{crop.x, crop.y, crop.width, crop.height}; });
+}
+
+std::vector<image::Rectangle> cropsFrom(const Json& json) {
+  std::vector<image::Rectangle> crops;
+  for (const Json& crop : json) crops.push_back({crop.at(0), crop.at(1), crop.at(2), crop.at(3)});
+  return crops;
+}
 
 Json toJson(const Point& point) {
   Json json = textsOf(point);
@@ -404,7 +423,7 @@ Json toJson(const Results& results) {
   json["arms"] = listOf(results.arms, armJson);
   json["shots"] = listOf(results.shots, shotJson);
   json["axes"] = listOf(results.axes, axisJson);
-  json["layout"] = results.layout;
+  json["layout"] = results.layout.json;
   json["expectations"] = listOf(results.expectations, [](const Expectation& one) { return textsOf(one); });
   if (!results.inputs.empty()) json["inputs"] = results.inputs;
   json["groups"] = listOf(results.groups, groupJson);
@@ -448,7 +467,7 @@ Results outlineOf(const Experiment& experiment) {
   return results;
 }
 
-void retell(const Home& home, Results& results, const Experiment& experiment) {
+void relabel(const Home& home, Results& results, const Experiment& experiment) {
   results.title = experiment.title, results.question = experiment.question, results.note = experiment.note;
   results.layout = experiment.layout;
   for (AxisSummary& axis : results.axes)

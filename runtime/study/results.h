@@ -33,13 +33,18 @@ struct Point {
   std::string command;              // draws the picture again
   std::string image;                // hash of the output `color`
   std::string preset;               // preset of the pipeline; "": no preset
-  std::string failed;               // reason of a failure; "": no failure
+  std::string failed;               // reason of a failure; "": no failure. With values, only the times failed
   // Files beside the results, "" if not written: linear colour as measured and as shown (OpenEXR), display picture,
   // record.
   std::string measured, shown, picture, record;
   std::map<std::string, std::string> files;  // hashes of all files of the point, by name below the results' folder
   std::string times;                         // conditions of the times: rounds, and the base of ratios
+  // Only of a truth, and only in its own file, because results have these once per shot: the crops of the shot, and the
+  // author of its scene.
+  std::vector<image::Rectangle> crops;
+  std::string attribution;
 
+  bool isDrawn() const { return !values.empty(); }                     // drawn and measured, perhaps without times
   bool isMissing() const { return values.empty() && failed.empty(); }  // not drawn yet
   // Reason for missing values: "failed", "not drawn", "2 px not finite"; "" if no values are missing.
   std::string lack() const;
@@ -88,7 +93,9 @@ struct Results : ExperimentSummary {
   const ShotSummary& shot(const std::string& name) const;
   std::vector<std::string> contradicted() const;  // expectations, in words
   std::vector<std::string> failed() const;        // points, with their reasons
-  size_t missing() const;                         // number of points that are not drawn yet
+  size_t points() const;                          // number of points without truths
+  size_t missing() const;                         // number of these that are not drawn yet
+  size_t truths(bool missing = false) const;      // number of distinct truths; `missing`: only those not drawn yet
   std::string missingText() const;                // not drawn yet: "3 of 8 points, 1 of 2 truths"; "": none
 };
 
@@ -99,8 +106,14 @@ Json numberJson(double value);
 void takeTexts(const Json& json, AxisSummary& axis);
 void takeTexts(const Json& json, ShotSummary& shot);
 
+Json toJson(const std::vector<image::Rectangle>& crops);
+std::vector<image::Rectangle> cropsFrom(const Json& json);
+
 Json toJson(const Point& point);
 Point pointFrom(const Json& json, const std::string& file);  // throws `Error` naming the file
+
+// `text` after a comma; "" for "".
+std::string afterComma(const std::string& text);
 
 // Text for a failed point: shot, values, arm and reason.
 std::string describe(const PointGroup& group, const Point& point);
@@ -125,7 +138,7 @@ Results outlineOf(const Experiment& experiment);
 void judgeResults(const Home& home, Results& results, const std::string& file);
 
 // Replaces texts and layout of the results by the texts and layout of the experiment, and evaluates its expectations.
-void retell(const Home& home, Results& results, const Experiment& experiment);
+void relabel(const Home& home, Results& results, const Experiment& experiment);
 
 // One row per point and region: point, arm, shot, region, each axis, each measure, truth_error (standard error of
 // truth's RMSE in the region), pipeline, preset. If values are missing, also `note` with the reason. Fields after the

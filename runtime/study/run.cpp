@@ -14,7 +14,6 @@
 #include <set>
 
 #include "base/log.h"
-#include "lab/record.h"
 #include "math/statistics.h"
 #include "plan/plan.h"
 #include "study/point_renderer.h"
@@ -50,12 +49,12 @@ namespace {
 
 // ---- drawing
 
-void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Left& left,
+void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Remaining& remaining,
                 ProgressWatch& watch) {
-  if (left.groups.empty()) return;
-  watch.begin("drawing", left.cost);
+  if (remaining.groups.empty()) return;
+  watch.begin("drawing", remaining.cost);
   PointRenderer renderer(experiment, batch, store);
-  for (const TaskGroup* group : left.groups) renderer.render(*group, [&](int by) { watch.advance(by); });
+  for (const TaskGroup* group : remaining.groups) renderer.render(*group, [&](int by) { watch.advance(by); });
   watch.end();
   if (experiment.is_step) return;
   const PointRenderer::Spent& spent = renderer.spent();
@@ -64,21 +63,6 @@ void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& st
 }
 
 // ---- times
-
-// Lists of groups that are timed together: the groups of one shot along one axis; in a search step, all groups of a
-// shot; other groups alone.
-std::vector<std::vector<const TaskGroup*>> walksOf(const Experiment& experiment, const std::vector<TaskGroup>& groups) {
-  std::vector<std::vector<const TaskGroup*>> walks;
-  for (const TaskGroup& group : groups) {
-    const Group* last = walks.empty() ? nullptr : walks.back().back()->group;
-    bool along = last && benignOf(experiment, *group.group) && last->at.size() == 1;
-    bool same = along && last->shot == group.group->shot && last->at[0].axis == group.group->at[0].axis;
-    if (experiment.is_step) same = last && last->shot == group.group->shot;
-    if (!same) walks.emplace_back();
-    walks.back().push_back(&group);
-  }
-  return walks;
-}
 
 // Base of the time ratios of a shot: the first point of the base arm, else the first timed point.
 const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store,
@@ -114,7 +98,7 @@ bool lacksTimes(const Experiment& experiment, const Task& task, const Task& base
                 point.times.ends_with(baseTextOf(task, base));
   bool good = enough || point.times == timesOf(experiment, task, base);
   return !good || std::any_of(task.measures.begin(), task.measures.end(), [&](const std::string& name) {
-    return measureNamed(name).is_time && !point.values.count(name);
+    return measureNamed(name).isTime() && !point.values.count(name);
   });
 }
 
@@ -141,16 +125,14 @@ struct Times {
 };
 
 void keepTimes(const Store& store, const Task& task, const std::string& times, const Times& own, const Times& base) {
-  Sight sight;
-  sight.times_ms = own.frame.ms, sight.base_ms = base.frame.ms;
-  sight.own_ms = own.own_ms, sight.own_base_ms = base.own_ms;
+  const TimesInput input = {own.frame.ms, base.frame.ms, own.own_ms, base.own_ms};
   std::optional<Point> kept = store.point(task.key);
   if (!kept) return;  // damaged in the meantime; the next sweep makes the point again
   Point& point = *kept;
-  point.times = times;
+  point.failed.clear(), point.times = times;
   point.passes = passesOf(own.frame);
   for (const std::string& name : task.measures)
-    if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, {"all", {}});
+    if (measureNamed(name).isTime()) point.values[name]["all"] = measureNamed(name).of_times(input);
   store.keep(task.key, point);
 }
 
@@ -160,106 +142,88 @@ struct TimedTurn {
   std::vector<const Task*> tasks;
 };
 
-std::vector<TimedTurn> walksLeft(const Experiment& experiment, const std::vector<TaskGroup>& groups,
-                                 const Store& store) {
-  std::vector<TimedTurn> left;
-  for (const std::vector<const TaskGroup*>& along : walksOf(experiment, groups)) {
-    TimedTurn walk{baseOf(experiment, groups, store, along.front()->group->shot), {}};
-    for (const TaskGroup* group : along)
-      for (const Task& task : group->tasks)
-        if (walk.base && lacksTimes(experiment, task, *walk.base, store)) walk.tasks.push_back(&task);
-    if (!walk.tasks.empty()) left.push_back(walk);
+// Turns with tasks that lack times. The groups of one shot along one axis are one turn; in a search step, all groups of
+// a shot. Every other group is a turn of its own.
+std::vector<TimedTurn> remainingTurns(const Experiment& experiment, const std::vector<TaskGroup>& groups,
+                                      const Store& store) {
+  std::vector<TimedTurn> turns;
+  const Group* last = nullptr;
+  for (const TaskGroup& of : groups) {
+    const Group& group = *of.group;
+    bool is_along = last && benignOf(experiment, group) && last->at.size() == 1 && last->at[0].axis == group.at[0].axis;
+    bool is_same = last && last->shot == group.shot && (is_along || experiment.is_step);
+    if (!is_same) turns.push_back({baseOf(experiment, groups, store, group.shot), {}});
+    TimedTurn& turn = turns.back();
+    for (const Task& task : of.tasks)
+      if (turn.base && lacksTimes(experiment, task, *turn.base, store)) turn.tasks.push_back(&task);
+    last = &group;
   }
-  return left;
+  std::erase_if(turns, [](const TimedTurn& turn) { return turn.tasks.empty(); });
+  return turns;
 }
 
 // Times all tasks in turn, with the base among them, so that other load of the machine affects all tasks alike.
-void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store, const TimedTurn& walk) {
-  std::vector<lab::Shot> shots = {walk.base->shot};
-  for (const Task* task : walk.tasks) shots.push_back(task->shot);
+void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store, const TimedTurn& turn) {
+  std::vector<lab::Shot> shots = {turn.base->shot};
+  for (const Task* task : turn.tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
   auto times = [&](size_t i) { return Times{timings[i], ownMs(batch, shots[i], timings[i])}; };
   // A task with the key of the base gets the times of the base: directly after the base, its own times would be of a
   // warm device.
-  for (size_t i = 0; i < walk.tasks.size(); ++i) {
-    const Task& task = *walk.tasks[i];
-    keepTimes(store, task, timesOf(experiment, task, *walk.base), times(task.key == walk.base->key ? 0 : i + 1),
+  for (size_t i = 0; i < turn.tasks.size(); ++i) {
+    const Task& task = *turn.tasks[i];
+    keepTimes(store, task, timesOf(experiment, task, *turn.base), times(task.key == turn.base->key ? 0 : i + 1),
               times(0));
   }
 }
 
-// Marks points as failed, with the reason, if their times cannot be measured.
-void failTimes(const Store& store, const TimedTurn& walk, const std::string& reason) {
-  for (const Task* task : walk.tasks) {
-    Point point = store.point(task->key).value_or(Point());
-    point.failed = "times: " + reason;
-    store.keep(task->key, point);
+// Marks points as failed, with the reason, if their times cannot be measured. The values of their pictures stay.
+void failTimes(const Store& store, const TimedTurn& turn, const std::string& reason) {
+  for (const Task* task : turn.tasks) {
+    std::optional<Point> point = store.point(task->key);
+    if (!point) continue;  // damaged in the meantime
+    std::erase_if(point->values, [](const auto& value) { return measureNamed(value.first).isTime(); });
+    point->failed = "times: " + reason, point->times.clear(), point->passes.clear();
+    store.keep(task->key, *point);
   }
-  warn(fmt::format("times of {} points failed: {}", walk.tasks.size(), reason));
+  warn(fmt::format("times of {} points failed: {}", turn.tasks.size(), reason));
 }
 
 void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TaskGroup>& groups,
               ProgressWatch& watch) {
-  std::vector<TimedTurn> walks = walksLeft(experiment, groups, store);
-  if (walks.empty()) return;
+  std::vector<TimedTurn> turns = remainingTurns(experiment, groups, store);
+  if (turns.empty()) return;
   size_t count = 0;
-  for (const TimedTurn& walk : walks) count += walk.tasks.size();
+  for (const TimedTurn& turn : turns) count += turn.tasks.size();
   watch.begin("times", int(count));
-  for (const TimedTurn& walk : walks) {
-    const std::string failed = failureOf([&] { timeInTurn(experiment, batch, store, walk); });
-    if (!failed.empty()) failTimes(store, walk, failed);
-    watch.advance(int(walk.tasks.size()));
+  for (const TimedTurn& turn : turns) {
+    const std::string failed = failureOf([&] { timeInTurn(experiment, batch, store, turn); });
+    if (!failed.empty()) failTimes(store, turn, failed);
+    watch.advance(int(turn.tasks.size()));
   }
   watch.end();
 }
 
 // ---- results
 
-// Fills in crops and attribution from a truth of the shot.
-void describeShot(const Experiment& experiment, const TaskGroup& group, PointRenderer& renderer, ShotSummary& summary) {
-  std::shared_ptr<const lab::Picture> truth = renderer.firstTruth(group);
-  if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);
-  if (experiment.shots[group.group->shot].wanted_crops.empty()) return;
-  PicturesLayout pictures = picturesLayoutOf(experiment.layout).value_or(PicturesLayout());
-  TruthPicture against = truthPictureOf(experiment, *truth);
-  for (const Crop& crop : experiment.shots[group.group->shot].wanted_crops)
-    summary.crops.push_back(placedCrop(experiment, crop, pictures, against));
-}
-
-void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch,
-                   const Store& store, Results& results) {
-  std::set<size_t> described;
-  PointRenderer renderer(experiment, batch, store);
-  for (const TaskGroup& group : groups) {
-    bool has_truth = !group.truth().key.empty() && store.has(group.truth().key);
-    if (!has_truth || !described.insert(group.group->shot).second) continue;
-    ShotSummary& summary = results.shots[group.group->shot];
-    const std::string failed = failureOf([&] { describeShot(experiment, group, renderer, summary); });
-    if (!failed.empty()) warn(fmt::format("{}: crops are left out: {}", summary.title, failed));
-  }
-}
-
 PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::string anchor) {
-  const StudiedShot& studied = experiment.shots[group.group->shot];
-  PointGroup result{studied.name, std::move(anchor), {}, {}};
+  PointGroup result{group.studied->name, std::move(anchor), {}, {}};
   for (const At& at : group.group->at)
     result.at.emplace_back(experiment.axes[at.axis].name, experiment.axes[at.axis].values[at.value]);
   for (const Task& task : group.tasks) {
     Point point;
     point.key = task.key, point.failed = task.refused;
     point.arm = task.arm->name, point.role = task.arm->role;
-    point.command = commandOf(studied, task.shot);
+    point.command = commandOf(*group.studied, task.shot);
     result.points.push_back(std::move(point));
   }
   return result;
 }
 
-}  // namespace
-
 // Results before a picture is drawn: every point with its key, or the reason why the point cannot be drawn. With
 // `takePoints`, the current results at any time.
-static Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch) {
-  Results results = outlineOf(experiment);
+Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch) {
+  Results results = study::outlineOf(experiment);
   const gpu::DeviceInfo& device = batch.bench().device().info();
   results.device = device.name, results.driver = device.driver, results.software = device.software;
   for (const TaskGroup& group : groups) {
@@ -276,28 +240,32 @@ static Results outlineOf(const Experiment& experiment, const std::vector<TaskGro
   return results;
 }
 
-Results run(const Experiment& experiment, lab::Workbench& bench, const Store& store, const Started& started) {
-  lab::Batch batch(bench);
-  return run(experiment, batch, store, started);
+Results withPoints(Results results, const Store& store) {
+  takePoints(results, store.folder());
+  return results;
 }
 
-Results run(const Experiment& experiment, lab::Batch& batch, const Store& store, const Started& started) {
+// Stores and announces the outline.
+Results storedOutline(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch,
+                      const Store& store) {
+  Results outline = outlineOf(experiment, groups, batch);
+  store.keepOutline(outline);
+  if (!experiment.is_step) announce(withPoints(outline, store));
+  return outline;
+}
+
+}  // namespace
+
+Results run(const Experiment& experiment, lab::Batch& batch, const Store& store) {
   for (const StudiedShot& shot : experiment.shots)
     if (!shot.missing.empty()) note(fmt::format("{}: skipped, {}", shot.title, shot.missing));
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
-  Results results = outlineOf(experiment, groups, batch);
-  if (started) started(results);
-  auto now = [&] {
-    Results so_far = results;
-    takePoints(so_far, store.folder());
-    return so_far;
-  };
-  if (!experiment.is_step) announce(now());
-  ProgressWatch watch(experiment.is_step ? std::function<Results()>() : now);
-  renderHere(experiment, batch, store, leftOf(groups, store), watch);
+  Results results = storedOutline(experiment, groups, batch, store);
+  ProgressWatch watch;
+  if (!experiment.is_step) watch.now = [&] { return withPoints(results, store); };
+  renderHere(experiment, batch, store, remainingOf(groups, store), watch);
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());
-  describeShots(experiment, groups, batch, store, results);
   if (experiment.expectations) judgeResults(batch.bench().home(), results, experiment.file);
   return results;
 }
@@ -313,19 +281,15 @@ struct Shared {
   std::atomic<bool> outlined = false;
 };
 
-[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store,
-                              const Started& started, Shared& shared) {
+[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store, Shared& shared) {
   int code = 0;
   try {
     std::unique_ptr<lab::Workbench> bench = make();
     lab::Batch batch(*bench);
     std::vector<TaskGroup> groups = tasksOf(experiment, batch);
     if (!shared.outlined.exchange(true)) {
-      Results outline = outlineOf(experiment, groups, batch);
-      started(outline);
-      takePoints(outline, store.folder());
-      announce(outline);
-      shared.cost = leftOf(groups, store).cost;
+      storedOutline(experiment, groups, batch, store);
+      shared.cost = remainingOf(groups, store).cost;
     }
     PointRenderer renderer(experiment, batch, store);
     for (size_t i; (i = shared.next++) < groups.size();)
@@ -357,8 +321,7 @@ bool reapEnded(std::vector<pid_t>& children) {
 
 }  // namespace
 
-bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs,
-                       const Started& started, const std::function<Results()>& now) {
+bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs) {
   void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw Error("cannot allocate memory for several processes");
   Shared& shared = *new (memory) Shared;
@@ -367,7 +330,7 @@ bool renderInProcesses(const Experiment& experiment, const MakeBench& make, cons
     pid_t child = ::fork();
     if (child == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      renderShare(experiment, make, store, started, shared);
+      renderShare(experiment, make, store, shared);
     }
     if (child > 0) children.push_back(child);
     else warn(fmt::format("process {} of {} cannot be started: {}", i + 1, jobs, std::strerror(errno)));
@@ -375,7 +338,10 @@ bool renderInProcesses(const Experiment& experiment, const MakeBench& make, cons
   bool good = children.size() == size_t(jobs);
   std::optional<ProgressWatch> watch;
   for (int shown = 0; !children.empty();) {
-    if (!watch && shared.cost > 0) watch.emplace(now).begin("drawing", shared.cost);
+    if (!watch && shared.cost > 0) {
+      watch.emplace().now = [&store] { return resultsSoFar(store.outline); };
+      watch->begin("drawing", shared.cost);
+    }
     int done = shared.cost_done;
     if (watch) watch->advance(done - shown), shown = done;
     const size_t running = children.size();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/lists.h"
+
 namespace strobe::study {
 
 using Type = plan::ParamDesc::Type;
@@ -138,7 +140,7 @@ std::vector<Search::Found> Search::measured(const std::vector<Spot>& spots, int 
   for (const Spot& spot : spots) {
     std::string identity = identities.emplace_back(identity_(spot));
     bool is_new = !identity.empty() && !known.count(identity) && evaluations_ < options_.evaluations;
-    if (!is_new || std::find(new_ones.begin(), new_ones.end(), identity) != new_ones.end()) continue;
+    if (!is_new || contains(new_ones, identity)) continue;
     new_ones.push_back(identity), asked.push_back(spot);
     ++evaluations_;
   }
@@ -166,7 +168,7 @@ std::vector<Spot> Search::chosenStarts(const std::vector<Spot>& starts) {
   std::vector<std::string> known;
   for (const Spot& spot : starts) {
     std::string identity = identity_(spot);
-    if (identity.empty() || std::find(known.begin(), known.end(), identity) != known.end()) continue;
+    if (identity.empty() || contains(known, identity)) continue;
     known.push_back(identity), chosen.push_back(spot);
     if (chosen.size() == most) break;
   }
@@ -187,7 +189,7 @@ std::vector<Search::Found> Search::halved(std::vector<Spot> spots) {
     size_t kept = (tried.size() + size_t(options_.keep) - 1) / size_t(options_.keep);
     spots.clear();
     for (size_t i = 0; i < kept; ++i) spots.push_back(tried[i].spot);
-    if (std::find(spots.begin(), spots.end(), first) == spots.end()) spots.push_back(first);
+    addOnce(spots, first);
   }
   return tried;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/lists.h"
 #include "figure/figure.h"
 #include "page/number.h"
 #include "study/report.h"
@@ -20,17 +21,15 @@ const std::vector<Colour> kCropColours = {{1.0f, 0.76f, 0.03f}, {0.1f, 0.75f, 0.
 enum SheetVersion { kShown, kMeasured };
 
 std::string numbersOf(const Results& results, const Point& point) {
-  auto has = [&](const std::string& region) {
-    return std::find(results.regions.begin(), results.regions.end(), region) != results.regions.end();
-  };
   std::vector<std::string> parts;
   if (point.role == ArmRole::truth) {
     for (const std::string& region : results.regions)
       parts.push_back(fmt::format("{} {}", region, shownError(point.value("rmse", region))));
     return fmt::format("its standard error: {}", fmt::join(parts, ", "));
   }
-  for (const char* region : {"inner", "whole"})
-    if (has(region)) parts.push_back(fmt::format("RMSE {} {}", region, shownError(point.value("rmse", region))));
+  for (const std::string region : {"inner", "whole"})
+    if (contains(results.regions, region))
+      parts.push_back(fmt::format("RMSE {} {}", region, shownError(point.value("rmse", region))));
   if (double ms = point.value("ms"); !std::isnan(ms))
     parts.push_back(page::shownMs(ms) + (results.software ? " (software)" : ""));
   return fmt::format("{}", fmt::join(parts, ", "));
@@ -70,7 +69,7 @@ class Sheet {
     addCells(gallery, [&](FigureCell& cell, const ShownPoint& one) {
       if (one.isTruth()) return figure_.cells.pop_back();
       cell.step = kMeasured, cell.against = gallery.truth().point->arm, cell.difference = "channels";
-      cell.gain = picturesLayoutOf(results_.layout).value_or(PicturesLayout()).difference_gain;
+      cell.gain = results_.layout.pictures.value_or(PicturesLayout()).difference_gain;
       frame(cell, shot);
     });
   }
@@ -101,7 +100,7 @@ class Sheet {
 
   static void frame(FigureCell& cell, const ShotSummary& shot) {
     for (size_t i = 0; i < shot.crops.size(); ++i) {
-      figure::BoxMark& box = cell.marks.boxes.emplace_back();
+      figure::FigureMark& box = cell.marks.emplace_back();
       box.area = areaOf(shot.crops[i]), box.colour = kCropColours[i % kCropColours.size()], box.width = 2;
     }
   }

@@ -91,14 +91,29 @@ Path pointFile(const Path& folder, const std::string& key, const std::string& en
 static std::optional<Point> pointFromFile(const Path& file, const std::string& key) {
   try {
     std::optional<Json> json = unsealed(readText(file));
-    if (json && json->value("key", "") == key) return pointFrom(*json, file.string());
+    if (!json || json->value("key", "") != key) return std::nullopt;
+    Point point = pointFrom(*json, file.string());
+    point.crops = cropsFrom(json->value("crops", Json::array())), point.attribution = json->value("attribution", "");
+    return point;
   } catch (const std::exception&) {  // not JSON of a point, or not readable
   }
   return std::nullopt;
 }
 
+// Fills in crops and attribution of a shot from its first truth that is drawn.
+static void describeShot(Results& results, const PointGroup& group, const Point& truth,
+                         std::set<std::string>& described) {
+  if (!truth.isDrawn() || !described.insert(group.shot).second) return;
+  for (ShotSummary& shot : results.shots) {
+    if (shot.name != group.shot) continue;
+    shot.crops = truth.crops;
+    if (shot.attribution.empty()) shot.attribution = truth.attribution;
+  }
+}
+
 std::vector<Path> takePoints(Results& results, const Path& folder) {
   std::vector<Path> damaged;
+  std::set<std::string> described;
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) {
       Path file = pointFile(folder, point.key, ".json");
@@ -111,9 +126,16 @@ std::vector<Path> takePoints(Results& results, const Path& folder) {
       }
       if (known->command.empty()) known->command = point.command;
       known->arm = point.arm, known->role = point.role;
+      if (known->role == ArmRole::truth) describeShot(results, group, *known, described);
       point = std::move(*known);
     }
   return damaged;
+}
+
+Results resultsSoFar(const Path& outline) {
+  Results results = resultsIn(outline);
+  takePoints(results, outline.parent_path());
+  return results;
 }
 
 bool isAsWritten(const Point& point, const Path& folder, const std::string& name) {
@@ -177,6 +199,12 @@ void Store::belongTo(const std::string& title) const {
                 {folder_.string()}, 2);
 }
 
+void Store::keepOutline(Results results) const {
+  if (outline.empty()) return;
+  results.command = command;
+  writeFileAtomically(outline, textOf(results));
+}
+
 std::optional<Point> Store::point(const std::string& key) const {
   Path file = pointFile(folder_, key, ".json");
   if (!fs::exists(file)) return std::nullopt;
@@ -214,15 +242,17 @@ bool Store::has(const std::string& key) const {
   if (had_.count(key)) return true;
   std::optional<Point> kept = point(key);
   bool is_had =
-      kept && kept->failed.empty() && hasFiles(*kept) && (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
+      kept && kept->isDrawn() && hasFiles(*kept) && (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
   if (is_had) had_.insert(key);
   return is_had;
 }
 
 void Store::keep(const std::string& key, const Point& point) const {
-  if (!point.failed.empty()) had_.erase(key);
+  if (!point.isDrawn()) had_.erase(key);
   Json json = toJson(point);
   json["key"] = key;
+  if (!point.crops.empty()) json["crops"] = toJson(point.crops);
+  if (!point.attribution.empty()) json["attribution"] = point.attribution;
   writeFileAtomically(pointFile(folder_, key, ".json"), sealed(std::move(json)));
 }
 

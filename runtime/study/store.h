@@ -16,9 +16,12 @@ namespace strobe::study {
 // Path of a file of a point: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
 Path pointFile(const Path& folder, const std::string& key, const std::string& ending);
 
-// Fills in the points of `results` that the folder has; other points stay as they are. Needs no lock. Returns the
-// damaged files of points: cut short, altered, or of another point.
+// Fills in the points of `results` that the folder has, and the crops and authors of their shots; other points and
+// shots stay as they are. Needs no lock. Returns the damaged files of points: cut short, altered, or of another point.
 std::vector<Path> takePoints(Results& results, const Path& folder);
+
+// Results of an unfinished run, with the points drawn so far. Throws `Error` if the outline is missing or damaged.
+Results resultsSoFar(const Path& outline);
 
 // Files of the points of `results` that are in the folder and differ from their hash.
 std::vector<Path> alteredFiles(const Results& results, const Path& folder);
@@ -43,8 +46,13 @@ class Store {
   // True: points without a file of linear colour count as missing.
   bool requires_exr = false;
 
-  // Point in folder/points/KEY.json, if the file exists. `has` is false for a failed point, and for a point with
-  // missing or damaged files.
+  // File of the outline: the results with every point that can be drawn, but without numbers. "": not kept.
+  Path outline;
+  std::string command;  // of the results
+  void keepOutline(Results results) const;
+
+  // Point in folder/points/KEY.json, if the file exists. `has` is false for a point without values (its picture
+  // failed), and for a point with missing or damaged files.
   std::optional<Point> point(const std::string& key) const;
   bool has(const std::string& key) const;
   void keep(const std::string& key, const Point& point) const;

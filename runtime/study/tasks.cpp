@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/hash.h"
+#include "base/lists.h"
 #include "lab/record.h"
 #include "study/measures.h"
 
@@ -33,21 +34,22 @@ std::vector<std::string> measuresOf(const Experiment& experiment, const Group& g
   std::vector<std::string> wanted = experiment.measures;
   auto add = [&](const std::vector<std::string>& names) { wanted.insert(wanted.end(), names.begin(), names.end()); };
   add({"rmse", "pixels", "broken"});
-  if (picturesLayoutOf(experiment.layout)) add({"displacement", "clamped"});
-  if (curvesOf(experiment.layout)) add({"contrast", "change", "changed"});
-  if (std::optional<FrontLayout> front = frontOf(experiment.layout)) add({front->x, front->y});
+  const ReportLayout& layout = experiment.layout;
+  if (layout.pictures) add({"displacement", "clamped"});
+  if (layout.curves) add({"contrast", "change", "changed"});
+  if (layout.front) add({layout.front->x, layout.front->y});
   if (experiment.background) add({"background_deviation", "background_difference", "background_pixels", "clamped"});
-  if (std::optional<TableLayout> table = tableOf(experiment.layout)) {
-    for (const std::string& axis : table->axes) {
+  if (layout.table) {
+    for (const std::string& axis : layout.table->axes) {
       if (!hasAxis(experiment, group, axis)) continue;
-      add(table->cells);
-      if (isFirstShot(experiment, group, axis)) add(table->once);
+      add(layout.table->cells);
+      if (isFirstShot(experiment, group, axis)) add(layout.table->once);
     }
-    if (table->share) add({"contrast"});
+    if (layout.table->share) add({"contrast"});
   }
   std::vector<std::string> ordered;
   for (const std::string& name : measureNames())
-    if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) ordered.push_back(name);
+    if (contains(wanted, name)) ordered.push_back(name);
   return ordered;
 }
 
@@ -72,18 +74,26 @@ std::string makerOf(lab::Batch& batch) {
   return fmt::format("{}|{}|{}", lab::programHash(), device.name, device.driver);
 }
 
-std::vector<std::string> contentsOf(const Experiment& experiment, const Group& group, const lab::Shot& shot,
-                                    lab::Batch& batch) {
+std::vector<std::string> contentsOf(const StudiedShot& studied, const lab::Shot& shot, lab::Batch& batch) {
   std::vector<std::string> contents;
-  for (const lab::Shot& one : sequenceOf(experiment, group, shot)) contents.push_back(batch.contentOf(one));
+  for (const lab::Shot& one : sequenceOf(studied, shot)) contents.push_back(batch.contentOf(one));
   return contents;
 }
 
-std::vector<std::string> truthKeysOf(const Experiment& experiment, const Group& group, const lab::Shot& truth,
+std::vector<std::string> truthKeysOf(const Experiment& experiment, const StudiedShot& studied, const lab::Shot& truth,
                                      lab::Batch& batch) {
   std::vector<std::string> keys;
-  for (const lab::Shot& one : sequenceOf(experiment, group, truth)) keys.push_back(truthKeyOf(experiment, batch, one));
+  for (const lab::Shot& one : sequenceOf(studied, truth)) keys.push_back(truthKeyOf(experiment, batch, one));
   return keys;
+}
+
+// Everything that determines the crops of a shot in a picture of truth.
+Json cropParts(const Experiment& experiment, const StudiedShot& studied) {
+  const PicturesLayout size = experiment.layout.pictures.value_or(PicturesLayout());
+  Json parts = {size.crop_width, size.crop_height, experiment.file_width, experiment.file_height};
+  for (const Crop& crop : studied.wanted_crops)
+    parts.push_back(crop ? Json{crop->x, crop->y, crop->width, crop->height} : Json("inner"));
+  return parts;
 }
 
 // Everything that determines a result.
@@ -93,22 +103,23 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
                 {"full", group.full_keys},
                 {"regions", experiment.regions},
                 {"role", nameOf(task.arm->role)}};
-  parts["picture"] = task.arm->role == ArmRole::truth ? Json(group.truth_keys)
-                                                      : Json(contentsOf(experiment, *group.group, task.shot, batch));
+  parts["picture"] =
+      task.arm->role == ArmRole::truth ? Json(group.truth_keys) : Json(contentsOf(*group.studied, task.shot, batch));
+  if (task.arm->role == ArmRole::truth) parts["crops"] = cropParts(experiment, *group.studied);
   for (const std::string& name : task.measures)
-    if (!measureNamed(name).is_time) parts["measures"].push_back(name);
+    if (!measureNamed(name).isTime()) parts["measures"].push_back(name);
   std::optional<Group> benign = benignOf(experiment, *group.group);
   if (benign && task.compares)
     parts["benign"] = task.arm->role == ArmRole::truth
-                          ? truthKeysOf(experiment, *benign, truthShotOf(experiment, *benign), batch)
-                          : contentsOf(experiment, *benign, shotOf(experiment, *benign, *task.arm), batch);
+                          ? truthKeysOf(experiment, *group.studied, truthShotOf(experiment, *benign), batch)
+                          : contentsOf(*group.studied, shotOf(experiment, *benign, *task.arm), batch);
   const std::optional<Background>& background = experiment.background;
   if (background && background->arm == task.arm->name)
     for (const StudiedArm& arm : experiment.arms)
       if (arm.name == background->front)
-        parts["front"] = contentsOf(experiment, *group.group, shotOf(experiment, *group.group, arm), batch);
-  const StudiedShot& studied = experiment.shots[group.group->shot];
-  if (picturesLayoutOf(experiment.layout)) {
+        parts["front"] = contentsOf(*group.studied, shotOf(experiment, *group.group, arm), batch);
+  if (experiment.layout.pictures) {
+    const StudiedShot& studied = *group.studied;
     lab::Shot box = task.shot;
     box.sets = joined(box.sets, task.arm->box);
     parts["shown"] = {batch.contentOf(box),    studied.picture_aa, studied.tone.stops,
@@ -123,11 +134,11 @@ void complete(const Experiment& experiment, const TaskGroup& group, Task& task, 
     if (!evaluated.pipeline) throw lab::Refusal(evaluated.refusal);
     bool is_truth = evaluated.pipeline->kind == plan::PipelineDesc::Kind::Truth;
     int cost = loopCost(*evaluated.pipeline) + (is_truth ? 0 : kFrameCost);
-    task.cost = cost * int(sequenceOf(experiment, *group.group, task.shot).size());
+    task.cost = cost * int(sequenceOf(*group.studied, task.shot).size());
     for (const std::string& name : task.measures) {
       const Measure& measure = measureNamed(name);
-      task.timed = task.timed || (measure.is_time && task.arm->timed.value_or(!is_truth));
-      task.compares = task.compares || measure.is_change;
+      task.timed = task.timed || (measure.isTime() && task.arm->timed.value_or(!is_truth));
+      task.compares = task.compares || measure.needs == Needs::benign;
     }
     task.key = hashText(partsOf(experiment, group, task, batch).dump());
   } catch (const Error& error) {
@@ -137,15 +148,15 @@ void complete(const Experiment& experiment, const TaskGroup& group, Task& task, 
 
 TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& batch) {
   TaskGroup result;
-  result.group = &group;
+  result.group = &group, result.studied = &experiment.shots[group.shot];
   std::vector<std::string> names = measuresOf(experiment, group);
   result.tasks.push_back({&experiment.truth, truthShotOf(experiment, group), names});
   for (size_t arm : group.arms)
     result.tasks.push_back({&experiment.arms[arm], shotOf(experiment, group, experiment.arms[arm]), names});
   try {
-    result.truth_keys = truthKeysOf(experiment, group, result.truth().shot, batch);
+    result.truth_keys = truthKeysOf(experiment, *result.studied, result.truth().shot, batch);
     if (experiment.full_truth) result.full = truthShotOf(experiment, group, *experiment.full_truth);
-    if (result.full) result.full_keys = truthKeysOf(experiment, group, *result.full, batch);
+    if (result.full) result.full_keys = truthKeysOf(experiment, *result.studied, *result.full, batch);
   } catch (const Error& error) {
     for (Task& task : result.tasks) task.refused = std::string("truth: ") + error.what();
   }
@@ -155,10 +166,6 @@ TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& 
 }
 
 }  // namespace
-
-std::vector<lab::Shot> sequenceOf(const Experiment& experiment, const Group& group, const lab::Shot& shot) {
-  return sequenceOf(experiment.shots[group.shot], shot);
-}
 
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth) {
   return hashText(fmt::format("{}|{}|{}", batch.contentOf(truth), makerOf(batch), experiment.truth_error));
@@ -173,21 +180,21 @@ std::optional<Group> benignOf(const Experiment& experiment, const Group& group) 
   return result;
 }
 
-Left leftOf(const std::vector<TaskGroup>& groups, const Store& store) {
-  Left left;
+Remaining remainingOf(const std::vector<TaskGroup>& groups, const Store& store) {
+  Remaining remaining;
   std::set<std::string> counted;
   for (const TaskGroup& group : groups) {
     bool lacks = false;
     for (const Task& task : group.tasks) {
       if (task.key.empty() || store.has(task.key)) continue;
       lacks = true;
-      if (counted.insert(task.key).second) left.cost += task.cost;
+      if (counted.insert(task.key).second) remaining.cost += task.cost;
     }
     if (!lacks) continue;
-    left.groups.push_back(&group);
-    if (group.full && counted.insert(group.full_keys.front()).second) left.cost += group.truth().cost;
+    remaining.groups.push_back(&group);
+    if (group.full && counted.insert(group.full_keys.front()).second) remaining.cost += group.truth().cost;
   }
-  return left;
+  return remaining;
 }
 
 std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch) {

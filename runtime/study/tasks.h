@@ -4,7 +4,6 @@
 
 #include "lab/batch.h"
 #include "study/experiment.h"
-#include "study/layout.h"
 #include "study/store.h"
 
 namespace strobe::study {
@@ -24,6 +23,7 @@ struct Task {
 // Tasks of a group: truth, then the arms in their order.
 struct TaskGroup {
   const Group* group = nullptr;
+  const StudiedShot* studied = nullptr;
   std::vector<Task> tasks;
   std::vector<std::string> truth_keys, full_keys;  // keys of the truths, by frame of the sequence
   std::optional<lab::Shot> full;                   // the second truth
@@ -36,17 +36,14 @@ struct TaskGroup {
 std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch);
 
 // Groups with missing results in the store, and the cost of the missing results in time samples of truth.
-struct Left {
+struct Remaining {
   std::vector<const TaskGroup*> groups;
   int cost = 0;
 };
-Left leftOf(const std::vector<TaskGroup>& groups, const Store& store);
+Remaining remainingOf(const std::vector<TaskGroup>& groups, const Store& store);
 
 // Key of a truth: hash of its content, of program and device, and of the required standard error.
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth);
-
-// Shots of a task: one, or a sequence.
-std::vector<lab::Shot> sequenceOf(const Experiment& experiment, const Group& group, const lab::Shot& shot);
 
 // Group at the benign value of the axis, for a group on exactly one axis; may be the same group.
 std::optional<Group> benignOf(const Experiment& experiment, const Group& group);

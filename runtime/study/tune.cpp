@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "base/lists.h"
 #include "base/log.h"
 #include "lab/shot_options.h"
 #include "script/lua_text.h"
@@ -51,13 +52,15 @@ std::string labelOf(const plan::Value& value) {
 
 class Tuner {
  public:
-  Tuner(const Wish& wish, lab::Workbench& bench, const Store& store)
-      : wish_(wish), bench_(bench), store_(store), batch_(bench) {}
+  Tuner(const TuneRequest& request, lab::Workbench& bench, const Store& store)
+      : request_(request), bench_(bench), store_(store), batch_(bench) {}
 
   Tuned tune();
 
  private:
-  bool isErrorLimited() const { return wish_.limits == Wish::Limit::error || wish_.limits == Wish::Limit::error_ratio; }
+  bool isErrorLimited() const {
+    return request_.limits == TuneRequest::Limit::error || request_.limits == TuneRequest::Limit::error_ratio;
+  }
   void prepare();
   void addShots(const lab::Shot& filled);
   std::vector<Spot> starts() const;
@@ -74,7 +77,7 @@ class Tuner {
   void choose(const Search& search, Tuned& tuned);
   void report(const std::string& what, const Search& search);
 
-  const Wish wish_;
+  const TuneRequest request_;
   lab::Workbench& bench_;
   const Store& store_;
   lab::Batch batch_;
@@ -107,28 +110,29 @@ void Tuner::addShots(const lab::Shot& filled) {
 }
 
 void Tuner::prepare() {
-  lab::Shot filled = batch_.filled(wish_.shot);
+  lab::Shot filled = batch_.filled(request_.shot);
   lab::Evaluated evaluated = batch_.evaluate(filled.pipeline, filled.sets);
   if (!evaluated.pipeline) throw Error(evaluated.refusal, {}, 2);
   pipeline_ = evaluated.pipeline;
-  space_ = spaceOf(*pipeline_, capturedNodes(batch_, filled), wish_);
+  space_ = spaceOf(*pipeline_, capturedNodes(batch_, filled), request_);
   script::Settings own;
   std::remove_copy_if(filled.sets.begin(), filled.sets.end(), std::back_inserter(own), lab::isOfScene);
   StudiedArm tuned{{{pipeline_->name, filled.pipeline, own}}}, base{{{"base", filled.pipeline}}};
-  if (wish_.base.empty()) base.name = pipeline_->name + " as it is", base.sets = own;
-  else base.name = "base " + wish_.base, base.pipeline = wish_.base;
+  if (request_.base.empty()) base.name = pipeline_->name + " as it is", base.sets = own;
+  else base.name = "base " + request_.base, base.pipeline = request_.base;
   experiment_.arms = {tuned, base};
   experiment_.base = base.name;
   experiment_.truth = {{{"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth)}, ArmRole::truth}};
   experiment_.title = fmt::format("{} tuned on {}", pipeline_->name, Path(filled.scene).stem().string());
   store_.belongTo(experiment_.title);
-  experiment_.setSize(filled.width, filled.height);
-  experiment_.file_width = filled.width, experiment_.file_height = filled.height;
-  experiment_.regions = {wish_.region};
-  if (wish_.region != "whole") experiment_.regions.insert(experiment_.regions.begin(), "whole");
-  experiment_.measures = {wish_.measure, "ms", "ms_ratio", "ms_own", "own_ratio"};
+  experiment_.width = experiment_.file_width = filled.width;
+  experiment_.height = experiment_.file_height = filled.height;
+  experiment_.regions = {request_.region};
+  if (request_.region != "whole") experiment_.regions.insert(experiment_.regions.begin(), "whole");
+  experiment_.measures = {request_.measure, "ms", "ms_ratio", "ms_own", "own_ratio"};
   experiment_.is_step = true;
-  experiment_.layout = {{"front", {{"x", wish_.ratioName()}, {"y", wish_.measure}, {"region", wish_.region}}}};
+  experiment_.layout =
+      layoutFrom({{"front", {{"x", request_.ratioName()}, {"y", request_.measure}, {"region", request_.region}}}});
   for (const Dimension& dimension : space_) {
     Axis axis;
     axis.name = axis.title = dimension.param.name, axis.unit = dimension.param.unit;
@@ -194,7 +198,8 @@ std::vector<const PointGroup*> Tuner::see(const std::vector<Spot>& spots, int le
     if (spot != startOf(space_)) step.groups.push_back(groupOf(spot, level));
   step.axes = experiment_.axes;
   step.rounds = rounds;
-  keep(run(step, bench_, store_));
+  lab::Batch batch(bench_);
+  keep(run(step, batch, store_));
   std::vector<const PointGroup*> seen;
   for (const Spot& spot : spots) seen.push_back(&groupSeen(spot, level));
   return seen;
@@ -207,16 +212,18 @@ const Point& Tuner::basePoint(int level) {
 }
 
 Score Tuner::scoreOf(const Point& point, int level) {
-  double error = point.value(wish_.measure, wish_.region), cost = point.value(wish_.ratioName());
-  if (wish_.limits == Wish::Limit::error_ratio) error /= basePoint(level).value(wish_.measure, wish_.region);
+  double error = point.value(request_.measure, request_.region), cost = point.value(request_.ratioName());
+  if (request_.limits == TuneRequest::Limit::error_ratio)
+    error /= basePoint(level).value(request_.measure, request_.region);
   return {std::isfinite(error) && std::isfinite(cost), error, cost};
 }
 
 // Converts a limit in milliseconds to a multiple of the base's time.
 Goal Tuner::goalOf() {
-  if (isErrorLimited()) return {Goal::Kind::least_cost, wish_.limit};
-  double base_ms = wish_.limits == Wish::Limit::ms ? basePoint(int(kLevels.size()) - 1).value(wish_.msName()) : 1;
-  return {Goal::Kind::least_error, wish_.limit / base_ms};
+  if (isErrorLimited()) return {Goal::Kind::least_cost, request_.limit};
+  double base_ms =
+      request_.limits == TuneRequest::Limit::ms ? basePoint(int(kLevels.size()) - 1).value(request_.msName()) : 1;
+  return {Goal::Kind::least_error, request_.limit / base_ms};
 }
 
 // ---- the search
@@ -241,11 +248,11 @@ std::vector<Spot> Tuner::starts() const {
                               [&](const auto& value) { return value.first == one.param.name; });
       spot.push_back(set == preset.values.end() ? one.param.default_value : set->second);
     }
-    if (std::find(centres.begin(), centres.end(), spot) == centres.end()) centres.push_back(spot);
+    addOnce(centres, spot);
   }
   const Home& home = bench_.home();
   Json points = script::evaluateData(home, home.at("scripts/tune/starts.lua").string(),
-                                     {{"count", kStartsTried * wish_.evaluations}, {"width", space_.size()}});
+                                     {{"count", kStartsTried * request_.evaluations}, {"width", space_.size()}});
   std::vector<Spot> starts = centres;
   for (size_t i = 0; i < points.size(); ++i)
     starts.push_back(spotAt(space_, centres[i % centres.size()], points[i].get<std::vector<double>>()));
@@ -258,7 +265,7 @@ void Tuner::report(const std::string& what, const Search& search) {
   Results last = results_;
   std::erase_if(last.groups, [&](const PointGroup& group) { return group.shot != experiment_.shots[0].name; });
   std::string front = frontSoFar(last);
-  note(fmt::format("{}; {} of {} evaluations\n{}", what, search.evaluations(), wish_.evaluations,
+  note(fmt::format("{}; {} of {} evaluations\n{}", what, search.evaluations(), request_.evaluations,
                    front.substr(0, front.find('\n'))));
 }
 
@@ -271,10 +278,10 @@ script::Settings Tuner::changedBy(const Spot& spot) const {
 
 Measured Tuner::measuredOf(const Point& point, const Spot& spot) const {
   return {changedBy(spot),
-          point.value(wish_.measure, wish_.region),
-          point.value(wish_.measure),
-          point.value(wish_.msName()),
-          point.value(wish_.ratioName()),
+          point.value(request_.measure, request_.region),
+          point.value(request_.measure),
+          point.value(request_.msName()),
+          point.value(request_.ratioName()),
           point.command};
 }
 
@@ -282,7 +289,7 @@ Measured Tuner::measuredOf(const Point& point, const Spot& spot) const {
 // the next few settings if none meets the limit.
 void Tuner::choose(const Search& search, Tuned& tuned) {
   const int last = int(kLevels.size()) - 1;
-  const bool by_ms = wish_.limits == Wish::Limit::ms;
+  const bool by_ms = request_.limits == TuneRequest::Limit::ms;
   Goal goal = goalOf();
   std::vector<Search::Found> found = search.found();
   std::stable_sort(found.begin(), found.end(),
@@ -295,11 +302,11 @@ void Tuner::choose(const Search& search, Tuned& tuned) {
     for (size_t i = first; i < std::min(first + kChosenAmong, found.size()); ++i) spots.push_back(found[i].spot);
     see(spots, last, kAtLast);
     goal = goalOf();
-    if (by_ms) goal.limit = wish_.limit;  // milliseconds, not a ratio to the base
+    if (by_ms) goal.limit = request_.limit;  // milliseconds, not a ratio to the base
     for (size_t i = 0; i < spots.size(); ++i) {
       const Point& point = groupSeen(spots[i], last).points[1];
       Score score = scoreOf(point, last);
-      if (by_ms) score.cost = point.value(wish_.msName());
+      if (by_ms) score.cost = point.value(request_.msName());
       if (!best || goal.isBetter(score, least)) best = &found[first + i].spot, least = score;
     }
   }
@@ -313,7 +320,7 @@ void Tuner::choose(const Search& search, Tuned& tuned) {
   }
   tuned.chosen = measured;
   script::Settings sets = joined(experiment_.arms[0].sets, measured.changed);
-  std::shared_ptr<const plan::PipelineDesc> chosen = batch_.evaluate(wish_.shot.pipeline, sets).pipeline;
+  std::shared_ptr<const plan::PipelineDesc> chosen = batch_.evaluate(request_.shot.pipeline, sets).pipeline;
   for (const auto& [name, value] : chosen->values)
     if (value != plan::paramNamed(*chosen, name)->default_value) tuned.values.emplace_back(name, value);
 }
@@ -325,8 +332,9 @@ Tuned Tuner::tune() {
   see({start}, last, kLevels.back().rounds);
   for (const Point& point : groupSeen(start, last).points)
     if (!point.failed.empty()) throw Error(fmt::format("{}: {}", point.arm, point.failed));
-  if (!std::isfinite(basePoint(last).value(wish_.measure, wish_.region)))
-    throw Error(fmt::format("the region '{}' has no pixels in this shot: use another --region", wish_.region), {}, 2);
+  if (!std::isfinite(basePoint(last).value(request_.measure, request_.region)))
+    throw Error(fmt::format("the region '{}' has no pixels in this shot: use another --region", request_.region), {},
+                2);
 
   Search* running = nullptr;
   auto identity = [&](const Spot& spot) { return identityOf(spot); };
@@ -338,7 +346,7 @@ Tuned Tuner::tune() {
     return scores;
   };
   auto report = [&](const std::string& what) { this->report(what, *running); };
-  Search search(space_, goalOf(), {wish_.evaluations, int(kLevels.size()), 3}, identity, measure, report);
+  Search search(space_, goalOf(), {request_.evaluations, int(kLevels.size()), 3}, identity, measure, report);
   running = &search;
   search.run(starts());
 
@@ -354,29 +362,31 @@ Tuned Tuner::tune() {
 
 }  // namespace
 
-Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& captured, const Wish& wish) {
+Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& captured, const TuneRequest& request) {
   if (pipeline.kind == plan::PipelineDesc::Kind::Truth)
     throw Error(fmt::format("'{}' is truth and has no reference for its error", pipeline.name), {}, 2);
   std::vector<std::string> names;
   for (const plan::ParamDesc& param : pipeline.params)
-    if (!isSet(wish.shot, param.name)) names.push_back(param.name);
-  for (const std::string& name : wish.vary) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    if (isSet(wish.shot, name)) throw Error(fmt::format("--vary: '{}' is also set", name), {}, 2);
+    if (!isSet(request.shot, param.name)) names.push_back(param.name);
+  for (const std::string& name : request.vary) {
+    if (contains(names, name)) continue;
+    if (isSet(request.shot, name)) throw Error(fmt::format("--vary: '{}' is also set", name), {}, 2);
     throw Error(fmt::format("--vary: '{}' has no parameter '{}'{}", pipeline.name, name, didYouMean(name, names)), {},
                 2);
   }
   Space space;
   for (const plan::ParamDesc& param : pipeline.params) {
-    bool asked = std::find(wish.vary.begin(), wish.vary.end(), param.name) != wish.vary.end();
-    if (wish.vary.empty()) asked = isOfMethod(param) && !isFollowed(pipeline, captured, param.name);
-    if (asked && !isSet(wish.shot, param.name)) space.push_back({param, *plan::valueOf(pipeline, param.name)});
+    bool asked = contains(request.vary, param.name);
+    if (request.vary.empty()) asked = isOfMethod(param) && !isFollowed(pipeline, captured, param.name);
+    if (asked && !isSet(request.shot, param.name)) space.push_back({param, *plan::valueOf(pipeline, param.name)});
   }
   if (space.empty()) throw Error(fmt::format("'{}' has no parameter to vary", pipeline.name), {}, 2);
   return space;
 }
 
-Tuned tune(const Wish& wish, lab::Workbench& bench, const Store& store) { return Tuner(wish, bench, store).tune(); }
+Tuned tune(const TuneRequest& request, lab::Workbench& bench, const Store& store) {
+  return Tuner(request, bench, store).tune();
+}
 
 std::string presetText(const std::vector<std::string>& doc, const script::Settings& values) {
   std::vector<std::string> lines;

@@ -12,7 +12,7 @@
 namespace strobe::study {
 
 // Request: goal and picture.
-struct Wish {
+struct TuneRequest {
   lab::Shot shot;                 // pipeline and fixed settings; other parameters are varied from their values
   std::vector<std::string> vary;  // varied parameters; empty: chosen by `spaceOf`
   std::string base;               // pipeline with a cost of 1; "": pipeline of the shot
@@ -53,10 +53,10 @@ struct Tuned {
 // latter do not include parameters that change the task (shading, sample times, regions) and parameters of the nodes in
 // `captured`, because every method starts from these nodes. Throws `Error` (exit code 2) for an unknown name, with the
 // nearest name.
-Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& captured, const Wish& wish);
+Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& captured, const TuneRequest& request);
 
 // Throws `Error` if truth, the base or the shot with its start values cannot be drawn.
-Tuned tune(const Wish& wish, lab::Workbench& bench, const Store& store);
+Tuned tune(const TuneRequest& request, lab::Workbench& bench, const Store& store);
 
 // Text of a preset file: description in lines, and values.
 std::string presetText(const std::vector<std::string>& doc, const script::Settings& values);

@@ -28,8 +28,7 @@ std::string keptIn(const Path& outline) noexcept;
 // after each quarter of the work.
 class ProgressWatch {
  public:
-  // `now`: current results. Without `now`, nothing is reported.
-  explicit ProgressWatch(std::function<Results()> now) : now_(std::move(now)) {}
+  std::function<Results()> now;  // current results; without, nothing is reported
 
   // Begins work of `cost` units; `advance` counts them. Reports show the share of finished units.
   void begin(const std::string& label, int cost);
@@ -39,7 +38,6 @@ class ProgressWatch {
  private:
   std::string text() const;
 
-  std::function<Results()> now_;
   std::string label_, front_;  // `front_`: last reported front
   int cost_ = 0, done_ = 0, quarters_ = 0;
   double started_s_ = 0, said_s_ = 0;

@@ -13,13 +13,10 @@
 #include <thread>
 
 #include "base/error.h"
-#include "world/refit.h"
 
 namespace strobe::world {
 
 namespace {
-
-constexpr double kNodeCost = 1, kBoxCost = 1;
 
 double halfArea(const Box& box) {
   double x = double(box.high.x) - box.low.x, y = double(box.high.y) - box.low.y, z = double(box.high.z) - box.low.z;
@@ -132,14 +129,11 @@ struct TreePart {
   uint32_t count() const { return end - begin; }
 };
 
-struct Subtree {
-  std::vector<shared::BvhNode> nodes;  // child indices relative to this subtree
-  double cost = 0;                     // not divided by the area of the root
-};
-
 // Splits parts in two by the heuristic, and joins the splits to nodes of four children.
 class BvhBuilder {
  public:
+  using Nodes = std::vector<shared::BvhNode>;  // child indices relative to the first node
+
   BvhBuilder(std::vector<BvhItem>& items, const BvhOptions& options)
       : items_(items), options_(options), spare_threads_(int(std::max(1u, std::thread::hardware_concurrency())) - 1) {}
 
@@ -151,13 +145,13 @@ class BvhBuilder {
     if (part.leaf) return part;
     part.split = count <= kFew ? bestSplitOfFew(part) : bestSplit(part);
     const double area = halfArea(part.box);
-    part.leaf =
-        count <= options_.leaf_boxes && !(kNodeCost * area + kBoxCost * part.split.cost < kBoxCost * area * count);
+    // Expected cost of a random line: 1 per node, 1 per box in a leaf.
+    part.leaf = count <= options_.leaf_boxes && !(area + part.split.cost < area * count);
     return part;
   }
 
-  // Appends the node of a part and its subtree; returns the index of the node.
-  uint32_t append(const TreePart& root, Subtree& tree) {
+  // Appends the node of a part and its subtree to `nodes`; returns the index of the node.
+  uint32_t append(const TreePart& root, Nodes& nodes) {
     std::array<TreePart, 4> children = {root};
     size_t count = 1;
     // Open the largest child first: a random line most likely hits it.
@@ -165,19 +159,18 @@ class BvhBuilder {
       auto larger = [](const TreePart& a, const TreePart& b) { return worth(a) < worth(b); };
       auto largest = std::max_element(children.begin(), children.begin() + count, larger);
       if (largest->leaf) break;
-      tree.cost += kNodeCost * halfArea(largest->box);
       auto [left, right] = opened(*largest);
       std::move_backward(largest + 1, children.begin() + count, children.begin() + count + 1);
       *largest = left, *(largest + 1) = right;
       ++count;
     }
-    const uint32_t index = uint32_t(tree.nodes.size());
-    tree.nodes.push_back(nodeOf(children, count));
-    if (root.count() > kWorthAThread) appendApart(children, count, index, tree);
+    const uint32_t index = uint32_t(nodes.size());
+    nodes.push_back(nodeOf(children, count));
+    if (root.count() > kWorthAThread) appendApart(children, count, index, nodes);
     else
       for (size_t c = 0; c < count; ++c) {
-        const uint32_t reference = children[c].leaf ? leafOf(children[c], tree) : append(children[c], tree);
-        tree.nodes[index].children[c] = reference;
+        const uint32_t reference = children[c].leaf ? leafOf(children[c]) : append(children[c], nodes);
+        nodes[index].children[c] = reference;
       }
     return index;
   }
@@ -200,11 +193,11 @@ class BvhBuilder {
   }
 
   // Builds the children as separate subtrees, then appends them in order.
-  void appendApart(const std::array<TreePart, 4>& children, size_t count, uint32_t index, Subtree& tree) {
-    std::array<std::future<Subtree>, 4> futures;
-    std::array<Subtree, 4> apart;
+  void appendApart(const std::array<TreePart, 4>& children, size_t count, uint32_t index, Nodes& nodes) {
+    std::array<std::future<Nodes>, 4> futures;
+    std::array<Nodes, 4> apart;
     auto below = [this](const TreePart& part) {
-      Subtree subtree;
+      Nodes subtree;
       append(part, subtree);
       return subtree;
     };
@@ -213,20 +206,19 @@ class BvhBuilder {
         futures[c] = started([below, part = children[c]] { return below(part); });
         if (!futures[c].valid()) apart[c] = below(children[c]);
       }
-    size_t nodes = tree.nodes.size();
+    size_t total = nodes.size();
     for (size_t c = 0; c < count; ++c) {
       if (futures[c].valid()) apart[c] = futures[c].get();
-      nodes += apart[c].nodes.size();
+      total += apart[c].size();
     }
-    tree.nodes.reserve(nodes);
+    nodes.reserve(total);
     for (size_t c = 0; c < count; ++c) {
-      const uint32_t first = uint32_t(tree.nodes.size());
-      tree.nodes[index].children[c] = children[c].leaf ? leafOf(children[c], tree) : first;
-      for (shared::BvhNode& node : apart[c].nodes) {
+      const uint32_t first = uint32_t(nodes.size());
+      nodes[index].children[c] = children[c].leaf ? leafOf(children[c]) : first;
+      for (shared::BvhNode& node : apart[c]) {
         for (uint32_t& child : node.children) child += child & BVH_LEAF ? 0 : first;
-        tree.nodes.push_back(node);
+        nodes.push_back(node);
       }
-      tree.cost += apart[c].cost;
       apart[c] = {};
     }
   }
@@ -365,8 +357,7 @@ class BvhBuilder {
 
   static double worth(const TreePart& part) { return part.leaf ? -1 : halfArea(part.box); }
 
-  uint32_t leafOf(const TreePart& leaf, Subtree& tree) const {
-    tree.cost += kBoxCost * halfArea(leaf.box) * leaf.count();
+  uint32_t leafOf(const TreePart& leaf) const {
     if (options_.leaf_boxes == 1) return BVH_LEAF | items_[leaf.begin].index;
     return BVH_LEAF | (leaf.count() - 1) << BVH_LEAF_COUNT | leaf.begin;
   }
@@ -390,19 +381,15 @@ class BvhBuilder {
 
 Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options) {
   Bvh bvh;
-  std::erase_if(items, [](const BvhItem& item) { return !(item.box.low.x <= item.box.high.x); });
+  std::erase_if(items, [](const BvhItem& item) { return item.box.empty(); });
   if (items.empty()) {
     bvh.nodes.push_back({});
     return bvh;
   }
   BvhBuilder builder(items, options);
   const TreePart root = builder.examined(0, uint32_t(items.size()), 0);
-  Subtree tree;
-  builder.append(root, tree);
-  bvh.nodes = std::move(tree.nodes);
+  builder.append(root, bvh.nodes);
   bvh.nodes.front().reach = reachOf(bvh.nodes.front());
-  const double whole = halfArea(root.box);
-  bvh.cost = whole > 0 ? tree.cost / whole : 1;
   bvh.bounds = root.box;
   return bvh;
 }
@@ -411,9 +398,7 @@ Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
   std::vector<BvhItem> items;
   items.reserve(boxes.size());
   for (size_t i = 0; i < boxes.size(); ++i) items.push_back({boxes[i], uint32_t(i)});
-  Bvh bvh = buildBvh(items, options);
-  for (const BvhItem& item : items) bvh.order.push_back(item.index);
-  return bvh;
+  return buildBvh(items, options);
 }
 
 Bvh joined(const Bvh& a, const Bvh& b) {
@@ -421,7 +406,7 @@ Bvh joined(const Bvh& a, const Bvh& b) {
   both.nodes.push_back({});
   std::vector<Box> boxes;
   for (const Bvh* part : {&a, &b}) {
-    if (!(part->bounds.low.x <= part->bounds.high.x)) continue;
+    if (part->bounds.empty()) continue;
     const uint32_t first = uint32_t(both.nodes.size());
     both.nodes.front().children[boxes.size()] = first;
     boxes.push_back(part->bounds);
@@ -437,9 +422,10 @@ Bvh joined(const Bvh& a, const Bvh& b) {
 }
 
 void refitBvh(Bvh& bvh, const std::vector<Box>& boxes) {
+  if (boxes.empty()) return;
   std::vector<Box> around(bvh.nodes.size());
   // Children have higher numbers than their node.
-  for (size_t index = bvh.nodes.size(); index-- > 0 && !bvh.order.empty();) {
+  for (size_t index = bvh.nodes.size(); index-- > 0;) {
     shared::BvhNode& node = bvh.nodes[index];
     std::vector<Box> children(node.steps >> 24);
     for (size_t c = 0; c < children.size(); ++c) {
@@ -447,10 +433,11 @@ void refitBvh(Bvh& bvh, const std::vector<Box>& boxes) {
       if (!(reference & BVH_LEAF)) children[c] = around[reference];
       else
         for (uint32_t i = 0; i <= (reference >> BVH_LEAF_COUNT & 3); ++i)
-          children[c].add(boxes.at(bvh.order.at((reference & ((1u << BVH_LEAF_COUNT) - 1)) + i)));
+          children[c].add(boxes.at((reference & ((1u << BVH_LEAF_COUNT) - 1)) + i));
     }
     around[index] = setBounds(node, children);
   }
+  bvh.bounds = around.front();
   bvh.nodes.front().reach = reachOf(bvh.nodes.front());
 }
 

@@ -5,24 +5,13 @@
 
 #include <vector>
 
-#include "math/geometry.h"
+#include "math/bounds.h"
 #include "shared/bvh.h"
 
 namespace strobe::world {
 
-// Axis-aligned box in single precision; empty (inverted) until a point or box is added.
-struct Box {
-  vec3 low = vec3(HUGE_VALF), high = vec3(-HUGE_VALF);
-  void add(const vec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  void add(const Box& other) {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-  }
-  bool operator==(const Box&) const = default;
-};
+// Axis-aligned box in single precision.
+using Box = BoundsOf<vec3>;
 
 // A box to put into a tree, with the index that its leaf stores.
 struct BvhItem {
@@ -30,14 +19,9 @@ struct BvhItem {
   uint32_t index = 0;
 };
 
-// A bounding volume hierarchy with up to four children per node, with the leaf order of its boxes and its expected
-// traversal cost.
+// A bounding volume hierarchy with up to four children per node.
 struct Bvh {
   std::vector<shared::BvhNode> nodes;  // root first, then depth first
-  std::vector<uint32_t> order;         // box indices in leaf order
-  // Expected cost of a random line through the root, before nodes are joined to four children: 1 per node, 1 per box in
-  // a leaf.
-  double cost = 0;
   Box bounds;
 };
 
@@ -47,14 +31,18 @@ struct BvhOptions {
   int depth = BVH_MESH_DEPTH;
 };
 
-// Builds a tree. With several boxes per leaf, leaves refer to `order` (BVH_LEAF in shared/bvh.h); with one, a leaf is
-// BVH_LEAF | box index. Boxes must be finite; inverted boxes are skipped. A tree without boxes has one node without
-// children.
-Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options = {});
-// Builds a tree over items with any indices, and sorts the items into leaf order; `order` stays empty.
+// Builds a tree and sorts the items into leaf order. With several boxes per leaf, leaves refer to this order (BVH_LEAF
+// in shared/bvh.h); with one, a leaf is BVH_LEAF | index of the item. Boxes must be finite; items with inverted boxes
+// are removed. A tree without boxes has one node without children.
 Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options = {});
+// Builds a tree over boxes with their places as indices.
+Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options = {});
+// Refits a tree to boxes that have moved, for deformed meshes. A refit is a pass over the nodes; a build sorts all
+// boxes. `bvh`: with leaves of several boxes. `boxes`: in leaf order. Nodes and children stay. Only the bounds change,
+// to the bounds that a build with this topology would give, so a refit does not depend on earlier refits. Rays meet
+// more nodes as neighbours separate. Throws std::out_of_range if there are fewer boxes than in the build.
+void refitBvh(Bvh& bvh, const std::vector<Box>& boxes);
 // Joins two trees with one box per leaf under a new root; the depth is one more than the depth of the deeper tree.
-// `order` stays empty, and `cost` 0.
 Bvh joined(const Bvh& a, const Bvh& b);
 
 }  // namespace strobe::world

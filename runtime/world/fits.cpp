@@ -48,7 +48,8 @@ uint64_t textureBytes(const Scene& scene) {
 
 }  // namespace
 
-void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits) {
+void requireFits(const Scene& scene, uint32_t slices, shader::StructureKind structures,
+                 const gpu::DeviceLimits& limits) {
   Beyond beyond(scene);
   const GeometryCounts counts(scene);
   uint64_t instances = instancesOf(scene).size();
@@ -67,6 +68,10 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   requireBytes("indices", counts.indices * sizeof(uint32_t), limits.array_bytes);
   requireBytes("deformed vertices", counts.bending * slices * sizeof(shared::SceneDeformedVertex), limits.array_bytes);
   requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform), limits.array_bytes);
+  if (structures == shader::StructureKind::Own) {
+    beyond.require(kTreeLimit, "the scene", counts.indices / 3, "triangles", uint64_t{1} << BVH_LEAF_COUNT);
+    requireBytes("triangles of its tree", counts.indices / 3 * sizeof(shared::BvhTriangle), limits.array_bytes);
+  }
   beyond.require(gpu::kTextureLimit, "the scene", scene.textures.size(), "textures", limits.textures);
   for (const Texture& texture : scene.textures)
     beyond.require(gpu::kImageLimit, fmt::format("texture '{}'", texture.name),
@@ -85,20 +90,6 @@ uint64_t unposedBytes(const Scene& scene, shader::StructureKind structures) {
 uint64_t posedBytes(const Scene& scene, uint32_t slices) {
   return slices * (GeometryCounts(scene).bending * sizeof(shared::SceneDeformedVertex) +
                    instancesOf(scene).size() * sizeof(shared::SceneTransform));
-}
-
-void requireMemory(const Scene& scene, shader::StructureKind structures, const gpu::DeviceLimits& limits) {
-  Beyond beyond(scene);
-  const GeometryCounts counts(scene);
-  const bool own = structures == shader::StructureKind::Own;
-  const uint64_t triangles = counts.indices / 3;
-  if (own) beyond.require(kTreeLimit, "the scene", triangles, "triangles", uint64_t{1} << BVH_LEAF_COUNT);
-  if (own)
-    beyond.require(gpu::kBufferLimit, "the buffer of all triangles of its tree",
-                   triangles * sizeof(shared::BvhTriangle), "bytes", limits.array_bytes);
-  beyond.require(gpu::kMemoryLimit, "the data that stays on the device", unposedBytes(scene, structures), "bytes",
-                 limits.memory_bytes);
-  beyond.finish();
 }
 
 }  // namespace strobe::world

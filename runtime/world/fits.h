@@ -8,12 +8,10 @@
 
 namespace strobe::world {
 
-// Throws an `Error` that names every device limit exceeded by the scene with `slices` poses.
-void requireFits(const scene::Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits);
-
-// Throws `Error` if the data that no pose changes exceeds the free memory, or if the scene has more triangles than the
-// runtime's own trees can number.
-void requireMemory(const scene::Scene& scene, shader::StructureKind structures, const gpu::DeviceLimits& limits);
+// Throws an `Error` that names every limit exceeded by the scene with `slices` poses: limits of the device, and of the
+// runtime's own trees.
+void requireFits(const scene::Scene& scene, uint32_t slices, shader::StructureKind structures,
+                 const gpu::DeviceLimits& limits);
 
 // Bytes of a scene on a device: data that no pose changes, without driver structures; and `slices` poses.
 uint64_t unposedBytes(const scene::Scene& scene, shader::StructureKind structures);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "world/refit.h"
 
 namespace strobe::world {
 
@@ -12,6 +11,12 @@ using shared::BvhNode;
 using shared::BvhTriangle;
 
 namespace {
+
+Box boxOf(const BvhTriangle& triangle) {
+  Box box;
+  for (const vec3& corner : triangle.corner) box.add(corner);
+  return box;
+}
 
 // The triangles of a mesh, numbered across its geometries.
 class Triangles {
@@ -24,6 +29,13 @@ class Triangles {
   }
 
   uint32_t count() const { return count_; }
+
+  std::vector<BvhItem> items() const {
+    std::vector<BvhItem> items;
+    items.reserve(count_);
+    for (uint32_t i = 0; i < count_; ++i) items.push_back({boxOf(at(i)), i});
+    return items;
+  }
 
   // Vertices of a triangle, numbered across the geometries.
   std::array<uint32_t, 3> verticesOf(uint32_t index) const {
@@ -58,12 +70,6 @@ class Triangles {
   uint32_t count_ = 0;
 };
 
-Box boxOf(const BvhTriangle& triangle) {
-  Box box;
-  for (const vec3& corner : triangle.corner) box.add(corner);
-  return box;
-}
-
 }  // namespace
 
 MeshTrees buildMeshTrees(const scene::Scene& scene) {
@@ -73,14 +79,9 @@ MeshTrees buildMeshTrees(const scene::Scene& scene) {
   trees.triangles.reserve(all);
   for (const scene::Mesh& mesh : scene.meshes) {
     const Triangles triangles(scene, mesh);
-    std::vector<BvhItem> items;
-    items.reserve(triangles.count());
-    trees.bounds.emplace_back();
-    for (uint32_t i = 0; i < triangles.count(); ++i) {
-      items.push_back({boxOf(triangles.at(i)), i});
-      trees.bounds.back().add(items.back().box);
-    }
+    std::vector<BvhItem> items = triangles.items();
     Bvh bvh = buildBvh(items);
+    trees.bounds.push_back(bvh.bounds);
     const uint32_t first_node = uint32_t(trees.nodes.size()), first_triangle = uint32_t(trees.triangles.size());
     trees.roots.push_back(first_node);
     for (BvhNode& node : bvh.nodes)
@@ -94,25 +95,23 @@ MeshTrees buildMeshTrees(const scene::Scene& scene) {
 
 BendingTree::BendingTree(const scene::Scene& scene, const scene::Mesh& mesh) {
   const Triangles triangles(scene, mesh);
-  boxes_.resize(triangles.count());
-  for (uint32_t i = 0; i < triangles.count(); ++i) boxes_[i] = boxOf(triangles.at(i));
-  bvh_ = buildBvh(boxes_);
-  for (uint32_t index : bvh_.order) {
-    triangles_.push_back(triangles.at(index));
-    vertices_.push_back(triangles.verticesOf(index));
+  std::vector<BvhItem> items = triangles.items();
+  bvh_ = buildBvh(items);
+  for (const BvhItem& item : items) {
+    triangles_.push_back(triangles.at(item.index));
+    vertices_.push_back(triangles.verticesOf(item.index));
   }
 }
 
 void BendingTree::fit(std::span<const shared::SceneDeformedVertex> vertices, uint32_t first_node,
                       uint32_t first_triangle, BvhNode* nodes, BvhTriangle* triangles) {
-  bounds_ = {};
+  std::vector<Box> boxes(triangles_.size());
   for (size_t i = 0; i < triangles_.size(); ++i) {
     for (size_t c = 0; c < 3; ++c) triangles_[i].corner[c] = vertices[vertices_[i][c]].position;
-    Box& box = boxes_[bvh_.order[i]] = boxOf(triangles_[i]);
-    bounds_.add(box);
+    boxes[i] = boxOf(triangles_[i]);
     triangles[i] = triangles_[i];
   }
-  refitBvh(bvh_, boxes_);
+  refitBvh(bvh_, boxes);
   for (const BvhNode& node : bvh_.nodes) {
     *nodes = node;
     for (uint32_t& child : nodes->children) child += child & BVH_LEAF ? first_triangle : first_node;

@@ -33,16 +33,14 @@ class BendingTree {
   // count from `first_node` and `first_triangle`.
   void fit(std::span<const shared::SceneDeformedVertex> vertices, uint32_t first_node, uint32_t first_triangle,
            shared::BvhNode* nodes, shared::BvhTriangle* triangles);
-  // Bounds of the vertices of the last fit; largest absolute coordinate of the root's planes.
-  const Box& bounds() const { return bounds_; }
+  // Bounds of the triangles of the last fit; largest absolute coordinate of the root's planes.
+  const Box& bounds() const { return bvh_.bounds; }
   float reach() const { return bvh_.nodes.front().reach; }
 
  private:
   Bvh bvh_;
   std::vector<shared::BvhTriangle> triangles_;     // in leaf order
   std::vector<std::array<uint32_t, 3>> vertices_;  // vertices of each triangle, across geometries
-  std::vector<Box> boxes_;                         // of triangles, in mesh order
-  Box bounds_;
 };
 
 }  // namespace strobe::world

@@ -52,12 +52,9 @@ Rows inverseOf(const Rows& m) {
 // World-space box of a posed mesh, padded for the rounding of a ray's transform to object space. Inverted if rays
 // cannot be transformed to object space.
 Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_from_world) {
-  dvec3 low(HUGE_VAL), high(-HUGE_VAL);
-  for (int i = 0; i < 8; ++i) {
-    dvec3 corner(i & 1 ? mesh.high.x : mesh.low.x, i & 2 ? mesh.high.y : mesh.low.y, i & 4 ? mesh.high.z : mesh.low.z);
-    corner = world_from_object.of(corner);
-    low = glm::min(low, corner), high = glm::max(high, corner);
-  }
+  Bounds box;
+  for (int i = 0; i < 8; ++i) box.add(world_from_object.of(dvec3(mesh.corner(i))));
+  dvec3 low = box.low, high = box.high;
   dvec3 size = glm::max(glm::abs(low), glm::abs(high));
   dvec3 room = world_from_object.ofSizes(object_from_world.ofSizes(size)) * std::ldexp(1.0, -21);
   low -= room, high += room;
@@ -156,8 +153,7 @@ class OwnStructures : public Structures {
     const Rows back = inverseOf(forward);
     placed = {
         transform, {vec4(back.rows[0]), vec4(back.rows[1]), vec4(back.rows[2]), roots_[mesh], reaches_[mesh]}, {}};
-    const bool is_empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
-    if (!is_empty) placed.box = posedBox(bounds_[mesh], forward, back);
+    if (!bounds_[mesh].empty()) placed.box = posedBox(bounds_[mesh], forward, back);
   }
 
   void numberBending(const scene::Scene& scene, const gpu::Buffer& triangles, size_t levels) {

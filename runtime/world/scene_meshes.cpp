@@ -4,7 +4,6 @@
 #include <glm/gtc/packing.hpp>
 
 #include "scene/bend.h"
-#include "world/limits.h"
 #include "world/structures.h"
 #include "world/tangent.h"
 
@@ -134,9 +133,6 @@ const std::vector<gpu::Acceleration>& SceneMeshes::bottomLevels() {
 const MeshTrees& SceneMeshes::trees() {
   if (trees_) return *trees_;
   auto trees = std::make_unique<MeshTrees>(buildMeshTrees(scene_));
-  if (trees->nodes.size() > BVH_MOST_NODES)
-    throw Error(kTreeLimit.text(
-        fmt::format("{}: its tree has {} nodes of at most {}", scene_.name, trees->nodes.size(), BVH_MOST_NODES)));
   gpu::Uploads uploads(device_);
   tree_triangles_ = uploads.array("scene.bvh.triangles", trees->triangles, gpu::kReadByAddress);
   uploads.finish();

@@ -46,8 +46,7 @@ class SceneMeshes {
   // The driver's structures by mesh, empty for a mesh without triangles; built on the first call.
   const std::vector<gpu::Acceleration>& bottomLevels();
 
-  // The runtime's own trees and the buffer of their triangles, built on the first call of `trees`. Throws `Error` if
-  // the trees have more nodes than can be numbered.
+  // The runtime's own trees and the buffer of their triangles, built on the first call of `trees`.
   const MeshTrees& trees();
   const gpu::Buffer& treeTriangles() const { return tree_triangles_; }
 

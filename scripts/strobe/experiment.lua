@@ -47,8 +47,8 @@ experiment.fields = {
   },
   -- Fields of an arm, which is a pipeline with settings:
   -- role       "method", or "floor" (truth with as many samples as a method)
-  -- lacks      names of axes that do not apply to this arm. If only some parameters of an axis do not apply, the names of
-  --            these parameters. The arm is drawn without these values
+  -- lacks      names of axes, or of single parameters of an axis, that do not apply to this arm. The arm is drawn without
+  --            setting the parameters of these axes, or these parameters
   -- box        settings that make the pipeline itself take several samples per pixel. They are added for the displayed
   --            pictures of shots with `picture_aa`, and replace the sub-pixel samples of `picture_aa`
   -- shown      false: the arm is in the tables of the report, but its pictures are not shown

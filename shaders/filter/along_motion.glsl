@@ -17,7 +17,7 @@
 //   Pixels with the variance 0 are copied. Pixels are also copied if the distance 2^octave px is more than half of the
 //   dominant displacement, and more than 1 px, because pixels so far away show other surfaces.
 // Fails: surfaces with different motions are all blurred along the longest displacement. Textures and silhouettes along it are
-//   blurred if their contrast is within the noise. Noise at distances beyond the last level stays.
+//   blurred if their contrast is within the noise. Noise in patches longer than the widest level remains.
 #include "mixin/along_motion.glsl"
 
 // Weights of the B-spline at the distances 0, 1 and 2.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Full picture from a filter that ran at half resolution in parts of the picture.
+// Fills in the pixels that a filter left out where it ran at half resolution, in some parts of the picture.
 // In:  `blurred`: linear radiance; alpha 1. Pixels with even coordinates are never missing.
 //      `mask`: above 1/2 at pixels that are not missing.
 // Out: `filled`: linear radiance; alpha 1.

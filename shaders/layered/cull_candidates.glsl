@@ -15,8 +15,8 @@
 //   - the cell and the cell where the walks begin show more than one instance together;
 //   - the bounds of the cell contain a displacement within max(1 px, match * |d - b|) of b (parameter `match`), or a
 //     displacement that moves half a pixel or more apart from d by the time t. The latter would start a second walk.
-//   The paths are extended by the longest displacement, because a walk continues behind an occluder. Walks end at the border of
-//   the image. The mask is equal, bit for bit, to the mask without culling.
+//   The paths are extended by the longest displacement, because a walk that ends on an occluder continues beyond the
+//   occluder. Walks end at the border of the image. The mask is equal, bit for bit, to the mask without culling.
 // Fails: a cell that overlaps several tiles keeps the candidates of each tile, up to eight in all. The disocclusion
 //   mask may then have more pixels, and candidates beyond the eighth are lost.
 #include "lib/bounds.glsl"

@@ -18,8 +18,8 @@
 //      a ray, a missing pixel is an error. Paths end at the image border (counter `off_screen`).
 //   2. Walk: follow the path in steps of 1 px. Mark y if the walk meets a pixel q of another instance that moves by b,
 //      within max(1 px, match * |d - b|) (parameter `match`).
-//   3. Occluders: skip each q that is nearer than the last pixel of y's instance by the share `occluder`. A path that
-//      ends behind an occluder continues to the occluder's end.
+//   3. Occluders: skip each q that is nearer than the last pixel of y's instance by the share `occluder`. If the path
+//      ends on an occluder, continue the walk to the first pixel beyond the occluder.
 //   4. Second walk: if no q moves by b, walk again, with the displacement of the first q that moves relative to y in
 //      place of b, because candidates are inexact where the motion of a background varies.
 // Fails: misses backgrounds if no pixel around shows their motion, parts of an instance behind other parts of the instance, and
@@ -39,10 +39,10 @@ struct Path {
   float t;            // time at the end of the path, in exposures from the raster time
   vec2 unit;          // offset of one step, px
   int steps;          // steps to the end of the path, `margin` included
-  int longest;        // steps to the farthest end of a path that continues behind an occluder
+  int longest;        // largest number of steps, if the walk continues beyond an occluder at the end of the path
   int inside;         // number of steps until the path leaves the image
   uint own;           // instance + 1 at y
-  float matching_px;  // largest distance from b of a displacement that counts as b
+  float matching_px;  // displacements at most this far from b count as equal to b, px
 };
 
 const int kNoStep = 1 << 24;
@@ -126,8 +126,8 @@ Walk walked(Path path) {
   Walk walk = Walk(false, false, vec2(0));
   int first = firstPossibleEnd(path, 1, path.longest);
   if (first == kNoStep) return walk;
-  // A path that ends behind an occluder continues to the occluder's end, because the occluder may hide the silhouette of the
-  // foreground.
+  // If the path ends on an occluder, continue to the first pixel beyond the occluder: the occluder may hide the
+  // silhouette of the foreground, which is the surface at y.
   int i = min(first, path.steps);
   int own_step = lastOwn(path, i);
   bool occluded = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hit of a ray: a surface point, stored as a place on the mesh instead of a position in space, so that the point can be posed
-// at any time. Also the ray.
+// at any time. This file also declares the type of a ray.
 #ifndef STROBE_HIT_GLSL
 #define STROBE_HIT_GLSL
 

@@ -17,9 +17,10 @@ float finite(float value) {
 // rounding.
 const float kSumScale = 1.0 / 16384.0;
 
-// Colour in the scale of sums, and back.
+// Colour in the scale of sums: scaled down by kSumScale, so that a sum of many colours stays finite.
 vec3 toSum(vec3 color) { return color * kSumScale; }
 
+// Inverse of `toSum`. The result is clamped to finite values.
 vec3 fromSum(vec3 sum) { return clamp(sum / kSumScale, -kLargestFinite, kLargestFinite); }
 
 vec3 finiteColor(vec4 texel) { return vec3(finite(texel.x), finite(texel.y), finite(texel.z)); }

@@ -91,9 +91,9 @@ float timeAt(float part, int parts) {
 // [-1/2, 1/2] of a part.
 float sampleTime(int i, int n, float jitter) { return timeAt(float(i) + 0.5 + jitter, n); }
 
-// Index of the sample that is exactly at the raster time, for n samples at the fractions 1/(n + 1) to n/(n + 1) of the
-// weight. The result is -1 if such a sample does not exist. Only the middle sample of an exposure with times on both
-// sides can be at the raster time.
+// Index of the sample that is exactly at the raster time; -1 if no sample is there. Sample i of n is at the time before
+// which the fraction (i + 1) / (n + 1) of the shutter curve's total weight lies. Only the middle sample of an exposure
+// with times on both sides of the raster time can be at the raster time.
 int sampleAtRasterTime(int n) {
   if (!isCentred(frame.shutter) || n % 2 == 0) return -1;
 #if FACT_weighted

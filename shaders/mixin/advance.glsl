@@ -9,9 +9,10 @@
 // Upper bound of t for a ray without an end.
 const float kFar = 3.0e38;
 
-// Start of the ray interval behind a hit at the distance t > 0, for the search for the next hit: four representable floats
-// beyond t. The hit itself is then normally not found again; `isSameTriangle` detects a repetition. Other surfaces within these
-// four floats are skipped too. At single precision they coincide with the hit.
+// Start of the ray interval behind a hit at the distance t > 0, for the search for the next hit: the fourth
+// representable float above t. The hit itself is then normally not found again; `isSameTriangle` detects a repetition.
+// Other surfaces between t and this start are skipped too. Their distance from the hit is as small as the rounding
+// errors of t.
 float justBeyond(float t) { return uintBitsToFloat(floatBitsToUint(t) + 4u); }
 
 // True if both hits are on one triangle. A ray meets a triangle at most once, so two hits of one ray on one triangle are one

@@ -25,10 +25,12 @@ vec2 unitOf(vec2 d) {
 // another displacement in the neighbourhood; all three px over the exposure. `radius_px`: blur radius of the pixel's surface.
 // `gamma_px`: width of the range of blur radii with a blend of two directions, px, above 0.
 // If the blur radius is at most 1/2 px (a static surface), the direction is perpendicular to the dominant displacement. From
-// gamma_px + 1/2 px on, the direction is along `own`. Radii in between give a blend of both directions. The perpendicular
-// points to the side of `own` or, if `own` has no side, to the side of `other`. If `other` has no side either, the
-// perpendicular is 0, because no surface is known to move across. (The paper leaves the side to rounding in this case. A
-// one-sided gather would then sample the wrong side half of the time, and mirrored scenes would not give mirrored images.)
+// gamma_px + 1/2 px on, the direction is along `own`. Radii in between give a blend of both directions.
+// Of the two opposite perpendiculars, the one with a positive dot product with `own` is taken. If `own` is parallel to
+// `dominant` or 0, the dot product with `other` decides. If `other` is parallel or 0 too, the perpendicular is 0,
+// because then no surface is known to move across the dominant displacement. (Guertin et al. leave the sign to rounding
+// in this case. A one-sided gather would then sample the wrong side half of the time, and mirrored scenes would not
+// give mirrored images.)
 vec2 secondDirection(vec2 dominant, vec2 own, vec2 other, float radius_px, float gamma_px) {
   vec2 across = unitOf(vec2(-dominant.y, dominant.x));
   float side = dot(across, own);

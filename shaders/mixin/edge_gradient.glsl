@@ -18,9 +18,10 @@ float sizeOf(float a, float b) {
 #endif
 }
 
-// True if a gradient exceeds the thresholds, as the parameter `combine` weighs depth and normal (mixin/edge_steps.glsl). `a`,
-// `b`: the gradient, as differences of the features (xyz normal, w depth) in two perpendicular directions. The normal's
-// difference in one direction is the length of its three components.
+// True if the strength of an edge exceeds 1. The strength combines the gradients of depth and normal, each divided by
+// its threshold; the parameter `combine` chooses how (mixin/edge_steps.glsl). `a`, `b`: the gradients, as differences
+// of the features (xyz normal, w depth) in two perpendicular directions. The normal's difference in one direction is
+// the length of its three components.
 bool isStep(vec4 a, vec4 b) {
   return combined(sizeOf(a.w, b.w), sizeOf(length(vec3(a)), length(vec3(b)))) > 1.0;
 }

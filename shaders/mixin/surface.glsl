@@ -270,8 +270,9 @@ Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint 
   float handed = dot(transform.row_x.xyz, cross(transform.row_y.xyz, transform.row_z.xyz));
   bool front = (determinant > 0.0) == (handed >= 0.0);
   float t = viewFromWorld(slice, position_ws).z;
-  // On triangles with distant corners, rounding errors of the corners can be as large as near objects. For these triangles,
-  // compute t as the ray's distance to the plane, which is more accurate.
+  // If a triangle has distant corners, the rounding errors of the corner positions can be as large as objects near the
+  // camera. For such a triangle, take t from the intersection of the ray with the triangle's plane, which is more
+  // accurate.
   vec3 reach = max(abs(edge1), abs(edge2));
   bool large = max(reach.x, max(reach.y, reach.z)) > 16.0 * t;
   bool inside = all(greaterThanEqual(cornerWeights(barycentrics), vec3(0)));

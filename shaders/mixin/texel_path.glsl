@@ -22,8 +22,9 @@ vec2 pathOfTexel(uint slice, ivec2 at) {
 #endif
 }
 
-// True if the path of the texel's surface point may deviate from a straight line. `id`: instance + 1, or 0 for the sky, which
-// follows every rotation of the camera. False where the layer has no surface: there the depth is 0.
+// True if the path of the texel's surface point may deviate from a straight line. `id`: instance + 1; 0 for the sky.
+// True for the sky, because a rotation of the camera moves the sky on curved paths over the screen. False where the
+// layer is empty: there the depth is 0 (the depth of the sky is +inf).
 bool isCurvedAt(ivec2 at, uint id) {
   bool may_curve = id == 0u || (instanceAt(id - 1u).path & PATH_CURVED) != 0u;
   return may_curve && texelFetch(depth_tex, at, 0).x > 0.0;

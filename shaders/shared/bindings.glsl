@@ -71,12 +71,13 @@ layout(set = 0, binding = 3) uniform accelerationStructureEXT scene_top_levels[S
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer BvhNodes { BvhNode at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhTriangles { BvhTriangle at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
+// The scene is posed at several times, called levels here. Level 0 is the raster time; levels from 1 on are the sample
+// times of a loop.
 layout(set = 0, binding = 3, scalar) uniform SceneBvh {
   BvhNodes nodes;          // first the trees of all meshes; then, for each level, the tree over all instances and the tree
-                           // over the moving instances; then, for each level, the trees of the deforming meshes.
-                           // Level 0 is the raster time; levels from 1 on are the sample times of a loop
-  BvhTriangles triangles;  // triangles of all meshes; then, for each level, triangles of the deforming meshes
-  BvhInstances instances;  // all instances, level by level
+                           // over the moving instances; then, for each level, the trees of the deforming meshes
+  BvhTriangles triangles;  // triangles of all meshes; then, for each level, the posed triangles of the deforming meshes
+  BvhInstances instances;  // for each level, all instances in their poses at this time
   uint first_root;         // root of the tree over all instances at the raster time
   uint nodes_per_tree;     // number of nodes that each tree over instances occupies
 } scene_bvh;  // filled from `Addresses` of runtime/world/own_structures.cpp

@@ -5,11 +5,11 @@
 //      `velocity`: displacement, px over the exposure
 // Out: `velocity_pre`: velocity before the raster time, scaled to the whole exposure, px
 //      `velocity_post`: velocity after the raster time, scaled to the whole exposure, px
-// Method: pose the point at both ends of the exposure. Divide each offset from the position at the raster time by the part of
-//   the exposure between the raster time and that end. A point that is at y at the raster time is then at y + velocity_pre * t
-//   for t < 0 and at y + velocity_post * t for t > 0 (t in exposures). Both outputs equal `velocity` in two cases: if the
-//   exposure lies on one side of the raster time, and if joints or morph targets deform the instance, because `id` then does
-//   not identify the point.
+// Method: pose the point at the times t of shutter open (t < 0) and shutter close (t > 0), in exposures from the raster
+//   time. At each of the two times, subtract the position at the raster time, and divide the difference by t. A point
+//   that is at y at the raster time is then at y + velocity_pre * t for t < 0 and at y + velocity_post * t for t > 0.
+//   Both outputs equal `velocity` in two cases: if the exposure lies on one side of the raster time, and if joints or
+//   morph targets deform the instance, because `id` then does not identify the point.
 // Fails: motion that changes direction or speed at any time other than the raster time.
 #include "lib/blur.glsl"
 #include "mixin/quantised.glsl"

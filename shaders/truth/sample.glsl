@@ -160,8 +160,9 @@ uvec4 staticBefore(ivec2 pixel) {
   return static_background.x == kNoSurface ? first_static_at(pixel) : static_background;
 }
 
-// Mean linear radiance (rgb) of the earlier samples of the pixel that hit a static surface, and their number (alpha). The
-// function counts samples of this loop. If no sample of this loop hit a static surface, it counts the first samples instead.
+// Mean linear radiance (rgb) of the earlier samples of the pixel that hit a static surface, and their number (alpha).
+// Only samples of this loop are averaged. If none of these hit a static surface, the first samples are averaged
+// instead.
 vec4 staticMeanBefore(ivec2 pixel) {
   vec4 static_mean = imageLoad(static_mean_img, pixel);
   return static_mean.a == 0.0 ? first_static_mean_at(pixel) : static_mean;

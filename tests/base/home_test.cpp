@@ -172,5 +172,20 @@ TEST_F(Homes, AreFrozenWithOtherFiles) {
   EXPECT_TRUE(fs::exists(folder_ / "mine/passes/own.lua"));
 }
 
+// A file named by its path in the original is that of the copy; the texts that name it stay.
+TEST_F(Homes, FindTheCopiesOfTheirFiles) {
+  for (const char* file : {"ours/scenes/a.lua", "ours/elsewhere/b.lua", "other/passes/c.lua"}) write(file, "old");
+  const Home home(folder_ / "ours");
+  FrozenHome frozen(home, folder_ / "copy"), other(home, folder_ / "another", folder_ / "other");
+  const Path file = folder_ / "ours/scenes/a.lua";
+  EXPECT_EQ(copyOf(frozen.home(), file), folder_ / "copy/0/scenes/a.lua");
+  EXPECT_EQ(frozen.at(file), folder_ / "copy/0/scenes/a.lua");
+  EXPECT_EQ(copyOf(frozen.home(), frozen.at(file)), frozen.at(file));
+  EXPECT_EQ(copyOf(home, file), file) << "it is no copy";
+  EXPECT_EQ(copyOf(other.home(), file), file) << "other files stand in its place";
+  for (const char* name : {"ours/elsewhere/b.lua", "ours/scenes/none.lua", "other/passes/c.lua"})
+    EXPECT_EQ(copyOf(frozen.home(), folder_ / name), folder_ / name);
+}
+
 }  // namespace home_test
 }  // namespace strobe

@@ -3,11 +3,9 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <future>
-#include <thread>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -39,42 +37,6 @@ TEST(Process, LargeInputAndOutputPass) {
   EXPECT_TRUE(end.errors == program.input);
   program.arguments = {"true"};  // reads nothing
   EXPECT_TRUE(run(program).succeeded());
-}
-
-TEST(Process, WaitsForWhatItReads) {
-  WaitingProgram waiting(shell("cat; exit 3"));
-  EXPECT_TRUE(waiting.waits());
-  const std::string input(3 << 20, 'x');
-  ProgramEnd end = waiting.run(input);
-  EXPECT_TRUE(end.output == input);
-  EXPECT_EQ(end.code(), 3);
-  EXPECT_FALSE(waiting.waits());
-  WaitingProgram gone(shell("exit 0"));
-  while (gone.waits()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
-// Its time begins with its input.
-TEST(Process, WaitingIsNoPartOfItsTime) {
-  Program program = shell("cat; sleep 60");
-  program.wall_s = 0.4;
-  WaitingProgram waiting(program);
-  std::this_thread::sleep_for(std::chrono::milliseconds(600));
-  ProgramEnd end = waiting.run("words");
-  EXPECT_EQ(end.output, "words");
-  EXPECT_TRUE(end.timed_out);
-}
-
-TEST(Process, EndsWithWhatItWaitsFor) {
-  pid_t child = 0;
-  {
-    const std::string file = ::testing::TempDir() + "strobe_waiting_" + std::to_string(::getpid());
-    WaitingProgram waiting(shell("echo $$ > " + file + ".part; mv " + file + ".part " + file + "; cat"));
-    while (!std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    child = pid_t(std::stol(readText(file)));
-    EXPECT_EQ(::kill(child, 0), 0);
-    std::filesystem::remove(file);
-  }
-  EXPECT_NE(::kill(child, 0), 0);
 }
 
 // What does not fit into memory at once is asked for piece by piece.
@@ -133,40 +95,6 @@ TEST(Process, AtTheWallClocksLimitTheGroupIsKilled) {
     EXPECT_EQ(end.signal, SIGKILL) << script;
     EXPECT_LT(end.seconds, 10) << script;
   }
-}
-
-TEST(Process, ProcessorTimeAndMemoryAreLimited) {
-  Program program = shell("while :; do :; done");
-  program.cpu_s = 1;
-  program.wall_s = 60;
-  ProgramEnd end = run(program);
-  EXPECT_EQ(end.signal, SIGXCPU);
-  EXPECT_FALSE(end.timed_out);
-  program = shell("ulimit -v; ulimit -c");
-  program.memory_bytes = size_t{256} << 20;
-  EXPECT_EQ(run(program).output, "262144\n0\n");
-}
-
-// As long as it answers, it is asked again; what ends it is said, and it is asked no more.
-TEST(Process, AWaitingProgramAnswersAgainAndAgain) {
-  auto line = [](const std::string& output) { return output.ends_with('\n'); };
-  WaitingProgram waiting(
-      shell("while read line; do test $line = end && exit 3; test $line = sleep && sleep 9; "
-            "echo \"got $line\"; done"));
-  for (const char* word : {"a", "b"}) {
-    ProgramEnd end = waiting.ask(std::string(word) + "\n", 10, line);
-    EXPECT_EQ(end.output, fmt::format("got {}\n", word));
-    EXPECT_TRUE(end.succeeded());
-    EXPECT_TRUE(waiting.waits());
-  }
-  std::string large(200000, 'x');  // more than a pipe holds
-  EXPECT_EQ(waiting.ask(large + "\n", 10, line).output.size(), large.size() + 5);
-  EXPECT_EQ(waiting.ask("end\n", 10, line).code(), 3);
-  EXPECT_FALSE(waiting.waits());
-  WaitingProgram slow(shell("while read line; do sleep 9; done"));
-  ProgramEnd end = slow.ask("a\n", 0.2, line);
-  EXPECT_TRUE(end.timed_out);
-  EXPECT_FALSE(slow.waits());
 }
 
 TEST(Process, OutputIsBounded) {

@@ -17,9 +17,9 @@ TEST(FigureScript, TheMoreParticularCountsAndMarksAddUp) {
   EXPECT_EQ(figure.columns, (std::vector<std::string>{"Plain", "truth"}));
   EXPECT_EQ(figure.rows, (std::vector<std::string>{"near", ""}));
   EXPECT_EQ(figure.cells[0].zoom, 5) << "the cell's own";
-  EXPECT_EQ(figure.cells[0].marks.arrows.size(), 2u) << "the figure's and its own";
+  EXPECT_EQ(figure.cells[0].marks.size(), 2u) << "the figure's and its own";
   EXPECT_EQ(figure.cells[1].zoom, 4) << "the column's before the figure's";
-  EXPECT_EQ(figure.cells[1].marks.arrows.size(), 2u);
+  EXPECT_EQ(figure.cells[1].marks.size(), 2u);
   EXPECT_EQ(figure.cells[2].zoom, 4) << "the column's before the row's";
   EXPECT_EQ(figure.cells[2].row, 1);
   EXPECT_EQ(figure.cells[2].column, 1);
@@ -30,8 +30,8 @@ TEST(FigureScript, TheMoreParticularCountsAndMarksAddUp) {
 TEST(FigureScript, ColoursAreNamesOrHexadecimal) {
   FigureData figure = figureFrom(dataOf(R"(name = "x", shot = "still", arm = "plain",
     circles = { { at = { 1, 1 }, radius = 2, color = "#ff0080" }, { at = { 1, 1 }, radius = 2, color = "white" } })"));
-  EXPECT_EQ(figure.cells[0].marks.circles[0].colour, (Colour{1, 0, 128 / 255.0f}));
-  EXPECT_EQ(figure.cells[0].marks.circles[1].colour, (Colour{1, 1, 1}));
+  EXPECT_EQ(figure.cells[0].marks[0].colour, (Colour{1, 0, 128 / 255.0f}));
+  EXPECT_EQ(figure.cells[0].marks[1].colour, (Colour{1, 1, 1}));
 }
 
 TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {

@@ -12,7 +12,6 @@
 #include "base/process.h"
 #include "common/temporary_folder.h"
 #include "image/exr.h"
-#include "image/jpeg.h"
 #include "image/metrics.h"
 #include "image/png.h"
 #include "image/tone.h"

@@ -201,9 +201,7 @@ TEST(ImageComparison, FilesAreKnownByContent) {
   EXPECT_NE(refused.find("pixel 1,1"), std::string::npos) << refused;
 }
 
-TEST(ImageComparison, RefusesWhatCannotBeCompared) {
-  EXPECT_THROW(compareImages(Image(4, 4, 3), Image(5, 4, 3)), Error);
-  EXPECT_THROW(compareImages(Image(4, 4, 3), Image(4, 4, 3), Image(3, 4, 1, 1.0f)), Error);
+TEST(ImageComparison, RefusesAnEmptyMask) {
   EXPECT_THROW(compareImages(Image(4, 4, 3), Image(4, 4, 3), Image(4, 4, 1)), Error);
 }
 
@@ -211,13 +209,13 @@ TEST(ImageComparison, JsonOfEqualImages) {
   Image image(16, 16, 3, 0.5f);
   CompareOptions ldr;
   ldr.hdr = false;
-  Json json = comparisonJson(compareImages(image, image, {}, ldr));
+  Json json = compareImages(image, image, {}, ldr).numbers;
   EXPECT_EQ(json["psnr"], "inf");
   EXPECT_EQ(json["ldr_flip"], 0.0);
   EXPECT_TRUE(json["hdr_flip"].is_null());
   EXPECT_FALSE(json.contains("hdr_flip_start"));
   EXPECT_EQ(json["pixels"], 256);
-  Json hdr = comparisonJson(compareImages(image, image));
+  Json hdr = compareImages(image, image).numbers;
   EXPECT_EQ(hdr["hdr_flip"], 0.0);
   EXPECT_EQ(hdr["hdr_flip_exposures"], 2);
   EXPECT_EQ(hdr["hdr_flip_source"], "reference");

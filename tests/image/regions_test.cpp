@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "image/crops.h"
+#include "image/draw.h"
 
 namespace strobe::image {
 namespace regions_test {

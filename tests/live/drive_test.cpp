@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The file that drives the window: what is read, what is refused, in which order it runs.
-#include "live/drive.h"
-
+// The file that drives the window: what is read, what is refused.
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "common/refusal.h"
+#include "live/driven_window.h"
 
 namespace strobe::live {
 namespace drive_test {
@@ -42,7 +41,7 @@ TEST(Drive, MistakesAreNamedWithTheirLineAllAtOnce) {
 }
 
 TEST(Drive, NumbersAreChecked) {
-  auto commands = parseDrive("wait 2.5\nwait x\nwait 3x\nwait 1e3\nwait inf\n", "a.drive");
+  auto commands = parseDrive("wait 2.5\nwait x\nwait 3x\nwait 1000\nwait inf\n", "a.drive");
   EXPECT_DOUBLE_EQ(numberOf(commands[0], 0), 2.5);
   EXPECT_THROW(integerOf(commands[0], 0), Error);
   EXPECT_THROW(numberOf(commands[1], 0), Error);
@@ -53,40 +52,10 @@ TEST(Drive, NumbersAreChecked) {
 
 TEST(Drive, EveryCommandIsInTheTableOnce) {
   std::set<std::string> names;
-  for (const CommandForm& form : commandForms()) {
+  for (const CommandForm& form : DrivenWindow::kForms) {
     EXPECT_TRUE(names.insert(form.name).second) << form.name;
-    EXPECT_NE(std::string(form.doc), "");
+    EXPECT_NE(form.doc, "");
   }
-}
-
-std::map<std::string, Handler> handlersFor(const Handler& handler) {
-  std::map<std::string, Handler> handlers;
-  for (const CommandForm& form : commandForms()) handlers[form.name] = handler;
-  return handlers;
-}
-
-TEST(Drive, RunsInOrderAndWaitsWhereAskedTo) {
-  std::vector<std::string> ran;
-  int waits = 2;
-  Drive drive(parseDrive("play on\nwait 1\nquit\n", "a"), handlersFor([&](const Command& command) {
-                if (command.name == "wait" && waits-- > 0) return false;
-                ran.push_back(command.name);
-                return true;
-              }));
-  drive.advance();
-  EXPECT_EQ(ran, (std::vector<std::string>{"play"}));
-  drive.advance();
-  EXPECT_EQ(ran.size(), 1u);
-  EXPECT_FALSE(drive.done());
-  drive.advance();
-  EXPECT_EQ(ran, (std::vector<std::string>{"play", "wait", "quit"}));
-  EXPECT_TRUE(drive.done());
-}
-
-TEST(Drive, AFailureNamesTheLine) {
-  Drive drive(parseDrive("\nplay on\n", "a.drive"),
-              handlersFor([](const Command&) -> bool { throw Error("no reel"); }));
-  EXPECT_EQ(testing::refusalOf([&] { drive.advance(); }), "a.drive:2: 'play' failed: no reel");
 }
 
 }  // namespace drive_test

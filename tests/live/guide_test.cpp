@@ -6,7 +6,7 @@
 
 #include "base/files.h"
 #include "common/home.h"
-#include "live/drive.h"
+#include "live/driven_window.h"
 #include "live/keys.h"
 
 namespace strobe::live {
@@ -27,8 +27,8 @@ TEST(Guide, HasEveryKey) {
 
 TEST(Guide, HasEveryCommand) {
   std::string text = guide();
-  for (const CommandForm& form : commandForms()) {
-    std::string call = std::string(form.name) + (*form.arguments ? " " : "") + form.arguments;
+  for (const CommandForm& form : DrivenWindow::kForms) {
+    std::string call = form.name + (form.arguments.empty() ? "" : " ") + form.arguments;
     EXPECT_NE(text.find(fmt::format("| `{}` | {} |", call, form.doc)), std::string::npos) << call;
   }
 }

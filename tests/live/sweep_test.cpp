@@ -7,7 +7,6 @@
 #include "image/metrics.h"
 #include "image/tone.h"
 #include "live/sweeper.h"
-#include "live/thumbnails.h"
 #include "oracle/render.h"
 
 namespace strobe::live {
@@ -215,11 +214,10 @@ TEST_F(SweepTest, ThumbnailsAreMeans) {
   Desk desk(bench(), options());
   Sweeper sweeper;
   sweeper.open(desk, "samples", false, {"4", "8", "16"});
-  EXPECT_EQ(thumbnailsOf(sweeper.sweep(), 0).places.size(), 3u) << "also before it is drawn";
+  EXPECT_TRUE(thumbnailOf(sweeper.sweep().points()[0], nullptr).empty()) << "before it is drawn";
   finish(desk, sweeper);
-  image::Image color = sweeper.sweep().points()[0].color, bright = thumbnailsOf(sweeper.sweep(), -1).sheet;
-  EXPECT_NEAR(bright.at(1, 1, 0), image::encodeSrgb(color.at(1, 1, 0) / 2), 1e-5)
-      << "as the window's brightness has it";
+  const SweepPoint& point = sweeper.sweep().points()[0];
+  EXPECT_EQ(thumbnailOf(point, nullptr).values, point.color.values);
 }
 
 // Whole pictures are too small for differences to show.
@@ -243,13 +241,10 @@ TEST_F(SweepTest, ThumbnailsShowTheCropWithTheLargestError) {
         double error = image::meanSquaredError(image::crop(point.color, at), image::crop(desk.truth().mean(), at));
         EXPECT_LE(error * 3 * area.width * area.height, 1.5 * sweep.worst()->worst_sum) << x << ", " << y;
       }
-  const Thumbnails thumbnails = thumbnailsOf(sweep, 0);
   const image::Image& color = sweep.points()[1].color;
-  const int left = int(thumbnails.places[1][0] * float(thumbnails.sheet.width));
+  const image::Image thumbnail = thumbnailOf(sweep.points()[1], sweep.worst());
   for (int x : {0, 20, 47})
-    EXPECT_NEAR(thumbnails.sheet.at(left + 4 * x + 1, 4 * 13 + 1, 0),
-                image::encodeSrgb(color.at(area.x + x, area.y + 13, 0)), 1e-5)
-        << x;
+    EXPECT_EQ(thumbnail.at(4 * x + 1, 4 * 13 + 1, 0), color.at(area.x + x, area.y + 13, 0)) << x;
 }
 
 }  // namespace sweep_test

@@ -29,13 +29,13 @@ TEST(Effects, MeanWithItsInterval) {
 }
 
 TEST(Effects, OfCompleteBlocksAreDifferencesFromTheMeanOfAll) {
-  MainEffect arms = mainEffect(crossed(), 0, 2);
+  Effect arms = effectOf(crossed(), {0}, {2});
   EXPECT_EQ(arms.blocks, 3u);
   EXPECT_NEAR(arms.levels[0].value, 2 - 4, 1e-11);
   EXPECT_NEAR(arms.levels[1].value, 6 - 4, 1e-11);
   EXPECT_NEAR(arms.levels[1].high - 2, kT2 * 0.5, 1e-11)
       << "of 1.5, 1.5 and 3: deviation sqrt(0.75), of their mean 0.5";
-  MainEffect samples = mainEffect(crossed(), 1, 3);
+  Effect samples = effectOf(crossed(), {1}, {3});
   EXPECT_EQ(samples.blocks, 2u);
   EXPECT_NEAR(samples.levels[2].value, (3.0 + 9) / 2 - 4, 1e-11);
   EXPECT_NEAR(samples.levels[2].high - samples.levels[2].value, kT1 * 1, 1e-11) << "1 and 3";
@@ -44,54 +44,54 @@ TEST(Effects, OfCompleteBlocksAreDifferencesFromTheMeanOfAll) {
 TEST(Effects, BlocksThatLackALevelAreLeftOut) {
   Observations observations = crossed();
   observations.pop_back();
-  MainEffect samples = mainEffect(observations, 1, 3);
+  Effect samples = effectOf(observations, {1}, {3});
   EXPECT_EQ(samples.blocks, 1u);
   EXPECT_EQ(samples.incomplete, 1u);
   EXPECT_DOUBLE_EQ(samples.levels[0].value, -1);
   EXPECT_TRUE(std::isnan(samples.levels[0].low)) << "one block has no interval";
-  EXPECT_EQ(mainEffect(observations, 0, 2).blocks, 2u);
+  EXPECT_EQ(effectOf(observations, {0}, {2}).blocks, 2u);
 }
 
 // What does not have a factor says nothing of it, and is no other condition of the rest.
 TEST(Effects, OfObservationsThatHaveTheFactor) {
   Observations observations = crossed();
   observations.push_back({{0, -1}, 100});
-  EXPECT_DOUBLE_EQ(mainEffect(observations, 1, 3).levels[0].value, mainEffect(crossed(), 1, 3).levels[0].value);
-  EXPECT_EQ(mainEffect(observations, 0, 2).incomplete, 1u);
+  EXPECT_DOUBLE_EQ(effectOf(observations, {1}, {3}).levels[0].value, effectOf(crossed(), {1}, {3}).levels[0].value);
+  EXPECT_EQ(effectOf(observations, {0}, {2}).incomplete, 1u);
 }
 
 TEST(Effects, InteractionIsWhatRowsAndColumnsLeave) {
   Observations twice = crossed();
   for (Observation& one : twice) one.levels.push_back(0);
   for (const Observation& one : crossed()) twice.push_back({{one.levels[0], one.levels[1], 1}, 2 * one.value});
-  Interaction result = interaction(twice, 0, 1, 2, 3);
+  Effect result = effectOf(twice, {0, 1}, {2, 3});
   EXPECT_EQ(result.blocks, 2u);
   // 9 - 6 - 6 + 4 = 1, and 2 of the second block.
-  EXPECT_NEAR(result.cells[1][2].value, 1.5, 1e-11);
-  EXPECT_NEAR(result.cells[1][2].high - 1.5, kT1 * 0.5, 1e-11);
-  EXPECT_NEAR(result.cells[0][2].value, -1.5, 1e-11);
+  EXPECT_NEAR(result.levels[5].value, 1.5, 1e-11);
+  EXPECT_NEAR(result.levels[5].high - 1.5, kT1 * 0.5, 1e-11);
+  EXPECT_NEAR(result.levels[2].value, -1.5, 1e-11);
   double sum = 0;
-  for (const Estimate& cell : result.cells[0]) sum += cell.value;
+  for (size_t sample = 0; sample < 3; ++sample) sum += result.levels[sample].value;
   EXPECT_NEAR(sum, 0, 1e-11);
   twice.pop_back();
-  EXPECT_EQ(interaction(twice, 0, 1, 2, 3).incomplete, 1u);
+  EXPECT_EQ(effectOf(twice, {0, 1}, {2, 3}).incomplete, 1u);
 }
 
 TEST(Effects, UnpairedHasEverythingElseInIt) {
-  MainEffect arms = unpairedEffect(crossed(), 0, 2);
+  Effect arms = unpairedEffect(crossed(), 0, 2);
   EXPECT_DOUBLE_EQ(arms.levels[0].value, -2);
   EXPECT_NEAR(arms.levels[0].high + 2, kT2 / std::sqrt(3), 1e-11) << "1, 2 and 3";
 }
 
 TEST(Effects, SlopeWithinStrata) {
-  Slope slope = slopeWithin({1, 2, 3, 1, 2, 3}, {1, 2, 3, 11, 12, 13}, {0, 0, 0, 1, 1, 1});
-  EXPECT_DOUBLE_EQ(slope.slope.value, 1);
-  EXPECT_NEAR(slope.slope.low, 1, 1e-11) << "a perfect line, other heights apart";
+  Estimate slope = slopeWithin({1, 2, 3, 1, 2, 3}, {1, 2, 3, 11, 12, 13}, {0, 0, 0, 1, 1, 1});
+  EXPECT_DOUBLE_EQ(slope.value, 1);
+  EXPECT_NEAR(slope.low, 1, 1e-11) << "a perfect line, other heights apart";
   slope = slopeWithin({0, 1, 2, 3}, {0, 1, 1, 2}, {0, 0, 0, 0});
-  EXPECT_NEAR(slope.slope.value, 0.6, 1e-11);
-  EXPECT_NEAR(slope.slope.high - 0.6, kT2 * std::sqrt(0.2 / 2 / 5), 1e-11);
-  EXPECT_TRUE(std::isnan(slopeWithin({1, 1}, {2, 3}, {0, 0}).slope.value)) << "x does not vary";
-  EXPECT_TRUE(std::isnan(slopeWithin({1, 2}, {2, 3}, {0, 0}).slope.low)) << "no degrees of freedom";
+  EXPECT_NEAR(slope.value, 0.6, 1e-11);
+  EXPECT_NEAR(slope.high - 0.6, kT2 * std::sqrt(0.2 / 2 / 5), 1e-11);
+  EXPECT_TRUE(std::isnan(slopeWithin({1, 1}, {2, 3}, {0, 0}).value)) << "x does not vary";
+  EXPECT_TRUE(std::isnan(slopeWithin({1, 2}, {2, 3}, {0, 0}).low)) << "no degrees of freedom";
 }
 
 }  // namespace effects_test

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A line through points small enough to work out by hand.
-#include "math/line.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "math/effects.h"
 
 namespace strobe {
 namespace line_test {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "math/pareto.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
+
+#include "math/statistics.h"
 
 namespace strobe {
 namespace pareto_test {

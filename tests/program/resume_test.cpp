@@ -90,6 +90,17 @@ class Resume : public ::testing::Test {
     return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), "", contentOf(err)};
   }
 
+  // A home with the shipped passes, scripts and shaders.
+  std::string ownHome() const {
+    const std::string home = folder_ / "home";
+    const char* source = std::getenv("STROBE_HOME");
+    fs::path shipped = source ? fs::path(source) : sourceFolder();
+    fs::create_directory(home);
+    for (const char* part : {"passes", "scripts", "shaders"})
+      fs::copy(shipped / part, home + "/" + part, fs::copy_options::recursive);
+    return home;
+  }
+
   void expectWholePictures(const std::string& out) const {
     if (!fs::exists(folder_ / (out + "/points"))) return;
     for (const auto& entry : fs::directory_iterator(folder_ / (out + "/points")))
@@ -161,6 +172,22 @@ TEST_F(Resume, InterruptedItSaysWhatIsKeptAndGoesOn) {
   ASSERT_EQ(run(command("out2"), "STROBE_VALIDATION=0").exit_code, 0);
   for (const auto& [name, time] : before) EXPECT_EQ(points("out2").at(name), time) << "written again";
   for (const char* left : {"out2/.inputs_3", "out2/.inputs"}) EXPECT_FALSE(fs::exists(folder_ / left)) << left;
+}
+
+// The run ends between its last point and its results.
+TEST_F(Resume, ResultsThatCannotBeWrittenCanBeLaidOutLater) {
+  writeText(folder_ / "x.lua", few("{ 2 }"));
+  fs::create_directories(folder_ / "out/report.html/in_the_way");
+  Outcome outcome = run(command("out"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("out/report.html: cannot be written"), std::string::npos) << outcome.err;
+  ASSERT_FALSE(fs::exists(folder_ / "out/result.json"));
+  fs::remove_all(folder_ / "out/report.html");
+  Outcome report = run("report " + (folder_ / "out"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_NE(file("out", "table.csv").find("\n2,hybrid,bar,inner,0.5,2,"), std::string::npos);
+  ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/unfinished.json"));
 }
 
 TEST_F(Resume, AnInterruptedDemoIsLaidOutUnderItsOwnNames) {
@@ -282,12 +309,7 @@ TEST_F(Resume, MeasuresAreThoseOfCompare) {
 
 // The shader says something else in the middle of the sweep; what was started goes on with what it said.
 TEST_F(Resume, WhatIsEditedMeanwhileDoesNotCount) {
-  std::string home = folder_ / "home";
-  fs::create_directory(home);
-  const char* source = std::getenv("STROBE_HOME");
-  fs::path shipped = source ? fs::path(source) : sourceFolder();
-  for (const char* part : {"passes", "scripts", "shaders"})
-    fs::copy(shipped / part, home + "/" + part, fs::copy_options::recursive);
+  const std::string home = ownHome();
   std::string environment = "STROBE_VALIDATION=0 STROBE_HOME=" + home;
   // The last values need a shader that none of those before does.
   std::string text = few("experiment.linear(1, 150, 150)");
@@ -310,6 +332,33 @@ TEST_F(Resume, WhatIsEditedMeanwhileDoesNotCount) {
   editor.join();
   EXPECT_EQ(edited.exit_code, 0) << edited.err;
   EXPECT_EQ(file("edited", "table.csv"), file("plain", "table.csv"));
+}
+
+// So do a pipeline and a scene beside the experiment; commands name the files themselves.
+TEST_F(Resume, WhatIsEditedBesideTheExperimentDoesNotCount) {
+  const fs::path home = ownHome();
+  fs::create_directories(home / "experiments");
+  const std::vector<std::string> files = {"experiments/card.lua", "experiments/own.lua"};
+  writeText(home / files[0], kCardScene);
+  fs::copy(home / "scripts/pipelines/mcguire2012.lua", home / files[1]);
+  writeText(home / "experiments/x.lua", R"lua(return require "strobe.experiment" {
+    title = "Beside", size = { 64, 36 }, regions = { "whole" }, measures = { "rmse" },
+    shots = { { name = "card", scene = "card.lua" } }, arms = { { name = "own", pipeline = "own.lua" } },
+    truth = { pipeline = "ground_truth", set = { samples = 4 } }, expect = { { "it is drawn", function() return true end } },
+  })lua");
+  const std::string line = fmt::format("sweep {} -o {} ", (home / "experiments/x.lua").string(), folder_ / "edited");
+  std::thread editor = spoilOnceCopied(home, folder_ / "edited/.inputs/0", files);
+  Outcome edited = run(line, "STROBE_VALIDATION=0 STROBE_HOME=" + home.string());
+  editor.join();
+  EXPECT_EQ(edited.exit_code, 0) << edited.err;
+  EXPECT_NE(contentOf(home / files[1]).find("edited"), std::string::npos);
+  Json result = Json::parse(file("edited", "result.json"));
+  std::string command = result["groups"][0]["points"][1]["command"];
+  for (const std::string& one : files) {
+    EXPECT_NE(command.find((home / one).string()), std::string::npos) << command;
+    EXPECT_EQ(result["inputs"].count("strobe:" + one), 1u) << result["inputs"];
+  }
+  EXPECT_EQ(result["arms"][0]["pipeline"], (home / files[1]).string());
 }
 
 }  // namespace resume_test

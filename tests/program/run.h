@@ -2,11 +2,15 @@
 // Runs the program as a user does: exit code, standard output and error.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "base/process.h"
 #include "common/temporary_folder.h"
@@ -56,6 +60,16 @@ inline Outcome runLine(const std::string& line, const std::vector<std::string>& 
 // `arguments` as a shell reads them; `environment` like "NAME=value NAME2=value2". Validation is on unless it says not.
 inline Outcome run(const std::string& arguments, const std::string& environment = "STROBE_VALIDATION=1") {
   return runLine("exec env " + environment + " '" + programPath() + "' " + arguments);
+}
+
+// Starts a thread that spoils `files` once a command has copied them into `copies`.
+inline std::thread spoilOnceCopied(const fs::path& folder, const fs::path& copies, std::vector<std::string> files) {
+  return std::thread([folder, copies, files = std::move(files)] {
+    auto isCopied = [&](const std::string& file) { return contentOf(copies / file) == contentOf(folder / file); };
+    for (int waited = 0; !std::all_of(files.begin(), files.end(), isCopied) && waited < 30000; ++waited)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (const std::string& file : files) writeText(folder / file, "error 'edited'");
+  });
 }
 
 }  // namespace strobe::testing

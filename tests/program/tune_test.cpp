@@ -101,6 +101,24 @@ TEST_F(Tune, SaysThatNothingMeetsTheLimit) {
   EXPECT_EQ(start["own_ratio"]["all"].get<double>(), 1) << "the base is itself";
 }
 
+// A pipeline and a scene of a project that are edited meanwhile do not count.
+TEST_F(Tune, ReadsItsFilesOnce) {
+  ASSERT_EQ(run("new '" + (folder_ / "p") + "'").exit_code, 0);
+  const fs::path project = folder_ / "p";
+  const std::vector<std::string> files = {"pipelines/smear.lua", "scenes/card.lua"};
+  fs::create_directories(project / "scenes");
+  writeText(project / files[1], kCardScene);
+  std::thread editor = spoilOnceCopied(project, folder_ / "found/.inputs/0", files);
+  Outcome outcome =
+      runLine("cd '" + project.string() + "' && exec env STROBE_VALIDATION=0 '" + programPath() + "' tune " + files[0] +
+              " --scene " + files[1] + " --size 64x36 --move card=0.6,0,0 --budget-ratio 1000 --evaluations 10 -o " +
+              (folder_ / "found.lua"));
+  editor.join();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(contentOf(project / files[0]).find("edited"), std::string::npos);
+  EXPECT_NE(groups().at(0)["points"][1]["command"].get<std::string>().find(files[1]), std::string::npos);
+}
+
 TEST_F(Tune, RefusesMisuse) {
   const std::string found = " -o " + (folder_ / "found.lua") + " ", goal = found + "--budget-ratio 1 ";
   expectRefusal(shot_ + found, "none of --budget-ms, --budget-ratio and --max-error is given");

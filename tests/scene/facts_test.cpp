@@ -186,11 +186,8 @@ TEST(Facts, AFrameThatSpansACutRests) {
 TEST(Facts, KeysOfALensAndOfLightCount) {
   for (bool of_camera : {true, false}) {
     Scene scene = animated({0, 4}, {1, 1});
-    PropertyTrack track;
-    track.property = of_camera ? PropertyTrack::Property::FieldOfView : PropertyTrack::Property::Intensity;
-    track.index = 0;
-    track.keys = {0, Track::Target::Translation, Interpolation::Linear, {0, 4 * kFrame}, {dvec4(1), dvec4(2)}};
-    scene.animations[0].properties = {track};
+    const Track::Target target = of_camera ? Track::Target::FieldOfView : Track::Target::Intensity;
+    scene.animations[0].tracks.push_back({0, target, Interpolation::Linear, {0, 4 * kFrame}, {dvec4(1), dvec4(2)}});
     FrameView view = viewAt(1);
     EXPECT_TRUE(factsOf(scene, view).motion) << of_camera;
     (of_camera ? view.camera_share : view.object_share) = 0;

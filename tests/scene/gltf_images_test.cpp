@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Images that are small in the file and large in memory.
 #include "image/image.h"
-#include "image/jpeg.h"
 #include "image/png.h"
 #include "scene/gltf_asset.h"
 

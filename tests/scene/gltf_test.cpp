@@ -213,7 +213,7 @@ TEST(Defaults, CameraFramesTheBounds) {
   scene.materials.resize(1);
   scene.nodes.resize(1);
   scene.nodes[0].mesh = 0;
-  scene.nodes[0].translation = {100, 0, 0};
+  scene.nodes[0].transform.translation = {100, 0, 0};
   Geometry box;
   for (int i = 0; i < 8; ++i) {
     Vertex vertex;

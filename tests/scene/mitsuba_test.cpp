@@ -277,7 +277,7 @@ TEST_F(Mitsuba, TurnsMirroredAndSheared) {
        node("mirror", R"("scale":[-1,1,1],)" + box(R"("color":[0.5,0.5,0.5])") +
                           R"(,"motion":{"axis":[0,1,0],"degrees_per_second":90})"),
        node("eye", kCamera)});
-  scene.nodes[1].rotation = glm::angleAxis(0.5, dvec3(0, 0, 1));
+  scene.nodes[1].transform.rotation = glm::angleAxis(0.5, dvec3(0, 0, 1));
   const Json read = written(scene);
   ASSERT_FALSE(read.empty());
   EXPECT_TRUE(leavesOut("motion of sheared objects", "turning"));

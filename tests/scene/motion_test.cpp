@@ -171,9 +171,10 @@ TEST(Poser, AnAnimatedMatrixKeepsItsShear) {
     auto key = [&](Track::Target target, const dvec4& value) {
       scene.animations[0].tracks.push_back(track(target, Track::Interpolation::Linear, {0}, {value}));
     };
-    key(Track::Target::Translation, dvec4(node.translation, 0));
-    key(Track::Target::Rotation, dvec4(node.rotation.x, node.rotation.y, node.rotation.z, node.rotation.w));
-    key(Track::Target::Scale, dvec4(node.scale, 0));
+    key(Track::Target::Translation, dvec4(node.transform.translation, 0));
+    key(Track::Target::Rotation, dvec4(node.transform.rotation.x, node.transform.rotation.y, node.transform.rotation.z,
+                                       node.transform.rotation.w));
+    key(Track::Target::Scale, dvec4(node.transform.scale, 0));
     // What a matrix flattens is posed by the vertices.
     auto worldOf = [](const Pose& pose) {
       return pose.bends[0].joints.empty() ? pose.world_from_instance[0] : pose.bends[0].joints[0];
@@ -189,12 +190,12 @@ TEST(Poser, AnAnimatedMatrixKeepsItsShear) {
 
 TEST(Poser, HierarchyInAnyOrder) {
   Node child = named("child", 1);  // its parent stands after it
-  child.translation = {1, 0, 0};
+  child.transform.translation = {1, 0, 0};
   child.mesh = 0;
   Node parent = named("parent");
-  parent.translation = {0, 5, 0};
-  parent.rotation = glm::angleAxis(kPi / 2, dvec3(0, 0, 1));
-  parent.scale = {2, 2, 2};
+  parent.transform.translation = {0, 5, 0};
+  parent.transform.rotation = glm::angleAxis(kPi / 2, dvec3(0, 0, 1));
+  parent.transform.scale = {2, 2, 2};
   Scene scene = sceneWithCamera({child, parent});
   scene.meshes[0].origin = {0, 1, 0};
   Pose pose = Poser(scene, cameraNode(scene, "")).at(0);
@@ -210,9 +211,9 @@ TEST(Poser, CyclesAreRefusedByName) {
 
 TEST(Poser, ConstantMotionInWorldAxesUnderATurnedParent) {
   Node parent = named("parent");
-  parent.rotation = glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, 3)));
+  parent.transform.rotation = glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, 3)));
   Node child = named("child", 0);
-  child.translation = {3, 0, 0};
+  child.transform.translation = {3, 0, 0};
   child.mesh = 0;
   Scene scene = sceneWithCamera({parent, child});
   scene.meshes[0].origin = {0, 0, 2};
@@ -225,8 +226,8 @@ TEST(Poser, ConstantMotionInWorldAxesUnderATurnedParent) {
   scene.motions.push_back(motion);
 
   Poser poser(scene, 2);
-  dvec3 pivot = glm::mat3_cast(parent.rotation) * dvec3(3, 0, 0);
-  dvec3 arm = glm::mat3_cast(parent.rotation) * dvec3(0, 0, 2);
+  dvec3 pivot = glm::mat3_cast(parent.transform.rotation) * dvec3(3, 0, 0);
+  dvec3 arm = glm::mat3_cast(parent.transform.rotation) * dvec3(0, 0, 2);
   expectNear(dvec3(poser.at(10).world_from_instance[0][3]), pivot + arm);
   // Half a second: a quarter turn about world y takes (x, y, z) to (z, y, -x).
   expectNear(dvec3(poser.at(10.5).world_from_instance[0][3]), pivot + dvec3(arm.z, arm.y, -arm.x) + dvec3(0.5, 0, -1));
@@ -235,7 +236,7 @@ TEST(Poser, ConstantMotionInWorldAxesUnderATurnedParent) {
 TEST(Poser, ChildrenFollowAMovingParent) {
   Node parent = named("parent");
   Node child = named("child", 0);
-  child.translation = {1, 0, 0};
+  child.transform.translation = {1, 0, 0};
   child.mesh = 0;
   Scene scene = sceneWithCamera({parent, child});
   ConstantMotion motion;
@@ -249,8 +250,8 @@ TEST(Poser, ChildrenFollowAMovingParent) {
 
 TEST(Poser, AnimationDrivesOnlyItsChannels) {
   Node box = named("box");
-  box.scale = {2, 3, 4};
-  box.translation = {9, 9, 9};
+  box.transform.scale = {2, 3, 4};
+  box.transform.translation = {9, 9, 9};
   box.mesh = 0;
   Scene scene = sceneWithCamera({box});
   Animation clip;
@@ -284,8 +285,8 @@ TEST(Poser, HeldStepLeavesNoStreak) {
 
 TEST(Poser, CameraFrameHasUnitScaleAndIsNotMirrored) {
   Scene scene = sceneWithCamera({named("box")});
-  scene.nodes[1].scale = {-3, 3, 3};
-  scene.nodes[1].translation = {1, 2, 3};
+  scene.nodes[1].transform.scale = {-3, 3, 3};
+  scene.nodes[1].transform.translation = {1, 2, 3};
   dmat4 frame = Poser(scene, 1).at(0).world_from_camera;
   EXPECT_NEAR(glm::determinant(dmat3(frame)), 1, kTiny);
   expectNear(dvec3(frame[2]), {0, 0, 1});
@@ -296,7 +297,7 @@ TEST(Poser, CameraFrameHasUnitScaleAndIsNotMirrored) {
 TEST(Instances, OfGpuInstancingAndMirroring) {
   Node node = named("many");
   node.mesh = 0;
-  node.scale = {-1, 1, 1};
+  node.transform.scale = {-1, 1, 1};
   node.instances = {glm::translate(dmat4(1), dvec3(1, 0, 0)), glm::scale(dmat4(1), dvec3(1, -1, 1))};
   Scene scene = sceneWithCamera({named("empty"), node});
   std::vector<Instance> instances = instancesOf(scene);

@@ -42,7 +42,7 @@ class Boxes {
     geometry.indices = {0, 1, 2};
     Node& node = scene_.nodes.emplace_back();
     node.mesh = int(scene_.meshes.size()) - 1;
-    node.translation = at;
+    node.transform.translation = at;
     return int(scene_.nodes.size()) - 1;
   }
 

@@ -110,8 +110,9 @@ scene::Scene smallScene() {
   return scene;
 }
 
-std::string refusalOf(const gpu::DeviceLimits& limits) {
-  return testing::refusalOf([&] { world::requireFits(smallScene(), 4, limits); });
+std::string refusalOf(const gpu::DeviceLimits& limits,
+                      shader::StructureKind structures = shader::StructureKind::Driver) {
+  return testing::refusalOf([&] { world::requireFits(smallScene(), 4, structures, limits); });
 }
 
 TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
@@ -134,22 +135,10 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
   std::string bytes = with([](auto& l) { l.array_bytes = 175; });
   EXPECT_NE(bytes.find("the buffer of all vertices has 176 bytes of at most 175"), std::string::npos) << bytes;
   EXPECT_NE(bytes.find("the buffer of all transforms has 576 bytes of at most 175"), std::string::npos) << bytes;
-}
-
-std::string memoryRefusalOf(shader::StructureKind structures, uint64_t free_bytes) {
-  return testing::refusalOf([&] { world::requireMemory(smallScene(), structures, {.memory_bytes = free_bytes}); });
-}
-
-// Four vertices of 44 bytes, six indices of 4; the runtime's own tree has a copy of the two triangles, 48 bytes each.
-TEST(DeviceLimits, MemoryIsAskedForBeforeAnythingIsAllocated) {
-  using shader::StructureKind;
-  EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 200), "");
-  EXPECT_EQ(memoryRefusalOf(StructureKind::Own, 296), "");
-  EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 199),
-            "small: the data that stays on the device has 200 bytes of at most 199; nothing is drawn; end other "
-            "programs, use a "
-            "smaller picture, fewer vertices or smaller textures, or another device");
-  EXPECT_NE(memoryRefusalOf(StructureKind::Own, 295).find("has 296 bytes of at most 295"), std::string::npos);
+  // The runtime's own tree has a copy of the two triangles, 48 bytes each.
+  bytes = refusalOf({.array_bytes = 95}, shader::StructureKind::Own);
+  EXPECT_NE(bytes.find("the buffer of all triangles of its tree has 96 bytes of at most 95"), std::string::npos)
+      << bytes;
 }
 
 // The constant that a room declares a limit as, "kBufferLimit".

@@ -9,7 +9,7 @@
 
 #include "common/home.h"
 #include "common/source.h"
-#include "math/pareto.h"
+#include "math/statistics.h"
 #include "program/run.h"
 
 namespace strobe::study {
@@ -110,7 +110,7 @@ void expectSame(const Effects& effects, const Json& wanted) {
     EXPECT_EQ(one.comparison == LevelComparison::paired, main["blocks"] > 0) << factor.name;
     if (one.comparison == LevelComparison::slope) {
       EXPECT_EQ(one.doubling, wanted["slopes"][factor.name]["doubling"]);
-      expectSame(one.slope.slope, wanted["slopes"][factor.name]["slope"], factor.name);
+      expectSame(one.slope, wanted["slopes"][factor.name]["slope"], factor.name);
       continue;
     }
     EXPECT_EQ(one.effect.blocks, main["blocks"]) << factor.name;
@@ -128,7 +128,8 @@ void expectSame(const Effects& effects, const Json& wanted) {
     EXPECT_EQ(one.interaction.incomplete, pair["incomplete"]);
     for (size_t a = 0; a < first.levels(); ++a)
       for (size_t b = 0; b < second.levels(); ++b)
-        expectSame(one.interaction.cells[a][b], pair["cells"].at(first.labels[a] + "," + second.labels[b]), first.name);
+        expectSame(one.interaction.levels[a * second.levels() + b],
+                   pair["cells"].at(first.labels[a] + "," + second.labels[b]), first.name);
   }
 }
 

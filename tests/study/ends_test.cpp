@@ -4,6 +4,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
+
 #include "common/home.h"
 #include "program/run.h"
 #include "study/report.h"
@@ -23,7 +25,7 @@ TEST(Processes, ReapNoChildOfOthers) {
   Store store(folder.path());
   auto none = []() -> std::unique_ptr<lab::Workbench> { throw Error("there is no device"); };
   Experiment experiment;
-  EXPECT_FALSE(renderInProcesses(experiment, none, store, 2, {}, {}));
+  EXPECT_FALSE(renderInProcesses(experiment, none, store, 2));
   int status = 0;
   ASSERT_EQ(::waitpid(other, &status, 0), other) << "it was reaped";
   EXPECT_EQ(WEXITSTATUS(status), 7);
@@ -64,7 +66,8 @@ TEST(LostDevice, EndsARunAndFailsNoPoint) {
     calls_before = calls;
     calls.WaitForFences = waitOrLose;
     try {
-      run(experiment, bench, store);
+      lab::Batch batch(bench);
+      run(experiment, batch, store);
       ADD_FAILURE() << "the loss was taken for a point's";
     } catch (const gpu::DeviceLost& lost) {
       EXPECT_NE(std::string(lost.what()).find("bar, threshold 1, "), std::string::npos) << lost.what();
@@ -73,9 +76,51 @@ TEST(LostDevice, EndsARunAndFailsNoPoint) {
   }
   EXPECT_EQ(namesIn(points, ".json").size(), 1u) << "no point after it was kept as failed";
   lab::Workbench bench(home(), gpu::DeviceOptions{});
-  Results results = run(experiment, bench, store);
+  lab::Batch batch(bench);
+  Results results = run(experiment, batch, store);
   EXPECT_EQ(results.failed(), std::vector<std::string>());
   EXPECT_EQ(results.missing(), 0u);
+}
+
+// All five points are drawn; no frame can be timed after that.
+VkResult submitOrFail(VkQueue queue, uint32_t count, const VkSubmitInfo2* submits, VkFence fence) {
+  if (namesIn(points, ".json").size() == 5) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  return calls_before.QueueSubmit2(queue, count, submits, fence);
+}
+
+TEST(FailedTimes, LeaveThePicturesAndAreMeasuredAgain) {
+  testing::TemporaryFolder folder;
+  std::string timed = kSmall;
+  testing::writeText(folder / "x.lua", timed.replace(timed.find("\"rmse\""), 6, "\"rmse\", \"ms\""));
+  Experiment experiment = readExperiment(home(), folder / "x.lua");
+  points = folder.path() / "points";
+  auto runOnce = [&](int& drawn, bool fails) {
+    lab::Workbench bench(home(), gpu::DeviceOptions{});
+    auto& calls = const_cast<gpu::Dispatch&>(bench.device().vk());
+    calls_before = calls;
+    if (fails) calls.QueueSubmit2 = submitOrFail;
+    lab::Batch batch(bench);
+    Results results = run(experiment, batch, Store(folder.path()));
+    drawn = batch.drawn();
+    calls = calls_before;
+    return results;
+  };
+  int drawn = 0;
+  Results failed = runOnce(drawn, true);
+  EXPECT_GT(drawn, 0);
+  ASSERT_EQ(failed.failed().size(), 6u) << "every point but truth";
+  EXPECT_NE(failed.failed()[0].find("none: times: "), std::string::npos) << failed.failed()[0];
+  const Point& point = failed.groups[0].points[1];
+  EXPECT_GT(point.value("rmse"), 0);
+  EXPECT_TRUE(std::isnan(point.value("ms")));
+  EXPECT_NE(csvOf(failed).find("failed: times: "), std::string::npos);
+  EXPECT_EQ(keptText(failed), "6 of 6 points are kept; the same command continues");
+
+  Results timed_again = runOnce(drawn, false);
+  EXPECT_EQ(drawn, 0) << "only times were missing";
+  EXPECT_EQ(timed_again.failed(), std::vector<std::string>());
+  EXPECT_GT(timed_again.groups[0].points[1].value("ms"), 0);
+  EXPECT_EQ(timed_again.groups[0].points[1].value("rmse"), point.value("rmse"));
 }
 
 // Values that set nothing of truth share one; the list of points has them so before anything is drawn.
@@ -96,11 +141,24 @@ Results partial() {
       Point point;
       point.arm = arm, point.key = arm + std::to_string(arm == std::string("truth") ? g / 2 : g);
       point.role = arm == std::string("truth") ? ArmRole::truth : ArmRole::method;
+      point.command = "strobe render " + point.key;
       group.points.push_back(point);
     }
     results.groups.push_back(group);
   }
   return results;
+}
+
+// Values that set nothing of truth share its picture, though other measures may give its points other keys.
+TEST(Counts, OfMissingTruthsAreDistinct) {
+  Results results = partial();
+  results.groups[0].points[0].key = "with another measure";
+  EXPECT_EQ(results.missingText(), "6 of 6 points, 2 of 2 truths");
+  results.groups[2].points[0].values["rmse"]["whole"] = 0;
+  EXPECT_EQ(results.missingText(), "6 of 6 points, 1 of 2 truths");
+  for (size_t g : {0, 1}) results.groups[g].points[0].key = "", results.groups[g].points[0].failed = "a reason";
+  EXPECT_EQ(results.missingText(), "6 of 6 points");
+  EXPECT_EQ(results.truths(), 1u) << "those that can be drawn";
 }
 
 // The line of an interrupted sweep, whatever is in its folder.

@@ -2,6 +2,7 @@
 // Experiment files: which points follow from them, in which order, and what is said of mistakes. Without a device.
 #include <gtest/gtest.h>
 
+#include "base/frozen_home.h"
 #include "common/home.h"
 #include "program/run.h"
 #include "study/points.h"
@@ -349,6 +350,35 @@ TEST(Vary, MistakesAreSaidAtTheirLine) {
       EXPECT_NE(what.find(wanted), std::string::npos) << what;
     }
   }
+}
+
+// A pipeline and a scene beside an experiment, which are edited once they are copied.
+TEST(ExperimentInputs, FilesBesideAnExperimentAreThoseOfTheCopy) {
+  TemporaryFolder folder;
+  const Path project = folder.path() / "p", beside = project / "experiments";
+  writeFileAtomically(project / Home::kProjectFile, "");
+  writeFileAtomically(beside / "none.lua", strobe::readText(home().at("scripts/pipelines/none.lua")));
+  writeFileAtomically(beside / "card.lua", strobe::testing::kCardScene);
+  writeFileAtomically(beside / "x.lua", R"lua(return require "strobe.experiment" {
+    title = "Beside", truth = { pipeline = "ground_truth" }, shots = { { name = "card", scene = "card.lua" } },
+    arms = { { name = "none", pipeline = "none.lua" } } })lua");
+  const Home original({project, home().shipped()}, home().data(), home().program());
+  FrozenHome frozen(original, folder / "copy");
+  auto commandIn = [&](const Home& of) {
+    Experiment experiment = readExperiment(of, beside / "x.lua");
+    EXPECT_EQ(experiment.inputs.count("project:experiments/x.lua"), 1u);
+    EXPECT_EQ(experiment.arms[0].pipeline, beside / "none.lua");
+    return lab::commandOf(shotOf(experiment, experiment.groups[0], experiment.arms[0]));
+  };
+  const std::string command = commandIn(original);
+  for (const char* name : {"none.lua", "card.lua"}) writeFileAtomically(beside / name, "error 'edited'");
+  EXPECT_THROW(readExperiment(original, beside / "x.lua"), Error);
+  EXPECT_EQ(commandIn(frozen.home()), command);
+  std::vector<script::Dependency> files;
+  script::evaluateScene(frozen.home(), beside / "card.lua", {}, &files);
+  EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](const auto& file) {
+    return file.shown == "experiments/card.lua";
+  })) << "its name in the home";
 }
 
 // A sweep reads a copy of the home; results name the files of the home itself.

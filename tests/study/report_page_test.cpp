@@ -41,7 +41,8 @@ Results made(const Path& folder, int width, int height, const std::vector<int>& 
       {{"first", "none"}}, {{"second <b>", "none"}}, {{"third", "none"}}, {{"truth", "ground_truth"}, ArmRole::truth}};
   results.shots = {{"near", "Near", "", "", "", 24, 0.5, {{4, 4, 16, 9}}, {}},
                    {"far", "Far", "", "", "", 24, 0.5, {}, {}}};
-  results.layout = {{"front", {{"x", "ms"}, {"y", "rmse"}, {"region", "inner"}}}, {"table", Json::object()}};
+  results.layout =
+      layoutFrom({{"front", {{"x", "ms"}, {"y", "rmse"}, {"region", "inner"}}}, {"table", Json::object()}});
   results.expectations = {{"more is better", "", "", "holds", "1 < 2", ""}};
   for (const auto& [name, values] : {std::pair("samples", samples), std::pair("tile", tiles)}) {
     AxisSummary axis;

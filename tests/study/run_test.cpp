@@ -24,7 +24,8 @@ class Measuring : public oracle::RenderTest {
     testing::writeText(folder / "x.lua", text);
     Experiment experiment = readExperiment(bench().home(), folder / "x.lua");
     experiment.truth_error = truth_error;
-    return run(experiment, bench(), Store(folder.path()));
+    lab::Batch batch(bench());
+    return run(experiment, batch, Store(folder.path()));
   }
 };
 
@@ -93,7 +94,8 @@ TEST_F(Measuring, InputsAreThoseOfTheRunRecords) {
   testing::TemporaryFolder folder;
   testing::writeText(folder / "x.lua", kHalfPlane);
   const Home& home = bench().home();
-  Results results = run(readExperiment(home, folder / "x.lua"), bench(), Store(folder.path()));
+  lab::Batch batch(bench());
+  Results results = run(readExperiment(home, folder / "x.lua"), batch, Store(folder.path()));
   EXPECT_EQ(results.inputs.at(folder / "x.lua"), inputHash(folder / "x.lua"));
   for (const char* pipeline : {"none", "ground_truth"}) {
     Json record = render(oracle::with(oracle::shotOf("half_plane", 160, 4), pipeline)).record;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runtime's own tree: what its nodes promise, on lists of boxes that make trees hard; its cost against Embree's.
+// The runtime's own tree: what its nodes promise, on lists of boxes that make trees hard.
 #include "world/bvh.h"
 
 #include <fmt/format.h>
@@ -8,16 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <random>
 #include <set>
-
-#include "world/refit.h"
-
-#if __has_include(<embree3/rtcore.h>)
-#include <embree3/rtcore.h>
-#define HAS_EMBREE 1
-#endif
 
 namespace strobe::world {
 namespace bvh_test {
@@ -76,6 +68,26 @@ std::vector<std::pair<const char*, Boxes>> hardLists() {
           {"terrain for several threads", terrain(180)}};
 }
 
+// A tree with the numbers of its boxes in leaf order.
+struct Tree : Bvh {
+  std::vector<uint32_t> order;
+
+  Boxes inOrder(const Boxes& boxes) const {
+    Boxes sorted;
+    for (uint32_t index : order) sorted.push_back(boxes[index]);
+    return sorted;
+  }
+  void refit(const Boxes& boxes) { refitBvh(*this, inOrder(boxes)); }
+};
+
+Tree treeOf(const Boxes& boxes, const BvhOptions& options = {}) {
+  std::vector<BvhItem> items;
+  for (size_t i = 0; i < boxes.size(); ++i) items.push_back({boxes[i], uint32_t(i)});
+  Tree tree{buildBvh(items, options), {}};
+  for (const BvhItem& item : items) tree.order.push_back(item.index);
+  return tree;
+}
+
 // A plane of a child as the shader has it.
 double planeOf(const shared::BvhNode& node, const uvec3& planes, int axis, int child) {
   double step = std::ldexp(1.0, int(node.steps >> (8 * axis) & 255) - 127);
@@ -83,7 +95,7 @@ double planeOf(const shared::BvhNode& node, const uvec3& planes, int axis, int c
 }
 
 struct Walk {
-  const Bvh& bvh;
+  const Tree& bvh;
   const Boxes& boxes;
   BvhOptions options;
   std::multiset<uint32_t> met;
@@ -125,7 +137,7 @@ TEST(Bvh, HasEveryBoxOnceBetweenItsPlanes) {
   for (const BvhOptions& options : {BvhOptions{4, BVH_MESH_DEPTH}, BvhOptions{1, BVH_TOP_DEPTH}})
     for (const auto& [name, boxes] : hardLists()) {
       SCOPED_TRACE(name);
-      Bvh bvh = buildBvh(boxes, options);
+      Tree bvh = treeOf(boxes, options);
       Walk walk{bvh, boxes, options, {}, {}};
       walk.down(0, 1);
       EXPECT_EQ(walk.met.size(), boxes.size());
@@ -143,7 +155,7 @@ TEST(Bvh, JoinedHasEveryBoxOfBothOnce) {
       SCOPED_TRACE(fmt::format("{}, {} in the first", name, in_first));
       Boxes first = boxes, second = boxes;
       for (size_t i = 0; i < boxes.size(); ++i) (i < in_first ? second : first)[i] = Box();
-      const Bvh bvh = joined(buildBvh(first, options), buildBvh(second, options));
+      const Tree bvh{joined(buildBvh(first, options), buildBvh(second, options)), {}};
       Walk walk{bvh, boxes, options, {}, {}};
       EXPECT_EQ(walk.down(0, 1), bvh.bounds);
       EXPECT_EQ(walk.met.size(), boxes.size());
@@ -157,7 +169,7 @@ TEST(Bvh, JoinedHasEveryBoxOfBothOnce) {
 
 TEST(Bvh, OfNothingHasANodeWithoutChildren) {
   for (const Boxes& boxes : {Boxes(), Boxes(3)}) {
-    Bvh bvh = buildBvh(boxes);
+    Tree bvh = treeOf(boxes);
     ASSERT_EQ(bvh.nodes.size(), 1u);
     EXPECT_EQ(bvh.nodes[0].steps >> 24, 0u);
     EXPECT_TRUE(bvh.order.empty());
@@ -167,16 +179,16 @@ TEST(Bvh, OfNothingHasANodeWithoutChildren) {
 TEST(Bvh, LeavesOutBoxesThatAreInsideOut) {
   Boxes boxes = randomBoxes(9, 0.1f);
   boxes[4] = Box();
-  Bvh bvh = buildBvh(boxes);
+  Tree bvh = treeOf(boxes);
   EXPECT_EQ(bvh.order.size(), 8u);
   EXPECT_EQ(std::count(bvh.order.begin(), bvh.order.end(), 4u), 0);
 }
 
 TEST(Bvh, IsTheSameEachTime) {
   Boxes boxes = randomBoxes(240000, 0.01f);
-  Bvh first = buildBvh(boxes);
+  Tree first = treeOf(boxes);
   for (int run = 0; run < 3; ++run) {
-    Bvh again = buildBvh(boxes);
+    Tree again = treeOf(boxes);
     ASSERT_EQ(again.order, first.order);
     ASSERT_EQ(std::memcmp(again.nodes.data(), first.nodes.data(), first.nodes.size() * sizeof first.nodes[0]), 0);
   }
@@ -184,18 +196,19 @@ TEST(Bvh, IsTheSameEachTime) {
 
 // ---- Trees that are fitted to what has moved
 
-bool alike(const Bvh& a, const Bvh& b) {
+bool alike(const Tree& a, const Tree& b) {
   return a.order == b.order && a.nodes.size() == b.nodes.size() &&
          std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof a.nodes[0]) == 0;
 }
 
 TEST(Bvh, IsTheSameWhenFittedToWhatItWasBuiltOver) {
   for (const auto& [name, boxes] : hardLists()) {
-    Bvh built = buildBvh(boxes), fitted = built;
-    refitBvh(fitted, boxes);
+    Tree built = treeOf(boxes), fitted = built;
+    fitted.refit(boxes);
     EXPECT_TRUE(alike(fitted, built)) << name;
+    EXPECT_EQ(fitted.bounds, built.bounds) << name;
   }
-  Bvh nothing = buildBvh({});
+  Bvh nothing = buildBvh(Boxes());
   refitBvh(nothing, {});
   EXPECT_EQ(nothing.nodes.size(), 1u);
 }
@@ -227,7 +240,7 @@ struct Line {
 };
 
 // Where a line first enters a box, by way of the tree.
-double nearest(const Bvh& bvh, const Boxes& boxes, const Line& line, uint32_t index = 0) {
+double nearest(const Tree& bvh, const Boxes& boxes, const Line& line, uint32_t index = 0) {
   const shared::BvhNode& node = bvh.nodes.at(index);
   double found = HUGE_VAL;
   for (int child = 0; child < int(node.steps >> 24); ++child) {
@@ -254,14 +267,14 @@ TEST(Bvh, FittedMeetsWhatARebuiltOneMeets) {
     return dvec3(x, y, unit(random));
   };
   for (const Boxes& boxes : {randomBoxes(3000, 0.02f), terrain(30)}) {
-    Bvh fitted = buildBvh(boxes);
+    Tree fitted = treeOf(boxes);
     for (float by : {0.1f, 2.0f, 0.0f}) {
       Boxes moved = bent(boxes, by);
-      refitBvh(fitted, moved);
+      fitted.refit(moved);
       Walk walk{fitted, moved, {}, {}, {}};
       walk.down(0, 1);
       EXPECT_EQ(walk.met.size(), boxes.size());
-      Bvh rebuilt = buildBvh(moved);
+      Tree rebuilt = treeOf(moved);
       int hits = 0;
       for (int i = 0; i < 2000; ++i) {
         const Box& aim = moved[size_t(i) % moved.size()];
@@ -280,96 +293,15 @@ TEST(Bvh, FittedMeetsWhatARebuiltOneMeets) {
 
 TEST(Bvh, FittedIsTheSameEachTimeAndKeepsItsTopology) {
   Boxes boxes = randomBoxes(5000, 0.01f), moved = bent(boxes, 0.5f);
-  Bvh built = buildBvh(boxes), once = built, by_a_way_round = built;
-  refitBvh(once, moved);
-  refitBvh(by_a_way_round, bent(boxes, 3));
-  refitBvh(by_a_way_round, moved);
+  Tree built = treeOf(boxes), once = built, by_a_way_round = built;
+  once.refit(moved);
+  by_a_way_round.refit(bent(boxes, 3));
+  by_a_way_round.refit(moved);
   EXPECT_TRUE(alike(once, by_a_way_round));
   ASSERT_EQ(once.nodes.size(), built.nodes.size());
   for (size_t i = 0; i < built.nodes.size(); ++i)
     EXPECT_EQ(std::memcmp(once.nodes[i].children, built.nodes[i].children, sizeof built.nodes[i].children), 0);
 }
-
-#ifdef HAS_EMBREE
-// ---- Embree's tree over the same boxes, at medium quality: binned, by the same heuristic
-
-struct EmbreeNode {
-  RTCBounds bounds[2];
-  EmbreeNode* children[2] = {};
-  unsigned boxes = 0;  // of a leaf
-};
-
-double halfArea(const RTCBounds& b) {
-  double x = double(b.upper_x) - b.lower_x, y = double(b.upper_y) - b.lower_y, z = double(b.upper_z) - b.lower_z;
-  return x * y + y * z + z * x;
-}
-
-double costBelow(const EmbreeNode* node, double area) {
-  if (node->boxes) return area * node->boxes;
-  return area + costBelow(node->children[0], halfArea(node->bounds[0])) +
-         costBelow(node->children[1], halfArea(node->bounds[1]));
-}
-
-double embreeCost(const Boxes& boxes) {
-  RTCDevice device = rtcNewDevice("threads=1");
-  RTCBVH bvh = rtcNewBVH(device);
-  std::vector<RTCBuildPrimitive> primitives;
-  Box whole;
-  for (size_t i = 0; i < boxes.size(); ++i) {
-    const Box& b = boxes[i];
-    primitives.push_back({b.low.x, b.low.y, b.low.z, 0, b.high.x, b.high.y, b.high.z, unsigned(i)});
-    whole.add(b);
-  }
-  std::vector<std::unique_ptr<EmbreeNode>> nodes;
-  RTCBuildArguments arguments = rtcDefaultBuildArguments();
-  arguments.byteSize = sizeof arguments;
-  arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
-  arguments.maxBranchingFactor = 2;
-  arguments.maxDepth = 64;
-  arguments.sahBlockSize = 1;
-  arguments.minLeafSize = 1;
-  arguments.maxLeafSize = 4;
-  arguments.bvh = bvh;
-  arguments.primitives = primitives.data();
-  arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
-  arguments.userPtr = &nodes;
-  arguments.createNode = [](RTCThreadLocalAllocator, unsigned, void* user) -> void* {
-    auto& all = *static_cast<std::vector<std::unique_ptr<EmbreeNode>>*>(user);
-    return all.emplace_back(std::make_unique<EmbreeNode>()).get();
-  };
-  arguments.setNodeChildren = [](void* node, void** children, unsigned count, void*) {
-    for (unsigned c = 0; c < count; ++c)
-      static_cast<EmbreeNode*>(node)->children[c] = static_cast<EmbreeNode*>(children[c]);
-  };
-  arguments.setNodeBounds = [](void* node, const RTCBounds** bounds, unsigned count, void*) {
-    for (unsigned c = 0; c < count; ++c) static_cast<EmbreeNode*>(node)->bounds[c] = *bounds[c];
-  };
-  arguments.createLeaf = [](RTCThreadLocalAllocator, const RTCBuildPrimitive*, size_t count, void* user) -> void* {
-    auto& all = *static_cast<std::vector<std::unique_ptr<EmbreeNode>>*>(user);
-    EmbreeNode* leaf = all.emplace_back(std::make_unique<EmbreeNode>()).get();
-    leaf->boxes = unsigned(count);
-    return leaf;
-  };
-  auto* root = static_cast<EmbreeNode*>(rtcBuildBVH(&arguments));
-  vec3 size = whole.high - whole.low;
-  double area = double(size.x) * size.y + double(size.y) * size.z + double(size.z) * size.x;
-  double cost = costBelow(root, area) / area;
-  rtcReleaseBVH(bvh);
-  rtcReleaseDevice(device);
-  return cost;
-}
-
-TEST(Bvh, CostsNoMoreThanEmbrees) {
-  const std::pair<const char*, Boxes> lists[] = {
-      {"many", randomBoxes(20000, 0.02f)}, {"large", randomBoxes(5000, 0.3f)}, {"terrain", terrain(120)}};
-  for (const auto& [name, boxes] : lists) {
-    double embree = embreeCost(boxes);
-    EXPECT_LE(buildBvh(boxes).cost, 1.05 * embree) << name << ": Embree's costs " << embree;
-  }
-}
-#else
-TEST(Bvh, CostsNoMoreThanEmbrees) { GTEST_SKIP() << "there is no Embree 3"; }
-#endif
 
 }  // namespace bvh_test
 }  // namespace strobe::world

@@ -89,7 +89,7 @@ static void declare(CLI::App& program, Options& options) {
 
 int main(int argc, char** argv) {
   // Scripts are evaluated in a child process, which runs this program too.
-  if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild();
+  if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild(argc, argv);
   CLI::App program("Put small mistakes into shaders and report the mistakes that the tests notice", "strobe_mutate");
   strobe::mutate::Options options;
   strobe::mutate::declare(program, options);

@@ -85,8 +85,8 @@ Path programPath(const TestFolder& tests, const std::string& program) {
   Path path = tests.folder / program;
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored))
-    throw Error(
-        fmt::format("the test program {} does not exist: build the tests, or name their folder with --tests", path.string()));
+    throw Error(fmt::format("the test program {} does not exist: build the tests, or name their folder with --tests",
+                            path.string()));
   return fs::absolute(path);
 }
 

@@ -12,9 +12,9 @@ return pass.compute {
     longest = { doc = "longest displacement of the surfaces that reach the cell, px over the exposure" },
   },
   writes = {
-    drawn     = { format = "rg16f", doc = "x: 1 where raster poses are averaged, otherwise 0; y: 1" },
+    drawn     = { format = "rg16f", doc = "x: 1 where images rasterised at several times are averaged, otherwise 0; y: 1" },
     untraced  = { format = "r8_unorm",
-      doc = "1 where a gather is reliable, 1/2 where nothing moves or poses are averaged, 0 where rays are traced" },
+      doc = "1 where a gather is reliable, 1/2 where nothing moves or images are averaged, 0 where rays are traced" },
     first_ray = { format = "rg32f", doc = "displacement that the times of the first rays depend on, px over the exposure" },
   },
 }

@@ -7,10 +7,10 @@ local raster_color = require "passes.lib.raster_color"
 local shade = require "passes.gbuffer.shade"
 
 return pass.trace {
-  doc   = "Colours of the surfaces of one raster pose, shaded as at the raster time",
+  doc   = "Colours of a pose, which is the scene rasterised at one sample time; shaded as at the raster time",
   size  = { of = "hit" },
   reads = {
-    hit   = { uint = true, doc = "surface of the pose, by indices: instance + 1 (0 for the sky), geometry, triangle" },
+    hit   = { uint = true, doc = "surface in the pose, by indices: instance + 1 (0 for the sky), geometry, triangle" },
     drawn = { absent = 1, doc = "per cell, above 1/2 where the colours of the pose are wanted" },
     rest  = { absent = 0, doc = "colour of the cells whose value of `drawn` is at most 1/2, linear radiance" },
     color = { doc = "colour of the raster layer, linear radiance" },

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The prediction of the pass `layered/in_gather`, with a ray for each time sample that it does not resolve.
+-- The prediction of the pass `layered/in_gather`, with a ray for each time sample without a predicted surface.
 local pass         = require "strobe.pass"
 local blur         = require "passes.lib.blur"
 local ports        = require "passes.lib.blur_ports"

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Rival of the pipeline `adaptive` that averages raster poses in the cells where everything moves. All other cells are computed
--- as in `adaptive`.
+-- Rival of the pipeline `adaptive`. In the cells where everything moves, it averages poses: images of the scene rasterised at
+-- several times. All other cells are computed as in `adaptive`.
 local pipeline = require "strobe.pipeline"
 local velocity_bounds = require "passes.cell.velocity_bounds"
 local tile_max        = require "passes.tile.tile_max"
@@ -17,11 +17,11 @@ local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc = "The pipeline adaptive, with the mean of raster poses where everything moves",
+  doc = "The pipeline adaptive, but with the mean of images rasterised at several times where everything moves",
   params = {
     options.blur(16),
     quality = pipeline.float { 0.4, min = 0.05, max = 0.7, doc = "quality of the pipeline adaptive" },
-    poses   = pipeline.int { 16, min = 1, max = 256, doc = "number of raster poses" },
+    poses   = pipeline.int { 16, min = 1, max = 256, doc = "number of rasterised images, each at another time" },
   },
   build = function(p)
     local set = adaptive.settings(p.quality(), p.samples())

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Rival of the pipeline `adaptive` that predicts each time sample from the raster image, as the pass `layered/in_gather` does.
--- Samples that the prediction does not resolve get a ray. The pass also accepts a revealed layer, which is not used: with 16
--- samples and without validation rays, a revealed layer saved a third of the rays, but the error was 1.1 to 1.3 times as large.
+-- Samples for which the prediction finds no surface get a ray. The pass also accepts a revealed layer, which is not used: with
+-- 16 samples and without validation rays, that layer saved a third of the rays, but the error was 1.1 to 1.3 times as large.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local constant        = require "passes.mask.constant"
@@ -11,7 +11,7 @@ local scene   = require "scripts.pipelines.lib.scene"
 local tiles   = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "Time samples predicted from the raster image by displacements; a ray for each sample that is not resolved",
+  doc = "Time samples predicted from the raster image by displacements; a ray for each sample without a predicted surface",
   params = { options.blur(40) },
   build = function(p)
     local raster = scene.raster()

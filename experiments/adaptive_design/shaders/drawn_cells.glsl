@@ -2,12 +2,14 @@
 // Cells where every surface moves and a gather is not reliable.
 // In:  `bounds`: bounds of the displacements in each cell, px over the exposure
 //      `certain`, `longest`: outputs of time/coherent_cells.glsl
-// Out: `drawn`: x: 1 where raster poses are averaged, otherwise 0; y: 1
-//      `untraced`: 1 where a gather is reliable, 1/2 where nothing moves or poses are averaged, 0 where rays are traced
+// Out: `drawn`: x: 1 where images rasterised at several times are averaged, otherwise 0; y: 1
+//      `untraced`: 1 where a gather is reliable, 1/2 where nothing moves or images are averaged, 0 where rays are
+//        traced
 //      `first_ray`: displacement that the times of the first rays depend on, px over the exposure
-// Method: a gather is not reliable in cells with `certain` < 0.4, and beside cells that a ray refuted (`certain` = 1/4), as in
-//   time/adaptive_times.glsl. Of these cells, poses are averaged where no displacement within `bounds` is static. With a static
-//   camera no poses are averaged: nearly all cells have a static surface, and all poses would be drawn for a few cells.
+// Method: a gather is not reliable in cells with `certain` < 0.4, and beside cells that a ray refuted (`certain` =
+//   1/4), as in time/adaptive_times.glsl. Of these cells, images are averaged where no displacement within `bounds` is
+//   static. With a static camera no images are averaged: nearly all cells have a static surface, and each image would
+//   be drawn for a few cells.
 // Fails: bounds of opposite displacements contain 0, so that the cell is traced although everything moves.
 #include "lib/bounds.glsl"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Colours of the surfaces of one raster pose.
-// In:  `hit`: surface of the pose: instance + 1 (0 for the sky), geometry, primitive
+// Colours of a pose, which is the scene rasterised at one sample time of the exposure.
+// In:  `hit`: surface that each pixel shows in the pose: instance + 1 (0 for the sky), geometry, primitive
 //      `drawn`: per cell, above 1/2 where the colours of the pose are wanted; absent: everywhere
 //      `rest`: linear radiance of all other cells
 //      `color`, `depth`, `id`: raster layer: linear radiance; view depth, metres, +inf for the sky; instance + 1, geometry + 1

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Blur by prediction, as in layered/in_gather.glsl, with rays for the time samples that the prediction does not resolve.
+// Blur by prediction, as in layered/in_gather.glsl, with rays for the time samples without a predicted surface.
 // In:  the images of layered/in_gather.glsl
 //      `hit`: raster layer: instance + 1 (0 = sky), geometry, primitive
 // Out: `blurred`: linear radiance, alpha 1
-// Method: predict the surface at each time sample by the functions of layered/in_gather.glsl. A sample is resolved in two
+// Method: predict the surface at each time sample by the functions of layered/in_gather.glsl. A surface is found in two
 //   cases. Either a foreground covers the background of the pixel fully. Or the texel that is found by following the motion of
 //   the background shows the background, and its own motion brings it to the pixel at that time. All other samples get a ray
 //   at their time.
-//   Validation: also trace `validation_rays` of the resolved samples. If one differs by more than `mismatch` from the
-//   prediction, all samples of the pixel get rays. A hit takes the colour of a layer that shows it, otherwise it is shaded.
+//   Validation: also trace `validation_rays` of the samples with a predicted surface. If one differs by more than
+//   `mismatch` from the prediction, all samples of the pixel get rays. A hit takes the colour of a layer that shows it,
+//   otherwise it is shaded.
 // Fails: between the validation rays, a sample is wrong if a third surface is in front or if the path is not a straight line.
 #define run gatherBothLayers
 #include "layered/in_gather.glsl"
@@ -17,7 +18,8 @@
 #include "mixin/raster_color.glsl"
 #include "mixin/static_background.glsl"
 
-// True if the raster layer shows the background `back` of the pixel at time t. `color`: its linear radiance.
+// True if the raster layer shows the point of the background `back` that is at the pixel at time t. `color`: linear
+// radiance of this point.
 bool isBackgroundShown(ivec2 pixel, float t, Tap back, out vec3 color) {
   ivec2 now = tapFor(pixel, back.path, t);
   color = vec3(0);
@@ -27,7 +29,7 @@ bool isBackgroundShown(ivec2 pixel, float t, Tap back, out vec3 color) {
   return tap.instance == back.instance && isAt(pixel, now, tap.path, t, 0.75);
 }
 
-// True if the prediction resolves time sample i of the pixel. `color`: predicted linear radiance.
+// True if the prediction finds the surface of time sample i of the pixel. `color`: predicted linear radiance.
 bool isResolved(ivec2 pixel, int i, out vec3 color) {
   float t = sampleTime(i, params.samples, 0.0);
   Tap back = backgroundOf(pixel, t > 0.0);

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Blend of a sharp and a blurred picture. The read `mask` may be left unwired; the blur is then kept everywhere.
+-- Blend of a sharp and a blurred picture. The input `mask` may be left unwired; the blur is then kept everywhere.
 local pass = require "strobe.pass"
 
 return pass.compute {
@@ -14,7 +14,7 @@ return pass.compute {
   writes = { color = { format = "rgba32f", doc = "blended picture, linear radiance; alpha 1" } },
   if_no  = { mask = { color = "sharp" } },
   params = {
-    strength = pass.float { 0.5, min = 0, max = 1, doc = "share of the blurred picture" },
+    strength = pass.float { 0.5, min = 0, max = 1, doc = "weight of the blurred picture in the blend" },
   },
   counters = { masked = "pixels that the mask keeps sharp" },
 }

@@ -3,7 +3,7 @@
 // In:  `sharp`, `blurred`: linear radiance.
 //      `mask`:  above 1/2 where the blur is kept; absent: everywhere.
 // Out: `color`: linear radiance, alpha 1.
-// Method: blend the pictures; the share of the blurred one is `strength`, and 0 outside of the mask.
+// Method: blend the pictures. The weight of the blurred picture is `strength`, and 0 outside of the mask.
 // Fails: the sharp silhouette of a moving object stays visible within its blur.
 void run(ivec2 pixel) {
   bool is_kept = mask_at(pixel).x > 0.5;

@@ -9,7 +9,7 @@
 --         `lean` degrees about the vertical axis through the middle of the first card. order = -1: the second card is listed
 --         first
 --      4  a ball of radius `depth` around the camera, in a room 8 times as large
---      5  one triangle that covers the picture and extends behind the camera
+--      5  one triangle that covers the picture, with a corner behind the camera
 --      6  the card of kind 2 with 150 more triangles without area, a mesh that has only triangles without area, and a node
 --         without triangles
 --      7  the card of kind 2 in front of a wall of the same colour
@@ -84,8 +84,8 @@ local kinds = {
     return { scene.node {
       name = "triangle", material = flat("triangle", value), motion = { velocity = moves },
       shape = scene.triangles {
-        positions = { { -400 * depth, -300 * depth, -depth }, { 400 * depth, -300 * depth, -depth },
-                      { 0, 500 * depth, 30 * depth } } },
+        positions = { { -400 * depth, -300 * depth, -7 * depth }, { 400 * depth, -300 * depth, -7 * depth },
+                      { 0, 500 * depth, 9 * depth } } },
     } }
   end,
   function()

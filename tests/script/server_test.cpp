@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What a child reads before it is asked, and what one does not send again, changes no result.
+// Results of a server's processes that have loaded files are those of a process that reads all files itself.
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 #include "home.h"
 #include "plan/description.h"
 #include "script/evaluate.h"
-#include "script/process.h"
 
 namespace strobe::script {
-namespace ahead_test {
+namespace server_test {
 
 static const char* kPipeline = R"(local pipeline = require "strobe.pipeline"
 local base  = require "passes.base"
@@ -27,18 +29,18 @@ return pipeline {
 }
 )";
 
-class Ahead : public ::testing::Test {
+class Server : public ::testing::Test {
  protected:
   void SetUp() override {
     home_.write("scripts/pipelines/sample.lua", kPipeline);
     evaluatePipeline(home_.home(), {"sample", {}}, &files_);
   }
 
-  // A child that has read the files as they are now. A change within the same tick of the clock would not be seen as
-  // one, in which case it reads them again: nothing to test.
-  void expect() {
+  // Lets the server load the files as they are now. A file that changes within the same tick of the clock as before
+  // would be read again in any case.
+  void load() {
     settle();
-    expectChildren(home_.home(), {}, 1, files_);
+    failure();
     settle();
   }
 
@@ -79,10 +81,10 @@ class Ahead : public ::testing::Test {
   std::vector<Dependency> files_;
 };
 
-TEST_F(Ahead, ChangesNoResult) {
-  const plan::PipelineDesc plain = evaluate();
+TEST_F(Server, ChangesNoResult) {
+  const plan::PipelineDesc plain = evaluate({{"/nowhere.lua", ""}});
   const std::vector<Dependency> read = files_;
-  expect();
+  load();
   EXPECT_EQ(evaluate(), plain);
   ASSERT_EQ(files_.size(), read.size());
   for (size_t i = 0; i < read.size(); ++i) {
@@ -92,36 +94,36 @@ TEST_F(Ahead, ChangesNoResult) {
   }
 }
 
-TEST_F(Ahead, WhatChangesMeanwhileIsReadAgain) {
+TEST_F(Server, WhatChangesMeanwhileIsReadAgain) {
   const std::string before = hashOf("passes/smear.lua");
-  expect();
+  load();
   home_.write("passes/smear.lua", smearWith("another text"));
   EXPECT_TRUE(says(evaluate(), "another text"));
   EXPECT_NE(hashOf("passes/smear.lua"), before);
 }
 
-TEST_F(Ahead, TextsStandInThePlaceOfFiles) {
-  expect();
+TEST_F(Server, TextsStandInThePlaceOfFiles) {
+  load();
   const Path file = home_.folder() / "passes/smear.lua";
   EXPECT_TRUE(says(evaluate({{file, smearWith("given")}}), "given"));
-  expect();
+  load();
   home_.write("passes/smear.lua", "return nonsense");
   EXPECT_TRUE(says(evaluate({{file, samplePasses().at("passes/smear.lua")}}), "average"));
 }
 
-TEST_F(Ahead, WhatIsBrokenIsReportedWhenItIsAskedFor) {
+TEST_F(Server, WhatIsBrokenIsReportedWhenItIsAskedFor) {
   home_.write("passes/smear.lua", "return {");
-  expect();
+  load();
   EXPECT_EQ(failure().substr(0, 19), "passes/smear.lua:1:");
-  expect();
+  load();
   home_.write("passes/smear.lua", smearWith("mended"));
   EXPECT_TRUE(says(evaluate(), "mended"));
-  expect();
+  load();
   std::filesystem::remove(home_.folder() / "passes/smear.lua");
   EXPECT_NE(failure().find("unknown module 'passes.smear'"), std::string::npos);
 }
 
-TEST_F(Ahead, AProjectsFileTakesThePlaceOfAShippedOne) {
+TEST_F(Server, AProjectsFileTakesThePlaceOfAShippedOne) {
   TestHome project;
   const Home both({project.folder(), home_.folder()}, {}, home_.home().program());
   std::vector<Dependency> files;
@@ -129,44 +131,42 @@ TEST_F(Ahead, AProjectsFileTakesThePlaceOfAShippedOne) {
   for (const auto& [path, text] : samplePasses()) std::filesystem::remove(project.folder() / path);
   EXPECT_FALSE(says(evaluated(), "the project's"));
   settle();
-  expectChildren(both, {}, 1, files);
+  EXPECT_FALSE(says(evaluated(), "the project's"));
   settle();
   project.write("passes/smear.lua", "-- replaces = true\n" + smearWith("the project's"));
   EXPECT_TRUE(says(evaluated(), "the project's"));
 }
 
-// ---- what is not sent again
-
-TEST_F(Ahead, WhatWasDescribedBeforeIsNamed) {
-  std::shared_ptr<const Described> described;
-  auto again = [&] { return evaluatePipeline(home_.home(), {"sample", {}}, nullptr, {}, nullptr, &described); };
-  const plan::PipelineDesc first = evaluate();
-  EXPECT_EQ(again(), first);
-  ASSERT_TRUE(described);
-  EXPECT_EQ(described->pass_hashes.size(), 2u);
-  EXPECT_EQ(again(), first);
-
-  const std::vector<std::string> hashes = described->pass_hashes;
-  home_.write("passes/smear.lua", smearWith("another text"));
-  EXPECT_EQ(again(), evaluate());
-  ASSERT_EQ(described->pass_hashes.size(), 2u);
-  EXPECT_EQ((described->pass_hashes[0] == hashes[0]) + (described->pass_hashes[1] == hashes[1]), 1);
-
-  const std::string params = described->params_hash;
-  std::string pipeline = kPipeline;
-  home_.write("scripts/pipelines/sample.lua", pipeline.replace(pipeline.find("max = 64"), 8, "max = 32"));
-  EXPECT_EQ(again(), evaluate());
-  EXPECT_NE(described->params_hash, params);
+// Children of this process, by the number of their parent in /proc.
+static std::vector<pid_t> children() {
+  std::vector<pid_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::ifstream file(entry.path() / "stat");
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    const size_t end = text.rfind(')');
+    if (end != std::string::npos && std::atoi(text.c_str() + end + 4) == ::getpid()) found.push_back(std::stoi(name));
+  }
+  return found;
 }
 
-TEST_F(Ahead, AFailureKeepsWhatWasDescribed) {
-  std::shared_ptr<const Described> described;
-  evaluatePipeline(home_.home(), {"sample", {}}, nullptr, {}, nullptr, &described);
-  const std::shared_ptr<const Described> before = described;
-  home_.write("passes/smear.lua", "return {");
-  EXPECT_THROW(evaluatePipeline(home_.home(), {"sample", {}}, nullptr, {}, nullptr, &described), Error);
-  EXPECT_EQ(described, before);
+TEST_F(Server, IsReplacedIfItEnds) {
+  const plan::PipelineDesc plain = evaluate();
+  ASSERT_FALSE(children().empty());
+  for (pid_t child : children()) ::kill(child, SIGKILL);
+  EXPECT_EQ(evaluate(), plain);
 }
 
-}  // namespace ahead_test
+TEST_F(Server, IsOneForManyThreads) {
+  const plan::PipelineDesc plain = evaluate();
+  const std::vector<pid_t> before = children();
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < 16; ++i)
+    threads.emplace_back([&] { EXPECT_EQ(evaluatePipeline(home_.home(), {"sample", {}}), plain); });
+  threads.clear();
+  EXPECT_EQ(children(), before);
+}
+
+}  // namespace server_test
 }  // namespace strobe::script
