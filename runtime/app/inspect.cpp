@@ -347,20 +347,19 @@ std::string factsText(const lab::Shot& shot, const graph::Frame& frame, const pl
 
 void plan(const Home& home, const PlanOptions& options) {
   lab::Shot in_scene = options.shot.resolve(), shot = in_scene;
-  lab::LoadedScene loaded = lab::loadScene(home, in_scene);
+  const std::shared_ptr<lab::HeldScene> held = lab::loadScene(home, in_scene);
   lab::fillShot(shot, {});
   lab::checkShot(shot);
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
   // The plan is the same for all backends that trace rays in compute.
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
-  const graph::Frame frame = lab::frameOf(in_scene, loaded.scene, plan::earlierFrames(pipeline));
+  const graph::Frame frame = lab::frameOf(in_scene, held->scene, plan::earlierFrames(pipeline));
   plan::Plan planned = lab::planOf(shot, pipeline, backend, lab::absentFacts(frame, pipeline));
   std::string text = options.dot    ? plan::toDot(planned)
                      : options.json ? plan::toJson(planned).dump(2) + "\n"
                                     : plan::describe(planned);
   if (!options.dot && !options.json)
-    text +=
-        factsText(in_scene, frame, planned, lab::planOf(shot, pipeline, backend)) + sizeText(in_scene, loaded.scene);
+    text += factsText(in_scene, frame, planned, lab::planOf(shot, pipeline, backend)) + sizeText(in_scene, held->scene);
   std::fputs(text.c_str(), stdout);
 }
 

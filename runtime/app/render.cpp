@@ -124,13 +124,13 @@ std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::P
 // Exports the shot for Mitsuba 3. Needs no device.
 void exportShot(const Home& home, const RenderOptions& options, lab::Shot shot) {
   requireWritable(options.mitsuba, "--export-mitsuba");
-  const lab::LoadedScene loaded = lab::loadScene(home, shot);
-  const graph::Frame frame = lab::frameOf(shot, loaded.scene);
-  scene::MitsubaExport written = scene::exportMitsuba(loaded.scene, frame.pose_at, frame.view, options.mitsuba);
+  const std::shared_ptr<lab::HeldScene> held = lab::loadScene(home, shot);
+  const graph::Frame frame = lab::frameOf(shot, held->scene);
+  scene::MitsubaExport written = scene::exportMitsuba(held->scene, frame.pose_at, frame.view, options.mitsuba);
   if (shot.shutter_curve != "box")
     written.left_out.push_back(
         fmt::format("the shutter curve ({}): all times have the same weight", shot.shutter_curve));
-  for (const std::string& warning : loaded.scene.warnings) warn(warning);
+  for (const std::string& warning : held->scene.warnings) warn(warning);
   for (const std::string& what : written.left_out) warn("--export-mitsuba leaves out: " + what);
   for (const Path& file : written.files)
     if (!options.json) std::printf("%s\n", file.c_str());

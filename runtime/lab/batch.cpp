@@ -131,9 +131,9 @@ std::string Batch::contentOf(const Shot& wanted) {
     shaders += shadersOf(planned.plan->passOf(node), planned.backend);
   const Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
   for (const script::Dependency& file : evaluated.evaluation->scripts) inputs_.insert(file.path);
-  for (const script::Dependency& file : scene->loaded.dependencies) inputs_.insert(file.path);
+  for (const script::Dependency& file : scene->dependencies) inputs_.insert(file.path);
   shot.scene.clear();
-  return hashText(fmt::format("{}|{}|{}|{}|{}|{}{}", frameIdentity(shot), sceneIdentity(shot), scene->loaded.hash,
+  return hashText(fmt::format("{}|{}|{}|{}|{}|{}{}", frameIdentity(shot), sceneIdentity(shot), scene->hash,
                               planned.hash, int(planned.backend), shaders, shot.model_everything ? "|everything" : ""));
 }
 

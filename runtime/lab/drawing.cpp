@@ -66,7 +66,7 @@ struct DrawingBytes {
 };
 
 static DrawingBytes drawingBytes(const HeldScene& held, const Planned& planned, uint32_t slices, size_t frames) {
-  const scene::Scene& scene = held.loaded.scene;
+  const scene::Scene& scene = held.scene;
   const shader::StructureKind structures = shader::rowOf(planned.backend).structures;
   DrawingBytes bytes{0, graph::Graph::bytes(*planned.plan, frames)};
   if (!held.unposed) bytes.scene = world::unposedBytes(scene, structures);

@@ -44,7 +44,7 @@ class Drawing {
 
   const plan::Plan& plan() const { return *planned_.plan; }
   const Planned& planned() const { return planned_; }
-  const LoadedScene& scene() const { return scene_->loaded; }
+  const HeldScene& scene() const { return *scene_; }
   const std::shared_ptr<HeldScene>& held() const { return scene_; }
   const Evaluation& evaluation() const { return *evaluation_; }
   const std::shared_ptr<const Evaluation>& heldEvaluation() const { return evaluation_; }

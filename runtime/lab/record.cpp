@@ -36,7 +36,7 @@ const std::string& programHash() {
 
 Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   const plan::Plan& plan = c.drawing.plan();
-  const LoadedScene& scene = c.drawing.scene();
+  const HeldScene& scene = c.drawing.scene();
   Json record;
   record["strobe"] = {{"version", kVersion}, {"program", programHash()}};
   record["shot"] = toJson(c.shot);
@@ -99,7 +99,7 @@ Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device,
   json["note"] = device.software
                      ? "software device: not comparable with a GPU; each step is submitted and waited for on its own"
                      : "one frame, clocks not locked";
-  json["load_s"] = {{"read", scene.loaded.read_s}, {"device", scene.device_s}};
+  json["load_s"] = {{"read", scene.read_s}, {"device", scene.device_s}};
   json["prepare_s"] = prepare_s;
   json["draw_s"] = draw_s;
   json["gpu_ms"] = frame.gpu_ms;

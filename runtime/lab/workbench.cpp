@@ -90,8 +90,9 @@ static void completeScene(scene::Scene& scene, const Shot& shot) {
   if (!shot.follow.empty()) requirePart("follow", shot.follow, [&] { scene::nodeByName(scene, shot.follow); });
 }
 
-LoadedScene loadScene(const Home& home, Shot& shot) {
-  LoadedScene loaded;
+std::shared_ptr<HeldScene> loadScene(const Home& home, Shot& shot) {
+  auto held = std::make_shared<HeldScene>();
+  HeldScene& loaded = *held;
   const double started_s = clockSeconds();
   if (isGltf(shot.scene)) {
     for (const auto& [name, value] : shot.sets)
@@ -127,7 +128,7 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
   loaded.bytes = bytesOf(loaded.scene);
   scene::findBounds(loaded.scene);
   loaded.read_s = clockSeconds() - started_s;
-  return loaded;
+  return held;
 }
 
 // Evicts unused copies. A copy is as large as the scene, and a dragged slider may request many numbers of poses in
@@ -137,9 +138,9 @@ std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, 
   std::shared_ptr<world::GpuScene>& held = on_device[{slices, structures}];
   if (!held) {
     const double started_s = clockSeconds();
-    world::requireFits(loaded.scene, slices, structures, gpu::limitsOf(device));
-    if (!unposed) unposed = std::make_shared<world::UnposedScene>(device, loaded.scene);
-    held = std::make_shared<world::GpuScene>(device, loaded.scene, slices, unposed, structures);
+    world::requireFits(scene, slices, structures, gpu::limitsOf(device));
+    if (!unposed) unposed = std::make_shared<world::UnposedScene>(device, scene);
+    held = std::make_shared<world::GpuScene>(device, scene, slices, unposed, structures);
     if (device_s == 0) device_s = clockSeconds() - started_s;
   }
   std::shared_ptr<world::GpuScene> copy = held;
@@ -151,7 +152,7 @@ std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, 
 const graph::Frame& HeldScene::frame(const Shot& shot, int earlier_frames) {
   std::string key = fmt::format("{}|{}x{}|{}|{}|{}", frameIdentity(shot), shot.width, shot.height, shot.camera,
                                 shot.model_everything, earlier_frames);
-  if (key != frame_key_) frame_ = frameOf(shot, loaded.scene, earlier_frames);
+  if (key != frame_key_) frame_ = frameOf(shot, scene, earlier_frames);
   frame_key_ = std::move(key);
   return frame_;
 }
@@ -213,27 +214,27 @@ static std::string sourceOf(const Shot& shot) { return shot.scene + settingsIden
 std::shared_ptr<HeldScene> Workbench::scene(Shot& shot, bool fresh) {
   std::string source = sourceOf(shot);
   for (auto known = scenes_.begin(); known != scenes_.end(); ++known) {
-    if (known->source != source) continue;
+    HeldScene& held = **known;
+    if (held.source != source) continue;
     Shot filled = shot;
-    fillShot(filled, known->held->loaded.description);
-    if (sceneIdentity(filled) != known->identity) continue;
-    const auto& files = known->held->loaded.dependencies;
-    if (fresh && !known->files.current()) {
-      Stamps stamps = stampsOf(files);
-      if (!isCurrent(files)) break;
-      known->files = std::move(stamps);
+    fillShot(filled, held.description);
+    if (sceneIdentity(filled) != held.identity) continue;
+    if (fresh && !held.files.current()) {
+      Stamps stamps = stampsOf(held.dependencies);
+      if (!isCurrent(held.dependencies)) break;
+      held.files = std::move(stamps);
     }
     checkShot(filled);
     shot = filled;
     scenes_.splice(scenes_.begin(), scenes_, known);
-    return scenes_.front().held;
+    return scenes_.front();
   }
-  auto held = std::make_shared<HeldScene>();
-  held->loaded = loadScene(home_, shot);
-  Stamps stamps = stampsOf(held->loaded.dependencies);
-  std::string identity = sceneIdentity(shot);
-  std::erase_if(scenes_, [&](const KnownScene& known) { return known.identity == identity; });
-  scenes_.push_front({identity, source, std::move(stamps), held});
+  std::shared_ptr<HeldScene> held = loadScene(home_, shot);
+  held->files = stampsOf(held->dependencies);
+  held->source = source;
+  held->identity = sceneIdentity(shot);
+  std::erase_if(scenes_, [&](const auto& known) { return known->identity == held->identity; });
+  scenes_.push_front(held);
   forgetScenes();
   return held;
 }
@@ -244,7 +245,7 @@ void Workbench::forgetScenes() {
   uint64_t bytes = 0;
   size_t count = 0;
   for (auto known = scenes_.begin(); known != scenes_.end();) {
-    bytes += known->held->loaded.bytes;
+    bytes += (*known)->bytes;
     bool goes = count > 0 && (bytes > kMostBytes || count >= kMost);
     known = goes ? scenes_.erase(known) : std::next(known);
     ++count;

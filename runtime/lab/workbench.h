@@ -17,16 +17,6 @@
 
 namespace strobe::lab {
 
-// A scene, with the moves of a shot applied and missing parts supplied.
-struct LoadedScene {
-  scene::Scene scene;
-  Json description;    // identity: the Lua data, or the name and hash of the file
-  std::string hash;    // hash of the description
-  uint64_t bytes = 0;  // bytes of meshes and textures
-  double read_s = 0;   // time to read the scene
-  std::vector<script::Dependency> dependencies;
-};
-
 // True for a glTF file, by extension; other scenes are scripts.
 bool isGltf(const std::string& scene);
 
@@ -35,14 +25,18 @@ bool isGltf(const std::string& scene);
 // lifts this restriction.
 scene::FilePlaces filePlaces(const Home& home, const std::string& scene, bool allow_outside = false);
 
-// Reads the scene of a shot. Fills in unset options of the shot (size, fps, frame, exposure). Applies --move and
-// --spin.
-LoadedScene loadScene(const Home& home, Shot& shot);
-
-// A loaded scene and its copies on the device, by number of simultaneous poses and by acceleration structure. A copy
-// must not outlive the scene.
+// A scene with the moves of a shot applied and missing parts supplied, and its copies on the device, by number of
+// simultaneous poses and by acceleration structure. A copy must not outlive the scene.
 struct HeldScene {
-  LoadedScene loaded;
+  scene::Scene scene;
+  Json description;    // the Lua data, or the name and hash of the file
+  std::string hash;    // hash of the description
+  uint64_t bytes = 0;  // bytes of meshes and textures
+  double read_s = 0;   // time to read the scene
+  std::vector<script::Dependency> dependencies;
+  Stamps files;                                  // stamps of the dependencies
+  std::string source;                            // scene name and scene settings
+  std::string identity;                          // `sceneIdentity` of the shot
   std::shared_ptr<world::UnposedScene> unposed;  // shared by all copies
   double device_s = 0;                           // time of the first upload to the device
   std::map<std::pair<uint32_t, shader::StructureKind>, std::shared_ptr<world::GpuScene>> on_device;
@@ -58,6 +52,10 @@ struct HeldScene {
   std::string frame_key_;
   graph::Frame frame_;
 };
+
+// Reads the scene of a shot. Fills in unset options of the shot (size, fps, frame, exposure). Applies --move and
+// --spin.
+std::shared_ptr<HeldScene> loadScene(const Home& home, Shot& shot);
 
 // One picture, its record and its timings.
 struct Picture {
@@ -116,12 +114,6 @@ class Workbench {
   int evaluations() const { return evaluations_; }
 
  private:
-  struct KnownScene {
-    std::string identity;
-    std::string source;  // scene name and scene settings
-    Stamps files;
-    std::shared_ptr<HeldScene> held;
-  };
   struct KnownEvaluation {
     Stamps files;
     std::shared_ptr<const Evaluation> evaluation;
@@ -131,7 +123,7 @@ class Workbench {
   const Home home_;
   std::shared_ptr<gpu::Device> device_;
   graph::PipelineCache cache_;
-  std::list<KnownScene> scenes_;  // most recently used first
+  std::list<std::shared_ptr<HeldScene>> scenes_;  // most recently used first
   std::map<std::string, KnownEvaluation> evaluated_;
   script::Texts texts_;  // of the last evaluation
   int evaluations_ = 0;

@@ -92,7 +92,7 @@ TEST_F(RenderBending, WhatFollowsNoMovingJointIsStill) {
   shot.height = 100;
   shot.moves = {"leg_joint_L_2=0,0.02,0.01"};
   std::shared_ptr<lab::HeldScene> held = bench().scene(shot);
-  const scene::Scene& scene = held->loaded.scene;
+  const scene::Scene& scene = held->scene;
   const scene::Skin& skin = scene.skins.at(0);
   std::set<uint32_t> moving;
   for (size_t j = 0; j < skin.joints.size(); ++j)
@@ -128,7 +128,7 @@ TEST_F(RenderBending, TheNodeOfASkinMayBeMoved) {
   lab::Shot shot = with(sample("RiggedSimple", 0), sourceFolder() / "tests/oracle/pipelines/two_ways.lua");
   shot.animation = "none";
   auto held = bench().scene(shot);
-  const scene::Scene& scene = held->loaded.scene;
+  const scene::Scene& scene = held->scene;
   shot.moves = {scene.nodes[size_t(scene::instancesOf(scene).at(0).node)].name + "=0.5,0,0"};
   lab::Picture picture = render(shot);
   const image::UintImage& hit = picture.frame.outputs.at("hit").uints;
@@ -154,7 +154,7 @@ TEST_F(RenderBending, WhatFollowsOneJointIsRigid) {
   shot.scene = *home().data() / "scenes/vintage_desk_fan/vintage_desk_fan.glb";
   if (!fs::exists(shot.scene)) GTEST_SKIP() << "no fan";
   auto held = bench().scene(shot);
-  const scene::Scene& scene = held->loaded.scene;
+  const scene::Scene& scene = held->scene;
   int skinned = 0, bending = 0;
   for (const scene::Instance& instance : scene::instancesOf(scene)) {
     skinned += scene.nodes[size_t(instance.node)].skin >= 0;

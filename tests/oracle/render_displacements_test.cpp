@@ -67,7 +67,7 @@ class RenderDisplacements : public RenderTest {
   static Seen see(lab::Shot shot) {
     Seen seen;
     seen.held = bench().scene(shot);
-    seen.scene = &seen.held->loaded.scene;
+    seen.scene = &seen.held->scene;
     graph::Frame setup = lab::frameOf(shot, *seen.scene);
     seen.capture = setup.pose_at(setup.view.raster_s);
     seen.open = setup.pose_at(setup.view.open_s);
@@ -118,7 +118,7 @@ class RenderDisplacements : public RenderTest {
   static lab::Shot movingShot(const Path& file) {
     lab::Shot shot = shotOfFile(file);
     auto held = bench().scene(shot);
-    const scene::Scene& scene = held->loaded.scene;
+    const scene::Scene& scene = held->scene;
     double duration_s = 0, radius = scene::boundsOf(scene).radius();
     for (const scene::Animation& clip : scene.animations) duration_s = std::max(duration_s, clip.duration);
     shot.frame = int(0.37 * duration_s * shot.fps);
@@ -217,7 +217,7 @@ TEST_F(RenderDisplacements, OfWhatBendsFromNear) {
       lab::Shot shot = shotOfFile(*data / "scenes" / name);
       if (!fs::exists(shot.scene)) continue;
       shot.frame = frame;
-      const scene::Scene& scene = bench().scene(shot)->loaded.scene;
+      const scene::Scene& scene = bench().scene(shot)->scene;
       const scene::Pose pose = lab::frameOf(shot, scene).pose_at(shot.rasterTime());
       const std::vector<scene::Instance> instances = scene::instancesOf(scene);
       Bounds bounds;
@@ -242,7 +242,7 @@ TEST_F(RenderDisplacements, StepsLeaveNone) {
   lab::Shot shot = shotOfFile(file);
   auto held = bench().scene(shot);
   int clips = 0;
-  for (const scene::Animation& clip : held->loaded.scene.animations) {
+  for (const scene::Animation& clip : held->scene.animations) {
     if (clip.tracks.at(0).interpolation != scene::Track::Interpolation::Step) continue;
     shot.animation = clip.name;
     shot.frame =

@@ -198,12 +198,12 @@ TEST_F(RenderFacts, AreWhatTheScenesSay) {
     auto held = bench().scene(shot);
     std::vector<std::string> absent = one.absent;
     shot.shutter_curve = "triangle";
-    EXPECT_EQ(absentFacts(frameOf(shot, held->loaded.scene)), absent) << one.name;
+    EXPECT_EQ(absentFacts(frameOf(shot, held->scene)), absent) << one.name;
     shot.shutter_curve = "box";
     absent.push_back("weighted");
-    EXPECT_EQ(absentFacts(frameOf(shot, held->loaded.scene)), absent) << one.name;
+    EXPECT_EQ(absentFacts(frameOf(shot, held->scene)), absent) << one.name;
     shot.model_everything = true;
-    EXPECT_TRUE(absentFacts(frameOf(shot, held->loaded.scene)).empty());
+    EXPECT_TRUE(absentFacts(frameOf(shot, held->scene)).empty());
   }
 }
 
@@ -213,7 +213,7 @@ TEST_F(RenderFacts, OfEachAnchor) {
       {"end", {"after"}}, {"centre", {}}, {"start", {"before"}}};
   for (const auto& [anchor, absent] : lacked) {
     Shot shot = with(cases()[1].shot, "hybrid_layered", {}, anchor);
-    std::vector<std::string> found = absentFacts(frameOf(shot, bench().scene(shot)->loaded.scene));
+    std::vector<std::string> found = absentFacts(frameOf(shot, bench().scene(shot)->scene));
     std::erase_if(found, [](const std::string& fact) { return fact != "before" && fact != "after"; });
     EXPECT_EQ(found, absent) << anchor;
     EXPECT_EQ(hashOf(render(shot).frame.outputs.at("color")), hashOf(everythingOf(shot).frame.outputs.at("color")))
@@ -250,7 +250,7 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
       for (std::vector<std::string> settings : paths) {
         Shot shot = shotOf("bent", 256, 32, {{"before", 20}, {"after", after}, {"top", 8}, {"bottom", 20}});
         const Shot foretold = with(shot, "hybrid_layered", settings, anchor);
-        const scene::PixelArea reach = lab::frameOf(foretold, bench().scene(shot)->loaded.scene).motion.moving_rect;
+        const scene::PixelArea reach = lab::frameOf(foretold, bench().scene(shot)->scene).motion.moving_rect;
         EXPECT_LT(reach.x1 - reach.x0, 256) << anchor << ' ' << after;
         EXPECT_EQ(hashOf(render(foretold).frame.outputs.at("color")),
                   hashOf(everythingOf(foretold).frame.outputs.at("color")))
@@ -284,7 +284,7 @@ TEST_F(RenderFacts, OfPartsHold) {
   Shot shot = with(cases()[0].shot, "eevee", {}, "end");
   const plan::PipelineDesc& pipeline = bench().evaluate("eevee", {})->pipeline;
   auto absent = [&] {
-    return absentFacts(frameOf(shot, bench().scene(shot)->loaded.scene, plan::earlierFrames(pipeline)), pipeline);
+    return absentFacts(frameOf(shot, bench().scene(shot)->scene, plan::earlierFrames(pipeline)), pipeline);
   };
   EXPECT_EQ(absent(), (std::vector<std::string>{"alpha", "blend", "one_sided", "deforms", "weighted"}));
   shot.exposure = 0;

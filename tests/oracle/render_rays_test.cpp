@@ -75,14 +75,14 @@ using Triangle = std::array<dvec3, 3>;
 class Triangles {
  public:
   explicit Triangles(lab::Shot shot, const Home& home) : loaded_(lab::loadScene(home, shot)) {
-    scene::Pose pose = lab::frameOf(shot, loaded_.scene).pose_at(shot.rasterTime());
+    scene::Pose pose = lab::frameOf(shot, loaded_->scene).pose_at(shot.rasterTime());
     origin_ = dvec3(pose.world_from_camera[3]);
-    instances_ = scene::instancesOf(loaded_.scene);
+    instances_ = scene::instancesOf(loaded_->scene);
     transforms_ = pose.world_from_instance;
     for (size_t i = 0; i < instances_.size(); ++i) {
       bent_.emplace_back();
-      if (scene::bends(loaded_.scene, instances_[i]))
-        bent_[i] = scene::bentVertices(loaded_.scene, instances_[i], pose.bends[i]);
+      if (scene::bends(loaded_->scene, instances_[i]))
+        bent_[i] = scene::bentVertices(loaded_->scene, instances_[i], pose.bends[i]);
     }
   }
 
@@ -112,9 +112,9 @@ class Triangles {
 
  private:
   const std::vector<scene::Geometry>& geometries(size_t instance) const {
-    return loaded_.scene.meshes[size_t(instances_[instance].mesh)].geometries;
+    return loaded_->scene.meshes[size_t(instances_[instance].mesh)].geometries;
   }
-  lab::LoadedScene loaded_;
+  std::shared_ptr<lab::HeldScene> loaded_;
   dvec3 origin_;
   std::vector<scene::Instance> instances_;
   std::vector<dmat4> transforms_;
