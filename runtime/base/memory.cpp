@@ -38,51 +38,33 @@ uint64_t leftOfSystem(const Path& root) {
   return 1024 * (numbers["MemAvailable:"] + numbers["SwapFree:"]);
 }
 
-// Files and counters in the two versions of control groups.
-struct GroupFiles {
-  const char *limit, *usage, *inactive, *active;
-};
-constexpr GroupFiles kFirstVersion = {"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file",
-                                      "total_active_file"};
-constexpr GroupFiles kSecondVersion = {"memory.max", "memory.current", "inactive_file", "active_file"};
-
 // Memory left in a group. Cached pages of files count as free: the system frees them on demand.
-uint64_t leftOfGroup(const Path& folder, const GroupFiles& files) {
-  std::optional<uint64_t> limit = numberIn(folder / files.limit), usage = numberIn(folder / files.usage);
+uint64_t leftOfGroup(const Path& folder) {
+  std::optional<uint64_t> limit = numberIn(folder / "memory.max"), usage = numberIn(folder / "memory.current");
   if (!limit || !usage) return kUnlimited;
   std::map<std::string, uint64_t> stat = numbersByName(folder / "memory.stat");
-  const uint64_t cached = stat[files.inactive] + stat[files.active];
+  const uint64_t cached = stat["inactive_file"] + stat["active_file"];
   const uint64_t used = *usage - std::min(cached, *usage);
   return *limit - std::min(used, *limit);
 }
 
 // Memory left in a group and in all groups above it, the smallest.
-uint64_t leftOfGroups(const Path& mount, const Path& group, const GroupFiles& files) {
+uint64_t leftOfGroups(const Path& mount, const Path& group) {
   uint64_t left = kUnlimited;
   for (Path at = group.relative_path();; at = at.parent_path()) {
-    left = std::min(left, leftOfGroup(mount / at, files));
+    left = std::min(left, leftOfGroup(mount / at));
     if (at.empty()) return left;
   }
 }
 
-bool hasMemory(const std::string& controllers) {
-  return ("," + controllers + ",").find(",memory,") != std::string::npos;
-}
-
 }  // namespace
 
-// Lines of /proc/self/cgroup: "4:memory:/group" of the first version, "0::/group" of the second.
+// Control groups of version 2: the line "0::/group" of /proc/self/cgroup.
 uint64_t availableMemory(const Path& root) {
   uint64_t left = leftOfSystem(root);
   std::ifstream groups(root / "proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);) {
-    const size_t first = line.find(':'), second = line.find(':', first + 1);
-    if (second == std::string::npos) continue;
-    const std::string controllers = line.substr(first + 1, second - first - 1), group = line.substr(second + 1);
-    if (controllers.empty()) left = std::min(left, leftOfGroups(root / "sys/fs/cgroup", group, kSecondVersion));
-    if (hasMemory(controllers))
-      left = std::min(left, leftOfGroups(root / "sys/fs/cgroup/memory", group, kFirstVersion));
-  }
+  for (std::string line; std::getline(groups, line);)
+    if (line.starts_with("0::")) left = std::min(left, leftOfGroups(root / "sys/fs/cgroup", line.substr(3)));
   return left;
 }
 

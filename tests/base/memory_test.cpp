@@ -42,17 +42,6 @@ TEST_F(Memory, IsLimitedByControlGroups) {
   EXPECT_EQ(available(), 0u) << "above its limit";
 }
 
-TEST_F(Memory, IsLimitedByControlGroupsOfTheFirstVersion) {
-  write("proc/meminfo", "MemAvailable: 1000000 kB\n");
-  write("proc/self/cgroup", "9:name=systemd:/\n4:cpu,memory:/job\n0::/\n");
-  write("sys/fs/cgroup/memory/job/memory.limit_in_bytes", "9223372036854771712\n");
-  write("sys/fs/cgroup/memory/job/memory.usage_in_bytes", "4000\n");
-  EXPECT_EQ(available(), 1000000u << 10);
-  write("sys/fs/cgroup/memory/job/memory.limit_in_bytes", "9000\n");
-  write("sys/fs/cgroup/memory/job/memory.stat", "cache 100\ntotal_inactive_file 1000\n");
-  EXPECT_EQ(available(), 6000u);
-}
-
 TEST_F(Memory, IsWrittenWithAUnit) {
   EXPECT_EQ(bytesText(12), "12 bytes");
   EXPECT_EQ(bytesText(3u << 20), "3 MiB");
