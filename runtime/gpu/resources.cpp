@@ -95,23 +95,4 @@ Owned<VkSampler> makeSampler(const Device& device, const std::string& name, cons
   return create(device, VK_OBJECT_TYPE_SAMPLER, vk.CreateSampler, vk.DestroySampler, info, "sampler", name);
 }
 
-const FormatInfo& formatInfo(const std::string& name) {
-  static const std::map<std::string, FormatInfo> table = {
-      {"r8_unorm", {VK_FORMAT_R8_UNORM, "r8", 1, 1, false}},
-      {"rgba8_unorm", {VK_FORMAT_R8G8B8A8_UNORM, "rgba8", 4, 4, false}},
-      {"rg16f", {VK_FORMAT_R16G16_SFLOAT, "rg16f", 2, 4, false}},
-      {"rgba16f", {VK_FORMAT_R16G16B16A16_SFLOAT, "rgba16f", 4, 8, false}},
-      {"r32f", {VK_FORMAT_R32_SFLOAT, "r32f", 1, 4, false}},
-      {"rg32f", {VK_FORMAT_R32G32_SFLOAT, "rg32f", 2, 8, false}},
-      {"rgba32f", {VK_FORMAT_R32G32B32A32_SFLOAT, "rgba32f", 4, 16, false}},
-      {"r32ui", {VK_FORMAT_R32_UINT, "r32ui", 1, 4, true}},
-      {"rg32ui", {VK_FORMAT_R32G32_UINT, "rg32ui", 2, 8, true}},
-      {"rgba32ui", {VK_FORMAT_R32G32B32A32_UINT, "rgba32ui", 4, 16, true}},
-      {"buffer32ui", {VK_FORMAT_R32_UINT, "r32ui", 1, 4, true}},
-  };
-  auto found = table.find(name);
-  if (found == table.end()) throw Error(fmt::format("unknown image format '{}'", name));
-  return found->second;
-}
-
 }  // namespace strobe::gpu

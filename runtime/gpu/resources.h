@@ -134,15 +134,4 @@ struct SamplerDesc {
 inline constexpr SamplerDesc kLinear = {VK_FILTER_LINEAR, VK_FILTER_LINEAR, VK_SAMPLER_MIPMAP_MODE_LINEAR};
 Owned<VkSampler> makeSampler(const Device& device, const std::string& name, const SamplerDesc& desc);
 
-// Vulkan format and bytes per texel of a pass's format name ("rgba16f"); for a buffer, bytes per entry. `formatInfo`
-// throws `Error` for an unknown name.
-struct FormatInfo {
-  VkFormat vk;
-  const char* glsl;  // image layout qualifier
-  int channels;
-  int bytes;
-  bool uint;
-};
-const FormatInfo& formatInfo(const std::string& name);
-
 }  // namespace strobe::gpu

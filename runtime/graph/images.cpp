@@ -2,6 +2,7 @@
 #include "graph/images.h"
 
 #include <glm/gtc/packing.hpp>
+#include <map>
 #include <set>
 
 #include "gpu/limits.h"
@@ -22,8 +23,22 @@ static VkImageUsageFlags vulkanUsage(uint32_t usage) {
   return flags;
 }
 
-static VkFormat vulkanFormat(const std::string& format) {
-  return format == "d32f" ? VK_FORMAT_D32_SFLOAT : gpu::formatInfo(format).vk;
+const DeviceFormat& deviceFormat(const std::string& format) {
+  static const std::map<std::string, DeviceFormat> table = {
+      {"r8_unorm", {VK_FORMAT_R8_UNORM, "r8"}},
+      {"rgba8_unorm", {VK_FORMAT_R8G8B8A8_UNORM, "rgba8"}},
+      {"rg16f", {VK_FORMAT_R16G16_SFLOAT, "rg16f"}},
+      {"rgba16f", {VK_FORMAT_R16G16B16A16_SFLOAT, "rgba16f"}},
+      {"r32f", {VK_FORMAT_R32_SFLOAT, "r32f"}},
+      {"rg32f", {VK_FORMAT_R32G32_SFLOAT, "rg32f"}},
+      {"rgba32f", {VK_FORMAT_R32G32B32A32_SFLOAT, "rgba32f"}},
+      {"r32ui", {VK_FORMAT_R32_UINT, "r32ui"}},
+      {"rg32ui", {VK_FORMAT_R32G32_UINT, "rg32ui"}},
+      {"rgba32ui", {VK_FORMAT_R32G32B32A32_UINT, "rgba32ui"}},
+      {plan::kBufferFormat, {VK_FORMAT_R32_UINT, "r32ui"}},
+      {"d32f", {VK_FORMAT_D32_SFLOAT, ""}},
+  };
+  return table.at(format);
 }
 
 // Moves the image with an equal description out of `previous`; empty if no image matches.
@@ -102,7 +117,7 @@ std::vector<size_t> PlanImages::makeSlots(PlanImages* previous) {
       continue;
     }
     gpu::ImageDesc desc;
-    desc.format = vulkanFormat(slot.format);
+    desc.format = deviceFormat(slot.format).vk;
     desc.width = uint32_t(slot.width);
     desc.height = uint32_t(slot.height);
     desc.usage = vulkanUsage(slot.usage);
@@ -143,7 +158,7 @@ static std::set<int> imagesKept(const Plan& plan) {
 }
 
 static size_t readBackBytes(const plan::VirtualImage& image) {
-  return size_t(image.width) * image.height * gpu::formatInfo(image.format).bytes;
+  return size_t(image.width) * image.height * size_t(plan::findFormat(image.format)->bytes);
 }
 
 ImageBytes imageBytes(const Plan& plan, size_t frames) {
@@ -152,7 +167,8 @@ ImageBytes imageBytes(const Plan& plan, size_t frames) {
   for (const auto* named : {&plan.outputs, &plan.taps})
     for (const auto& [name, index] : *named) {
       const plan::VirtualImage& image = plan.images[size_t(index)];
-      bytes.pictures += uint64_t(image.width) * image.height * gpu::formatInfo(image.format).channels * sizeof(float);
+      bytes.pictures +=
+          uint64_t(image.width) * image.height * uint64_t(plan::findFormat(image.format)->channels) * sizeof(float);
     }
   return bytes;
 }
@@ -193,7 +209,7 @@ static float unpackHalf(uint16_t bits) { return glm::unpackHalf1x16(bits); }
 
 ReadImage PlanImages::fetch(int image, size_t frame) const {
   const plan::VirtualImage& source = plan_->images[size_t(image)];
-  const gpu::FormatInfo& format = gpu::formatInfo(source.format);
+  const plan::Format& format = *plan::findFormat(source.format);
   const void* data = readBack(image, frame).mapped();
   size_t count = size_t(source.width) * source.height * format.channels;
   ReadImage read;

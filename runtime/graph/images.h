@@ -7,6 +7,13 @@
 
 namespace strobe::graph {
 
+// Vulkan format and GLSL layout qualifier of a format of a plan (plan/formats.h); of a buffer, those of its entries.
+struct DeviceFormat {
+  VkFormat vk;
+  const char* glsl;
+};
+const DeviceFormat& deviceFormat(const std::string& format);
+
 // Bytes of a plan's images, computed before any allocation: slots on the device, read-back buffers, and host
 // images of the results.
 struct ImageBytes {

@@ -8,6 +8,7 @@
 #include "base/cores.h"
 #include "base/hash.h"
 #include "gpu/limits.h"
+#include "graph/images.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
 #include "shared/scene.h"
@@ -71,8 +72,7 @@ shader::Interface interfaceOf(const PassDesc& pass, Backend backend, const std::
   }
   auto add_write = [&](const plan::PortDesc& port, bool update) {
     const std::string& name = formatOf(port, values);
-    const gpu::FormatInfo& format = gpu::formatInfo(name);
-    in.writes.push_back({port.name, format.glsl, format.uint, update, name, plan::isBuffer(name)});
+    in.writes.push_back({port.name, deviceFormat(name).glsl, plan::isUint(name), update, name, plan::isBuffer(name)});
   };
   for (const auto& port : pass.writes) add_write(port, false);
   for (const auto& port : pass.updates) add_write(port, true);
@@ -416,7 +416,7 @@ static std::shared_ptr<const DriverPipeline> makeDriver(const gpu::Device& devic
   std::vector<VkDescriptorSetLayout> sets = {scene.setLayout(), driver->set_layout.get()};
   if (in.raster) {
     gpu::RasterShaders shaders{stages[0].spirv, stages[1].spirv, {}};
-    for (const auto& write : in.writes) shaders.color_formats.push_back(gpu::formatInfo(write.texels).vk);
+    for (const auto& write : in.writes) shaders.color_formats.push_back(deviceFormat(write.texels).vk);
     driver->pipeline = gpu::Pipeline::raster(device, pass.name, shaders, sets);
   } else if (hasStages(in)) {
     gpu::TraceShaders shaders{stages[0].spirv, stages[1].spirv, stages[2].spirv, stages[3].spirv};
@@ -441,8 +441,8 @@ const DriverPipeline& PipelineCache::clearOf(const std::string& format) {
   auto found = clears_.find(format);
   if (found != clears_.end()) return found->second;
   DriverPipeline clear;
-  const gpu::FormatInfo& info = gpu::formatInfo(format);
-  const std::string glsl = fmt::format(kClear, shader::kGroupSize, info.glsl, info.uint ? "u" : "");
+  const std::string glsl =
+      fmt::format(kClear, shader::kGroupSize, deviceFormat(format).glsl, plan::isUint(format) ? "u" : "");
   const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1, VK_SHADER_STAGE_COMPUTE_BIT,
                                              nullptr};
   clear.set_layout = gpu::makeSetLayout(device_, "clear", {binding});

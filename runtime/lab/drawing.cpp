@@ -12,6 +12,7 @@
 #include "lab/record.h"
 #include "lab/warnings.h"
 #include "plan/canonical.h"
+#include "plan/formats.h"
 #include "world/fits.h"
 
 namespace strobe::lab {
@@ -235,7 +236,7 @@ static void describe(const Home& home, Picture& picture, const Drawing& drawing,
 
 static void requireIds(const plan::Plan& plan) {
   for (const auto& [name, image] : plan.outputs)
-    if (name == "id" && gpu::formatInfo(plan.images[size_t(image)].format).uint) return;
+    if (name == "id" && plan::isUint(plan.images[size_t(image)].format)) return;
   throw Error(fmt::format("pipeline '{}' has no output 'id' of integers, which mattes need", plan.pipeline.name), {},
               2);
 }
