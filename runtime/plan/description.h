@@ -125,6 +125,9 @@ bool isCleared(const PortDesc& port);
 // Format of a write or update in a node with the parameter values `params`.
 const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params);
 
+// Largest side of an image or a frame, pixels: the limit of every device with ray tracing.
+inline constexpr int kMaxSide = 16384;
+
 // Size of the images that a pass writes.
 struct SizeDesc {
   enum class Kind { Frame, Port, Fixed };

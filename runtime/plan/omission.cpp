@@ -6,6 +6,7 @@
 #include "base/lists.h"
 #include "plan/facts.h"
 #include "plan/named.h"
+#include "plan/sizes.h"
 
 namespace strobe::plan {
 namespace {
@@ -22,8 +23,8 @@ std::string reasonOf(const WithoutDesc& without) {
 
 class Omitter {
  public:
-  Omitter(const PipelineDesc& pipeline, const std::vector<std::string>& absent, Wiring& wiring, Sizes& sizes)
-      : pipeline_(pipeline), absent_(absent), wiring_(wiring), sizes_(sizes), chosen_(wiring.nodes.size()) {}
+  Omitter(const PipelineDesc& pipeline, const std::vector<std::string>& absent, Wiring& wiring)
+      : pipeline_(pipeline), absent_(absent), wiring_(wiring), chosen_(wiring.nodes.size()) {}
 
   std::vector<std::string> run() {
     seen_.assign(wiring_.nodes.size(), false);
@@ -90,7 +91,7 @@ class Omitter {
   }
 
   bool isAlike(const PortSource& a, const PortSource& b) {
-    const NodeSize &of_a = sizes_.of(a.node), &of_b = sizes_.of(b.node);
+    const NodeSize of_a = sizeOf(pipeline_, wiring_, a.node), of_b = sizeOf(pipeline_, wiring_, b.node);
     return of_a.width == of_b.width && of_a.height == of_b.height && formatOf(a) == formatOf(b);
   }
 
@@ -111,7 +112,6 @@ class Omitter {
   const PipelineDesc& pipeline_;
   const std::vector<std::string>& absent_;
   Wiring& wiring_;
-  Sizes& sizes_;
   std::vector<const WithoutDesc*> chosen_;  // per node; null if the node runs
   std::vector<bool> seen_;
   std::vector<int> stops_;  // nodes with the stop condition of a loop
@@ -119,9 +119,9 @@ class Omitter {
 
 }  // namespace
 
-std::vector<std::string> leaveOut(const PipelineDesc& pipeline, const std::vector<std::string>& absent, Wiring& wiring,
-                                  Sizes& sizes) {
-  return Omitter(pipeline, absent, wiring, sizes).run();
+std::vector<std::string> leaveOut(const PipelineDesc& pipeline, const std::vector<std::string>& absent,
+                                  Wiring& wiring) {
+  return Omitter(pipeline, absent, wiring).run();
 }
 
 }  // namespace strobe::plan

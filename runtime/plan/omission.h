@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plan/sizes.h"
+#include "plan/wiring.h"
 
 namespace strobe::plan {
 
@@ -13,7 +13,6 @@ namespace strobe::plan {
 // zeros. Readers, outputs and taps are wired to the stand-ins. A node still runs if its stand-in has another format or
 // size, or if a loop stops by its image. Returns the reason per node; "" for nodes that run. The wiring must not have
 // cycles.
-std::vector<std::string> leaveOut(const PipelineDesc& pipeline, const std::vector<std::string>& absent, Wiring& wiring,
-                                  Sizes& sizes);
+std::vector<std::string> leaveOut(const PipelineDesc& pipeline, const std::vector<std::string>& absent, Wiring& wiring);
 
 }  // namespace strobe::plan

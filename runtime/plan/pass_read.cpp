@@ -10,7 +10,6 @@
 
 namespace strobe::plan {
 
-static constexpr int kMaxSide = 16384;  // limit of every device with ray tracing
 static constexpr int kMostOfEach = 4096;
 
 namespace {

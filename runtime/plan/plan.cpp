@@ -10,6 +10,7 @@
 #include "plan/named.h"
 #include "plan/omission.h"
 #include "plan/order.h"
+#include "plan/sizes.h"
 #include "plan/slots.h"
 
 namespace strobe::plan {
@@ -18,9 +19,7 @@ namespace {
 class Compiler {
  public:
   Compiler(const PipelineDesc& pipeline, const CompileOptions& options)
-      : options_(options),
-        wiring_(wire(pipeline, options)),
-        sizes_(plan_.pipeline, wiring_, options.width, options.height) {
+      : options_(options), wiring_(wire(pipeline, options)) {
     plan_.pipeline = pipeline;
     plan_.pipeline.values = wiring_.values;
     plan_.width = options.width;
@@ -31,7 +30,7 @@ class Compiler {
 
   Plan compile() {
     std::vector<bool> with_all_facts = neededNodes(wiring_);
-    std::vector<std::string> left_out = leaveOut(plan_.pipeline, plan_.absent, wiring_, sizes_);
+    std::vector<std::string> left_out = leaveOut(plan_.pipeline, plan_.absent, wiring_);
     std::vector<bool> needed = neededNodes(wiring_);
     std::vector<Unit> units = orderNodes(wiring_, needed);
     for (size_t i = 0; i < needed.size(); ++i)
@@ -97,7 +96,7 @@ class Compiler {
     node.moving_only = runs == Runs::MovingInstances;
     node.counters = !pass.counters.empty();
     for (const PortSource& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
-    const NodeSize& size = sizes_.of(index);
+    const NodeSize size = sizeOf(plan_.pipeline, wiring_, index);
     node.width = size.width, node.height = size.height, node.divide = size.divide;
 
     uint32_t usage = raster ? kUsageColorAttachment : kUsageStorage;
@@ -226,7 +225,7 @@ class Compiler {
   int zerosOf(const PortSource& source) {
     auto [known, is_new] = zeros_.try_emplace({source.node, source.port}, -1);
     if (!is_new) return known->second;
-    const NodeSize& size = sizes_.of(source.node);
+    const NodeSize size = sizeOf(plan_.pipeline, wiring_, source.node);
     const PortDesc& port = portOf(plan_.pipeline, wiring_, source);
     PlanNode node;
     node.node = source.node;
@@ -362,7 +361,6 @@ class Compiler {
   const CompileOptions& options_;
   Wiring wiring_;
   Plan plan_;
-  Sizes sizes_;
   std::map<std::pair<int, int>, int> zeros_;  // images of zeros, by node and port
   std::vector<int> of_desc_;  // index into `plan_.nodes` by index into the description, -1 for culled nodes
 };

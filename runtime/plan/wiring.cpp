@@ -19,6 +19,7 @@ class Wirer {
 
   Wiring wire() {
     checkFrame();
+    wiring_.width = options_.width, wiring_.height = options_.height;
     checkUnique("pass", namesOf(pipeline_.passes));
     checkUnique("node", namesOf(pipeline_.nodes));
     checkUnique("loop", namesOf(pipeline_.loops));
@@ -273,7 +274,6 @@ class Wirer {
 
   const PassDesc& passOf(int node) const { return pipeline_.passes[wiring_.nodes[node].pass]; }
 
-  static constexpr int kMaxSide = 16384;  // limit of every device with ray tracing
   static constexpr int kMaxIterations = 1 << 20, kMaxSlices = 1024;
 
   const PipelineDesc& pipeline_;

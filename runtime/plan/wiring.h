@@ -33,6 +33,7 @@ struct WiredLoop {
 
 // Render graph with all names resolved to indices: parameter values, nodes, loops, and the sources of outputs and taps.
 struct Wiring {
+  int width = 0, height = 0;                          // of the frame
   std::vector<std::pair<std::string, Value>> values;  // of the pipeline's parameters
   std::vector<WiredNode> nodes;                       // as in the description
   std::vector<WiredLoop> loops;
