@@ -110,8 +110,8 @@ CaptureFile readCapture(const Home& home, const std::string& file, std::array<in
   capture.file_width = own[0], capture.file_height = own[1];
   if (size[0] == 0) size = own;
   capture.width = size[0], capture.height = size[1];
-  if (std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > 16384)
-    throw Error("size must be 1 to 16384 pixels", {file});
+  if (std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > plan::kMaxSide)
+    throw Error(fmt::format("size must be 1 to {} pixels", plan::kMaxSide), {file});
   for (const Json& shot : json.at("shots")) capture.shots.push_back(shotFrom(home, shot, file, json.value("seed", 0u)));
   for (const Json& arm : json.at("arms")) capture.arms.push_back(armFrom(arm, file));
   refuseSameFiles(capture.shots, "shot", file);

@@ -95,7 +95,7 @@ static ShotOption one(const ShotField& field, const std::string& doc, Concern co
 static std::vector<ShotOption> allOptions() {
   using S = Shot;
   using O = ShotOption;
-  constexpr double kSide = 16384, kLastFrame = 2147483647;
+  constexpr double kSide = plan::kMaxSide, kLastFrame = 2147483647;
   return {
       one(text("scene", &S::scene, "living_room"), "name of a scene in scripts/scenes, or a .lua, .glb or .gltf file",
           Concern::Scene, O::kSpelled),

@@ -281,9 +281,8 @@ void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std
 void check(const Home& home, const Experiment& experiment, const std::string& file, bool evaluate) {
   std::vector<std::string> problems;
   auto refuse = [&](const std::string& text) { problems.push_back(Error(text, {file}).what()); };
-  bool fits =
-      experiment.width >= 1 && experiment.height >= 1 && experiment.width <= 16384 && experiment.height <= 16384;
-  if (!fits) refuse("size must be 1 to 16384 pixels");
+  const auto [shorter, longer] = std::minmax(experiment.width, experiment.height);
+  if (shorter < 1 || longer > plan::kMaxSide) refuse(fmt::format("size must be 1 to {} pixels", plan::kMaxSide));
   const lab::Rounds& rounds = experiment.rounds;
   if (rounds.least < 1 || rounds.most > 10000 || rounds.most < rounds.least)
     refuse("rounds and most_rounds must be 1 to 10000, and rounds at most most_rounds");

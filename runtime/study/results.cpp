@@ -222,8 +222,7 @@ void requireSound(const Results& results, const PointGroup& group) {
 }
 
 void requireSound(const Results& results) {
-  constexpr int kMost = 16384;
-  require(std::min(results.width, results.height) >= 1 && std::max(results.width, results.height) <= kMost,
+  require(std::min(results.width, results.height) >= 1 && std::max(results.width, results.height) <= plan::kMaxSide,
           fmt::format("the size is {}x{}", results.width, results.height));
   require(!results.arms.empty(), "the list of arms is empty");
   requireMeasures(results);
