@@ -9,12 +9,7 @@
 #include "math/constants.h"
 #include "scene/clips.h"
 #include "scene/defaults.h"
-#include "scene/gltf_animation.h"
-#include "scene/gltf_material.h"
-#include "scene/gltf_mesh.h"
-#include "scene/gltf_schema.h"
-#include "scene/gltf_skin.h"
-#include "scene/gltf_uses.h"
+#include "scene/gltf_parts.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_animation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "scene/gltf_parts.h"
 #include "scene/gltf_pointer.h"
 #include "scene/motion.h"
 

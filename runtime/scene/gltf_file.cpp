@@ -6,8 +6,7 @@
 #include <cstring>
 
 #include "base/hash.h"
-#include "scene/gltf_needs.h"
-#include "scene/gltf_schema.h"
+#include "scene/gltf_parts.h"
 #include "scene/gltf_uri.h"
 
 namespace strobe::scene {

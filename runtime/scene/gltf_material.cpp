@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_material.h"
-
 #include <cmath>
 #include <map>
 #include <tuple>
 
 #include "base/memory.h"
+#include "scene/gltf_parts.h"
 #include "scene/textures.h"
 
 namespace strobe::scene {

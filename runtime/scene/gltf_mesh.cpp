@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_mesh.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "scene/gltf_parts.h"
 #include "scene/shapes.h"
 
 namespace strobe::scene {

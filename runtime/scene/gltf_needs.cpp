@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_needs.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/memory.h"
+#include "scene/gltf_parts.h"
 
 namespace strobe::scene {
 

@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "scene/gltf_skin.h"
+#include "scene/gltf_parts.h"
 
 namespace strobe::scene {
 

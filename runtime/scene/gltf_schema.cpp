@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_schema.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "math/constants.h"
+#include "scene/gltf_parts.h"
 
 namespace strobe::scene {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_skin.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "scene/gltf_parts.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {

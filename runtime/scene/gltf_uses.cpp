@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_uses.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "scene/gltf_schema.h"
+#include "scene/gltf_parts.h"
 
 namespace strobe::scene {
 

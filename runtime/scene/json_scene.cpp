@@ -8,7 +8,7 @@
 #include "scene/attach.h"
 #include "scene/clips.h"
 #include "scene/gltf.h"
-#include "scene/gltf_skin.h"
+#include "scene/gltf_parts.h"
 #include "scene/json_parts.h"
 #include "scene/motion.h"
 
