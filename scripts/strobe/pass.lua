@@ -22,7 +22,7 @@ pass.size_keys  = { "of", "divide", 1, 2 }
 pass.runs       = { "everywhere", "moving_rect", "moving_instances" }  -- pixels or instances that a pass is restricted to
 pass.call_keys  = { "as", "time", "runs" }  -- arguments of every call: not allowed as names of ports and parameters
 
-local MAX_SIDE, MAX_EACH = 16384, 4096
+local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
 
 local function port_names(list)
