@@ -183,7 +183,7 @@ vec3 meanOver(ivec2 pixel, vec2 d) {
   ends[0] = 0;
   vec3 sum = vec3(0);
   while (at < count - 1) {
-    int share = at < 0 ? step : ends[depth] - at;  // the first ray counts as much as the last
+    int share = at < 0 ? step : ends[depth] - at;  // the first ray gets the weight of a full step
     waiting[depth] = sampleAt(pixel, ends[depth], float(share) / float(count), static_background);
     while (depth >= 0) {
       Sample to = waiting[depth];
