@@ -10,8 +10,8 @@ local best, floor = "adaptive", "truth, as many samples"
 
 -- Reasons why some of the expectations below failed; reports print these reasons.
 local tolerance = "at its default quality adaptive gathers surfaces whose displacements differ by at most 0.35 px. " ..
-                  "If they differ more, the error depends on the error tolerance of the quality, and more samples " ..
-                  "do not reduce it"
+                  "If they differ more, the error depends on the error tolerance that the parameter `quality` sets, " ..
+                  "and more samples do not reduce it"
 local many = "if a surface moves fast, adaptive traces the first rays of a pixel at many times, while truth traces moving " ..
              "objects only where they are at the time of the sample"
 

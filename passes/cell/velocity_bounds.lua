@@ -21,8 +21,8 @@ return pass.compute {
     doc = "bounds of the displacements: least x and y, greatest x and y, px over the exposure; if no texel of a cell is " ..
           "included, least exceeds greatest" } },
   if_no = { moving_rect = { bounds = 0 } },
-  -- If the mask `valid` is wired, the stand-in 0 is wrong: outside of the rectangle that contains all moving objects, a cell
-  -- without an included texel has empty bounds (least above greatest).
+  -- Outside of the rectangle that contains all moving objects, the stand-in would be 0. With the mask `valid`, 0 would be wrong
+  -- there: a cell without an included texel has empty bounds (least above greatest). So the pass runs everywhere.
   runs   = "everywhere",
   params = {
     cell_side = blur.cell_side,

@@ -7,7 +7,7 @@ return pass.compute {
   fails  = "Details of less than two pixels are lost in the missing pixels.",
   size   = { of = "blurred" },
   reads  = {
-    blurred = { doc = "blurred picture, linear radiance; alpha 1; pixels with even coordinates are never missing" },
+    blurred = { doc = "blurred picture, linear radiance; alpha 1; pixels with even x and even y are never missing" },
     mask    = { pointwise = true, doc = "mask, above 1/2 at pixels that are not missing" },
   },
   writes = { filled = { format = "rgba32f", doc = "blurred picture without missing pixels, linear radiance; alpha 1" } },

@@ -235,8 +235,9 @@ void tune(const Home& home, TuneOptions options) {
   std::string goal = goalText(request, results.arms[1].name);
   if (tuned.chosen) {
     std::string what =
-        fmt::format("{}, {}x{}: {:.4g}, ", results.title, results.width, results.height, tuned.chosen->error);
-    writeFileAtomically(file, study::presetText({what, goal}, tuned.values));
+        fmt::format("{}, {}x{}: {} {:.4g}. ", results.title, results.width, results.height, request.measure,
+                    tuned.chosen->error);
+    writeFileAtomically(file, study::presetText({what, "Goal: " + goal}, tuned.values));
     files.insert(files.begin(), file);
   }
   note(fmt::format("{} in {:.0f} s", countText(size_t(tuned.evaluations), "evaluation"), clockSeconds() - started_s));

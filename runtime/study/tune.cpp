@@ -392,7 +392,7 @@ std::string presetText(const std::vector<std::string>& doc, const script::Settin
   std::vector<std::string> lines;
   for (const std::string& line : doc) lines.push_back(script::quoted(line));
   std::string text =
-      "-- Written by `strobe tune`; use it with `--set preset=` and the name of this file.\nlocal preset = require "
+      "-- Written by `strobe tune`. Use it with `--set preset=` and the name of this file.\nlocal preset = require "
       "\"strobe.preset\"\n\nreturn preset {\n";
   text += fmt::format("  doc = {},\n  set = {{\n", fmt::join(lines, " ..\n    "));
   for (const auto& [name, value] : values) text += fmt::format("    {},\n", script::field(name, script::luaOf(value)));

@@ -23,8 +23,8 @@ return pipeline {
         none = "Every sample is shaded in the pose of the raster time. Costs a shadow ray per sample and light.",
         blended = "The four nearest texels of the raster image are blended if they show the surface. Otherwise the sample " ..
                   "is shaded. Fails by smoothing textures.",
-        detailed = "Like `blended`, but a sample is shaded if its four texels differ by more than `contrast` and the " ..
-                   "surface moves by at most `detail_below` from sample to sample.",
+        detailed = "Like `blended`, but a sample is shaded if the four texels around it differ by more than " ..
+                   "`contrast` and its surface moves by at most `detail_below` from sample to sample.",
       } },
     contrast = raster_color.contrast {
       doc = "largest relative difference between the colours of raster texels that a time sample may blend. If the four " ..

@@ -64,7 +64,7 @@ return pipeline {
                  "the first samples hits.",
         brute  = "The samples of `rays`, each traced in full with its shadow rays. No ray is skipped: a reference for `rays`.",
         raster = "The scene is rasterised at one time after another. This checks `rays`, because it shares no traversal " ..
-                 "code with them. Fails to find the error regions, and samples pixel centres only.",
+                 "code with them. Computes no regions for errors, and samples pixel centres only.",
       },
       breaks = { raster = { mirrored = snapped } } },
     samples      = int { 1024, min = 1, max = 65536, role = "sample_count", doc = "largest number of time samples" },

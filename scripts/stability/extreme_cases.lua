@@ -380,7 +380,7 @@ local function path_of(from, to, near)
   return (x - from_x) / s, (y - from_y) / s
 end
 
--- The point of the floor, `below` metres under the camera, at a pixel; nil above the horizon.
+-- Point that the pixel (x, y) shows of a floor `below` metres under the camera; nil for pixels above the horizon.
 local function floor_at(x, y, below)
   if y <= high / 2 then return nil end
   local z = below * focal / (y - high / 2)

@@ -289,8 +289,8 @@ function Checker:lines(t, name, path)
   return labels, looked
 end
 
--- Returns the number of the row or column that `value` names, a number from 1 or a label. `labels`: the rows or the
--- columns of the figure. If `labels` has a single entry, `value` may be nil.
+-- Returns the number of a row or column, from 1. `labels`: the rows or the columns of the figure. `value`: the number or
+-- the label of one of them; may be nil if `labels` has a single entry.
 function Checker:line_number(value, labels, path, what)
   local names = {}
   for i, line in ipairs(labels) do

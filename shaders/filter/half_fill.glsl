@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fills in the pixels that a filter left out where it ran at half resolution, in some parts of the picture.
-// In:  `blurred`: linear radiance; alpha 1. Pixels with even coordinates are never missing.
+// In:  `blurred`: linear radiance; alpha 1. Pixels with even x and even y are never missing.
 //      `mask`: above 1/2 at pixels that are not missing.
 // Out: `filled`: linear radiance; alpha 1.
 // Method: bilinear interpolation of the pixels with even coordinates: the mean of two neighbours, or of four where both

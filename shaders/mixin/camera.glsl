@@ -60,7 +60,8 @@ bool met_near_plane = false;
 // Screen position of a point at the time of `slice` minus its screen position at the raster time, px. `raster_vs`, `other_vs`:
 // view-space positions of the point at the raster time and at the time of `slice`; `raster_vs` must be in front of the camera.
 // `near`: view depth of the near plane, metres. A perspective projection cannot place a point that passes behind the near
-// plane. The path up to that plane is then extrapolated in proportion, so that no depth <= 0 is a divisor.
+// plane. The part of the path up to that plane is then extended linearly to the whole path, so that no depth <= 0 is a
+// divisor.
 vec2 pathFromRasterTime(vec3 raster_vs, uint slice, vec3 other_vs, float near) {
   vec2 start = pixelFromView(SLICE_RASTER, raster_vs);
   bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || raster_vs.z <= near;

@@ -56,8 +56,8 @@ vec3 positionOf(uint slice, Hit hit) {
 }
 
 // Position of a hit point in the raster image. `place`: output; xy: texel coordinates, with whole numbers at the centres of
-// texels; z: view depth at the raster time, metres. Returns false if the point is not in front of the near plane of a
-// perspective camera.
+// texels; z: view depth at the raster time, metres. Returns false if the camera is a perspective camera and the point
+// is not beyond its near plane.
 bool placeInRaster(Hit hit, out vec3 place) {
   vec3 raster_vs = viewFromWorld(SLICE_RASTER, positionOf(SLICE_RASTER, hit));
   place = vec3(pixelFromView(SLICE_RASTER, raster_vs) - frame.subpixel - 0.5, raster_vs.z);

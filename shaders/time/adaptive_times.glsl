@@ -68,8 +68,9 @@ float variance = 0.0;  // estimated variance of the pixel's mean, in the scale o
 // this surface, or if the expected error is above a quarter of `allowance`. The expected error is share * range /
 // sqrt(12): `share` is the share of the exposure that the sample stands for, `range` is the range of the texels'
 // colours, and range / sqrt(12) is the standard deviation of a uniform distribution over this range. With a quarter,
-// blends add less to the error of the adaptive pipeline than its intervals do (tried: 1, 1/4, 1/16). Texels with
-// weights below 1e-3 do not count, so that rounding of a place on a texel's centre changes nothing.
+// blends add less to the error of the adaptive pipeline than its choice of time intervals does (tried: 1, 1/4, 1/16).
+// Texels with weights below 1e-3 are ignored, so that the rounding of a place at a texel's centre does not change the
+// result.
 bool isBlended(vec3 place, uvec2 id, float share, out vec3 color) {
   vec2 low = floor(clamped(place)), part = clamped(place) - low;
   vec3 least = vec3(3e38), most = vec3(-3e38);
@@ -182,7 +183,7 @@ vec3 meanOver(ivec2 pixel, vec2 d) {
   ends[0] = 0;
   vec3 sum = vec3(0);
   while (at < count - 1) {
-    int share = at < 0 ? step : ends[depth] - at;  // the first ray counts as much as the last
+    int share = at < 0 ? step : ends[depth] - at;  // the first ray gets the weight of a full step
     waiting[depth] = sampleAt(pixel, ends[depth], float(share) / float(count), static_background);
     while (depth >= 0) {
       Sample to = waiting[depth];

@@ -7,11 +7,12 @@
 //      `hit`: instance + 1, geometry, primitive; absent: deformation by joints and morph targets is ignored
 // Out: `velocity`: displacement between the ends of the curve, px; for a straight path the input `velocity`
 //      `curve`: coefficients of the curve, px (mixin/curve.glsl)
-// Method: Newton's backward differences of the position p0 at the raster time, p1 one frame before and p2 two frames before (a
-//   loop with two times). With D = p0 - p1 and D2 = p0 - 2 p1 + p2, the point is at p0 + f D + f (f + 1) / 2 D2, f frames after
+// Method: Newton's backward differences of the position p0 at the raster time, p1 one frame before and p2 two frames before.
+//   A loop of the shader over two times reads p1 and p2. With D = p0 - p1 and D2 = p0 - 2 p1 + p2, the point is at p0 + f D + f (f + 1) / 2 D2, f frames after
 //   the raster time. Poses beyond a cut are ignored. If only one earlier pose remains, the path is straight.
-// Fails: objects that change direction after the raster time have wrong paths. If an object has its pose of the raster time
-//   also two frames earlier, but not one frame earlier, a cut is assumed between these two frames and the path is straight.
+// Fails: objects that change direction after the raster time have wrong paths. If the pose of an object two frames before the
+//   raster time equals its pose at the raster time, but the pose one frame before differs, a cut between the two earlier
+//   frames is assumed and the path is straight.
 #include "mixin/quantised.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"

@@ -244,9 +244,9 @@ uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
   return shadowsOf(known_shadows_at(place), hit.instance);
 }
 
-// Nearest hit on a sample's ray. If `is_known`, `static_background` is the known hit at the distance `t`: the ray tests only
-// moving surfaces up to that hit or, if no moving surface can be visible, nothing. At equal distance the first instance of the
-// scene wins. On return, `t` is the distance along the ray, as traversal computes it.
+// Nearest hit on a sample's ray. If `is_known`, `static_background` is the known nearest hit on a static surface, at the
+// distance `t`. Then only moving surfaces up to that hit are tested. If no moving surface can be visible, no ray is traced. At
+// equal distance the first instance of the scene wins. On return, `t` is the distance of the returned hit along the ray.
 Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit static_background, inout float t) {
   if (is_known && (!isAtRest(static_background) || !isReachedAt(slice, pixel))) return static_background;
   uint mask = is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;

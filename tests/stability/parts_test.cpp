@@ -59,9 +59,9 @@ TEST(MeanAlong, IsWhatVeryManySamplesGive) {
 TEST(Stale, NamedPipelinesAreNotChargedWithWhatOthersMayNeed) {
   StabilityReport report;
   for (const char* where : {"pipeline smear", "pass shade", "color_format = fp16"})
-    report.declarations[where] = {where, "linear", "rounded", 12, 0};
-  report.declarations["needed"] = {"pipeline smear", "convex", "rounded", 12, 1};
-  report.declarations["too few cases"] = {"pipeline smear", "still", "rounded", 11, 0};
+    report.declarations[where] = {where, "linear", "rounded", 60, 0};
+  report.declarations["needed"] = {"pipeline smear", "convex", "rounded", 60, 1};
+  report.declarations["too few cases"] = {"pipeline smear", "still", "rounded", 59, 0};
   EXPECT_EQ(stale({report}).size(), 3u);
   std::vector<Declaration> own = stale({report}, false);
   ASSERT_EQ(own.size(), 1u);

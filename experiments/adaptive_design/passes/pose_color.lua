@@ -10,7 +10,7 @@ return pass.trace {
   doc   = "Colours of a pose, which is the scene rasterised at one sample time; shaded as at the raster time",
   size  = { of = "hit" },
   reads = {
-    hit   = { uint = true, doc = "surface in the pose, by indices: instance + 1 (0 for the sky), geometry, triangle" },
+    hit   = { uint = true, doc = "indices of the surface in the pose: instance + 1 (0 for the sky), geometry, triangle" },
     drawn = { absent = 1, doc = "per cell, above 1/2 where the colours of the pose are wanted" },
     rest  = { absent = 0, doc = "colour of the cells whose value of `drawn` is at most 1/2, linear radiance" },
     color = { doc = "colour of the raster layer, linear radiance" },
