@@ -234,9 +234,8 @@ void tune(const Home& home, TuneOptions options) {
   std::vector<Path> files = writeResults(results, folder);
   std::string goal = goalText(request, results.arms[1].name);
   if (tuned.chosen) {
-    std::string what =
-        fmt::format("{}, {}x{}: {} {:.4g}. ", results.title, results.width, results.height, request.measure,
-                    tuned.chosen->error);
+    std::string what = fmt::format("{}, {}x{}: {} {:.4g}. ", results.title, results.width, results.height,
+                                   request.measure, tuned.chosen->error);
     writeFileAtomically(file, study::presetText({what, "Goal: " + goal}, tuned.values));
     files.insert(files.begin(), file);
   }
