@@ -88,15 +88,23 @@ TEST_F(RenderAdaptive, GathersWhereAllMovesAlike) {
   const lab::Shot alike = shotOf("textured_bar", 128, 40, {{"d_f", 16}, {"d_b", 16}});
   const lab::Picture own = at(alike, .4, {"samples=8"}, "end");
   const image::Image sharp = colorOf(render(with(alike, "none", {}, "end")));
-  double worst = 0;
+  const image::Image& color = colorOf(own);
+  const image::Image& error = imageOf(own, "error");
+  double worst = 0, worst_error = 0;
   for (int y = 10; y < 30; ++y)
     for (int x = kBorder; x < 128 - kBorder; ++x) {
-      double sum = 0;
-      for (int i = 0; i < kSamples; ++i)
-        sum += sharp.at(x + int(std::floor(16 * (1 - (i + .5) / kSamples) + .5)), y, 0);
-      worst = std::max(worst, std::abs(colorOf(own).at(x, y, 0) - sum / kSamples));
+      double sum = 0, variance = 0, last = 0;
+      for (int i = 0; i < kSamples; ++i) {
+        const double tap = sharp.at(x + int(std::floor(16 * (1 - (i + .5) / kSamples) + .5)), y, 0);
+        // The colour changes between two taps at a time that is distributed uniformly over the interval.
+        if (i > 0) variance += (tap - last) * (tap - last) / (12 * kSamples * kSamples);
+        sum += tap, last = tap;
+      }
+      worst = std::max(worst, std::abs(color.at(x, y, 0) - sum / kSamples));
+      worst_error = std::max(worst_error, std::abs(error.at(x, y, 0) - std::sqrt(variance)));
     }
   EXPECT_LE(worst, 1e-6);
+  EXPECT_LE(worst_error, 1e-6);
   EXPECT_GE(counterOf(own, "adaptive_times.gathered"), 128u * 40 / 3);
 }
 
@@ -156,12 +164,50 @@ TEST_F(RenderAdaptive, AStripeBetweenTwoAgreeingSurfacesIsFound) {
     }
 }
 
+// A hit takes its colour from the raster texels around it only if these texels differ little. The texels of fine
+// stripes differ by the contrast of the stripes, so hits on strong stripes are shaded, and hits on weak stripes are
+// blended.
+TEST_F(RenderAdaptive, HitsBetweenTexelsThatDifferAreShaded) {
+  auto shareShaded = [](double light, double dark) {
+    const lab::Shot stripes =
+        shotOf("textured_bar", 128, 12,
+               {{"left", 40}, {"right", 88}, {"d_f", 20.5}, {"period_f", 1}, {"f_light", light}, {"f_dark", dark}});
+    const lab::Picture own = at(stripes, .4);
+    return double(counterOf(own, "adaptive_times.shaded")) / double(counterOf(own, "adaptive_times.samples"));
+  };
+  EXPECT_GT(shareShaded(.9, .1), .4);
+  EXPECT_LT(shareShaded(.501, .499), .1);
+}
+
 // Something that no displacement of the capture tells of comes before what rests or moves alike: rays of the cells see
 // it.
 TEST_F(RenderAdaptive, RaysRefuteCellsThatSeemCertain) {
   const lab::Picture own = at(shotOf("bar", 64, 40, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), .4, {}, "end");
   EXPECT_GT(counterOf(own, "coherent_cells.checked"), counterOf(own, "coherent_cells.mismatched"));
   EXPECT_GT(counterOf(own, "coherent_cells.mismatched"), 0u);
+}
+
+// Pixels of a certain cell are gathered, or static, unless a ray has refuted one of the nine cells around them.
+TEST_F(RenderAdaptive, CellsBesideARefutedCellAreTraced) {
+  constexpr int kWide = 128, kHigh = 40, kSide = 10;
+  lab::Shot enters = shotOf("textured_bar", kWide, kHigh, {{"left", 134}, {"right", 154}, {"d_f", 40}, {"d_b", 8}});
+  enters.taps = {"coherent_cells.certain"};
+  const lab::Picture own = at(enters, .4, {fmt::format("tile={}", kSide)}, "end");
+  const image::Image& certain = own.frame.taps.at("coherent_cells.certain").floats;
+  auto isRefuted = [&](int x, int y) { return std::abs(certain.at(x, y, 0) - .25) < .1; };
+  size_t gathered = 0, beside = 0;
+  for (int y = 0; y < kHigh; ++y)
+    for (int x = 0; x < kWide; ++x) {
+      const int cell_x = x / kSide, cell_y = y / kSide;
+      if (certain.at(cell_x, cell_y, 0) < .4) continue;
+      bool refuted = false;
+      for (int k = 0; k < 9; ++k)
+        refuted |= isRefuted(std::clamp(cell_x + k % 3 - 1, 0, int(certain.width) - 1),
+                             std::clamp(cell_y + k / 3 - 1, 0, int(certain.height) - 1));
+      ++(refuted ? beside : gathered);
+    }
+  EXPECT_EQ(counterOf(own, "adaptive_times.gathered"), gathered);
+  EXPECT_GT(beside, 0u);
 }
 
 // Raster puts the left edge of a card at rest, a thousandth of a pixel to the right of a pixel's centre, on that centre
