@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "app/commands.h"
@@ -8,6 +9,7 @@
 #include "app/shot_options.h"
 #include "base/leftovers.h"
 #include "base/log.h"
+#include "gpu/renderdoc.h"
 #include "image/png.h"
 #include "lab/budget.h"
 #include "lab/capture.h"
@@ -26,12 +28,14 @@ namespace {
 
 struct RenderOptions {
   ShotOptions shot;
-  std::string out, pixel, tev, views, mitsuba;
+  std::string out, pixel, tev, views, mitsuba, renderdoc;
   lab::ExrOptions exr;
   bool json = false, verbose = false;
   double time_limit_s = gpu::kTimeLimit_s, budget_ms = 0;
 
-  bool asksForPicture() const { return !out.empty() || !pixel.empty() || !tev.empty() || !views.empty(); }
+  bool asksForPicture() const {
+    return !out.empty() || !pixel.empty() || !tev.empty() || !views.empty() || !renderdoc.empty();
+  }
   bool asksForExr() const { return exr.half || exr.multipart || exr.cryptomatte; }
 };
 
@@ -48,6 +52,12 @@ std::string usualOut(const RenderOptions& options, const lab::Shot& shot) {
   return (Path("out") / Path(shot.pipeline).stem()).string() + (exr ? ".exr" : ".png");
 }
 
+void checkRenderDocFile(const Path& file) {
+  if (file.extension() != ".rdc")
+    throw Error(fmt::format("--renderdoc: '{}' is not an .rdc file", file.string()), {}, 2);
+  requireWritable(std::filesystem::absolute(file).parent_path(), "--renderdoc");
+}
+
 void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
   if (!options.out.empty()) {
     lab::checkPictureName(options.out);
@@ -57,6 +67,7 @@ void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
   }
   bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty();
   if (!options.views.empty()) requireWritable(options.views, "--views");
+  if (!options.renderdoc.empty()) checkRenderDocFile(options.renderdoc);
   if (!shot.taps.empty() && !held) throw Error("--tap needs an .exr file or --views: a .png has only the color", {}, 2);
   if (options.asksForExr() && Path(options.out).extension() != ".exr")
     throw Error("--half, --multipart and --cryptomatte need an .exr file; name one with -o", {}, 2);
@@ -157,19 +168,25 @@ void render(const Home& home, RenderOptions options) {
   std::unique_ptr<lab::Tev> viewer;
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
+  std::optional<gpu::RenderDoc> renderdoc;
+  if (!options.renderdoc.empty()) renderdoc.emplace();
   // Start the script server while the device is created.
   script::startServer(home);
   lab::Workbench bench(home, shot.device, validationWanted());
   bench.device().setTimeLimit(options.time_limit_s);
   if (options.budget_ms > 0) settle(bench, options.budget_ms, shot);
   lab::Trail trail;
-  lab::Picture picture = renderedBy(bench, options, shot, trail);
+  lab::Picture picture;
+  auto draw = [&] { picture = renderedBy(bench, options, shot, trail); };
+  if (renderdoc) renderdoc->capture(options.renderdoc, draw);
+  else draw();
   bench.device().refuseMessages();
   for (const std::string& warning : picture.warnings) warn(warning);
   std::vector<Path> files;
   if (!options.out.empty()) files = lab::writePicture(picture, options.out, options.exr);
   if (!options.views.empty())
     for (const Path& file : writeViews(bench, shot, picture, options.views)) files.push_back(file);
+  if (renderdoc) files.push_back(options.renderdoc);
   if (viewer) sendTo(*viewer, picture);
   print(options, picture, trail, files);
 }
@@ -182,9 +199,13 @@ void registerRender(CLI::App& program, const Home& home) {
   command->add_option(
       "-o,--out", options->out,
       "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png; out/PIPELINE.exr "
-      "with --tap or an option of .exr files; no picture with --pixel, --tev, --views or --export-mitsuba)");
+      "with --tap or an option of .exr files; no picture with --pixel, --tev, --views, --renderdoc or "
+      "--export-mitsuba)");
   command->add_option("--views", options->views,
                       "folder: write every output and tap as PNG files, as the window shows them");
+  command->add_option("--renderdoc", options->renderdoc,
+                      "file (.rdc): capture the Vulkan commands of the picture with RenderDoc, labelled by pass; rays "
+                      "use the backend 'bvh' if RenderDoc does not support ray queries");
   command->add_option("--export-mitsuba", options->mitsuba,
                       "folder: write the shot as a scene of Mitsuba 3, to check ground truth with another renderer");
   command->add_option("--pixel", options->pixel,

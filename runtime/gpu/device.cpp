@@ -18,6 +18,7 @@
 #include "gpu/commands.h"
 #include "gpu/features.h"
 #include "gpu/memory.h"
+#include "gpu/renderdoc.h"
 
 namespace strobe::gpu {
 
@@ -61,6 +62,9 @@ static PFN_vkGetInstanceProcAddr openLoader(void** library) {
 
 static const char* kNoDevice =
     "no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device) or check VK_DRIVER_FILES";
+
+static const char* kHiddenByRenderDoc =
+    "; RenderDoc hides these features if a device lacks bufferDeviceAddressCaptureReplay, as software devices do";
 
 static VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                                 const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
@@ -365,7 +369,9 @@ void Device::choosePhysicalDevice(const std::string& wanted) {
   info_ = found[chosen].first;
   physical_ = found[chosen].second;
   std::string missing = info_.missing();
-  if (!missing.empty()) throw Error(fmt::format("device '{}' ({}) lacks {}", info_.name, info_.driver, missing));
+  if (!missing.empty())
+    throw Error(fmt::format("device '{}' ({}) lacks {}{}", info_.name, info_.driver, missing,
+                            RenderDoc::isLoaded() ? kHiddenByRenderDoc : ""));
 }
 
 void Device::createDevice(const std::vector<std::string>& more_extensions) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 
 #include "base/files.h"
 #include "common/source.h"
@@ -39,9 +40,9 @@ class Reproduce : public ReproduceTest {
   }
   Outcome marks() { return reproduce({"--marks", "--root", copy_.string()}); }
   // One that reads committed results and starts no device.
-  Outcome claim(const std::string& more = "--quick") {
+  Outcome claim(const std::string& more = "--smoke") {
     return reproduce(
-        {"--quick", "--only", "readme_real_scenes", "--root", copy_.string(), "-o", (copy_ / "out").string(), more});
+        {"--smoke", "--only", "readme_real_scenes", "--root", copy_.string(), "-o", (copy_ / "out").string(), more});
   }
 
   fs::path copy_;
@@ -116,12 +117,42 @@ TEST_F(Reproduce, NumbersMadeAgainReplaceTheStated) {
   EXPECT_EQ(claim().code, 0);
 }
 
+TEST_F(Reproduce, TheTablesOfClaimsAreThoseOfTheClaims) {
+  copyPages();
+  const std::string page = readText(copy_ / "ARTIFACT.md");
+  replace("ARTIFACT.md", "| `figure1` |", "| `figure_one` |");
+  Outcome outcome = marks();
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(contains(outcome.text, "ARTIFACT.md: the tables of claims differ from")) << outcome.text;
+  EXPECT_EQ(reproduce({"--table", "--root", copy_.string()}).code, 0);
+  EXPECT_EQ(readText(copy_ / "ARTIFACT.md"), page);
+}
+
+TEST_F(Reproduce, SmokeTakesTenMinutesAtMostAndHasClaimsOfEachKind) {
+  std::smatch parts;
+  const std::string text = reproduce({"--list", "--smoke"}).text;
+  const std::regex counts(
+      "[0-9]+ claims: numbers [0-9]+, experiments [0-9]+, figures [0-9]+, pages 1; about ([0-9.]+) minutes");
+  ASSERT_TRUE(std::regex_search(text, parts, counts)) << text;
+  EXPECT_LE(std::stod(parts[1]), 10);
+  for (const char* claim : {"figure1 ", "experiment_curves ", "room_composites ", "stability_page "})
+    EXPECT_TRUE(contains(text, std::string("\n") + claim)) << claim;
+  EXPECT_TRUE(contains(text, "curves.lua -o FOLDER --only shot=pendulum")) << text;
+}
+
+TEST_F(Reproduce, SmokeCountsTheClaimsThatItDoesNotTouch) {
+  copyPages();
+  const std::string text = claim().text;
+  EXPECT_TRUE(contains(text, "\ntouched 1 claims: numbers 1\nnot touched ")) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("not touched [0-9]+ claims: .*, experiments [0-9]+, figures [0-9]+")))
+      << text;
+}
+
 TEST_F(Reproduce, UnknownClaimsAreRefused) {
   Outcome outcome = reproduce({"--only", "real_scenes_iner"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.text,
             "strobe reproduce: there is no claim 'real_scenes_iner'; did you mean 'real_scenes_inner'?\n");
-  EXPECT_EQ(reproduce({"--quick", "--only", "experiment_real_scenes"}).code, 2);
   EXPECT_EQ(reproduce({"--nonsense"}).code, 2);
 }
 

@@ -2,11 +2,12 @@
 """Makes the figures and the measured numbers of the pages again and compares them with the pages. A claim is a figure,
 a result or a group of numbers, together with the command that makes it (claims.py).
 
-    ./strobe reproduce --quick           claims that take under a minute each
+    ./strobe reproduce --smoke           some claims of each kind, at most ten minutes on two cores
     ./strobe reproduce                   all claims (hours on a software device)
     ./strobe reproduce --only ID         claims whose id begins with ID; may be repeated
     ./strobe reproduce --list            claims, commands, seconds; runs no claim
     ./strobe reproduce --marks           checks that every measured number of the pages has a mark; runs no claim
+    ./strobe reproduce --table           writes the tables of claims into ARTIFACT.md; runs no claim
     ./strobe reproduce --stale           results and pictures with inputs (scripts, shaders, scenes) that changed later
 
 Exit code 0: every verdict holds, nothing is stale; 1: a claim misses or a file is stale, each is named; 2: wrong
@@ -16,13 +17,15 @@ import argparse
 import difflib
 import json
 import sys
+from collections import Counter
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import marks  # noqa: E402
+import table  # noqa: E402
 from bench import Bench  # noqa: E402
-from claims import CLAIMS  # noqa: E402
+from claims import CLAIMS, is_in_smoke  # noqa: E402
 from definitions import FRAGMENTS, GENERATED, PAGES_OF_DEFINITIONS  # noqa: E402
 from kinds import HOLDS, MISSES, NOT_REPEATED, NOT_RUN, REPORTED, checked  # noqa: E402
 from stale import stale_files  # noqa: E402
@@ -41,7 +44,7 @@ def read_pages(root):
     """Marks by id, and one line of text per breach of the rules."""
     by_id, wrong = {}, []
     for page in pages_of(root):
-        text = (root / page).read_text()
+        text = table.without_tables((root / page).read_text())
         found, findings = marks.marks_of(page, text)
         fragments = [fragment for name, fragment, _ in FRAGMENTS if name == page]
         wrong += findings + marks.unmarked(page, text, found, fragments)
@@ -50,6 +53,10 @@ def read_pages(root):
                 wrong.append(f"{page}:{mark.line}: '{mark.id}' is marked twice; first in {by_id[mark.id].page}")
             by_id[mark.id] = mark
     return by_id, wrong
+
+
+def pages_by_id(by_id):
+    return {id: mark.page for id, mark in by_id.items()}
 
 
 def figures_of(root):
@@ -77,7 +84,9 @@ def breaches(root):
             wrong.append(f"experiments/{name}/result.json: no claim of tools/reproduce/claims.py makes it")
     wrong += [f"tools/reproduce/claims.py: there is no {getattr(claim, 'file', '')}" for claim in CLAIMS
               if getattr(claim, "file", "").endswith((".png", ".svg", ".md", ".pdf")) and not (root / claim.file).exists()]
-    return by_id, wrong
+    if len(claims) < len(CLAIMS):
+        wrong.append("tools/reproduce/claims.py: two claims have the same id")
+    return by_id, wrong + table.breaches(root, pages_by_id(by_id))
 
 
 def chosen(options):
@@ -86,8 +95,9 @@ def chosen(options):
         if not any(id.startswith(name) for id in known):
             near = difflib.get_close_matches(name, known, 1)
             refuse(f"there is no claim '{name}'" + (f"; did you mean '{near[0]}'?" if near else "; --list has all"))
-    picked = [c for c in CLAIMS if not options.only or any(c.id.startswith(name) for name in options.only)]
-    return [claim for claim in picked if claim.is_quick or not options.quick], picked
+    if options.only:
+        return [claim for claim in CLAIMS if claim.id.startswith(tuple(options.only))]
+    return [claim for claim in CLAIMS if is_in_smoke(claim) or not options.smoke]
 
 
 def refuse(text):
@@ -106,16 +116,32 @@ def short(text, width):
 
 
 def as_data(claim, outcome):
-    return {"claim": claim.id, "command": outcome.command or claim.command, "stated": outcome.stated, "now": outcome.now,
+    return {"claim": claim.id, "command": outcome.command, "stated": outcome.stated, "now": outcome.now,
             "tolerance": outcome.tolerance, "verdict": outcome.verdict, "why": outcome.why}
 
 
 def rows_of(results):
-    return [[claim.id, short(o.command or claim.command, 60), short(o.stated, 40), short(o.now, 64), o.tolerance, o.verdict]
+    return [[claim.id, short(o.command, 60), short(o.stated, 40), short(o.now, 64), o.tolerance, o.verdict]
             for claim, o in results]
 
 
-def report(results, left_out, bench):
+def counts(claims):
+    """Number of claims, and the number of each kind, as text."""
+    kinds = Counter(claim.kind for claim in claims)
+    return f"{len(claims)} claims: " + ", ".join(f"{kind} {kinds[kind]}" for kind in kinds)
+
+
+def print_list(claims, smoke):
+    """Prints the claims, their counts, and the time of all commands; equal commands run once."""
+    forms = [(claim, *((claim.smoke_command, claim.seconds) if smoke else (claim.command, claim.whole_seconds)))
+             for claim in claims]
+    print_table([[claim.id, command, f"{seconds:g}", claim.because] for claim, command, seconds in forms],
+                ["claim", "command", "seconds", "because"])
+    longest = {command: max(s for _, other, s in forms if other == command) for _, command, _ in forms}
+    print(f"\n{counts(claims)}; about {sum(longest.values()) / 60:.1f} minutes")
+
+
+def report(results, bench):
     """Prints the claims with a verdict, the claims without one, the reasons of misses, and the counts."""
     by = {verdict: [one for one in results if one[1].verdict == verdict]
           for verdict in (HOLDS, MISSES, REPORTED, NOT_REPEATED, NOT_RUN)}
@@ -133,18 +159,22 @@ def report(results, left_out, bench):
         if outcome.why:
             print(f"{claim.id} {outcome.verdict}: {outcome.why}")
     print(f"{len(results)} claims in {bench.spent_s:.0f} s: " + ", ".join(f"{len(by[v])} {v}" for v in by if by[v]))
-    if left_out:
-        print(f"{len(left_out)} claims take longer than a minute; without --quick they run too")
+    if bench.smoke:
+        touched = [claim for claim, _ in results]
+        print(f"touched {counts(touched)}")
+        print(f"not touched {counts([claim for claim in CLAIMS if claim not in touched])}")
     print("not every verdict holds" if by[MISSES] else f'every verdict "{HOLDS}"')
 
 
 def parsed(arguments):
     parser = argparse.ArgumentParser(prog="strobe reproduce", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--quick", action="store_true", help="claims under a minute; some points of experiments")
+    parser.add_argument("--smoke", action="store_true", help="some claims of each kind; with --only, these claims in their "
+                        "short form: a few points of an experiment, a section of a page")
     parser.add_argument("--only", metavar="ID", action="append", default=[], help="claims whose id begins with ID")
     parser.add_argument("--list", action="store_true", help="print the claims and run nothing")
     parser.add_argument("--marks", action="store_true", help="check the marks of the pages and run nothing")
+    parser.add_argument("--table", action="store_true", help="write the tables of claims into ARTIFACT.md and run nothing")
     parser.add_argument("--stale", action="store_true", help="print results and pictures with changed inputs")
     parser.add_argument("--replace", action="store_true", help="replace committed pictures and numbers by the new ones")
     parser.add_argument("--json", action="store_true", help="print the table as JSON")
@@ -174,17 +204,17 @@ def main(arguments):
         return 1 if wrong else 0
     if options.stale:
         return report_stale(options.root, options.json)
-    claims, picked = chosen(options)
-    if options.list:
-        print_table([[c.id, c.command, f"{c.seconds:g}", c.because] for c in claims],
-                    ["claim", "command", "seconds", "because"])
+    if options.table:
+        table.write(options.root, pages_by_id(read_pages(options.root)[0]))
         return 0
-    if not claims:
-        refuse(f"{picked[0].id} takes longer than a minute: run it without --quick")
+    claims = chosen(options)
+    if options.list:
+        print_list(claims, options.smoke)
+        return 0
     by_id, wrong = breaches(options.root)
     lost = [line for line in wrong if "no page marks" in line]
     say = lambda line: print(f"strobe reproduce: {line}", file=sys.stderr, flush=True)  # noqa: E731
-    bench = Bench(options.root, options.program.resolve(), options.out.resolve(), options.quick, say)
+    bench = Bench(options.root, options.program.resolve(), options.out.resolve(), options.smoke, say)
     results = []
     for claim in claims:
         if claim.marked and claim.id not in by_id:
@@ -195,7 +225,7 @@ def main(arguments):
     if options.json:
         print(json.dumps([as_data(*result) for result in results], indent=1, ensure_ascii=False))
     else:
-        report(results, [c for c in picked if c not in claims], bench)
+        report(results, bench)
     return 1 if any(outcome.verdict == MISSES for _, outcome in results) else 0
 
 

@@ -51,8 +51,8 @@ class Results:
 class Bench:
     """Runs commands of `program`. `root` has the pages and committed results; new files are written below `out`."""
 
-    def __init__(self, root, program, out, quick, say):
-        self.root, self.program, self.out, self.quick, self.say = Path(root), Path(program), Path(out), quick, say
+    def __init__(self, root, program, out, smoke, say):
+        self.root, self.program, self.out, self.smoke, self.say = Path(root), Path(program), Path(out), smoke, say
         self.done = {}   # command line: CompletedProcess
         self.fresh = {}  # experiment: folder of a complete run
         self.spent_s = 0.0
@@ -97,7 +97,7 @@ class Bench:
 
     def swept(self, file, name, only=""):
         """Runs an experiment, or the points that `only` selects. Continues an earlier run in the same folder."""
-        folder = self.out / (name + ("_quick" if only else ""))
+        folder = self.out / (name + ("_smoke" if only else ""))
         home = (self.root / file).parent
         cwd = home if (home / "strobe.project.lua").exists() else None  # run in the project
         words = ["strobe", "sweep", Path(file).name if cwd else file, "-o", folder] + (["--only", only] if only else [])

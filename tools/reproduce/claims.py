@@ -3,7 +3,7 @@
 output of the command, the tolerance with its reason, and the approximate seconds on two cores without a graphics card.
 
 Numbers that a page takes from an experiment are compared with the results of the experiment: the committed results or,
-without --quick, the results of this run. The claims `experiment_...` make the results again.
+without --smoke, the results of this run. The claims `experiment_...` make the results again.
 """
 from pathlib import Path
 
@@ -23,8 +23,8 @@ def sweep(name):
     return f"./strobe sweep {folder}/{name}.lua -o FOLDER"
 
 
-def experiment(name, quick, seconds, full_seconds, **more):
-    return Experiment(f"experiment_{name}", sweep(name), seconds, OTHER_DEVICE, name=name, quick=quick,
+def experiment(name, few, seconds, full_seconds, **more):
+    return Experiment(f"experiment_{name}", sweep(name), seconds, OTHER_DEVICE, name=name, few=few,
                       file=f"experiments/{name}/{name}.lua", full_seconds=full_seconds, tolerance=0.02, **more)
 
 
@@ -51,8 +51,6 @@ EXPERIMENTS = [
     experiment("error_estimate", "shot=crowd", 20, 60),
     experiment("methods", "shot=turning", 120, 1000),
     experiment("ue5", "shot=crossing", 40, 90),
-    experiment("error_estimate", "shot=crowd", 20, 60),
-    experiment("methods", "shot=entering,picture=1280x720", 200, 1200),
     experiment("samples", "samples=4", 50, 400),
     experiment("composites", "shot=still,samples=16", 50, 1200),
     experiment("edge_detectors", "shot=near,depth=0.05", 50, 1200),
@@ -155,3 +153,13 @@ PAST = [
 ]
 
 CLAIMS = MEASURED + TUNED + DERIVED + EXPERIMENTS + FIGURES + OF_A_MACHINE + PAST
+
+# Claims of --smoke: claims of at most SMOKE_LEAST_S, and the claims of these commands: figures, experiments with a few
+# points, tables of a page. tests/repo/reproduce_test.cpp adds up their seconds.
+SMOKE_LEAST_S = 3
+SMOKE = ("figure1", "figure_pass_", "experiment_all_moves", "experiment_curves", "experiment_sub_pixel",
+         "experiment_error_estimate", "tuned_", "tune_answer", "rendered_", "room_", "stability_page")
+
+
+def is_in_smoke(claim):
+    return claim.kind != "not repeated" and (claim.seconds <= SMOKE_LEAST_S or claim.id.startswith(SMOKE))

@@ -16,7 +16,7 @@ PAGES_OF_DEFINITIONS = {
 FRAGMENTS = [
     ("ARTIFACT.md", "two cores, 4 GB of memory, 5 GB of disk", "a requirement"),
     ("ARTIFACT.md", "| `./strobe demo` | 0 |", "an exit code"),
-    ("ARTIFACT.md", "| `./strobe reproduce --quick` | 0 |", "an exit code"),
+    ("ARTIFACT.md", "| `./strobe reproduce --smoke` | 0 |", "an exit code"),
     ("ARTIFACT.md", "-o out.exr` | 0 |", "an exit code"),
     ("docs/benchmarks.md", "with a probability of at least 95 %", "a definition"),
     ("docs/benchmarks.md", "where the 95 % interval of the ratio", "a definition"),
@@ -38,7 +38,7 @@ FRAGMENTS = [
     ("docs/derivations.md", "A grey surface (.5)", "a setting"),
     ("docs/derivations.md", "(.8/.2, the first at 100)", "a setting"),
     ("docs/derivations.md", "(.9/.1, the first at 0)", "a setting"),
-    ("docs/derivations.md", ".9/.6 and .4/.1, the first ones at 128", "a setting"),
+    ("docs/derivations.md", "the first ones at 128: .9/.6 on the bar, .4/.1 on the", "a setting"),
     ("docs/derivations.md", "to within .0015 rms", "a bound: the tests RenderLayers.* assert .015 for the whole error"),
     ("docs/derivations.md", "below .0065 rms and .03", "a bound that LayeredGather.RelativeBand... asserts"),
     ("docs/derivations.md", "2.4e-7 to 4.8e-7 of `t`", "four units in the last place of single precision"),

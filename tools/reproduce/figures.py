@@ -4,7 +4,7 @@ import re
 import shlex
 
 import inputs
-from kinds import Figure, Unrepeated
+from kinds import Figure, Page, Unrepeated
 from pixels import sheet
 from readers import front_of, pictures_of_passes
 
@@ -47,15 +47,6 @@ PASSES = ("visibility.hit", "depth", "normal", "velocity", "tile_light_visibilit
           "classify_cells.moved", "color")
 # Parts of screenshots of the window without panels, which show times: x, y, width, height.
 MIDDLE, ABOVE = (380, 254, 640, 358), (380, 88, 640, 358)
-
-
-def written(words):
-    """Maker of a page by a command with the output file as its last argument."""
-    def make(bench):
-        file = bench.out / (re.sub(r"\W+", "_", " ".join(words)) + ".md")
-        bench.run("strobe", *words, file)
-        return file
-    return make
 
 
 def picture_of(bench, experiment, point):
@@ -161,10 +152,10 @@ FIGURES = [
               region=region, because="without the panels, which show times")
       for name, region in (("compare", MIDDLE), ("inspect", MIDDLE), ("problem", MIDDLE), ("sweep", ABOVE))],
     picture("figure_demo", "demo", "demo.png", 200, compare="pixels", share=0.002, step=2),
-    Figure("stability_page", "./strobe stability --write FILE", 1500, "counts of cases", file="docs/stability.md",
-           make=written(("stability", "--write"))),
-    Figure("extreme_cases_page", "./strobe stability --extremes --write FILE", 600, "counts of cases",
-           file="docs/extreme-cases.md", make=written(("stability", "--extremes", "--write"))),
+    Page("stability_page", "./strobe stability --write FILE", 60, "counts of cases", file="docs/stability.md",
+         words=("stability",), part="mcguire2012", full_seconds=1500),
+    Page("extreme_cases_page", "./strobe stability --extremes --write FILE", 600, "counts of cases",
+         file="docs/extreme-cases.md", words=("stability", "--extremes"), full_seconds=600),
     Unrepeated("figure_report", because="a screenshot in a browser of the report of experiments/composites, with a chart "
                "of times; 2026-11-29, llvmpipe on two cores", file="docs/pictures/report.png"),
     Unrepeated("mutations_page", because="build/strobe_mutate --seed 1 --count 120 --write FILE takes hours; made at "

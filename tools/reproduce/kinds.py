@@ -20,7 +20,7 @@ class Outcome:
     tolerance: str
     verdict: str
     why: str = ""  # reason of a miss or of a missing verdict
-    command: str = ""  # if it differs from the command of the claim
+    command: str = ""
 
 
 def shown(value):
@@ -31,14 +31,28 @@ def shown(value):
 class Claim:
     id: str
     command: str      # as a reader types it
-    seconds: float    # approximate, of the quick form if the claim has one; two cores, software device
+    seconds: float    # approximate, of the smoke form if the claim has one; two cores, software device
     because: str = ""  # reason of the tolerance or of the missing verdict
 
-    @property
-    def is_quick(self):
-        return self.seconds < 60
-
     marked = False  # True if pages have marks with this id
+    kind = "not repeated"
+
+    @property
+    def whole_seconds(self):
+        """Approximate seconds without --smoke."""
+        return self.seconds
+
+    @property
+    def smoke_command(self):
+        """Command of the smoke form."""
+        return self.command
+
+    def expected(self, page):
+        """Text of the expected result, for ARTIFACT.md. `page` has the marked numbers."""
+        return f"`{self.file}`"
+
+    def limits(self):
+        return "none"
 
     def check(self, bench, numbers):
         raise NotImplementedError
@@ -55,6 +69,19 @@ class Numbers(Claim):
     sources: tuple = ()        # names of the experiments that `read` uses
     made: list = None          # the new values
     marked = True
+    kind = "numbers"
+
+    @property
+    def smoke_command(self):
+        results = ", ".join(f"experiments/{name}/result.json" for name in self.sources)
+        return "committed: " + results if results else self.command
+
+    def expected(self, page):
+        return f"numbers of [{page}]({page})"
+
+    def limits(self, share=None):
+        share = self.tolerance if share is None else share
+        return f"{self.places:g} of the last place" + (f", {100 * share:g} %" if share else "") if self.asserted else "none"
 
     def replace(self, bench, mark):
         """Replaces the stated numbers by the new values, if the counts are equal."""
@@ -76,7 +103,6 @@ class Numbers(Claim):
             if not away <= excess:
                 worst, excess = i, away
         count = f"{len(now)} numbers, " if len(now) > 1 else ""
-        tolerance = f"{self.places:g} of the last place" + (f", {100 * share:g} %" if share else "")
         verdict = (HOLDS if excess <= 1 else MISSES) if self.asserted else REPORTED
         why = "" if verdict == HOLDS else self.because
         if verdict == MISSES:
@@ -85,8 +111,8 @@ class Numbers(Claim):
         if not self.asserted and len(now) < 9:
             stated, count = ", ".join(number.text for number in numbers), ""
         recent = ", ".join(map(shown, now)) if not self.asserted and len(now) < 9 else count + shown(now[worst])
-        kept = "" if anew else "committed: " + ", ".join(f"experiments/{name}/result.json" for name in self.sources)
-        return Outcome(stated, recent, tolerance if self.asserted else "none", verdict, why, kept)
+        kept = "" if anew else self.smoke_command
+        return Outcome(stated, recent, self.limits(share), verdict, why, kept)
 
 
 @dataclass
@@ -106,22 +132,37 @@ class History(Claim):
 
 @dataclass
 class Experiment(Claim):
-    """Committed results of an experiment. Compares all values of all points except times, and all expectations. `quick`
-    selects points like --only of a sweep, for a run under a minute."""
+    """Committed results of an experiment. Compares all values of all points except times, and all expectations. `few`
+    selects points like --only of a sweep, for --smoke."""
     name: str = ""
     file: str = ""
-    quick: str = ""
+    few: str = ""
     full_seconds: float = 0  # for all points
     tolerance: float = 0.0
     least: float = 1e-5  # lower limit of the divisor of relative differences
     shared: bool = False
     make: object = None  # returns Results instead of a sweep; only points of both results are compared
+    kind = "experiments"
+
+    @property
+    def smoke_command(self):
+        return self.command + (f" --only {self.few}" if self.few else "")
+
+    @property
+    def whole_seconds(self):
+        return self.full_seconds or self.seconds
+
+    def expected(self, page):
+        return f"`experiments/{self.name}/result.json`"
+
+    def limits(self):
+        return f"{100 * self.tolerance:g} %"
 
     def check(self, bench, numbers):
         if self.shared:
             bench.shared_scenes()
         stated = bench.committed(self.name)
-        now = self.make(bench) if self.make else bench.swept(self.file, self.name, self.quick if bench.quick else "")
+        now = self.make(bench) if self.make else bench.swept(self.file, self.name, self.few if bench.smoke else "")
         known = {key(at): point for at, point in stated.points()}
         compared = equal = values = 0
         worst, where = 0.0, ""
@@ -138,13 +179,13 @@ class Experiment(Claim):
                 away = abs(value - was) / max(abs(was), self.least)
                 if away > worst:
                     worst, where = away, f"{measure} ({region}) of {at['arm']}, {at['shot']}: {was:.6g}, now {value:.6g}"
-        complete = not (bench.quick and self.quick or self.make)
+        complete = not (bench.smoke and self.few or self.make)
         verdict = HOLDS if worst <= self.tolerance and compared == (len(known) if complete else compared) > 0 else MISSES
         why = where if worst > self.tolerance else "" if verdict == HOLDS else "points are missing"
         if verdict == HOLDS and complete:
             why = "; ".join(turned_expectations(stated, now))
         return Outcome(f"{len(known)} points", f"{compared} points, {equal} bit for bit, {values} values within "
-                       f"{100 * worst:.2g} %", f"{100 * self.tolerance:g} %", verdict, why)
+                       f"{100 * worst:.2g} %", self.limits(), verdict, why)
 
 
 def key(at):
@@ -186,6 +227,10 @@ class Figure(Claim):
     block: int = 1        # side of the squares of pixels whose means are compared
     inputs: object = None  # for a committed picture: inputs(bench) returns the inputs of the new picture
     made: Path = None      # the new file
+    kind = "figures"
+
+    def limits(self):
+        return f"{100 * self.share:g} % by more than {self.step}" if self.compare == "pixels" else f"equal {self.compare}"
 
     def replace(self, bench, _):
         """Replaces the committed picture and its inputs by the new picture and its inputs."""
@@ -201,19 +246,57 @@ class Figure(Claim):
         self.made = made
         if self.compare != "pixels":
             same = self.content(stated) == self.content(made)
-            return Outcome(self.file, ("the same " if same else "other ") + self.compare, "none",
+            return Outcome(self.file, ("the same " if same else "other ") + self.compare, self.limits(),
                            HOLDS if same else MISSES, "" if same else f"{made} differs")
         differ, size = differing_share(*[pixels_of(file, self.region, self.block) for file in (stated, made)], self.step)
         verdict = HOLDS if differ <= self.share else MISSES
         return Outcome(self.file, f"{100 * differ:.3g} % of {size} pixels differ",
-                       f"{100 * self.share:g} % by more than {self.step}", verdict,
+                       self.limits(), verdict,
                        "" if verdict == HOLDS else f"{made} differs: {self.because}")
-
 
     def content(self, file):
         if self.compare == "bytes":
             return file.read_bytes()
         return sorted(re.findall(r"<title>(.*?)</title>", file.read_text()))
+
+
+@dataclass
+class Page(Claim):
+    """A page that the command `words` writes, with a file as its last argument. With --smoke, the command checks the
+    pipeline `part` only, and its section of the page is compared."""
+    file: str = ""
+    words: tuple = ()
+    part: str = ""
+    full_seconds: float = 0  # for the whole page
+    kind = "pages"
+
+    @property
+    def smoke_command(self):
+        return self.command.replace(" --write", f" {self.part} --write") if self.part else self.command
+
+    @property
+    def whole_seconds(self):
+        return self.full_seconds
+
+    def expected(self, page):
+        return f"[{self.file}]({self.file})"
+
+    def limits(self):
+        return "equal text"
+
+    def check(self, bench, numbers):
+        part = self.part if bench.smoke else ""
+        made = bench.out / Path(self.file).name
+        bench.run("strobe", *self.words, *([part] if part else []), "--write", made)
+        stated, now = (self.content(file, part) for file in (bench.root / self.file, made))
+        return Outcome(self.file + (f", section {part}" if part else ""), "the same text" if stated == now else "other text",
+                       self.limits(), HOLDS if stated == now else MISSES, "" if stated == now else f"{made} differs")
+
+    def content(self, file, part):
+        """Text of the file, or of the section `part`."""
+        text = file.read_text()
+        sections = [one for one in text.split("\n## ") if one.split("\n")[0] == part]
+        return sections[0].strip() if part and sections else text
 
 
 @dataclass
@@ -228,6 +311,12 @@ class Unrepeated(Claim):
 
 
 def checked(claim, bench, numbers):
+    outcome = outcome_of(claim, bench, numbers)
+    outcome.command = outcome.command or (claim.smoke_command if bench.smoke else claim.command)
+    return outcome
+
+
+def outcome_of(claim, bench, numbers):
     try:
         return claim.check(bench, numbers)
     except Missing as missing:
