@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <future>
 #include <memory>
 #include <set>
 
@@ -19,8 +18,6 @@
 #include "lab/views.h"
 #include "scene/mitsuba.h"
 #include "script/evaluate.h"
-#include "script/server.h"
-#include "shader/start.h"
 
 namespace strobe::app {
 
@@ -88,15 +85,16 @@ void settle(lab::Workbench& bench, double budget_ms, lab::Shot& shot) {
 }
 
 // Renders the picture. With `--pixel`, also fills `trail` with the values of every pass at the pixel.
-lab::Picture renderedBy(lab::Workbench& bench, const RenderOptions& options, const lab::Shot& shot, lab::Trail& trail) {
+lab::Picture renderedBy(lab::KeptDrawings& drawings, const RenderOptions& options, const lab::Shot& shot,
+                        lab::Trail& trail) {
   std::unique_ptr<Progress> progress;
   auto advance = [&](int done, int of) {
     if (!progress) progress = std::make_unique<Progress>(Path(shot.pipeline).stem().string(), of, "time samples");
     progress->reach(done);
   };
-  if (options.pixel.empty()) return bench.render(shot, advance, options.exr.cryptomatte);
+  if (options.pixel.empty()) return drawings.render(shot, advance, options.exr.cryptomatte);
   auto [x, y] = lab::parsePixel(options.pixel);
-  lab::Followed followed = lab::follow(bench, shot, x, y, advance, options.exr.cryptomatte);
+  lab::Followed followed = lab::follow(drawings.bench(), shot, x, y, advance, options.exr.cryptomatte);
   trail = std::move(followed.trail);
   return std::move(followed.picture);
 }
@@ -150,7 +148,7 @@ void print(const RenderOptions& options, const lab::Picture& picture, const lab:
   for (const Path& file : files) std::printf("%s\n", file.c_str());
 }
 
-void render(const Home& home, RenderOptions options) {
+void render(const Home& home, KeptBench& kept, RenderOptions options) {
   lab::Shot shot = options.shot.resolve();
   if (!options.mitsuba.empty()) exportShot(home, options, shot);
   if (!options.mitsuba.empty() && !options.asksForPicture()) return;
@@ -159,14 +157,11 @@ void render(const Home& home, RenderOptions options) {
   std::unique_ptr<lab::Tev> viewer;
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
-  // Start the script server and the shader compiler while the device is created.
-  script::startServer(home);
-  std::future<void> started = std::async(std::launch::async, shader::startCompiler, std::cref(home));
-  lab::Workbench bench(home, shot.device, validationWanted());
-  bench.device().setTimeLimit(options.time_limit_s);
+  lab::KeptDrawings& drawings = kept.on(shot.device, options.time_limit_s);
+  lab::Workbench& bench = drawings.bench();
   if (options.budget_ms > 0) settle(bench, options.budget_ms, shot);
   lab::Trail trail;
-  lab::Picture picture = renderedBy(bench, options, shot, trail);
+  lab::Picture picture = renderedBy(drawings, options, shot, trail);
   bench.device().refuseMessages();
   for (const std::string& warning : picture.warnings) warn(warning);
   std::vector<Path> files;
@@ -179,7 +174,7 @@ void render(const Home& home, RenderOptions options) {
 
 }  // namespace
 
-void registerRender(CLI::App& program, const Home& home) {
+void registerRender(CLI::App& program, const Home& home, KeptBench& bench) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
   command->add_option(
@@ -206,7 +201,7 @@ void registerRender(CLI::App& program, const Home& home) {
   addBudget(*command, options->budget_ms);
   addTimeLimit(*command, options->time_limit_s);
   options->shot.addWithPipeline(*command);
-  command->callback([options, &home] { render(home, *options); });
+  command->callback([options, &home, &bench] { render(home, bench, *options); });
 }
 
 }  // namespace strobe::app
