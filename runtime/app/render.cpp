@@ -9,6 +9,7 @@
 #include "base/leftovers.h"
 #include "base/log.h"
 #include "image/png.h"
+#include "lab/arrays.h"
 #include "lab/budget.h"
 #include "lab/capture.h"
 #include "lab/frame.h"
@@ -25,12 +26,14 @@ namespace {
 
 struct RenderOptions {
   ShotOptions shot;
-  std::string out, pixel, tev, views, mitsuba;
+  std::string out, pixel, tev, views, arrays, mitsuba;
   lab::ExrOptions exr;
   bool json = false, verbose = false;
   double time_limit_s = gpu::kTimeLimit_s, budget_ms = 0;
 
-  bool asksForPicture() const { return !out.empty() || !pixel.empty() || !tev.empty() || !views.empty(); }
+  bool asksForPicture() const {
+    return !out.empty() || !pixel.empty() || !tev.empty() || !views.empty() || !arrays.empty();
+  }
   bool asksForExr() const { return exr.half || exr.multipart || exr.cryptomatte; }
 };
 
@@ -54,9 +57,12 @@ void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
     requireWritable(file.parent_path());
     removeLeftovers(file.parent_path(), file.stem().string() + ".");
   }
-  bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty();
+  bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty() ||
+              !options.arrays.empty();
   if (!options.views.empty()) requireWritable(options.views, "--views");
-  if (!shot.taps.empty() && !held) throw Error("--tap needs an .exr file or --views: a .png has only the color", {}, 2);
+  if (!options.arrays.empty()) requireWritable(options.arrays, "--arrays");
+  if (!shot.taps.empty() && !held)
+    throw Error("--tap needs an .exr file, --views or --arrays: a .png has only the color", {}, 2);
   if (options.asksForExr() && Path(options.out).extension() != ".exr")
     throw Error("--half, --multipart and --cryptomatte need an .exr file; name one with -o", {}, 2);
 }
@@ -168,6 +174,8 @@ void render(const Home& home, KeptBench& kept, RenderOptions options) {
   if (!options.out.empty()) files = lab::writePicture(picture, options.out, options.exr);
   if (!options.views.empty())
     for (const Path& file : writeViews(bench, shot, picture, options.views)) files.push_back(file);
+  if (!options.arrays.empty())
+    for (const Path& file : lab::writeArrays(picture, options.arrays)) files.push_back(file);
   if (viewer) sendTo(*viewer, picture);
   print(options, picture, trail, files);
 }
@@ -180,9 +188,10 @@ void registerRender(CLI::App& program, const Home& home, KeptBench& bench) {
   command->add_option(
       "-o,--out", options->out,
       "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png; out/PIPELINE.exr "
-      "with --tap or an option of .exr files; no picture with --pixel, --tev, --views or --export-mitsuba)");
+      "with --tap or an option of .exr files; no picture with --pixel, --tev, --views, --arrays or --export-mitsuba)");
   command->add_option("--views", options->views,
                       "folder: write every output and tap as PNG files, as the window shows them");
+  command->add_option("--arrays", options->arrays, "folder: write every output and tap as a NumPy array, NAME.npy");
   command->add_option("--export-mitsuba", options->mitsuba,
                       "folder: write the shot as a scene of Mitsuba 3, to check ground truth with another renderer");
   command->add_option("--pixel", options->pixel,
