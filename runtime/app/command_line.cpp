@@ -98,6 +98,7 @@ static void registerAll(CLI::App& program, const Home& home, KeptBench& bench) {
   registerStability(program, home);
   registerNew(program, home);
   registerDoctor(program, home);
+  registerServe(program, home, bench);
   registerCompletion(program, home);
 }
 

@@ -12,6 +12,7 @@ namespace strobe::app {
 
 void registerDemo(CLI::App& program, const Home& home);                      // takes a capture and measures it
 void registerRender(CLI::App& program, const Home& home, KeptBench& bench);  // one picture
+void registerServe(CLI::App& program, const Home& home, KeptBench& bench);   // commands from standard input
 void registerHelp(CLI::App& program, const Home& home);       // reference page of a pass, a pipeline or a parameter
 void registerLive(CLI::App& program, const Home& home);       // shows a pipeline in a window
 void registerCheck(CLI::App& program, const Home& home);      // checks scripts, without drawing
