@@ -59,7 +59,7 @@ std::vector<std::string> wordsOf(const std::string& line) {
   try {
     return Json::parse(line).at("command").get<std::vector<std::string>>();
   } catch (const Json::exception&) {
-    throw Error(R"(a request is one line: {"command": ["render", "hybrid", "--size", "320x180", "--json"]})", {}, 2);
+    throw Error(R"(a request is one line: {"command": ["render", "PIPELINE", "--size", "320x180", "--json"]})", {}, 2);
   }
 }
 
@@ -83,10 +83,10 @@ void serve(const Home& home, KeptBench& bench) {
   std::string line;
   while (std::getline(std::cin, line)) {
     const CommandEnd end = endOf(home, bench, line);
+    if (end.is_fault) throw Error(end.error);
     Json answer = {{"exit", end.exit_code}, {"result", resultOf(output.take())}};
     if (!end.error.empty()) answer["error"] = end.error;
     if (!output.answer(answer.dump(-1, ' ', false, Json::error_handler_t::replace))) return;
-    if (end.is_fault) throw Error("ended by the failure of the last command");
   }
 }
 
@@ -96,10 +96,10 @@ void registerServe(CLI::App& program, const Home& home, KeptBench& bench) {
   CLI::App* command = program.add_subcommand("serve", "Run the commands of standard input, and keep device and scenes");
   command->footer(
       "A request is one line of JSON with the words of a command line:\n"
-      "  {\"command\": [\"render\", \"hybrid\", \"--size\", \"320x180\", \"--json\"]}\n"
-      "The answer is one line: \"exit\", the exit code; \"result\", the output of the command, JSON or text; "
-      "\"error\", the\n"
-      "message of a failure. Warnings go to standard error. The program ends with its standard input.");
+      "  {\"command\": [\"render\", \"PIPELINE\", \"--size\", \"320x180\", \"--json\"]}\n"
+      "The answer is one line of JSON: \"exit\", the exit code; \"result\", the output of the command, JSON or text;\n"
+      "\"error\", the message of a failure. Warnings go to standard error. The program ends with its standard input.\n"
+      "A lost device ends it early, with the message on standard error.");
   command->callback([&home, &bench] { serve(home, bench); });
 }
 
