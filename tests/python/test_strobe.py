@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The package `strobe` against the built program. tests/program/python_test.cpp runs these tests."""
+import contextlib
+import io
 import math
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -176,6 +179,20 @@ class Strobe(unittest.TestCase):
         self.assertEqual(frame.loc["tile", "unit"], "px")
         self.assertIn("sobel", frame.loc["edge", "choices"])
         self.assertEqual(strobe.passes().loc["edge/sobel", "kind"], "compute")
+
+    def test_the_page(self):
+        page = (HOME / "docs/python.md").read_text()
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        os.symlink(HOME / "experiments", "experiments")
+        pathlib.Path("my_sweep.lua").write_text(re.search("```lua\n(.*?)```", page, re.DOTALL).group(1))
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            for block in re.findall("```python\n(.*?)```", page, re.DOTALL):
+                exec(block.replace("import matplotlib.pyplot", "import matplotlib; matplotlib.use('Agg')\n"
+                                   "import matplotlib.pyplot"), names)
+        self.assertIn("hybrid_layered", printed.getvalue())
+        self.assertGreater(pathlib.Path("out/my_sweep/plot.png").stat().st_size, 1000)
 
     def test_size_and_version(self):
         sources = sorted((HOME / "python/strobe").glob("*.py"))
