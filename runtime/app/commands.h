@@ -5,12 +5,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/kept_bench.h"
 #include "base/home.h"
 
 namespace strobe::app {
 
-void registerDemo(CLI::App& program, const Home& home);       // takes a capture and measures it
-void registerRender(CLI::App& program, const Home& home);     // one picture
+void registerDemo(CLI::App& program, const Home& home);                      // takes a capture and measures it
+void registerRender(CLI::App& program, const Home& home, KeptBench& bench);  // one picture
+void registerServe(CLI::App& program, const Home& home, KeptBench& bench);   // commands from standard input
 void registerHelp(CLI::App& program, const Home& home);       // reference page of a pass, a pipeline or a parameter
 void registerLive(CLI::App& program, const Home& home);       // shows a pipeline in a window
 void registerCheck(CLI::App& program, const Home& home);      // checks scripts, without drawing

@@ -11,6 +11,7 @@
 #include "base/log.h"
 #include "gpu/renderdoc.h"
 #include "image/png.h"
+#include "lab/arrays.h"
 #include "lab/budget.h"
 #include "lab/capture.h"
 #include "lab/frame.h"
@@ -20,7 +21,6 @@
 #include "lab/views.h"
 #include "scene/mitsuba.h"
 #include "script/evaluate.h"
-#include "script/server.h"
 
 namespace strobe::app {
 
@@ -28,13 +28,13 @@ namespace {
 
 struct RenderOptions {
   ShotOptions shot;
-  std::string out, pixel, tev, views, mitsuba, renderdoc;
+  std::string out, pixel, tev, views, arrays, mitsuba, renderdoc;
   lab::ExrOptions exr;
   bool json = false, verbose = false;
   double time_limit_s = gpu::kTimeLimit_s, budget_ms = 0;
 
   bool asksForPicture() const {
-    return !out.empty() || !pixel.empty() || !tev.empty() || !views.empty() || !renderdoc.empty();
+    return !out.empty() || !pixel.empty() || !tev.empty() || !views.empty() || !arrays.empty() || !renderdoc.empty();
   }
   bool asksForExr() const { return exr.half || exr.multipart || exr.cryptomatte; }
 };
@@ -65,10 +65,13 @@ void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
     requireWritable(file.parent_path());
     removeLeftovers(file.parent_path(), file.stem().string() + ".");
   }
-  bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty();
+  bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty() ||
+              !options.arrays.empty();
   if (!options.views.empty()) requireWritable(options.views, "--views");
   if (!options.renderdoc.empty()) checkRenderDocFile(options.renderdoc);
-  if (!shot.taps.empty() && !held) throw Error("--tap needs an .exr file or --views: a .png has only the color", {}, 2);
+  if (!options.arrays.empty()) requireWritable(options.arrays, "--arrays");
+  if (!shot.taps.empty() && !held)
+    throw Error("--tap needs an .exr file, --views or --arrays: a .png has only the color", {}, 2);
   if (options.asksForExr() && Path(options.out).extension() != ".exr")
     throw Error("--half, --multipart and --cryptomatte need an .exr file; name one with -o", {}, 2);
 }
@@ -97,15 +100,16 @@ void settle(lab::Workbench& bench, double budget_ms, lab::Shot& shot) {
 }
 
 // Renders the picture. With `--pixel`, also fills `trail` with the values of every pass at the pixel.
-lab::Picture renderedBy(lab::Workbench& bench, const RenderOptions& options, const lab::Shot& shot, lab::Trail& trail) {
+lab::Picture renderedBy(lab::KeptDrawings& drawings, const RenderOptions& options, const lab::Shot& shot,
+                        lab::Trail& trail) {
   std::unique_ptr<Progress> progress;
   auto advance = [&](int done, int of) {
     if (!progress) progress = std::make_unique<Progress>(Path(shot.pipeline).stem().string(), of, "time samples");
     progress->reach(done);
   };
-  if (options.pixel.empty()) return bench.render(shot, advance, options.exr.cryptomatte);
+  if (options.pixel.empty()) return drawings.render(shot, advance, options.exr.cryptomatte);
   auto [x, y] = lab::parsePixel(options.pixel);
-  lab::Followed followed = lab::follow(bench, shot, x, y, advance, options.exr.cryptomatte);
+  lab::Followed followed = lab::follow(drawings.bench(), shot, x, y, advance, options.exr.cryptomatte);
   trail = std::move(followed.trail);
   return std::move(followed.picture);
 }
@@ -159,7 +163,7 @@ void print(const RenderOptions& options, const lab::Picture& picture, const lab:
   for (const Path& file : files) std::printf("%s\n", file.c_str());
 }
 
-void render(const Home& home, RenderOptions options) {
+void render(const Home& home, KeptBench& kept, RenderOptions options) {
   lab::Shot shot = options.shot.resolve();
   if (!options.mitsuba.empty()) exportShot(home, options, shot);
   if (!options.mitsuba.empty() && !options.asksForPicture()) return;
@@ -170,14 +174,12 @@ void render(const Home& home, RenderOptions options) {
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
   std::optional<gpu::RenderDoc> renderdoc;
   if (!options.renderdoc.empty()) renderdoc.emplace();
-  // Start the script server while the device is created.
-  script::startServer(home);
-  lab::Workbench bench(home, shot.device, validationWanted());
-  bench.device().setTimeLimit(options.time_limit_s);
+  lab::KeptDrawings& drawings = kept.on(shot.device, options.time_limit_s);
+  lab::Workbench& bench = drawings.bench();
   if (options.budget_ms > 0) settle(bench, options.budget_ms, shot);
   lab::Trail trail;
   lab::Picture picture;
-  auto draw = [&] { picture = renderedBy(bench, options, shot, trail); };
+  auto draw = [&] { picture = renderedBy(drawings, options, shot, trail); };
   if (renderdoc) renderdoc->capture(options.renderdoc, draw);
   else draw();
   bench.device().refuseMessages();
@@ -187,22 +189,25 @@ void render(const Home& home, RenderOptions options) {
   if (!options.views.empty())
     for (const Path& file : writeViews(bench, shot, picture, options.views)) files.push_back(file);
   if (renderdoc) files.push_back(options.renderdoc);
+  if (!options.arrays.empty())
+    for (const Path& file : lab::writeArrays(picture, options.arrays)) files.push_back(file);
   if (viewer) sendTo(*viewer, picture);
   print(options, picture, trail, files);
 }
 
 }  // namespace
 
-void registerRender(CLI::App& program, const Home& home) {
+void registerRender(CLI::App& program, const Home& home, KeptBench& bench) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
   command->add_option(
       "-o,--out", options->out,
       "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png; out/PIPELINE.exr "
-      "with --tap or an option of .exr files; no picture with --pixel, --tev, --views, --renderdoc or "
+      "with --tap or an option of .exr files; no picture with --pixel, --tev, --views, --arrays, --renderdoc or "
       "--export-mitsuba)");
   command->add_option("--views", options->views,
                       "folder: write every output and tap as PNG files, as the window shows them");
+  command->add_option("--arrays", options->arrays, "folder: write every output and tap as a NumPy array, NAME.npy");
   command->add_option("--renderdoc", options->renderdoc,
                       "file (.rdc): capture the Vulkan commands of the picture with RenderDoc, labelled by pass; rays "
                       "use the backend 'bvh' if RenderDoc does not support ray queries");
@@ -224,7 +229,7 @@ void registerRender(CLI::App& program, const Home& home) {
   addBudget(*command, options->budget_ms);
   addTimeLimit(*command, options->time_limit_s);
   options->shot.addWithPipeline(*command);
-  command->callback([options, &home] { render(home, *options); });
+  command->callback([options, &home, &bench] { render(home, bench, *options); });
 }
 
 }  // namespace strobe::app

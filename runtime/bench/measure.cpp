@@ -120,8 +120,8 @@ Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const la
   lab::Batch batch(bench);
   PreparedRun of = prepared(batch, shots);
   // Keep every graph: a new graph would allocate its memory again in each round.
-  batch.kept_graphs = of.shots.size();
-  batch.kept_image_bytes = std::numeric_limits<size_t>::max();
+  batch.drawings.most = of.shots.size();
+  batch.drawings.most_bytes = std::numeric_limits<size_t>::max();
   std::vector<lab::Timing> timings = batch.timeInTurn(of.shots, rounds);
   for (size_t i = 0; i < timings.size(); ++i) {
     ShotTimes& shot = of.run.shots[i];

@@ -181,7 +181,8 @@ static std::string contentKey(const Home& home, const shader::Interface& in, con
   };
   for (const Path& file : shaderFiles(home, pass)) add(file);
   // Includes of the generated declarations.
-  add(home.at(in.scene ? "shaders/shared/bindings.glsl" : "shaders/shared/frame.h"));
+  add(home.at("shaders/shared/frame.h"));
+  if (in.scene) add(home.at("shaders/shared/bindings.glsl"));
   if (hasStages(in))
     for (const StageFile& one : sharedStages(home)) add(one.file);
   return hashText(key);

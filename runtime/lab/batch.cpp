@@ -9,7 +9,6 @@
 #include "lab/frame.h"
 #include "math/statistics.h"
 #include "plan/canonical.h"
-#include "plan/settings.h"
 #include "shader/compiler.h"
 
 namespace strobe::lab {
@@ -18,12 +17,6 @@ std::string identityOf(const plan::Plan& plan) {
   Json json = plan::toJson(plan);
   for (const char* key : {"values", "preset", "pipeline", "culled"}) json.erase(key);
   return json.dump();
-}
-
-static script::Settings ofPipeline(const script::Settings& sets) {
-  script::Settings result;
-  std::remove_copy_if(sets.begin(), sets.end(), std::back_inserter(result), isOfScene);
-  return result;
 }
 
 static Evaluated evaluatedAs(std::shared_ptr<const Evaluation> evaluation) {
@@ -42,38 +35,15 @@ Evaluated Batch::byScripts(const std::string& pipeline, const script::Settings& 
   return found->second;
 }
 
-// Runs the scripts with the settings that decide the graph, until no other setting decides the graph. Null if a setting
-// is refused.
-std::shared_ptr<const Evaluation> Batch::derived(const std::string& pipeline, const script::Settings& sets) {
-  script::Settings deciding, rest = sets;
-  Evaluated base;
-  for (bool more = true; more;) {
-    base = byScripts(pipeline, deciding);
-    if (!base.pipeline) return nullptr;
-    auto first = std::stable_partition(rest.begin(), rest.end(), [&](const script::Setting& set) {
-      return !plan::decidesGraph(*base.pipeline, set.first);
-    });
-    more = first != rest.end();
-    deciding.insert(deciding.end(), first, rest.end());
-    rest.erase(first, rest.end());
-  }
-  if (rest.empty()) return base.evaluation;
-  try {
-    return std::make_shared<Evaluation>(
-        Evaluation{plan::withSettings(*base.pipeline, rest), base.evaluation->scripts, base.evaluation->texts});
-  } catch (const Error&) {
-    return nullptr;  // the caller then runs the scripts, for a better message
-  }
-}
-
 Evaluated Batch::evaluate(const std::string& pipeline, const script::Settings& sets) {
   constexpr size_t kMost = 512;
   std::string key = pipeline + settingsIdentity(sets, false);
   auto known = derived_.find(key);
   if (known != derived_.end()) return known->second;
   if (derived_.size() >= kMost) derived_.clear();
-  script::Settings of_pipeline = ofPipeline(sets);
-  std::shared_ptr<const Evaluation> evaluation = derived(pipeline, of_pipeline);
+  script::Settings of_pipeline = pipelineSettings(sets);
+  auto by_scripts = [&](const script::Settings& deciding) { return byScripts(pipeline, deciding).evaluation; };
+  std::shared_ptr<const Evaluation> evaluation = derivedEvaluation(of_pipeline, by_scripts);
   return derived_[key] = evaluation ? evaluatedAs(evaluation) : byScripts(pipeline, of_pipeline);
 }
 
@@ -140,26 +110,7 @@ std::string Batch::contentOf(const Shot& wanted) {
 Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs) {
   const Planned& planned = known(shot, *scene, outputs).planned;
   std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets).evaluation;
-  auto fits = [&](const auto& drawing) { return drawing->fits(planned, *scene); };
-  auto found = std::find_if(drawings_.begin(), drawings_.end(), fits);
-  if (found != drawings_.end()) {
-    drawings_.splice(drawings_.begin(), drawings_, found);
-    drawings_.front()->become(planned, std::move(evaluation));
-  } else {
-    makeRoom(*planned.plan);
-    drawings_.push_front(std::make_unique<Drawing>(bench_, scene, planned, std::move(evaluation)));
-  }
-  return *drawings_.front();
-}
-
-// Evicts drawings before a new one is made, so that memory stays within the limits.
-void Batch::makeRoom(const plan::Plan& plan) {
-  size_t bytes = plan::bytesAliased(plan), count = 1;
-  for (auto it = drawings_.begin(); it != drawings_.end(); ++count) {
-    bytes += plan::bytesAliased((*it)->plan());
-    bool goes = count >= kept_graphs || bytes > kept_image_bytes;
-    it = goes ? drawings_.erase(it) : std::next(it);
-  }
+  return drawings.of(scene, planned, std::move(evaluation));
 }
 
 static const Batch::Outputs kColor = {"color"}, kNothing = {};

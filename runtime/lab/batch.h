@@ -11,7 +11,7 @@
 #include <set>
 #include <string>
 
-#include "lab/drawing.h"
+#include "lab/kept_drawings.h"
 
 namespace strobe::lab {
 
@@ -56,7 +56,7 @@ class Batch {
   using Progress = std::function<void(int done, int of)>;
 
   // The bench must outlive the batch.
-  explicit Batch(Workbench& bench) : bench_(bench) {}
+  explicit Batch(Workbench& bench) : drawings(bench), bench_(bench) {}
 
   Workbench& bench() { return bench_; }
 
@@ -98,9 +98,7 @@ class Batch {
   int drawn() const { return drawn_; }  // number of pictures and colour images, without timed frames
 
   size_t kept_picture_bytes = size_t{256} << 20;
-  // Limits for cached graphs: bytes of their images, and number of graphs.
-  size_t kept_image_bytes = size_t{512} << 20;
-  size_t kept_graphs = 32;
+  KeptDrawings drawings;  // graphs of earlier pictures
 
  private:
   struct KnownPlan {
@@ -113,10 +111,8 @@ class Batch {
     size_t bytes = 0;
   };
   Evaluated byScripts(const std::string& pipeline, const script::Settings& sets);
-  std::shared_ptr<const Evaluation> derived(const std::string& pipeline, const script::Settings& sets);
   const KnownPlan& known(const Shot& filled, HeldScene& scene, const Outputs& outputs = {});
   Drawing& drawing(const Shot& filled, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs = {});
-  void makeRoom(const plan::Plan& plan);
   const std::string& shadersOf(const plan::PassDesc& pass, graph::Backend backend);
   void keep(Kept kept);
 
@@ -126,7 +122,6 @@ class Batch {
   std::map<std::string, KnownPlan> plans_;
   std::map<std::string, std::string> shaders_;  // hashes (base/inputs.h) of the files of a pass, by shader and backend
   std::set<Path> inputs_;
-  std::list<std::unique_ptr<Drawing>> drawings_;  // most recently used first
   std::map<std::string, std::shared_ptr<const image::Image>> colors_;
   std::list<Kept> pictures_;  // most recently used first
   size_t pictures_bytes_ = 0;

@@ -5,6 +5,7 @@
 
 #include "base/hash.h"
 #include "base/log.h"
+#include "plan/settings.h"
 
 namespace strobe::lab {
 
@@ -42,6 +43,29 @@ Evaluation evaluated(const Home& home, const std::string& pipeline, const script
   evaluation.pipeline = script::evaluatePipeline(home, {pipeline, sets}, &evaluation.scripts, limits);
   evaluation.texts = textsOf(evaluation.scripts, {}, known);
   return evaluation;
+}
+
+std::shared_ptr<const Evaluation> derivedEvaluation(const script::Settings& sets, const ByScripts& by_scripts) {
+  script::Settings deciding, rest = sets;
+  std::shared_ptr<const Evaluation> base;
+  // Run the scripts until no other setting decides the graph.
+  for (bool more = true; more;) {
+    base = by_scripts(deciding);
+    if (!base) return nullptr;
+    auto first = std::stable_partition(rest.begin(), rest.end(), [&](const script::Setting& set) {
+      return !plan::decidesGraph(base->pipeline, set.first);
+    });
+    more = first != rest.end();
+    deciding.insert(deciding.end(), first, rest.end());
+    rest.erase(first, rest.end());
+  }
+  if (rest.empty()) return base;
+  try {
+    return std::make_shared<Evaluation>(
+        Evaluation{plan::withSettings(base->pipeline, rest), base->scripts, base->texts});
+  } catch (const Error&) {
+    return nullptr;
+  }
 }
 
 Stamps stampsOf(const std::vector<script::Dependency>& files) {

@@ -2,6 +2,9 @@
 // Evaluation of a pipeline's scripts with settings, and recovery if the newest scripts fail.
 #pragma once
 
+#include <functional>
+#include <memory>
+
 #include "base/stamps.h"
 #include "lab/shot.h"
 
@@ -19,6 +22,12 @@ struct Evaluation {
 // read fewer files.
 Evaluation evaluated(const Home& home, const std::string& pipeline, const script::Settings& sets,
                      const script::Limits& limits, const script::Texts& known = {});
+
+// Evaluation with `sets`, derived from an evaluation with the settings that decide the graph: the other settings change
+// only numbers. `by_scripts` runs the scripts with the deciding settings, and returns null if one is refused. Null if a
+// setting is refused; running the scripts with all settings then gives the message.
+using ByScripts = std::function<std::shared_ptr<const Evaluation>(const script::Settings& deciding)>;
+std::shared_ptr<const Evaluation> derivedEvaluation(const script::Settings& sets, const ByScripts& by_scripts);
 
 // True if the content of all files is unchanged since the evaluation.
 bool isCurrent(const std::vector<script::Dependency>& files);

@@ -429,6 +429,55 @@ std::string listed(const std::string& title, const std::vector<std::pair<std::st
   return text;
 }
 
+// --- JSON
+
+Json jsonOf(const ParamDesc& param) {
+  Json json = {{"name", param.name}, {"type", plan::kParamTypes[size_t(param.type)]}};
+  json["default"] = param.has_auto && param.default_value == plan::Value(plan::kAuto)
+                        ? Json("auto")
+                        : plan::toJson(param.default_value);
+  if (param.min) json["min"] = *param.min;
+  if (param.max) json["max"] = *param.max;
+  if (!param.choices.empty()) json["choices"] = param.choices;
+  json["unit"] = param.unit;
+  json["doc"] = param.doc;
+  return json;
+}
+
+Json jsonOf(const PortDesc& port) { return {{"name", port.name}, {"format", port.format}, {"doc", port.doc}}; }
+
+Json jsonOf(const PassDesc& pass);
+Json jsonOf(const PipelineDesc& pipeline);
+
+template <class List>
+Json listOf(const List& list) {
+  Json json = Json::array();
+  for (const auto& entry : list) json.push_back(jsonOf(entry));
+  return json;
+}
+
+Json jsonOf(const PassDesc& pass) {
+  return {{"name", memberOf(pass)},
+          {"doc", pass.doc},
+          {"fails", pass.fails},
+          {"kind", plan::kPassKinds[size_t(pass.kind)]},
+          {"reads", listOf(pass.reads)},
+          {"writes", listOf(pass.writes)},
+          {"updates", listOf(pass.updates)},
+          {"params", listOf(pass.params)}};
+}
+
+Json jsonOf(const PipelineDesc& pipeline) {
+  Json presets = Json::array();
+  for (const auto& preset : pipeline.presets)
+    presets.push_back({{"name", preset.name}, {"default", preset.is_default}, {"doc", preset.doc}});
+  return {{"name", pipeline.name},
+          {"doc", pipeline.doc},
+          {"file", pipeline.file},
+          {"presets", presets},
+          {"params", listOf(pipeline.params)}};
+}
+
 }  // namespace
 
 std::string passPage(const PassDesc& pass) {
@@ -538,6 +587,17 @@ std::string helpOn(const Home& home, const std::string& topic) {
   if (!anywhere.empty()) return anywhere;
   for (const PassDesc& one : passes) known.insert(known.end(), {one.name, memberOf(one), stemOf(one)});
   refuse(owner, known);
+}
+
+Json helpJson(const Home& home, const std::string& topic) {
+  std::vector<PassDesc> passes = allPasses(home);
+  if (topic.empty()) return {{"pipelines", listOf(allPipelines(home))}, {"passes", listOf(passes)}};
+  std::vector<std::string> known = script::pipelineNames(home);
+  if (std::find(known.begin(), known.end(), topic) != known.end())
+    return jsonOf(script::evaluatePipeline(home, {topic, {}}));
+  if (const PassDesc* pass = findPass(passes, topic)) return jsonOf(*pass);
+  for (const PassDesc& one : passes) known.insert(known.end(), {memberOf(one), stemOf(one)});
+  refuse(topic, known);
 }
 
 }  // namespace strobe::lab

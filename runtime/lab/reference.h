@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/home.h"
+#include "base/json.h"
 #include "plan/description.h"
 
 namespace strobe::lab {
@@ -34,5 +35,9 @@ std::string helpTopics(const Home& home);
 // ("tile_largest.tile"). A parameter name alone selects all pipelines that have it. Throws `Error` (exit code 2) with
 // the nearest topic for any other topic.
 std::string helpOn(const Home& home, const std::string& topic);
+
+// Declarations as JSON: of one pass or pipeline; for "" of all. Throws `Error` (exit code 2) with the nearest topic for
+// any other topic.
+Json helpJson(const Home& home, const std::string& topic);
 
 }  // namespace strobe::lab

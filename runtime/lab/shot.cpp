@@ -64,6 +64,12 @@ script::Settings sceneSettings(const script::Settings& sets) {
   return result;
 }
 
+script::Settings pipelineSettings(const script::Settings& sets) {
+  script::Settings result;
+  std::remove_copy_if(sets.begin(), sets.end(), std::back_inserter(result), isOfScene);
+  return result;
+}
+
 void putSetting(script::Settings& sets, const std::string& name, const plan::Value& value) {
   std::erase_if(sets, [&](const auto& set) { return set.first == name; });
   sets.push_back({name, value});

@@ -86,6 +86,7 @@ std::string settingsIdentity(const script::Settings& sets, bool of_scene);
 // True for a scene setting: the name begins with "scene.".
 bool isOfScene(const script::Setting& setting);
 script::Settings sceneSettings(const script::Settings& sets);
+script::Settings pipelineSettings(const script::Settings& sets);  // all others
 
 // Sets `name` to `value` in `sets`; removes earlier settings of `name`.
 void putSetting(script::Settings& sets, const std::string& name, const plan::Value& value);

@@ -6,8 +6,8 @@
 
 #include "base/hash.h"
 #include "base/log.h"
-#include "lab/drawing.h"
 #include "lab/frame.h"
+#include "lab/kept_drawings.h"
 #include "lab/shot_options.h"
 #include "scene/bend.h"
 #include "scene/defaults.h"
@@ -207,6 +207,22 @@ std::shared_ptr<const Evaluation> Workbench::evaluate(const std::string& pipelin
   return evaluation;
 }
 
+std::shared_ptr<const Evaluation> Workbench::evaluateNumbers(const std::string& pipeline,
+                                                             const script::Settings& sets) {
+  auto by_scripts = [&](const script::Settings& deciding) -> std::shared_ptr<const Evaluation> {
+    try {
+      return evaluate(pipeline, deciding);
+    } catch (const Error&) {
+      return nullptr;
+    }
+  };
+  auto known = evaluated_.lower_bound(pipeline);
+  const bool is_known = known != evaluated_.end() && known->first.starts_with(pipeline);
+  std::shared_ptr<const Evaluation> evaluation;
+  if (is_known) evaluation = derivedEvaluation(pipelineSettings(sets), by_scripts);
+  return evaluation ? evaluation : evaluate(pipeline, sets);
+}
+
 // ---- scenes
 
 static std::string sourceOf(const Shot& shot) { return shot.scene + settingsIdentity(shot.sets, true); }
@@ -253,11 +269,7 @@ void Workbench::forgetScenes() {
 }
 
 Picture Workbench::render(const Shot& shot, const std::function<void(int, int)>& progress, bool id_coverage) {
-  Shot filled = shot;
-  std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets);
-  std::shared_ptr<HeldScene> held = scene(filled, true);
-  Planned planned = plannedOf(*this, filled, *held, evaluation->pipeline);
-  return Drawing(*this, held, std::move(planned), evaluation).capture(filled, nullptr, progress, id_coverage);
+  return KeptDrawings(*this).render(shot, progress, id_coverage);
 }
 
 }  // namespace strobe::lab

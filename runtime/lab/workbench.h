@@ -92,6 +92,9 @@ class Workbench {
 
   // Evaluation of a pipeline with settings. Reused for equal settings while no script has changed. Throws `Error`.
   std::shared_ptr<const Evaluation> evaluate(const std::string& pipeline, const script::Settings& sets);
+  // Like `evaluate`, but once a pipeline has been evaluated, settings that change only numbers are applied without
+  // running scripts.
+  std::shared_ptr<const Evaluation> evaluateNumbers(const std::string& pipeline, const script::Settings& sets);
 
   // Scene of a shot; fills in unset options of the shot. Loads the scene if it is not cached; with `fresh`, also if a
   // file has changed. The cache keeps the most recently used scenes; other scenes live as long as they are in use.
