@@ -9,6 +9,7 @@
 #include "archive/verify.h"
 #include "base/log.h"
 #include "base/process.h"
+#include "gpu/choice.h"
 
 namespace strobe::app {
 
@@ -108,7 +109,7 @@ void registerCapture(CLI::App& program, const Home& home) {
   command->add_option("--size", order->size, "WIDTHxHEIGHT in pixels: scales the whole capture (default: the file's)");
   command->add_flag("--bundle", order->bundle, "copy every used file, so that the folder can be verified anywhere");
   command->add_flag("--zip", order->zip, "write a bundle, and a copy as one file, FOLDER.zip (needs Python 3)");
-  command->add_option("--device", order->device, "index or part of the name of a Vulkan device");
+  command->add_option("--device", order->device, gpu::kDeviceHelp);
   command->add_flag("--json", order->json, "print the manifest");
   command->callback([order, &home] { capture(home, *order); });
 
@@ -116,7 +117,7 @@ void registerCapture(CLI::App& program, const Home& home) {
   command = program.add_subcommand("verify", "Take a capture again and compare it with its manifest, bit for bit");
   command->add_option("manifest", asked->manifest, "the folder of a capture, or its manifest.json")->required();
   command->add_option("-o,--out", asked->out, "folder for pictures of the differences");
-  command->add_option("--device", asked->device, "index or part of the name of a Vulkan device");
+  command->add_option("--device", asked->device, gpu::kDeviceHelp);
   command->add_flag("--json", asked->json, "print the differences as JSON");
   command->callback([asked, &home] { verify(home, *asked); });
 
