@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "app/batch.h"
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/numbers.h"
@@ -15,6 +16,7 @@
 #include "base/interruption.h"
 #include "base/log.h"
 #include "base/numbers.h"
+#include "gpu/choice.h"
 #include "lab/shot_options.h"
 #include "study/points.h"
 #include "study/report.h"
@@ -30,6 +32,7 @@ struct SweepOptions {
   bool dry_run = false, json = false, exr = false;
   int jobs = 1;
   double truth_error = 0, time_limit_s = gpu::kTimeLimit_s;
+  BatchOptions batch;
 };
 
 // No sheet: the capture has its own figure.
@@ -120,12 +123,32 @@ study::Results ranTo(const Path& outline, const Run& run) {
   }
 }
 
+// Job that repeats the command line in several tasks.
+BatchJob jobOf(const SweepOptions& options, const std::string& file) {
+  const std::string program = std::filesystem::read_symlink(Home::kOwnProgram);
+  Words sweep = {program, "sweep", options.file, "-o", options.out};
+  auto add = [&sweep](const std::string& option, const std::string& value) {
+    if (!value.empty()) sweep.insert(sweep.end(), {option, value});
+  };
+  add("--only", options.only), add("--size", options.size), add("--device", options.device);
+  if (options.truth_error > 0) add("--truth-error", fmt::format("{:g}", options.truth_error));
+  if (options.time_limit_s != gpu::kTimeLimit_s) add("--time-limit", fmt::format("{:g}", options.time_limit_s));
+  if (options.jobs > 1) add("--jobs", std::to_string(options.jobs));
+  if (options.exr) sweep.push_back("--exr");
+  return {.name = Path(file).stem(),
+          .sweep = std::move(sweep),
+          .report = {program, "report", options.out, "--experiment", options.file},
+          .start = std::filesystem::current_path(),
+          .logs = {}};
+}
+
 void sweep(const Home& home, const SweepOptions& options) {
   double started_s = clockSeconds();
   std::string file = hereOrAtHome(home, options.file);
   if (!options.dry_run) requireWritable(options.out);
   study::Experiment checked = experimentOf(home, file, options);
   if (options.dry_run) return list(checked, options.json);
+  if (options.batch.isWanted()) return startBatch(options.batch, jobOf(options, file), checked.points(), options.out);
   study::Store store(options.out);
   store.requires_exr = options.exr;
   store.belongTo(checked.title);
@@ -192,7 +215,7 @@ void demo(const Home& home, const SweepOptions& options) {
 
 void addCommon(CLI::App& command, SweepOptions& options) {
   command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default: the file's)");
-  command.add_option("--device", options.device, "index or part of the name of a Vulkan device");
+  command.add_option("--device", options.device, gpu::kDeviceHelp);
   command.add_flag("--json", options.json, "print the results as JSON");
   addTimeLimit(command, options.time_limit_s);
 }
@@ -208,6 +231,7 @@ void addSweep(CLI::App& command, SweepOptions& options) {
       ->type_name("E")
       ->check(aboveZero());
   command.add_flag("--exr", options.exr, "keep every picture as points/KEY.exr, linear, with its record");
+  addBatch(command, options.batch);
 }
 
 struct ReportOptions {
