@@ -42,7 +42,7 @@ Heartbeat::~Heartbeat() {
 
 namespace {
 
-// State of a file; no inode if it is missing. Network file systems ask the server when a file is opened.
+// State of a file; no inode if it is missing. Opening a file makes a network file system fetch its present state.
 struct stat stateOf(const Path& file) {
   struct stat state {};
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
