@@ -7,6 +7,7 @@
 #include "app/shot_options.h"
 #include "archive/capture_run.h"
 #include "archive/verify.h"
+#include "base/interruption.h"
 #include "base/log.h"
 #include "base/process.h"
 #include "gpu/choice.h"
@@ -38,6 +39,7 @@ void capture(const Home& home, const CaptureOptions& options) {
   order.device = options.device, order.validation = validationWanted();
   requireWritable(order.folder);
   archive::readCapture(home, order.file, order.size);  // report mistakes before anything is written
+  Interruption interruption;
   archive::Captured captured = archive::runCapture(home, order, [](const std::string& line) { note(line); });
   const std::string zip = options.zip ? packed(home, order.folder) : "";
   if (options.json) {

@@ -11,6 +11,8 @@
 
 #include "app/commands.h"
 #include "base/error.h"
+#include "base/interruption.h"
+#include "base/log.h"
 #include "base/project.h"
 #include "base/version.h"
 #include "script/evaluate.h"
@@ -77,7 +79,7 @@ static std::string usageText(const CLI::App& program, const CLI::ParseError& err
 // Refuses a project with files under shipped names, even if the command does not need the files. Commands that describe
 // or create something still work. `check` lists all mistakes itself.
 static void requireNames(const CLI::App& program, const strobe::Home& home) {
-  const std::set<std::string> always = {"help", "doctor", "new", "complete", "compare", "check"};
+  const std::set<std::string> always = {"help", "doctor", "new", "complete", "compare", "check", "status"};
   for (const CLI::App* command : program.get_subcommands())
     if (always.count(command->get_name())) return;
   strobe::throwIfAny(strobe::misnamedInProject(home));
@@ -98,6 +100,7 @@ int main(int argc, char** argv) {
   strobe::app::registerCompare(program);
   strobe::app::registerSweep(program, home);
   strobe::app::registerReport(program, home);
+  strobe::app::registerStatus(program);
   strobe::app::registerTune(program, home);
   strobe::app::registerCapture(program, home);
   strobe::app::registerBench(program, home);
@@ -113,6 +116,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     bool asked_for_help = error.get_exit_code() == 0;
     return asked_for_help ? program.exit(error) : report(usageText(program, error, argc, argv), 2);
+  } catch (const strobe::Stopped& stopped) {
+    strobe::note(stopped.reason + "; " + stopped.kept);
+    return strobe::kTryAgain;
   } catch (const strobe::Error& error) {
     return report(error.what(), error.exitCode());
   } catch (const std::exception& error) {

@@ -40,6 +40,7 @@ struct Point {
   std::map<std::string, std::string> files;  // hashes of all files of the point, by name below the results' folder
   std::string times;                         // conditions of the times: rounds, and the base of ratios
   std::string device, driver;                // of the picture and the times; "": the device of the results
+  std::vector<std::string> tries;            // reasons of failed tries, only in the point's own file
   // Only of a truth, and only in its own file, because results have these once per shot: the crops of the shot, and the
   // author of its scene.
   std::vector<image::Rectangle> crops;

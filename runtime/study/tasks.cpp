@@ -182,25 +182,35 @@ std::optional<Group> benignOf(const Experiment& experiment, const Group& group) 
 
 Remaining remainingOf(const std::vector<TaskGroup>& groups, const Store& store) {
   Remaining remaining;
-  std::set<std::string> counted;
+  std::set<std::string> seen;  // full truths, and results that are set aside
   for (const TaskGroup& group : groups) {
     bool lacks = false;
     for (const Task& task : group.tasks) {
-      if (task.key.empty() || store.has(task.key)) continue;
+      if (!group.is_mine || task.key.empty() || seen.count(task.key) || store.has(task.key)) continue;
+      const size_t tries = store.triesOf(task.key);
+      if (tries >= kMostTries && !store.retries) {
+        ++remaining.set_aside, seen.insert(task.key);
+        continue;
+      }
       lacks = true;
-      if (counted.insert(task.key).second) remaining.cost += task.cost;
+      if (remaining.tries.emplace(task.key, tries).second) remaining.cost += task.cost;
     }
     if (!lacks) continue;
     remaining.groups.push_back(&group);
-    if (group.full && counted.insert(group.full_keys.front()).second) remaining.cost += group.truth().cost;
+    if (group.full && seen.insert(group.full_keys.front()).second) remaining.cost += group.truth().cost;
   }
   return remaining;
 }
 
 std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch) {
+  const std::vector<size_t> shares = sharesOf(experiment, experiment.share.of);
   std::vector<TaskGroup> groups;
-  for (const Group& group : experiment.groups)
-    if (experiment.shots[group.shot].missing.empty()) groups.push_back(groupOf(experiment, group, batch));
+  for (size_t i = 0; i < experiment.groups.size(); ++i) {
+    const Group& group = experiment.groups[i];
+    if (!experiment.shots[group.shot].missing.empty()) continue;
+    groups.push_back(groupOf(experiment, group, batch));
+    groups.back().is_mine = shares[i] == experiment.share.index;
+  }
   return groups;
 }
 
