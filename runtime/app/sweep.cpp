@@ -20,8 +20,8 @@
 #include "base/lease.h"
 #include "base/log.h"
 #include "base/numbers.h"
-#include "gpu/choice.h"
 #include "base/process_name.h"
+#include "gpu/choice.h"
 #include "lab/shot_options.h"
 #include "study/points.h"
 #include "study/report.h"
@@ -193,6 +193,7 @@ BatchJob jobOf(const SweepOptions& options, const std::string& file) {
   if (options.time_limit_s != gpu::kTimeLimit_s) add("--time-limit", fmt::format("{:g}", options.time_limit_s));
   if (options.jobs > 1) add("--jobs", std::to_string(options.jobs));
   if (options.exr) sweep.push_back("--exr");
+  if (options.retry) sweep.push_back("--retry");
   return {.name = Path(file).stem(),
           .sweep = std::move(sweep),
           .report = {program, "report", options.out, "--experiment", options.file},
@@ -340,7 +341,7 @@ void report(const Home& home, const ReportOptions& options) {
   const ResultNames names = namesIn(folder);
   requireWritable(folder, "the folder");
   study::Results results = study::resultsIn(resultsFile(folder, names));
-  std::vector<Path> damaged = study::takePoints(results, folder), altered = study::alteredFiles(results, folder);
+  std::vector<Path> damaged = study::takePoints(results, folder, true), altered = study::alteredFiles(results, folder);
   damaged.insert(damaged.end(), altered.begin(), altered.end());
   if (!options.file.empty())
     study::relabel(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));

@@ -325,6 +325,8 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
     point.tries.push_back(failed);
     warn(fmt::format("{}: failed: {}", name, failed));
   }
+  const gpu::DeviceInfo& device = batch_.bench().device().info();
+  point.device = device.name, point.driver = device.driver;
   store_.keep(task.key, point);
   cost_ += task.cost;
   points_ += task.arm->role != ArmRole::truth;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "study/store.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "base/hash.h"
 #include "base/interruption.h"
@@ -86,20 +88,36 @@ static void describeShot(Results& results, const PointGroup& group, const Point&
   }
 }
 
-std::vector<Path> takePoints(Results& results, const Path& folder) {
+std::string contentOfKey(const std::string& key) { return key.substr(0, key.find('_')); }
+
+// Keys of the points in a folder by their content; of several devices, the first by name.
+static std::map<std::string, std::string> keysByContent(const Path& folder) {
+  std::vector<std::string> keys = namesIn(folder / "points", ".json");
+  std::sort(keys.begin(), keys.end());
+  std::map<std::string, std::string> found;
+  for (const std::string& key : keys) found.emplace(contentOfKey(key), key);
+  return found;
+}
+
+std::vector<Path> takePoints(Results& results, const Path& folder, bool of_any_device) {
   std::vector<Path> damaged;
+  const auto others = of_any_device ? keysByContent(folder) : std::map<std::string, std::string>();
   std::set<std::string> described;
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) {
-      Path file = pointFile(folder, point.key, ".json");
-      if (point.key.empty() || !fs::exists(file)) continue;
-      std::optional<Point> known = pointFromFile(file, point.key);
+      std::string key = point.key;
+      auto other = others.find(contentOfKey(key));
+      if (other != others.end() && !fs::exists(pointFile(folder, key, ".json"))) key = other->second;
+      Path file = pointFile(folder, key, ".json");
+      if (key.empty() || !fs::exists(file)) continue;
+      std::optional<Point> known = pointFromFile(file, key);
       if (!known) {
         damaged.push_back(file);
         point.values.clear(), point.failed.clear();  // the point counts as missing
         continue;
       }
       if (known->command.empty()) known->command = point.command;
+      if (known->device == results.device && known->driver == results.driver) known->device = known->driver = "";
       known->arm = point.arm, known->role = point.role;
       if (known->role == ArmRole::truth) describeShot(results, group, *known, described);
       point = std::move(*known);
@@ -109,7 +127,7 @@ std::vector<Path> takePoints(Results& results, const Path& folder) {
 
 Results resultsSoFar(const Path& outline) {
   Results results = resultsIn(outline);
-  takePoints(results, outline.parent_path());
+  takePoints(results, outline.parent_path(), true);
   return results;
 }
 

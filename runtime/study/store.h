@@ -24,11 +24,16 @@ inline constexpr size_t kMostTries = 3;
 // Path of a file of a point: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
 Path pointFile(const Path& folder, const std::string& key, const std::string& ending);
 
-// Fills in the points of `results` that the folder has, and the crops and authors of their shots; other points and
-// shots stay as they are. Returns the damaged files of points: cut short, altered, or of another point.
-std::vector<Path> takePoints(Results& results, const Path& folder);
+// Part of a key without the device.
+std::string contentOfKey(const std::string& key);
 
-// Results of an unfinished run, with the points drawn so far. Throws `Error` if the outline is missing or damaged.
+// Fills in the points of `results` that the folder has, and the crops and authors of their shots; other points and
+// shots stay as they are. With `of_any_device`, a missing point is taken from another device or driver. Returns the
+// damaged files of points: cut short, altered, or of another point.
+std::vector<Path> takePoints(Results& results, const Path& folder, bool of_any_device = false);
+
+// Results of an unfinished run, with the points drawn so far on any device. Throws `Error` if the outline is missing or
+// damaged.
 Results resultsSoFar(const Path& outline);
 
 // Files of the points of `results` that are in the folder and differ from their hash.

@@ -149,7 +149,8 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
   EXPECT_EQ(file("killed", "table.csv"), file("whole", "table.csv"));
   for (const char* part : {"points", "truth"})
     for (const auto& entry : fs::directory_iterator(folder_ / ("killed/" + std::string(part))))
-      EXPECT_TRUE(std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}\\.(json|png|exr)")))
+      EXPECT_TRUE(
+          std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}_[0-9a-f]{8}\\.(json|png|exr)")))
           << entry.path() << " was left unfinished";
 }
 

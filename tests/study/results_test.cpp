@@ -16,6 +16,7 @@
 #include "program/run.h"
 #include "study/curves.h"
 #include "study/report.h"
+#include "study/store.h"
 
 namespace strobe::study {
 namespace results_test {
@@ -136,6 +137,32 @@ TEST(Results, TimesOfTwoDevicesAreGroupedByDevice) {
   EXPECT_NE(csvOf(results).find(",device\n"), std::string::npos);
   EXPECT_NE(csvOf(results).find(",\"other, driver 2\"\n"), std::string::npos);
   EXPECT_EQ(toJson(resultsFrom(toJson(results), "x")).dump(), toJson(results).dump());
+}
+
+// A report fills gaps with points of other devices; a sweep draws them again.
+TEST(Results, PointsOfAnotherDeviceFillGapsOfAReport) {
+  testing::TemporaryFolder folder;
+  Store store(folder.path());
+  Results results = made();
+  results.groups.resize(1);
+  PointGroup& group = results.groups[0];
+  for (size_t i = 1; i < group.points.size(); ++i) {
+    Point& point = group.points[i];
+    point.key = fmt::format("{}_11111111", i), point.device = "device", point.driver = "driver";
+    if (i == 1) store.keep(point.key, point);
+    point.device = "other";
+    if (i < 3) store.keep(fmt::format("{}_22222222", i), point);
+    point.values.clear(), point.device.clear(), point.driver.clear();
+  }
+  Results strict = results;
+  takePoints(strict, folder.path());
+  EXPECT_EQ(strict.missing(), 3u);
+  takePoints(results, folder.path(), true);
+  EXPECT_EQ(results.missing(), 2u);
+  EXPECT_EQ(group.points[1].device, "") << "its own device first";
+  EXPECT_EQ(group.points[1].key, "1_11111111");
+  EXPECT_EQ(results.deviceOf(group.points[2]), "other, driver");
+  EXPECT_EQ(group.points[2].key, "2_22222222");
 }
 
 TEST(Results, AreTheSameFromDisk) {
