@@ -11,6 +11,7 @@
 #include "app/shot_options.h"
 #include "base/log.h"
 #include "bench/slopes_report.h"
+#include "gpu/choice.h"
 #include "study/measures.h"
 #include "study/points.h"
 
@@ -206,7 +207,7 @@ void registerBenchSlopes(CLI::App& bench, const Home& home) {
       ->check(aboveZero())
       ->capture_default_str();
   command->add_option("-o,--out", options->out, "folder for index.html and slopes.json");
-  command->add_option("--device", options->device, "index or part of the name of a Vulkan device");
+  command->add_option("--device", options->device, gpu::kDeviceHelp);
   command->add_flag("--json", options->json, "print everything as JSON");
   command->callback([options, &home] { slopes(home, *options); });
 }

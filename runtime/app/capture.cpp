@@ -7,8 +7,10 @@
 #include "app/shot_options.h"
 #include "archive/capture_run.h"
 #include "archive/verify.h"
+#include "base/interruption.h"
 #include "base/log.h"
 #include "base/process.h"
+#include "gpu/choice.h"
 
 namespace strobe::app {
 
@@ -37,6 +39,7 @@ void capture(const Home& home, const CaptureOptions& options) {
   order.device = options.device, order.validation = validationWanted();
   requireWritable(order.folder);
   archive::readCapture(home, order.file, order.size);  // report mistakes before anything is written
+  Interruption interruption;
   archive::Captured captured = archive::runCapture(home, order, [](const std::string& line) { note(line); });
   const std::string zip = options.zip ? packed(home, order.folder) : "";
   if (options.json) {
@@ -108,7 +111,7 @@ void registerCapture(CLI::App& program, const Home& home) {
   command->add_option("--size", order->size, "WIDTHxHEIGHT in pixels: scales the whole capture (default: the file's)");
   command->add_flag("--bundle", order->bundle, "copy every used file, so that the folder can be verified anywhere");
   command->add_flag("--zip", order->zip, "write a bundle, and a copy as one file, FOLDER.zip (needs Python 3)");
-  command->add_option("--device", order->device, "index or part of the name of a Vulkan device");
+  command->add_option("--device", order->device, gpu::kDeviceHelp);
   command->add_flag("--json", order->json, "print the manifest");
   command->callback([order, &home] { capture(home, *order); });
 
@@ -116,7 +119,7 @@ void registerCapture(CLI::App& program, const Home& home) {
   command = program.add_subcommand("verify", "Take a capture again and compare it with its manifest, bit for bit");
   command->add_option("manifest", asked->manifest, "the folder of a capture, or its manifest.json")->required();
   command->add_option("-o,--out", asked->out, "folder for pictures of the differences");
-  command->add_option("--device", asked->device, "index or part of the name of a Vulkan device");
+  command->add_option("--device", asked->device, gpu::kDeviceHelp);
   command->add_flag("--json", asked->json, "print the differences as JSON");
   command->callback([asked, &home] { verify(home, *asked); });
 

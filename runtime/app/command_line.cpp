@@ -12,6 +12,8 @@
 
 #include "app/commands.h"
 #include "base/error.h"
+#include "base/interruption.h"
+#include "base/log.h"
 #include "base/version.h"
 
 namespace strobe::app {
@@ -75,7 +77,7 @@ static std::string usageText(const CLI::App& program, const CLI::ParseError& err
 // Refuses a project with files under shipped names, even if the command does not need the files. Commands that describe
 // or create something still work. `check` lists all mistakes itself.
 static void requireNames(const CLI::App& program, const Home& home) {
-  const std::set<std::string> always = {"help", "doctor", "new", "complete", "compare", "check"};
+  const std::set<std::string> always = {"help", "doctor", "new", "complete", "compare", "check", "status"};
   for (const CLI::App* command : program.get_subcommands())
     if (always.count(command->get_name())) return;
   throwIfAny(home.mistakesOfProject());
@@ -91,6 +93,7 @@ static void registerAll(CLI::App& program, const Home& home, KeptBench& bench) {
   registerCompare(program);
   registerSweep(program, home);
   registerReport(program, home);
+  registerStatus(program);
   registerTune(program, home);
   registerCapture(program, home);
   registerBench(program, home);
@@ -126,6 +129,9 @@ CommandEnd runCommand(const Home& home, KeptBench& bench, const std::vector<std:
   });
   try {
     return {parse(program, words), "", false};
+  } catch (const Stopped& stopped) {
+    note(stopped.reason + "; " + stopped.kept);
+    return {kTryAgain, "", false};
   } catch (const Error& error) {
     return {error.exitCode(), error.what(), false};
   } catch (const std::exception& error) {

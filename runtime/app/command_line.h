@@ -12,7 +12,7 @@ namespace strobe::app {
 
 // End of a command: exit code, and the message of a failure.
 struct CommandEnd {
-  int exit_code = 0;      // 0: success; 1: failure; 2: wrong command line
+  int exit_code = 0;      // 0: success; 1: failure; 2: wrong command line; 75: stopped, try again
   std::string error;      // one line per mistake; "": no message
   bool is_fault = false;  // failure that is not an `Error`, such as a lost device: the process cannot continue
 };

@@ -20,6 +20,7 @@ void registerPlan(CLI::App& program, const Home& home);       // prints the plan
 void registerCompare(CLI::App& program);                      // error metrics of two images
 void registerSweep(CLI::App& program, const Home& home);      // runs an experiment
 void registerReport(CLI::App& program, const Home& home);     // lays out the results of an experiment again
+void registerStatus(CLI::App& program);                       // progress of a sweep, and the programs that draw it
 void registerTune(CLI::App& program, const Home& home);       // best setting of a pipeline, as a preset
 void registerCapture(CLI::App& program, const Home& home);    // `capture`, `verify`, `diff`: pictures to repeat exactly
 void registerBench(CLI::App& program, const Home& home);      // `bench` with `reload`, `frames` and `slopes`

@@ -365,6 +365,8 @@ void plan(const Home& home, const PlanOptions& options) {
 
 Json deviceJson(const gpu::DeviceInfo& info) {
   Json json = {{"name", info.name}, {"driver", info.driver}, {"api", info.api}, {"software", info.software}};
+  json["uuid"] = info.uuid;
+  if (!info.pci.empty()) json["pci"] = info.pci;
   json["backends"] = Json::array();
   for (const shader::BackendRow& row : shader::backends())
     if (shader::isPresent(row, info)) json["backends"].push_back(row.name);
@@ -418,6 +420,7 @@ void doctor(const Home& home, bool json) {
       const auto& info = devices[i];
       std::printf("device %zu: %s (%s, Vulkan %s)%s\n", i, info.name.c_str(), info.driver.c_str(), info.api.c_str(),
                   info.software ? ", software: pictures are right, timings are not a GPU's" : "");
+      std::printf("  UUID %s%s\n", info.uuid.c_str(), info.pci.empty() ? "" : (", PCI " + info.pci).c_str());
       std::fputs(featuresOf(info).c_str(), stdout);
       std::string missing = info.missing();
       std::printf("  %s\n", missing.empty() ? "suffices" : ("lacks " + missing).c_str());

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "app/result_files.h"
 
+#include <filesystem>
+
 #include "image/png.h"
 #include "study/report.h"
 
 namespace strobe::app {
+
+ResultNames namesIn(const Path& folder) {
+  for (const ResultNames& names : {kDemoNames, ResultNames()})
+    if (std::filesystem::exists(resultsFile(folder, names))) return names;
+  throw Error(fmt::format("no results in '{}' ({})", folder.string(), ResultNames().results), {}, 2);
+}
+
+Path resultsFile(const Path& folder, const ResultNames& names) {
+  const Path unfinished = folder / names.outline;
+  return std::filesystem::exists(unfinished) ? unfinished : folder / names.results;
+}
 
 std::vector<Path> writeResults(const study::Results& results, const Path& folder, const ResultNames& names,
                                bool still) {

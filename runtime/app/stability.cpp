@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/shot_options.h"
+#include "gpu/choice.h"
 #include "stability/extremes.h"
 #include "stability/suite.h"
 
@@ -89,7 +90,7 @@ void registerStability(CLI::App& program, const Home& home) {
   command->add_option("--invariant", options->suite.invariants, "NAME: check only this invariant (repeatable)")
       ->allow_extra_args(false);
   command->add_option("--variant", options->suite.only, "check only variants with this text in the name");
-  command->add_option("--device", options->device, "index or part of the name of a Vulkan device");
+  command->add_option("--device", options->device, gpu::kDeviceHelp);
   command->add_flag("--extremes", options->extremes,
                     "check the extreme cases instead (sizes, scales, offsets, near plane ...)");
   command->add_flag("--json", options->json, "report as JSON");

@@ -11,8 +11,11 @@
 #include "app/result_files.h"
 #include "app/shot_options.h"
 #include "base/frozen_home.h"
+#include "base/interruption.h"
+#include "base/lease.h"
 #include "base/log.h"
 #include "base/numbers.h"
+#include "base/process_name.h"
 #include "lab/shot_options.h"
 #include "page/table.h"
 #include "study/gallery.h"
@@ -222,8 +225,10 @@ void tune(const Home& home, TuneOptions options) {
   study::spaceOf(script::evaluatePipeline(home, {request.shot.pipeline, request.shot.sets}), {}, request);
   if (!request.base.empty()) script::evaluatePipeline(home, {request.base, {}});
   requireWritable(folder);
+  Interruption interruption;
+  const std::unique_ptr<Lease> claim = Lease::ofFolder(folder);
   study::Store store(folder);
-  FrozenHome frozen(home, store.folder() / ".inputs");
+  FrozenHome frozen(home, store.folder() / (".inputs." + processName()));
   lab::Workbench bench(frozen.home(), request.shot.device, validationWanted());
   study::Tuned tuned = study::tune(request, bench, store);
   bench.device().refuseMessages();

@@ -5,7 +5,9 @@
 #include <filesystem>
 
 #include "base/hash.h"
+#include "base/interruption.h"
 #include "base/leftovers.h"
+#include "base/process_name.h"
 #include "figure/film.h"
 
 namespace strobe::archive {
@@ -36,7 +38,7 @@ static std::set<std::string> copyInputs(const Inputs& inputs, const InputNames& 
 }
 
 Capturing::Places Capturing::mainPlace(const Home& home, const Order& order) {
-  auto frozen = std::make_unique<FrozenHome>(home, order.folder / ".inputs");
+  auto frozen = std::make_unique<FrozenHome>(home, order.folder / (".inputs." + processName()));
   auto bench = std::make_unique<lab::Workbench>(frozen->home(), order.device, order.validation);
   InputNames names(frozen->home(), home, frozen->at(order.file));
   Places places;
@@ -48,6 +50,7 @@ Capturing::Capturing(const Home& home, const Order& order, Report report)
     : order_(order),
       home_(home),
       report_(std::move(report)),
+      lease_(Lease::ofFolder(order.folder)),
       places_(mainPlace(home, order)),
       capture_(readCapture(inputs().home(), inputs().at(order.file), order.size)),
       frames_(framesOf(capture_, isFigure(order.only) ? "" : order.only)) {
@@ -89,6 +92,7 @@ void Capturing::drawFigures() {
     for (const Json& figure : *list) {
       const std::string name = figure.at("name").get<std::string>();
       if (isFigure(order_.only) && name != order_.only) continue;
+      stopIfRequested();
       std::vector<const CapturedShot*> shots = shotsOf(figure);
       auto missing = std::find_if(shots.begin(), shots.end(), [](const auto* shot) { return !shot->missing.empty(); });
       if (missing != shots.end()) {
@@ -140,6 +144,7 @@ Captured Capturing::finish() {
   for (size_t i = 0; i < frames_.size() && !of_figure; ++i) {
     const std::string name = frames_[i].name();
     if (entries_.count(name)) continue;
+    stopIfRequested();
     bool drawn = draw(frames_[i]) != nullptr;
     if (report_) report_(fmt::format("{} of {}: {}{}", i + 1, frames_.size(), name, drawn ? "" : ", already drawn"));
   }

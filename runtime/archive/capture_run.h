@@ -7,6 +7,7 @@
 
 #include "archive/manifest.h"
 #include "base/frozen_home.h"
+#include "base/lease.h"
 #include "figure/taken.h"
 
 namespace strobe::archive {
@@ -45,7 +46,8 @@ std::vector<CapturedFrame> framesOf(const CaptureFile& capture, const std::strin
 
 // A capture in progress. Each picture is drawn once, written completely or not at all, and read back for figures and
 // films. Pictures of an earlier capture with the same inputs are kept. A file under its final name is
-// complete. Inputs are frozen at the start: later edits do not count. `report` gets a line for each picture that
+// complete. Inputs are frozen at the start: later edits do not count. The folder is claimed: a second capture throws
+// `Error` (exit code 2). `report` gets a line for each picture that
 // `finish` takes, and for each figure. All functions may throw `Error`. The home must outlive the object.
 class Capturing {
  public:
@@ -96,6 +98,7 @@ class Capturing {
   const Order order_;
   const Home& home_;
   const Report report_;
+  std::unique_ptr<Lease> lease_;
   Places places_;  // by the folder of an arm's own files; "": of all other arms
   const CaptureFile capture_;
   const std::vector<CapturedFrame> frames_;

@@ -7,6 +7,7 @@
 #include "archive/capture_run.h"
 #include "base/hash.h"
 #include "base/log.h"
+#include "base/process_name.h"
 #include "base/sealed_json.h"
 #include "image/png.h"
 #include "lab/capture.h"
@@ -146,7 +147,7 @@ std::vector<CapturedFrame> framesOf(const CaptureFile& capture, const std::strin
 const Capturing::Place& Capturing::placeOf(const Path& files) {
   auto known = places_.find(files);
   if (known != places_.end()) return known->second;
-  const Path copy = order_.folder / fmt::format(".inputs_{}", places_.size() - 1);
+  const Path copy = order_.folder / fmt::format(".inputs_{}.{}", places_.size() - 1, processName());
   auto home = std::make_unique<FrozenHome>(inputs().home(), copy, files);
   auto bench = std::make_unique<lab::Workbench>(home->home(), order_.device, order_.validation);
   InputNames names(home->home(), main().names, files);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/process_name.h"
 
 namespace strobe {
 
@@ -55,7 +56,7 @@ std::error_code flushFolder(const Path& folder) {
 
 void writeFileAtomically(const Path& file, std::string_view bytes, Flush flush) {
   Path temporary = file;
-  temporary += fmt::format(".{}.part", ::getpid());
+  temporary += "." + processName() + ".part";
   int descriptor = -1;
   try {
     if (file.has_parent_path()) fs::create_directories(file.parent_path());

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/frozen_home.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -84,32 +79,7 @@ Home copy(const Home& home, const Path& folder, const Path& other) {
   return result;
 }
 
-// A process that was just killed holds its locks until the system has ended it.
-constexpr int kTries = 25;  // 20 ms apart
-
-// Locks a folder until the descriptor is closed or this process ends. Returns -1 if the folder is missing or its file
-// system has no locks.
-int locked(const Path& folder) {
-  int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return -1;
-  bool is_held = false;
-  for (int tries = 0; tries < kTries; ++tries) {
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
-    is_held = errno == EWOULDBLOCK;
-    if (is_held) ::usleep(20000);
-    else break;
-  }
-  ::close(descriptor);
-  if (is_held) throw Error("another process is using this folder", {folder.parent_path().string()}, 2);
-  return -1;
-}
-
-void unlock(int lock) {
-  if (lock >= 0) ::close(lock);
-}
-
 Home copied(const Home& home, const Path& folder, const Path& other) {
-  unlock(locked(folder));
   try {
     return copy(home, folder, other);
   } catch (const Error&) {
@@ -127,12 +97,11 @@ Home copied(const Home& home, const Path& folder, const Path& other) {
 }  // namespace
 
 FrozenHome::FrozenHome(const Home& home, const Path& folder, const Path& other)
-    : folder_(folder), home_(copied(home, folder, other)), lock_(locked(folder)) {}
+    : folder_(folder), home_(copied(home, folder, other)) {}
 
 FrozenHome::~FrozenHome() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
-  unlock(lock_);
 }
 
 std::string FrozenHome::at(const std::string& file) const {

@@ -20,7 +20,6 @@ class FrozenHome {
   // Copies into `folder`, in place of its content. Files in `other`/strobe and `other`/project, named as in the roots,
   // replace the home's files. `other`/absent.txt lists files to omit, one per line ("strobe/passes/x.lua"). Throws
   // `WriteError` with the system's reason, and `Error` for a name outside of the roots; both leave nothing behind.
-  // Throws `Error` (exit code 2) if another process holds a copy in this folder.
   FrozenHome(const Home& home, const Path& folder, const Path& other = {});
   FrozenHome(const FrozenHome&) = delete;
   ~FrozenHome();
@@ -32,7 +31,6 @@ class FrozenHome {
  private:
   Path folder_;
   Home home_;
-  int lock_ = -1;
 };
 
 }  // namespace strobe

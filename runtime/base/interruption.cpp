@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/interruption.h"
 
-#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <cerrno>
-#include <cstdio>
-#include <utility>
+#include <limits>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -17,16 +14,28 @@ namespace strobe {
 
 namespace {
 
-constexpr int kSignals[] = {SIGINT, SIGTERM};
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGUSR1};
+constexpr double kGrace_s = 2;
+constexpr unsigned kMost_s = 10;  // a batch system kills a process after 30 s
 
-// End of the pipe that the handler writes to; -1 if the pipe has no reader.
-std::atomic<int> writing_end = -1;
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
-void passOn(int signal) {
-  const int saved = errno;
-  const unsigned char number = static_cast<unsigned char>(signal);
-  [[maybe_unused]] ssize_t written = ::write(writing_end, &number, 1);
-  errno = saved;
+bool exists = false;
+std::atomic<double> limit_s = kNever;  // time of the limit, by `clockSeconds`
+std::atomic<double> signal_s = 0;      // time of the first signal, by `clockSeconds`; 0: none
+static_assert(std::atomic<double>::is_always_lock_free, "a signal handler writes it");
+
+[[noreturn]] void endNow(int) {
+  constexpr char kText[] = "interrupted; the same command continues\n";
+  [[maybe_unused]] ssize_t written = ::write(STDERR_FILENO, kText, sizeof kText - 1);
+  ::_exit(kTryAgain);
+}
+
+void requestStop(int signal) {
+  if (signal_s != 0 && signal == SIGUSR1) return;
+  if (signal_s != 0) endNow(signal);
+  signal_s = clockSeconds();
+  ::alarm(kMost_s);
 }
 
 void handle(int signal, void (*handler)(int)) {
@@ -39,41 +48,46 @@ void handle(int signal, void (*handler)(int)) {
   ::sigaction(signal, &action, nullptr);
 }
 
+bool isTimeUp() { return clockSeconds() >= limit_s; }
+
+[[noreturn]] void stop() { throw Stopped{signal_s != 0 ? "interrupted" : "the time is up (--time-left)"}; }
+
 }  // namespace
 
-Interruption::Interruption(std::function<std::string()> last_words) : last_words_(std::move(last_words)) {
-  STROBE_ASSERT(writing_end < 0, "an interruption handler exists already");
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw Error("cannot create a pipe for signals");
-  reading_ = ends[0];
-  writing_end = ends[1];
-  for (int signal : kSignals) handle(signal, passOn);
-  thread_ = std::thread([this] { wait(); });
+Interruption::Interruption(double time_left_s) {
+  STROBE_ASSERT(!exists, "an interruption handler exists already");
+  exists = true;
+  signal_s = 0;
+  limit_s = time_left_s > 0 ? clockSeconds() + time_left_s : kNever;
+  for (int signal : kSignals) handle(signal, requestStop);
+  handle(SIGALRM, endNow);
 }
 
 Interruption::~Interruption() {
+  ::alarm(0);
   for (int signal : kSignals) handle(signal, SIG_DFL);
-  passOn(0);
-  thread_.join();
-  ::close(reading_);
-  ::close(writing_end.exchange(-1));
+  handle(SIGALRM, SIG_DFL);
+  signal_s = 0;
+  limit_s = kNever;
+  exists = false;
 }
 
-// Waits for a signal, erases the progress line of a terminal, and prints the last message.
-void Interruption::wait() {
-  unsigned char signal = 0;
-  while (::read(reading_, &signal, 1) < 0 && errno == EINTR) continue;
-  if (signal == 0) return;
-  std::string text;
-  try {
-    text = last_words_();
-  } catch (const std::exception&) {
-    text = "interrupted";
-  }
-  if (::isatty(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
-  note(text);
-  handle(signal, SIG_DFL);
-  ::kill(::getpid(), signal);
+bool isStopRequested() { return signal_s != 0 || isTimeUp(); }
+
+void stopIfRequested() {
+  if (isStopRequested()) stop();
+}
+
+void stopIfOverdue() {
+  if (isTimeUp() || (signal_s != 0 && clockSeconds() > signal_s + kGrace_s)) stop();
+}
+
+void stopIfLonger(double seconds) {
+  if (clockSeconds() + seconds > limit_s) throw Stopped{"the time is up (--time-left)"};
+}
+
+void waitFor(double seconds) {
+  for (const double end_s = clockSeconds() + seconds; clockSeconds() < end_s; ::usleep(20000)) stopIfRequested();
 }
 
 }  // namespace strobe

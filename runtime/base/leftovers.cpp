@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/leftovers.h"
 
-#include <signal.h>
-#include <sys/types.h>
-
-#include <algorithm>
-#include <cctype>
-#include <cerrno>
+#include "base/process_name.h"
 
 namespace strobe {
 
@@ -14,27 +9,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isNumber(const std::string& text) {
-  return !text.empty() && text.size() < 10 &&
-         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
-}
-
-// "12" for "x.png.12.part" and ".recorded.12"; "" for other names.
+// "HOST.12" for "x.png.HOST.12.part", ".inputs.HOST.12" and ".recorded.HOST.12"; "" for other names.
 std::string processOf(const Path& name) {
-  if (name.extension() != ".part" && name.stem() != ".recorded") return "";
-  const Path with_number = name.extension() == ".part" ? name.stem() : name;
-  const std::string number = with_number.extension().string();
-  return number.size() > 1 && isNumber(number.substr(1)) ? number.substr(1) : "";
+  const std::string text = name.string();
+  const bool is_part = name.extension() == ".part";
+  if (!is_part && !text.starts_with(".inputs") && !text.starts_with(".recorded.")) return "";
+  const Path with_process = is_part ? name.stem() : name;
+  return with_process.stem().extension().string().erase(0, 1) + with_process.extension().string();
 }
 
-bool isGone(const std::string& process) {
-  return !process.empty() && ::kill(pid_t(std::stol(process)), 0) != 0 && errno == ESRCH;
-}
-
-bool isLeftover(const Path& name) {
-  const std::string text = name.string(), inputs = ".inputs_";
-  return isGone(processOf(name)) || (text.starts_with(inputs) && isNumber(text.substr(inputs.size())));
-}
+bool isLeftover(const Path& name) { return hasEnded(processOf(name)); }
 
 void removeAll(const std::vector<Path>& paths) {
   std::error_code ignored;
@@ -60,7 +44,7 @@ void removeLeftovers(const Path& folder, const std::string& beginning) {
   std::vector<Path> found;
   for (auto entry = fs::directory_iterator(folder, failed); entry != fs::end(entry); entry.increment(failed)) {
     const std::string name = entry->path().filename().string();
-    if (name.starts_with(beginning) && isGone(processOf(name))) found.push_back(entry->path());
+    if (name.starts_with(beginning) && isLeftover(name)) found.push_back(entry->path());
   }
   removeAll(found);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Temporary files and folders of processes that were killed: ".inputs_N" (FrozenHome), ".recorded.PID", "NAME.PID.part"
-// (writeFileAtomically, TemporaryFile).
+// Temporary files and folders of processes that were killed: ".inputs.HOST.PID" and ".inputs_N.HOST.PID" (FrozenHome),
+// ".recorded.HOST.PID", "NAME.HOST.PID.part" (writeFileAtomically, TemporaryFile).
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace strobe {
 
-// Removes leftovers of ended processes from a folder and the folders in it. `.inputs_N` does not name its process: no
-// process that creates such folders may be running there.
+// Removes leftovers of ended processes of this machine from a folder and the folders in it. Files of running processes
+// and of other machines stay.
 void removeLeftovers(const Path& folder);
 
-// Removes leftovers of ended processes from `folder` only, if their names begin with `beginning`.
+// Removes such leftovers from `folder` only, if their names begin with `beginning`.
 void removeLeftovers(const Path& folder, const std::string& beginning);
 
 }  // namespace strobe

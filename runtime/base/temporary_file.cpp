@@ -9,12 +9,13 @@
 #include <system_error>
 #include <utility>
 
+#include "base/process_name.h"
+
 namespace strobe {
 
 namespace fs = std::filesystem;
 
-TemporaryFile::TemporaryFile(Path file)
-    : file_(std::move(file)), path_(Path(file_) += fmt::format(".{}.part", ::getpid())) {}
+TemporaryFile::TemporaryFile(Path file) : file_(std::move(file)), path_(Path(file_) += "." + processName() + ".part") {}
 
 TemporaryFile::~TemporaryFile() {
   std::error_code ignored;

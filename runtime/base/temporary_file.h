@@ -6,7 +6,7 @@
 
 namespace strobe {
 
-// "FILE.PID.part" beside a file. The destructor removes it unless it was kept.
+// "FILE.HOST.PID.part" beside a file. The destructor removes it unless it was kept.
 class TemporaryFile {
  public:
   explicit TemporaryFile(Path file);

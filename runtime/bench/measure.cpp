@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <limits>
 #include <sstream>
-#include <thread>
 
+#include "base/cores.h"
 #include "base/process.h"
 #include "base/version.h"
 #include "lab/record.h"
@@ -68,7 +68,7 @@ PreparedRun prepared(lab::Batch& batch, const std::vector<NamedShot>& shots) {
   result.run.backend = shader::backendName(bench.chooseBackend(shots.front().shot.backend));
   result.run.software = device.software;
   result.run.frames_in_flight = bench.frames_in_flight;
-  result.run.threads = std::thread::hardware_concurrency();
+  result.run.threads = allowedCores();
   result.run.environment = driverEnvironment();
   for (const NamedShot& named : shots) {
     lab::Shot shot = batch.filled(named.shot);

@@ -4,7 +4,6 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -13,8 +12,10 @@
 #include <sstream>
 #include <utility>
 
+#include "base/cores.h"
 #include "base/files.h"
 #include "base/json.h"
+#include "gpu/choice.h"
 #include "gpu/commands.h"
 #include "gpu/features.h"
 #include "gpu/memory.h"
@@ -141,6 +142,12 @@ std::vector<std::string> faultyManifests(bool absent) {
   return faults;
 }
 
+// Sets the number of threads of a software device, unless the user has set it. The driver itself counts the processors
+// of the machine and ignores quotas.
+void limitSoftwareDevice() {
+  if (allowedCores() < machineCores()) ::setenv("LP_NUM_THREADS", std::to_string(allowedCores()).c_str(), 0);
+}
+
 struct VulkanLoader {
   void* library = nullptr;
   PFN_vkGetInstanceProcAddr get = nullptr;
@@ -189,6 +196,7 @@ struct VulkanLoader {
     info.ppEnabledLayerNames = used_layers.data();
     info.enabledExtensionCount = uint32_t(used_extensions.size());
     info.ppEnabledExtensionNames = used_extensions.data();
+    limitSoftwareDevice();
     auto create_instance = reinterpret_cast<PFN_vkCreateInstance>(get(nullptr, "vkCreateInstance"));
     VkInstance instance = VK_NULL_HANDLE;
     VkResult result = create_instance(&info, nullptr, &instance);
@@ -229,14 +237,25 @@ std::vector<std::string> deviceExtensions(const Dispatch& vk, VkPhysicalDevice d
   return names;
 }
 
+// PCI address; "" without VK_EXT_pci_bus_info.
+std::string pciAddress(const Dispatch& vk, VkPhysicalDevice device, const std::vector<std::string>& extensions) {
+  if (!VulkanLoader::contains(extensions, VK_EXT_PCI_BUS_INFO_EXTENSION_NAME)) return "";
+  VkPhysicalDevicePCIBusInfoPropertiesEXT pci{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PCI_BUS_INFO_PROPERTIES_EXT};
+  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &pci};
+  vk.GetPhysicalDeviceProperties2(device, &properties);
+  return pciText(pci.pciDomain, pci.pciBus, pci.pciDevice, pci.pciFunction);
+}
+
 DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
-  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  VkPhysicalDeviceIDProperties id{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES};
+  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES, &id};
   VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver};
   vk.GetPhysicalDeviceProperties2(device, &properties);
   DeviceInfo info;
   const VkPhysicalDeviceProperties& core = properties.properties;
   info.name = core.deviceName;
   info.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
+  info.uuid = uuidText(id.deviceUUID), info.vendor = core.vendorID;
   info.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(core.apiVersion), VK_API_VERSION_MINOR(core.apiVersion),
                          VK_API_VERSION_PATCH(core.apiVersion));
   info.software = core.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
@@ -244,6 +263,7 @@ DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
 
   // A device older than Vulkan 1.3 lacks the structures below: all features count as absent.
   std::vector<std::string> extensions = deviceExtensions(vk, device);
+  info.pci = pciAddress(vk, device, extensions);
   info.measures_memory = VulkanLoader::contains(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   FeatureChain chain;
   if (core.apiVersion >= VK_API_VERSION_1_3) vk.GetPhysicalDeviceFeatures2(device, chain.chain(extensions));
@@ -256,11 +276,6 @@ DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
 int rank(const DeviceInfo& info) {
   int suffices = info.missing().empty() ? 0 : 4;
   return suffices + (info.software ? 2 : 0);
-}
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
 }
 
 }  // namespace
@@ -350,22 +365,9 @@ void Device::choosePhysicalDevice(const std::string& wanted) {
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return rank(a.first) < rank(b.first); });
 
-  size_t chosen = 0;
-  bool is_index =
-      !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
-  if (is_index) {
-    chosen = wanted.size() < 9 ? std::stoul(wanted) : found.size();
-    if (chosen >= found.size())
-      throw Error(fmt::format("--device {}: there are {} devices, counted from 0", wanted, found.size()), {}, 2);
-  } else if (!wanted.empty()) {
-    auto match = std::find_if(found.begin(), found.end(), [&wanted](const auto& candidate) {
-      return lower(candidate.first.name).find(lower(wanted)) != std::string::npos;
-    });
-    std::string names;
-    for (const auto& candidate : found) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", candidate.first.name);
-    if (match == found.end()) throw Error(fmt::format("--device '{}' matches none of {}", wanted, names), {}, 2);
-    chosen = size_t(match - found.begin());
-  }
+  std::vector<DeviceInfo> infos;
+  for (const auto& [info, device] : found) infos.push_back(info);
+  const size_t chosen = chosenDevice(infos, wanted, gpusOfJob());
   info_ = found[chosen].first;
   physical_ = found[chosen].second;
   std::string missing = info_.missing();

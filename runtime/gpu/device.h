@@ -17,9 +17,9 @@ namespace strobe::gpu {
 // Default time limit of a submission, seconds; far longer than any pass of a picture takes on a software device.
 inline constexpr double kTimeLimit_s = 600;
 
-// Options for the creation of a Vulkan device: selection by index or name, validation, and extensions.
+// Options for the creation of a Vulkan device: selection, validation, and extensions.
 struct DeviceOptions {
-  std::string device;       // index or part of a name; "": the best device
+  std::string device;       // index, part of the name, UUID or PCI address; "": `chosenDevice` (gpu/choice.h)
   bool validation = false;  // core and synchronization validation; messages are collected, not printed
   // Extensions that a window needs (`VK_KHR_surface`, ...; `VK_KHR_swapchain`). An error names a missing one.
   std::vector<std::string> instance_extensions = {}, device_extensions = {};
@@ -36,8 +36,11 @@ struct Feature {
 // Description of a Vulkan device: name, driver, API version, memory properties and available features.
 struct DeviceInfo {
   std::string name;
-  std::string driver;  // name and version
-  std::string api;     // "1.4.305"
+  std::string driver;   // name and version
+  std::string api;      // "1.4.305"
+  std::string uuid;     // "5a0cf3e1-..."
+  std::string pci;      // address "0000:3b:00.0"; "": not a PCI device, or the driver does not report the address
+  uint32_t vendor = 0;  // PCI number of the vendor
   bool software = false;
   bool measures_memory = false;  // reports its free memory
   bool shares_memory = false;    // uses the machine's memory: a software device or an integrated GPU

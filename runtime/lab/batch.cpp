@@ -5,6 +5,7 @@
 
 #include "base/hash.h"
 #include "base/inputs.h"
+#include "base/interruption.h"
 #include "base/log.h"
 #include "lab/frame.h"
 #include "math/statistics.h"
@@ -220,6 +221,7 @@ std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Roun
   for (int round = -1; round < rounds.most; ++round) {
     if (round >= rounds.least && std::all_of(timings.begin(), timings.end(), known)) break;
     for (size_t i = 0; i < shots.size(); ++i) {
+      stopIfOverdue();
       Shot shot = shots[i];
       std::shared_ptr<HeldScene> scene = bench_.scene(shot);
       Timed drawn = timed(drawing(shot, scene, kColor), shot);

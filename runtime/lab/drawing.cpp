@@ -5,6 +5,7 @@
 #include <cmath>
 #include <future>
 
+#include "base/interruption.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "gpu/limits.h"
@@ -262,8 +263,10 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
   for (int i = 0; i < shot.aa; ++i) {
     setup.subpixel = subpixelOffset(i, shot.aa);
     auto advance = [&](int done, int of) {
+      stopIfOverdue();
       if (progress) progress(i * of + done, shot.aa * of);
     };
+    stopIfOverdue();
     if (graph_->underWay() == graph_->mostUnderWay()) take();
     graph_->forgetHistories();
     graph_->begin(setup, advance);

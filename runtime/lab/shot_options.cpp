@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "gpu/choice.h"
 #include "lab/camera_path.h"
 #include "math/shutter_curve.h"
 #include "scene/depth_bounds.h"
@@ -157,8 +158,7 @@ static std::vector<ShotOption> allOptions() {
       one(flag("model_everything", &S::model_everything),
           "also run the passes that the scene of the frame does not require; changes no picture", Concern::Plan,
           O::kControl),
-      one(text("device", &S::device, ""), "index or part of the name of a Vulkan device", Concern::Device,
-          O::kNoPicture),
+      one(text("device", &S::device, ""), gpu::kDeviceHelp, Concern::Device, O::kNoPicture),
       one(text("tap", &S::taps, ""), "NODE.PORT: an additional image to write", Concern::Plan, O::kNoPicture),
   };
 }

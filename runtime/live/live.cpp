@@ -9,6 +9,7 @@
 
 #include "base/leftovers.h"
 #include "base/log.h"
+#include "base/process_name.h"
 #include "image/png.h"
 #include "live/driven_window.h"
 #include "live/picture_view.h"
@@ -228,8 +229,7 @@ void Live::save() {
 }
 
 void Live::beginRecording() {
-  recording_ =
-      std::make_unique<Recording>(bench_.home(), desk_.options().out / fmt::format(".recorded.{}", ::getpid()));
+  recording_ = std::make_unique<Recording>(bench_.home(), desk_.options().out / (".recorded." + processName()));
 }
 
 Path Live::stopRecording(const Path& script) {

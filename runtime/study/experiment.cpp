@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <set>
 #include <sstream>
+#include <tuple>
 
+#include "base/hash.h"
 #include "base/inputs.h"
 #include "base/lists.h"
 #include "lab/shot_data.h"
@@ -325,6 +327,28 @@ size_t Experiment::truths() const {
   std::set<std::string> commands;
   for (const Group& group : groups) commands.insert(commandOf(shots[group.shot], truthShotOf(*this, group)));
   return countTruths(std::move(commands));
+}
+
+std::vector<size_t> sharesOf(const Experiment& experiment, size_t of) {
+  std::vector<std::string> truths;
+  std::map<std::string, size_t> points;
+  for (const Group& group : experiment.groups) {
+    truths.push_back(commandOf(experiment.shots[group.shot], truthShotOf(experiment, group)));
+    points[truths.back()] += group.arms.size();
+  }
+  // The largest first, each to the share with the fewest points; equal ones in the order of the hash.
+  std::vector<std::tuple<size_t, std::string, std::string>> order;
+  for (const auto& [truth, count] : points) order.emplace_back(count, hashText(truth), truth);
+  std::sort(order.rbegin(), order.rend());
+  std::vector<size_t> loads(of), result;
+  std::map<std::string, size_t> share_of;
+  for (const auto& [count, hash, truth] : order) {
+    auto least = std::min_element(loads.begin(), loads.end());
+    *least += count;
+    share_of[truth] = size_t(least - loads.begin()) + 1;
+  }
+  for (const std::string& truth : truths) result.push_back(share_of[truth]);
+  return result;
 }
 
 size_t countTruths(std::set<std::string> commands) { return commands.size() - commands.count(""); }

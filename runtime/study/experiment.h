@@ -129,6 +129,13 @@ struct Background {
   std::string arm, color, valid, front;
 };
 
+// Part `index` of `of` parts, from 1.
+struct Share {
+  size_t index = 1, of = 1;
+  bool isWhole() const { return of == 1; }
+  std::string text() const { return isWhole() ? "" : fmt::format("{}/{}", index, of); }
+};
+
 // Part of an experiment that results keep.
 struct ExperimentSummary {
   std::string title, question, note;
@@ -153,6 +160,7 @@ struct Experiment : ExperimentSummary {
   std::vector<Group> groups;  // in the order of their points
   lab::Rounds rounds;         // rounds of timed frames
   bool is_step = false;       // search step: points of a shot are timed in the same rounds; the caller reports progress
+  Share share;                // part of the points that this program draws
   std::string base;           // base arm of time ratios; "": the first timed arm
   std::optional<Background> background;
   size_t expectations = 0;
@@ -172,6 +180,10 @@ std::vector<std::string> namesOf(const std::vector<Named>& all) {
 // Number of truths with different contents, by the commands that draw them. "": cannot be drawn. A key of a point of
 // truth also has the measures.
 size_t countTruths(std::set<std::string> commands);
+
+// Share of each group, from 1 to `of`: groups with the same truth are in one share, and shares have about equal numbers
+// of points. Depends on the experiment only, not on the device.
+std::vector<size_t> sharesOf(const Experiment& experiment, size_t of);
 
 // Reads an experiment file, or a capture file with `measures`. Checks it without a device, and with `evaluate` also
 // pipelines, settings and scenes. A scene "shared:FILE" is read from the shared data; if the scene is missing, the

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/hash.h"
+#include "base/interruption.h"
 #include "base/lists.h"
 #include "base/log.h"
 #include "image/draw.h"
@@ -315,20 +316,47 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
   const std::string at = afterComma(describe(experiment_, *group.group));
   const std::string name = fmt::format("{}{}, {}", group.studied->name, at, task.arm->name);
   batch_.bench().device().setSubject(name);
+  worker_.begin(name);
   Point point;
   const std::string failed = failureOf([&] { point = measuredPoint(group, task); });
   if (!failed.empty()) {
     point.failed = failed;
+    point.tries = store_.point(task.key).value_or(Point()).tries;
+    point.tries.push_back(failed);
     warn(fmt::format("{}: failed: {}", name, failed));
   }
+  const gpu::DeviceInfo& device = batch_.bench().device().info();
+  point.device = device.name, point.driver = device.driver;
   store_.keep(task.key, point);
+  cost_ += task.cost;
+  points_ += task.arm->role != ArmRole::truth;
+  worker_.reach(points_, spent_.sum());
 }
 
-void PointRenderer::render(const TaskGroup& group, const Progress& progress) {
+// False as soon as this or another program has drawn the result, or failed to draw it.
+bool PointRenderer::isMissing(const Task& task) {
+  auto missing = missing_.find(task.key);
+  if (missing == missing_.end()) return false;
+  if (!store_.has(task.key) && store_.triesOf(task.key) == missing->second) return true;
+  missing_.erase(missing);
+  progress_(task.cost);
+  return false;
+}
+
+bool PointRenderer::render(const TaskGroup& group, const Progress& progress) {
   progress_ = progress;
-  for (const Task& task : group.tasks)
-    if (!task.key.empty() && !store_.has(task.key)) renderTask(group, task);
+  for (const Task& task : group.tasks) {
+    if (!isMissing(task)) continue;
+    stopIfRequested();
+    if (cost_ > 0) stopIfLonger(spent_.sum() * task.cost / cost_);
+    const std::unique_ptr<Lease> claim = store_.claim(task.key);
+    if (!claim) return false;
+    if (!isMissing(task)) continue;  // drawn between the look and the claim
+    renderTask(group, task);
+    missing_.erase(task.key);
+  }
   batch_.bench().device().setSubject("");
+  return true;
 }
 
 }  // namespace strobe::study

@@ -128,6 +128,17 @@ Parts still(Parts parts) {
   return parts;
 }
 
+// Adds an ending to the names of figures and to the targets of links.
+Parts distinguished(Parts parts, const std::string& ending) {
+  for (ReportPart& part : parts) {
+    auto* figure = std::get_if<page::Figure>(&part.block);
+    auto* heading = std::get_if<page::Heading>(&part.block);
+    std::string* name = figure ? &figure->name : heading ? &heading->id : nullptr;
+    if (name && !name->empty()) *name += ending;
+  }
+  return parts;
+}
+
 // Puts the explorer before the first still part, or at the end, and collects consecutive still parts in one block.
 std::vector<page::Block> blocksOf(Parts parts, const std::optional<page::Explorer>& explorer) {
   std::vector<page::Block> blocks;
@@ -165,8 +176,7 @@ Report::Report(const Results& results, const Path& folder) : results_(results), 
   for (const ShotSummary& shot : results.shots) galleries_.push_back(galleryOf(results, shot, folder));
 }
 
-// All parts, without empty paragraphs.
-Parts Report::parts(const std::optional<PictureSize>& size) const {
+Parts Report::sections(const std::optional<PictureSize>& size) const {
   Parts sections;
   const ReportLayout& layout = results_.layout;
   if (layout.pictures) append(sections, pictureParts(results_, galleries_, size));
@@ -174,7 +184,28 @@ Parts Report::parts(const std::optional<PictureSize>& size) const {
   if (layout.front) append(sections, still(frontParts(results_)));
   if (layout.front || layout.table) append(sections, still(effectParts(results_)));
   if (layout.table) append(sections, layout.table->axes.empty() ? still(tableParts(results_)) : tableParts(results_));
+  return sections;
+}
 
+Parts Report::sectionsByDevice(const std::optional<PictureSize>& size) const {
+  const std::vector<std::string> devices = results_.timedDevices();
+  if (devices.size() < 2) return sections(size);
+  Parts all = {
+      study::text(fmt::format("Times come from {} devices or drivers: {}. Each has sections of its own, because "
+                              "times of different devices are not comparable.",
+                              devices.size(), fmt::join(devices, "; ")),
+                  Tone::finding)};
+  for (size_t i = 0; i < devices.size(); ++i) {
+    const Results own = results_.onDevice(devices[i]);
+    all.push_back(heading("On " + devices[i], 2, fmt::format("device_{}", i + 1)));
+    append(all, distinguished(Report(own, folder_).sections(size), fmt::format("_{}", i + 1)));
+  }
+  return all;
+}
+
+// All parts, without empty paragraphs.
+Parts Report::parts(const std::optional<PictureSize>& size) const {
+  Parts sections = sectionsByDevice(size);
   Parts parts = summaryOf(results_);
   append(parts, sentencesOf(expectationsBeside(results_, sections)));
   if (std::string missing = results_.missingText(); !missing.empty())
@@ -230,7 +261,8 @@ page::Explorer Report::explorer(const page::Library& library, size_t most_bytes)
 
 std::string Report::page(const page::Library& library, size_t most_bytes) const {
   std::optional<page::Explorer> interactive;
-  if (library.found()) interactive = explorer(library, most_bytes);
+  // The explorer plots all points together, so it needs times of one device.
+  if (library.found() && results_.timedDevices().size() < 2) interactive = explorer(library, most_bytes);
   static constexpr PictureSize kSizes[] = {{1, 0}, {1, 92}, {1, 85}, {2, 85}, {3, 80}, {4, 80}, {8, 80}};
   std::string html;
   for (const PictureSize& size : kSizes) {
@@ -239,7 +271,8 @@ std::string Report::page(const page::Library& library, size_t most_bytes) const 
     page.note = results_.question.empty() ? results_.note : results_.question + " " + results_.note;
     page.blocks = blocksOf(parts(size), interactive);
     page.footer = {"Strobe " + results_.strobe + " on " + describeDevice(results_) + ".",
-                   "Made by `" + results_.command + "`.", describeLibrary(library)};
+                   "Made by `" + results_.command + "`."};
+    if (interactive || !library.found()) page.footer.push_back(describeLibrary(library));
     html = page::htmlOf(page);
     if (html.size() <= most_bytes || galleries_.empty()) break;
   }

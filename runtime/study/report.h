@@ -89,6 +89,9 @@ class Report {
 
  private:
   Parts parts(const std::optional<PictureSize>& size = std::nullopt) const;
+  Parts sections(const std::optional<PictureSize>& size) const;
+  // Sections of one device after another, if times come from several devices.
+  Parts sectionsByDevice(const std::optional<PictureSize>& size) const;
   page::Explorer explorer(const page::Library& library, size_t most_bytes) const;
 
   const Results& results_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "base/lists.h"
 #include "base/sealed_json.h"
@@ -34,7 +35,7 @@ void forTexts(It& point, const Visit& visit, const Point*) {
   visit("image", point.image), visit("preset", point.preset);
   visit("measured", point.measured);
   visit("shown", point.shown), visit("picture", point.picture), visit("record", point.record);
-  visit("times", point.times);
+  visit("times", point.times), visit("device", point.device), visit("driver", point.driver);
 }
 template <class It, class Visit>
 void forTexts(It& expectation, const Visit& visit, const Expectation*) {
@@ -313,6 +314,34 @@ const Point* PointGroup::find(const std::string& arm) const {
 const ArmSummary& Results::arm(const std::string& name) const { return named(arms, name); }
 const ShotSummary& Results::shot(const std::string& name) const { return named(shots, name); }
 
+std::string Results::deviceOf(const Point& point) const {
+  return fmt::format("{}, {}", point.device.empty() ? device : point.device,
+                     point.driver.empty() ? driver : point.driver);
+}
+
+std::vector<std::string> Results::timedDevices() const {
+  std::vector<std::string> devices;
+  for (const PointGroup& group : groups)
+    for (const Point& point : group.points)
+      if (!point.times.empty()) addOnce(devices, deviceOf(point));
+  return devices;
+}
+
+Results Results::onDevice(const std::string& wanted) const {
+  Results own = *this;
+  own.expectations.clear();
+  own.partial = true;
+  std::set<std::string> shown;
+  for (PointGroup& group : own.groups) {
+    std::erase_if(group.points,
+                  [&](const Point& point) { return point.role != ArmRole::truth && deviceOf(point) != wanted; });
+    if (group.points.size() > 1) shown.insert(group.shot);
+  }
+  std::erase_if(own.groups, [](const PointGroup& group) { return group.points.size() < 2; });
+  std::erase_if(own.shots, [&](const ShotSummary& shot) { return shot.missing.empty() && !shown.count(shot.name); });
+  return own;
+}
+
 std::vector<std::string> Results::contradicted() const {
   std::vector<std::string> contradictions;
   for (const Expectation& one : expectations) {
@@ -509,6 +538,8 @@ std::string csvOf(const Results& results) {
   forPoints(results, [&](size_t, const PointGroup& group, const Point& point) {
     has_notes = has_notes || !group.lackOf(point).empty();
   });
+  const bool has_devices = results.timedDevices().size() > 1;
+  text += has_devices ? ",device" : "";
   text += has_notes ? ",note\n" : "\n";
   forPoints(results, [&](size_t number, const PointGroup& group, const Point& point) {
     std::string note = group.lackOf(point) + (point.failed.empty() || point.isMissing() ? "" : ": " + point.failed);
@@ -516,7 +547,9 @@ std::string csvOf(const Results& results) {
       text += fmt::format("{},{},{},{}{}", number, csvCell(point.arm), csvCell(group.shot), region,
                           csvAxes(results, group));
       for (const std::string& measure : results.measures) text += "," + csvMeasured(point.value(measure, region));
-      text += csvMethod(results, group, point, region) + (has_notes ? "," + csvCell(note) : "") + "\n";
+      text += csvMethod(results, group, point, region);
+      if (has_devices) text += "," + (point.isMissing() ? "" : csvCell(results.deviceOf(point)));
+      text += (has_notes ? "," + csvCell(note) : "") + "\n";
     }
   });
   return text;
@@ -524,12 +557,15 @@ std::string csvOf(const Results& results) {
 
 std::string passesCsvOf(const Results& results) {
   std::string text;
+  const bool has_devices = results.timedDevices().size() > 1;
   forPoints(results, [&](size_t number, const PointGroup& group, const Point& point) {
     for (const PassTime& pass : point.passes)
-      text += fmt::format("{},{},{},{}{},{:.9g},{:.9g},{:.9g}\n", number, csvCell(point.arm), csvCell(group.shot),
-                          csvCell(pass.pass), csvAxes(results, group), pass.ms, pass.low, pass.high);
+      text += fmt::format("{},{},{},{}{},{:.9g},{:.9g},{:.9g}{}\n", number, csvCell(point.arm), csvCell(group.shot),
+                          csvCell(pass.pass), csvAxes(results, group), pass.ms, pass.low, pass.high,
+                          has_devices ? "," + csvCell(results.deviceOf(point)) : "");
   });
-  return text.empty() ? "" : csvHead(results, "pass") + ",ms,ms_low,ms_high\n" + text;
+  return text.empty() ? ""
+                      : csvHead(results, "pass") + ",ms,ms_low,ms_high" + (has_devices ? ",device\n" : "\n") + text;
 }
 
 }  // namespace strobe::study

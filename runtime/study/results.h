@@ -39,6 +39,8 @@ struct Point {
   std::string measured, shown, picture, record;
   std::map<std::string, std::string> files;  // hashes of all files of the point, by name below the results' folder
   std::string times;                         // conditions of the times: rounds, and the base of ratios
+  std::string device, driver;                // of the picture and the times; "": the device of the results
+  std::vector<std::string> tries;            // reasons of failed tries, only in the point's own file
   // Only of a truth, and only in its own file, because results have these once per shot: the crops of the shot, and the
   // author of its scene.
   std::vector<image::Rectangle> crops;
@@ -97,6 +99,13 @@ struct Results : ExperimentSummary {
   size_t missing() const;                         // number of these that are not drawn yet
   size_t truths(bool missing = false) const;      // number of distinct truths; `missing`: only those not drawn yet
   std::string missingText() const;                // not drawn yet: "3 of 8 points, 1 of 2 truths"; "": none
+
+  // Device and driver of a point: "NAME, DRIVER".
+  std::string deviceOf(const Point& point) const;
+  // Devices of the points with times, in the order of the points. Times of two devices are not comparable.
+  std::vector<std::string> timedDevices() const;
+  // Results of the points of one device, with their truths and without expectations.
+  Results onDevice(const std::string& device) const;
 };
 
 // Number with nine significant digits; null if not finite.
@@ -141,10 +150,11 @@ void judgeResults(const Home& home, Results& results, const std::string& file);
 void relabel(const Home& home, Results& results, const Experiment& experiment);
 
 // One row per point and region: point, arm, shot, region, each axis, each measure, truth_error (standard error of
-// truth's RMSE in the region), pipeline, preset. If values are missing, also `note` with the reason. Fields after the
-// axes are empty for a point that is not drawn yet.
+// truth's RMSE in the region), pipeline, preset. If times come from several devices, also `device`. If values are
+// missing, also `note` with the reason. Fields after the axes are empty for a point that is not drawn yet.
 std::string csvOf(const Results& results);
-// One row per timed point and pass: point, arm, shot, pass, each axis, ms, ms_low, ms_high; "" without times.
+// One row per timed point and pass: point, arm, shot, pass, each axis, ms, ms_low, ms_high, and `device`
+// if there are several; "" without times.
 std::string passesCsvOf(const Results& results);
 
 }  // namespace strobe::study

@@ -2,18 +2,19 @@
 #include "study/run.h"
 
 #include <signal.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <set>
 
+#include "base/hash.h"
+#include "base/interruption.h"
 #include "base/log.h"
+#include "lab/record.h"
 #include "math/statistics.h"
 #include "plan/plan.h"
 #include "study/point_renderer.h"
@@ -49,14 +50,32 @@ namespace {
 
 // ---- drawing
 
-void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Remaining& remaining,
-                ProgressWatch& watch) {
+// Draws the remaining groups. Leaves a group for later if another program draws one of its points. At the end, waits
+// for these points, and draws the points that an ended program has left.
+void renderAll(PointRenderer& renderer, std::vector<const TaskGroup*> groups, const PointRenderer::Progress& progress) {
+  constexpr double kPoll_s = 0.2;
+  while (!groups.empty()) {
+    std::vector<const TaskGroup*> left;
+    for (const TaskGroup* group : groups)
+      if (!renderer.render(*group, progress)) left.push_back(group);
+    if (left.size() == groups.size()) waitFor(kPoll_s);
+    groups = std::move(left);
+  }
+}
+
+void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store,
+                const std::vector<TaskGroup>& groups, Worker& worker, ProgressWatch& watch) {
+  const Remaining remaining = remainingOf(groups, store);
+  if (remaining.set_aside > 0 && watch.now)
+    note(fmt::format("{} set aside after {} failed tries; --retry tries again",
+                     remaining.set_aside == 1 ? "1 point is" : fmt::format("{} points are", remaining.set_aside),
+                     kMostTries));
   if (remaining.groups.empty()) return;
   watch.begin("drawing", remaining.cost);
-  PointRenderer renderer(experiment, batch, store);
-  for (const TaskGroup* group : remaining.groups) renderer.render(*group, [&](int by) { watch.advance(by); });
+  PointRenderer renderer(experiment, batch, store, worker, remaining.tries);
+  renderAll(renderer, remaining.groups, [&](int by) { watch.advance(by); });
   watch.end();
-  if (experiment.is_step) return;
+  if (!watch.now) return;
   const PointRenderer::Spent& spent = renderer.spent();
   note(fmt::format("{:.1f} s drawing, {:.1f} s measuring, {:.1f} s writing", spent.drawing_s, spent.measuring_s,
                    spent.keeping_s));
@@ -64,13 +83,15 @@ void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& st
 
 // ---- times
 
-// Base of the time ratios of a shot: the first point of the base arm, else the first timed point.
+// Base of the time ratios of a shot: the first point of the base arm, else the first timed point. Points of other
+// shares count as drawn, so that all programs choose the same base.
 const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store,
                    size_t shot) {
   const Task* first = nullptr;
   for (const TaskGroup& group : groups)
     for (const Task& task : group.tasks) {
-      if (group.group->shot != shot || !task.timed || !store.has(task.key)) continue;
+      const bool is_drawn = group.is_mine ? store.has(task.key) : !task.key.empty();
+      if (group.group->shot != shot || !task.timed || !is_drawn) continue;
       if (task.arm->name == experiment.base) return &task;
       if (!first) first = &task;
     }
@@ -155,7 +176,7 @@ std::vector<TimedTurn> remainingTurns(const Experiment& experiment, const std::v
     if (!is_same) turns.push_back({baseOf(experiment, groups, store, group.shot), {}});
     TimedTurn& turn = turns.back();
     for (const Task& task : of.tasks)
-      if (turn.base && lacksTimes(experiment, task, *turn.base, store)) turn.tasks.push_back(&task);
+      if (turn.base && of.is_mine && lacksTimes(experiment, task, *turn.base, store)) turn.tasks.push_back(&task);
     last = &group;
   }
   std::erase_if(turns, [](const TimedTurn& turn) { return turn.tasks.empty(); });
@@ -189,19 +210,31 @@ void failTimes(const Store& store, const TimedTurn& turn, const std::string& rea
   warn(fmt::format("times of {} points failed: {}", turn.tasks.size(), reason));
 }
 
-void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TaskGroup>& groups,
-              ProgressWatch& watch) {
-  std::vector<TimedTurn> turns = remainingTurns(experiment, groups, store);
-  if (turns.empty()) return;
+void timeTurns(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TimedTurn>& turns,
+               Worker& worker, ProgressWatch& watch) {
   size_t count = 0;
   for (const TimedTurn& turn : turns) count += turn.tasks.size();
   watch.begin("times", int(count));
+  worker.begin("times");
   for (const TimedTurn& turn : turns) {
+    stopIfRequested();
     const std::string failed = failureOf([&] { timeInTurn(experiment, batch, store, turn); });
     if (!failed.empty()) failTimes(store, turn, failed);
     watch.advance(int(turn.tasks.size()));
   }
   watch.end();
+}
+
+// One program at a time measures times, except that each share measures the times of its points.
+void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TaskGroup>& groups,
+              Worker& worker, ProgressWatch& watch) {
+  constexpr double kPoll_s = 1;
+  auto turns = [&] { return remainingTurns(experiment, groups, store); };
+  if (turns().empty()) return;
+  std::unique_ptr<Lease> claim;
+  while (experiment.share.isWhole() && !(claim = store.claim("times"))) waitFor(kPoll_s);
+  if (const std::vector<TimedTurn> left = turns(); !left.empty())
+    timeTurns(experiment, batch, store, left, worker, watch);
 }
 
 // ---- results
@@ -245,56 +278,65 @@ Results withPoints(Results results, const Store& store) {
   return results;
 }
 
-// Stores and announces the outline.
-Results storedOutline(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch,
-                      const Store& store) {
-  Results outline = outlineOf(experiment, groups, batch);
-  store.keepOutline(outline);
-  if (!experiment.is_step) announce(withPoints(outline, store));
-  return outline;
+// Hash of the program and of the inputs of results.
+std::string versionOf(const Results& results) { return hashText(lab::programHash() + Json(results.inputs).dump()); }
+
+WorkerState stateOf(const Experiment& experiment, const Results& outline) {
+  WorkerState state;
+  state.device = outline.device, state.share = experiment.share.text(), state.version = versionOf(outline);
+  return state;
+}
+
+// Keeps the groups of this program's share.
+void keepShare(Results& results, const std::vector<TaskGroup>& groups) {
+  std::vector<PointGroup> mine;
+  for (size_t i = 0; i < groups.size(); ++i)
+    if (groups[i].is_mine) mine.push_back(std::move(results.groups[i]));
+  results.groups = std::move(mine);
 }
 
 }  // namespace
 
-Results run(const Experiment& experiment, lab::Batch& batch, const Store& store) {
+Results run(const Experiment& experiment, lab::Batch& batch, const Store& store,
+            const std::function<void()>& on_drawn) {
+  const bool is_quiet = experiment.is_step;
   for (const StudiedShot& shot : experiment.shots)
     if (!shot.missing.empty()) note(fmt::format("{}: skipped, {}", shot.title, shot.missing));
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
-  Results results = storedOutline(experiment, groups, batch, store);
+  Results results = outlineOf(experiment, groups, batch);
+  if (!is_quiet) store.agreeOn(results.inputs, versionOf(results));
+  store.keepOutline(results);
+  Worker worker(store.folder(), stateOf(experiment, results));
   ProgressWatch watch;
-  if (!experiment.is_step) watch.now = [&] { return withPoints(results, store); };
-  renderHere(experiment, batch, store, remainingOf(groups, store), watch);
-  timeHere(experiment, batch, store, groups, watch);
+  if (!experiment.share.isWhole()) keepShare(results, groups);
+  if (!is_quiet) {
+    announce(withPoints(results, store));
+    watch.now = [&] { return withPoints(results, store); };
+  }
+  renderHere(experiment, batch, store, groups, worker, watch);
+  if (on_drawn) on_drawn();
+  timeHere(experiment, batch, store, groups, worker, watch);
   takePoints(results, store.folder());
-  if (experiment.expectations) judgeResults(batch.bench().home(), results, experiment.file);
+  if (experiment.expectations && experiment.share.isWhole())
+    judgeResults(batch.bench().home(), results, experiment.file);
   return results;
 }
 
 // ---- several processes
 
-namespace {
-
-// State shared by all processes; each process takes the next group.
-struct Shared {
-  std::atomic<size_t> next = 0;
-  std::atomic<int> cost = 0, cost_done = 0;
-  std::atomic<bool> outlined = false;
-};
-
-[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store, Shared& shared) {
+// Draws the missing points in a process of its own, without reports.
+[[noreturn]] static void help(const Experiment& experiment, const MakeBench& make, const Store& store) {
   int code = 0;
   try {
     std::unique_ptr<lab::Workbench> bench = make();
     lab::Batch batch(*bench);
     std::vector<TaskGroup> groups = tasksOf(experiment, batch);
-    if (!shared.outlined.exchange(true)) {
-      storedOutline(experiment, groups, batch, store);
-      shared.cost = remainingOf(groups, store).cost;
-    }
-    PointRenderer renderer(experiment, batch, store);
-    for (size_t i; (i = shared.next++) < groups.size();)
-      renderer.render(groups[i], [&](int by) { shared.cost_done += by; });
+    Worker worker(store.folder(), stateOf(experiment, outlineOf(experiment, groups, batch)));
+    ProgressWatch watch;
+    renderHere(experiment, batch, store, groups, worker, watch);
     bench->device().refuseMessages();
+  } catch (const Stopped&) {
+    code = kTryAgain;
   } catch (const std::exception& error) {
     warn(error.what());
     code = 1;
@@ -302,54 +344,35 @@ struct Shared {
   ::_exit(code);
 }
 
-// Removes the children that have ended; true if each of these succeeded. Does not wait for other children of this
-// process.
-bool reapEnded(std::vector<pid_t>& children) {
-  bool good = true;
-  std::erase_if(children, [&good](pid_t child) {
-    int status = 0;
-    pid_t ended = ::waitpid(child, &status, WNOHANG);
-    if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
-    if (ended > 0 && WIFSIGNALED(status))
-      warn(fmt::format("process {} of the sweep was ended by signal {} ({})", child, WTERMSIG(status),
-                       ::strsignal(WTERMSIG(status))));
-    good = good && ended > 0 && status == 0;
-    return true;
-  });
-  return good;
-}
-
-}  // namespace
-
-bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs) {
-  void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw Error("cannot allocate memory for several processes");
-  Shared& shared = *new (memory) Shared;
-  std::vector<pid_t> children;
-  for (int i = 0; i < jobs; ++i) {
+Helpers::Helpers(const Experiment& experiment, const MakeBench& make, const Store& store, int count) {
+  for (int i = 0; i < count; ++i) {
     pid_t child = ::fork();
     if (child == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      renderShare(experiment, make, store, shared);
+      help(experiment, make, store);
     }
-    if (child > 0) children.push_back(child);
-    else warn(fmt::format("process {} of {} cannot be started: {}", i + 1, jobs, std::strerror(errno)));
+    if (child > 0) processes_.push_back(child);
+    else warn(fmt::format("process {} of {} cannot be started: {}", i + 2, count + 1, std::strerror(errno)));
   }
-  bool good = children.size() == size_t(jobs);
-  std::optional<ProgressWatch> watch;
-  for (int shown = 0; !children.empty();) {
-    if (!watch && shared.cost > 0) {
-      watch.emplace().now = [&store] { return resultsSoFar(store.outline); };
-      watch->begin("drawing", shared.cost);
-    }
-    int done = shared.cost_done;
-    if (watch) watch->advance(done - shown), shown = done;
-    const size_t running = children.size();
-    good = reapEnded(children) && good;
-    if (children.size() == running) ::usleep(100000);
+}
+
+// SIGUSR1 does not end a process at once that has the signal of the terminal already.
+Helpers::~Helpers() {
+  for (pid_t process : processes_) ::kill(process, SIGUSR1);
+  wait();
+}
+
+bool Helpers::wait() {
+  bool good = true;
+  for (pid_t process : processes_) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+    if (WIFSIGNALED(status))
+      warn(fmt::format("process {} of the sweep was ended by signal {} ({}); the others drew its points", process,
+                       WTERMSIG(status), ::strsignal(WTERMSIG(status))));
+    else good = good && (status == 0 || WEXITSTATUS(status) == kTryAgain);
   }
-  if (watch) watch->end();
-  ::munmap(memory, sizeof(Shared));
+  processes_.clear();
   return good;
 }
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "study/store.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "base/hash.h"
+#include "base/interruption.h"
 #include "base/leftovers.h"
 #include "base/log.h"
 #include "base/sealed_json.h"
 #include "image/exr.h"
 #include "lab/capture.h"
 #include "lab/record.h"
+#include "study/worker.h"
 
 namespace strobe::study {
 
@@ -22,31 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kVersion = 1;
-
-// Processes of an interrupted sweep hold its lock until the system has ended them.
-constexpr int kTries = 100;  // 20 ms apart
-
-// Descriptor with a lock until the descriptor is closed; -1: another process has the lock.
-int locked(const Path& file, bool waits) {
-  fs::create_directories(file.parent_path());
-  int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw Error(fmt::format("cannot be opened: {}", std::strerror(errno)), {file.string()});
-  for (int tries = 0; ::flock(descriptor, LOCK_EX | (waits ? 0 : LOCK_NB)) != 0; ++tries) {
-    if (errno == EINTR) continue;
-    if (errno == EWOULDBLOCK && tries < kTries) {
-      ::usleep(20000);
-      continue;
-    }
-    ::close(descriptor);
-    return -1;
-  }
-  return descriptor;
-}
-
-// Removes the locks that killed processes left when drawing truths.
-void removeLocks(const Path& folder) {
-  for (const std::string& key : namesIn(folder, ".lock")) fs::remove(folder / (key + ".lock"));
-}
+constexpr double kPoll_s = 0.2;  // between looks at the claim of another program
 
 // ---- truth as a file: a part for each output, the color first (docs/exr.md)
 
@@ -93,6 +69,7 @@ static std::optional<Point> pointFromFile(const Path& file, const std::string& k
     std::optional<Json> json = unsealed(readText(file));
     if (!json || json->value("key", "") != key) return std::nullopt;
     Point point = pointFrom(*json, file.string());
+    point.tries = json->value("tries", point.tries);
     point.crops = cropsFrom(json->value("crops", Json::array())), point.attribution = json->value("attribution", "");
     return point;
   } catch (const std::exception&) {  // not JSON of a point, or not readable
@@ -111,20 +88,36 @@ static void describeShot(Results& results, const PointGroup& group, const Point&
   }
 }
 
-std::vector<Path> takePoints(Results& results, const Path& folder) {
+std::string contentOfKey(const std::string& key) { return key.substr(0, key.find('_')); }
+
+// Keys of the points in a folder by their content; of several devices, the first by name.
+static std::map<std::string, std::string> keysByContent(const Path& folder) {
+  std::vector<std::string> keys = namesIn(folder / "points", ".json");
+  std::sort(keys.begin(), keys.end());
+  std::map<std::string, std::string> found;
+  for (const std::string& key : keys) found.emplace(contentOfKey(key), key);
+  return found;
+}
+
+std::vector<Path> takePoints(Results& results, const Path& folder, bool of_any_device) {
   std::vector<Path> damaged;
+  const auto others = of_any_device ? keysByContent(folder) : std::map<std::string, std::string>();
   std::set<std::string> described;
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) {
-      Path file = pointFile(folder, point.key, ".json");
-      if (point.key.empty() || !fs::exists(file)) continue;
-      std::optional<Point> known = pointFromFile(file, point.key);
+      std::string key = point.key;
+      auto other = others.find(contentOfKey(key));
+      if (other != others.end() && !fs::exists(pointFile(folder, key, ".json"))) key = other->second;
+      Path file = pointFile(folder, key, ".json");
+      if (key.empty() || !fs::exists(file)) continue;
+      std::optional<Point> known = pointFromFile(file, key);
       if (!known) {
         damaged.push_back(file);
         point.values.clear(), point.failed.clear();  // the point counts as missing
         continue;
       }
       if (known->command.empty()) known->command = point.command;
+      if (known->device == results.device && known->driver == results.driver) known->device = known->driver = "";
       known->arm = point.arm, known->role = point.role;
       if (known->role == ArmRole::truth) describeShot(results, group, *known, described);
       point = std::move(*known);
@@ -134,7 +127,7 @@ std::vector<Path> takePoints(Results& results, const Path& folder) {
 
 Results resultsSoFar(const Path& outline) {
   Results results = resultsIn(outline);
-  takePoints(results, outline.parent_path());
+  takePoints(results, outline.parent_path(), true);
   return results;
 }
 
@@ -153,13 +146,15 @@ std::vector<Path> alteredFiles(const Results& results, const Path& folder) {
   return altered;
 }
 
-Store::Store(const Path& folder) : folder_(folder), lock_(locked(folder / ".lock", false)) {
-  if (lock_ < 0) throw Error("another sweep is running in this folder", {folder_.string()}, 2);
-  removeLeftovers(folder_);
-  removeLocks(folder_ / "truth");
+Store::Store(const Path& folder) : folder_(folder) {
+  std::error_code failed;
+  fs::create_directories(workers(), failed);
+  if (failed) throw WriteError(fmt::format("cannot be written: {}", failed.message()), {workers().string()});
+  for (const Path& place : {folder_, workers()}) removeLeftovers(place);
+  // A claim of an ended process is taken over, and given back.
+  for (const std::string& key : namesIn(workers(), ".lock")) claim(key);
+  removeEndedWorkers(folder_);
 }
-
-Store::~Store() { ::close(lock_); }
 
 // Renames the file, so that it can still be inspected. If several processes find the file, one process renames it.
 void Store::discard(const Path& file) const {
@@ -177,7 +172,7 @@ static std::optional<std::pair<std::string, int>> titleAndVersion(const std::str
   Json whole = Json::parse(text, nullptr, false);
   bool has_sum = !whole.is_object() || whole.contains("sum");
   std::optional<Json> known = has_sum ? unsealed(text) : whole;
-  if (!known || known->size() != 2 || !known->contains("title") || !known->contains("version")) return std::nullopt;
+  if (!known || !known->contains("title") || !known->contains("version")) return std::nullopt;
   if (!known->at("title").is_string() || !known->at("version").is_number_integer()) return std::nullopt;
   return std::pair(known->at("title").get<std::string>(), known->at("version").get<int>());
 }
@@ -197,6 +192,41 @@ void Store::belongTo(const std::string& title) const {
   if (other != title)
     throw Error(fmt::format("has points of another experiment, '{}', not of '{}'; use another folder", other, title),
                 {folder_.string()}, 2);
+}
+
+// Names of inputs in both lists with different contents.
+static std::vector<std::string> unlike(const Inputs& inputs, const Inputs& others) {
+  std::vector<std::string> names;
+  for (const auto& [name, hash] : inputs)
+    if (auto other = others.find(name); other != others.end() && other->second != hash) names.push_back(name);
+  return names;
+}
+
+void Store::agreeOn(const Inputs& inputs, const std::string& version) const {
+  const Path file = folder_ / "experiment.json";
+  if (!fs::exists(file)) return;  // no other program uses the folder
+  Json known = unsealed(readText(file)).value_or(Json::object());
+  Inputs before = known.value("inputs", Inputs());
+  std::vector<std::string> names = unlike(inputs, before);
+  if (known.value("program", lab::programHash()) != lab::programHash()) names.insert(names.begin(), "the program");
+  if (!names.empty()) {
+    const size_t shown = std::min<size_t>(names.size(), 3);
+    std::string changed = fmt::format("{}", fmt::join(names.begin(), names.begin() + long(shown), ", "));
+    if (names.size() > shown) changed += fmt::format(" and {} more", names.size() - shown);
+    for (const WorkerState& worker : workersIn(folder_))
+      if (worker.version != version && worker.isRunning())
+        throw Error(fmt::format("process {} works in this folder with another version of {}; use another folder, or "
+                                "stop that process",
+                                worker.name, changed),
+                    {folder_.string()}, 2);
+    warn(fmt::format("{}: changed since the last run: {}; points that depend on this are drawn again", folder_.string(),
+                     changed));
+  }
+  Inputs all = inputs;
+  all.merge(before);
+  if (names.empty() && all == before && known.contains("program")) return;
+  known["program"] = lab::programHash(), known["inputs"] = all;
+  writeFileAtomically(file, sealed(std::move(known)));
 }
 
 void Store::keepOutline(Results results) const {
@@ -251,32 +281,27 @@ void Store::keep(const std::string& key, const Point& point) const {
   if (!point.isDrawn()) had_.erase(key);
   Json json = toJson(point);
   json["key"] = key;
+  if (!point.tries.empty()) json["tries"] = point.tries;
   if (!point.crops.empty()) json["crops"] = toJson(point.crops);
   if (!point.attribution.empty()) json["attribution"] = point.attribution;
   writeFileAtomically(pointFile(folder_, key, ".json"), sealed(std::move(json)));
 }
 
+size_t Store::triesOf(const std::string& key) const { return point(key).value_or(Point()).tries.size(); }
+
 std::shared_ptr<const lab::Picture> Store::truth(
     const std::string& key, const std::function<std::shared_ptr<const lab::Picture>()>& draw) const {
-  Path file = folder_ / "truth" / (key + ".exr");
-  std::shared_ptr<const lab::Picture> picture = fs::exists(file) ? decoded(key, file) : nullptr;
+  const Path file = folder_ / "truth" / (key + ".exr");
+  auto kept = [&] { return fs::exists(file) ? decoded(key, file) : nullptr; };
+  std::shared_ptr<const lab::Picture> picture = kept();
+  std::unique_ptr<Lease> lease;
+  while (!picture && !(lease = claim(key))) waitFor(kPoll_s), picture = kept();
+  if (!picture) picture = kept();  // written between the look and the claim
   if (picture) return picture;
-  Path lock = folder_ / "truth" / (key + ".lock");
-  int held = locked(lock, true);
-  try {
-    if (fs::exists(file)) picture = decoded(key, file);
-    if (!picture) {
-      discard(file);
-      writeFileAtomically(file, encoded(key, *draw()));
-      picture = decoded(key, file);
-    }
-    if (!picture) throw Error("cannot be read back as it was written", {file.string()});
-  } catch (...) {
-    ::close(held);
-    throw;
-  }
-  fs::remove(lock);
-  ::close(held);
+  discard(file);
+  writeFileAtomically(file, encoded(key, *draw()));
+  picture = decoded(key, file);
+  if (!picture) throw Error("cannot be read back as it was written", {file.string()});
   return picture;
 }
 

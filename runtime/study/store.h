@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Results of a sweep on disk. A sweep can end at any time and continue later: each point and each truth has a file,
-// named by the hash of all its inputs and written atomically. Folders of one experiment merge by copying.
+// named by the hash of all its inputs and written atomically. Folders of one experiment merge by copying. Several
+// programs, also on several machines, may work in one folder.
 #pragma once
 
 #include <functional>
@@ -8,19 +9,31 @@
 #include <optional>
 #include <set>
 
+#include "base/lease.h"
 #include "lab/workbench.h"
 #include "study/results.h"
 
 namespace strobe::study {
 
+// Folder of the claims and of the signs of running programs, in the folder of a sweep.
+inline constexpr const char* kWorkers = ".workers";
+
+// A point that failed so often is set aside.
+inline constexpr size_t kMostTries = 3;
+
 // Path of a file of a point: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
 Path pointFile(const Path& folder, const std::string& key, const std::string& ending);
 
-// Fills in the points of `results` that the folder has, and the crops and authors of their shots; other points and
-// shots stay as they are. Needs no lock. Returns the damaged files of points: cut short, altered, or of another point.
-std::vector<Path> takePoints(Results& results, const Path& folder);
+// Part of a key without the device.
+std::string contentOfKey(const std::string& key);
 
-// Results of an unfinished run, with the points drawn so far. Throws `Error` if the outline is missing or damaged.
+// Fills in the points of `results` that the folder has, and the crops and authors of their shots; other points and
+// shots stay as they are. With `of_any_device`, a missing point is taken from another device or driver. Returns the
+// damaged files of points: cut short, altered, or of another point.
+std::vector<Path> takePoints(Results& results, const Path& folder, bool of_any_device = false);
+
+// Results of an unfinished run, with the points drawn so far on any device. Throws `Error` if the outline is missing or
+// damaged.
 Results resultsSoFar(const Path& outline);
 
 // Files of the points of `results` that are in the folder and differ from their hash.
@@ -32,16 +45,20 @@ bool isAsWritten(const Point& point, const Path& folder, const std::string& name
 // and its content is made again.
 class Store {
  public:
-  // Throws `Error` (exit code 2) if another process works in the folder.
+  // Removes what ended processes of this machine have left in the folder.
   explicit Store(const Path& folder);
   Store(const Store&) = delete;
-  ~Store();
 
   const Path& folder() const { return folder_; }
+  // Folder of the claims and of the signs of running programs.
+  Path workers() const { return folder_ / kWorkers; }
 
   // Throws `Error` (exit code 2) if the folder has points of another experiment, by title. Writes a damaged
   // experiment.json again.
   void belongTo(const std::string& title) const;
+  // Compares program and inputs with the last run in the folder. Warns if they differ; throws `Error` (exit
+  // code 2) if another program draws with the earlier version now. `version`: hash of program and inputs.
+  void agreeOn(const Inputs& inputs, const std::string& version) const;
 
   // True: points without a file of linear colour count as missing.
   bool requires_exr = false;
@@ -56,9 +73,16 @@ class Store {
   std::optional<Point> point(const std::string& key) const;
   bool has(const std::string& key) const;
   void keep(const std::string& key, const Point& point) const;
+  size_t triesOf(const std::string& key) const;  // failed tries to draw the point
+
+  // Claims a point, or other work of this name. Null if another program has the claim.
+  std::unique_ptr<Lease> claim(const std::string& key) const { return Lease::claim(workers() / (key + ".lock")); }
+
+  // True: points that failed `kMostTries` times are drawn again.
+  bool retries = false;
 
   // Truth in folder/truth/KEY.exr: one part per output, and the record. `draw` makes a missing file, in only one of the
-  // processes that need the file.
+  // programs that need the file; the others wait.
   std::shared_ptr<const lab::Picture> truth(const std::string& key,
                                             const std::function<std::shared_ptr<const lab::Picture>()>& draw) const;
 
@@ -67,7 +91,6 @@ class Store {
   bool hasFiles(const Point& point) const;
 
   Path folder_;
-  int lock_ = -1;
   mutable std::set<std::string> had_;  // keys of points with complete files
 };
 

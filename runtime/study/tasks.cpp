@@ -68,10 +68,17 @@ int loopCost(const plan::PipelineDesc& pipeline) {
 
 // ---- identity
 
-// Program and device. The same content gives the same picture by the same program on the same device.
-std::string makerOf(lab::Batch& batch) {
+// Key of a result: the hash of its content, and a hash of the device. The same content gives the same picture by the
+// same program on the same device.
+std::string keyOf(const std::string& content, lab::Batch& batch) {
   const gpu::DeviceInfo& device = batch.bench().device().info();
-  return fmt::format("{}|{}|{}", lab::programHash(), device.name, device.driver);
+  return hashText(content) + "_" + hashText(device.name + "|" + device.driver).substr(0, 8);
+}
+
+std::vector<std::string> contentsOfKeys(const std::vector<std::string>& keys) {
+  std::vector<std::string> contents;
+  for (const std::string& key : keys) contents.push_back(contentOfKey(key));
+  return contents;
 }
 
 std::vector<std::string> contentsOf(const StudiedShot& studied, const lab::Shot& shot, lab::Batch& batch) {
@@ -98,21 +105,22 @@ Json cropParts(const Experiment& experiment, const StudiedShot& studied) {
 
 // Everything that determines a result.
 Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& task, lab::Batch& batch) {
-  Json parts = {{"maker", makerOf(batch)},
-                {"truth", group.truth_keys},
-                {"full", group.full_keys},
+  Json parts = {{"program", lab::programHash()},
+                {"truth", contentsOfKeys(group.truth_keys)},
+                {"full", contentsOfKeys(group.full_keys)},
                 {"regions", experiment.regions},
                 {"role", nameOf(task.arm->role)}};
   parts["picture"] =
-      task.arm->role == ArmRole::truth ? Json(group.truth_keys) : Json(contentsOf(*group.studied, task.shot, batch));
+      task.arm->role == ArmRole::truth ? parts["truth"] : Json(contentsOf(*group.studied, task.shot, batch));
   if (task.arm->role == ArmRole::truth) parts["crops"] = cropParts(experiment, *group.studied);
   for (const std::string& name : task.measures)
     if (!measureNamed(name).isTime()) parts["measures"].push_back(name);
   std::optional<Group> benign = benignOf(experiment, *group.group);
   if (benign && task.compares)
-    parts["benign"] = task.arm->role == ArmRole::truth
-                          ? truthKeysOf(experiment, *group.studied, truthShotOf(experiment, *benign), batch)
-                          : contentsOf(*group.studied, shotOf(experiment, *benign, *task.arm), batch);
+    parts["benign"] =
+        task.arm->role == ArmRole::truth
+            ? contentsOfKeys(truthKeysOf(experiment, *group.studied, truthShotOf(experiment, *benign), batch))
+            : contentsOf(*group.studied, shotOf(experiment, *benign, *task.arm), batch);
   const std::optional<Background>& background = experiment.background;
   if (background && background->arm == task.arm->name)
     for (const StudiedArm& arm : experiment.arms)
@@ -140,7 +148,7 @@ void complete(const Experiment& experiment, const TaskGroup& group, Task& task, 
       task.timed = task.timed || (measure.isTime() && task.arm->timed.value_or(!is_truth));
       task.compares = task.compares || measure.needs == Needs::benign;
     }
-    task.key = hashText(partsOf(experiment, group, task, batch).dump());
+    task.key = keyOf(partsOf(experiment, group, task, batch).dump(), batch);
   } catch (const Error& error) {
     task.refused = error.what();
   }
@@ -168,7 +176,7 @@ TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& 
 }  // namespace
 
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth) {
-  return hashText(fmt::format("{}|{}|{}", batch.contentOf(truth), makerOf(batch), experiment.truth_error));
+  return keyOf(fmt::format("{}|{}|{}", batch.contentOf(truth), lab::programHash(), experiment.truth_error), batch);
 }
 
 std::optional<Group> benignOf(const Experiment& experiment, const Group& group) {
@@ -182,25 +190,35 @@ std::optional<Group> benignOf(const Experiment& experiment, const Group& group) 
 
 Remaining remainingOf(const std::vector<TaskGroup>& groups, const Store& store) {
   Remaining remaining;
-  std::set<std::string> counted;
+  std::set<std::string> seen;  // full truths, and results that are set aside
   for (const TaskGroup& group : groups) {
     bool lacks = false;
     for (const Task& task : group.tasks) {
-      if (task.key.empty() || store.has(task.key)) continue;
+      if (!group.is_mine || task.key.empty() || seen.count(task.key) || store.has(task.key)) continue;
+      const size_t tries = store.triesOf(task.key);
+      if (tries >= kMostTries && !store.retries) {
+        ++remaining.set_aside, seen.insert(task.key);
+        continue;
+      }
       lacks = true;
-      if (counted.insert(task.key).second) remaining.cost += task.cost;
+      if (remaining.tries.emplace(task.key, tries).second) remaining.cost += task.cost;
     }
     if (!lacks) continue;
     remaining.groups.push_back(&group);
-    if (group.full && counted.insert(group.full_keys.front()).second) remaining.cost += group.truth().cost;
+    if (group.full && seen.insert(group.full_keys.front()).second) remaining.cost += group.truth().cost;
   }
   return remaining;
 }
 
 std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch) {
+  const std::vector<size_t> shares = sharesOf(experiment, experiment.share.of);
   std::vector<TaskGroup> groups;
-  for (const Group& group : experiment.groups)
-    if (experiment.shots[group.shot].missing.empty()) groups.push_back(groupOf(experiment, group, batch));
+  for (size_t i = 0; i < experiment.groups.size(); ++i) {
+    const Group& group = experiment.groups[i];
+    if (!experiment.shots[group.shot].missing.empty()) continue;
+    groups.push_back(groupOf(experiment, group, batch));
+    groups.back().is_mine = shares[i] == experiment.share.index;
+  }
   return groups;
 }
 

@@ -2,6 +2,8 @@
 // Tasks of a sweep: pictures to draw and measure. A key identifies each result before it is drawn.
 #pragma once
 
+#include <map>
+
 #include "lab/batch.h"
 #include "study/experiment.h"
 #include "study/store.h"
@@ -27,6 +29,7 @@ struct TaskGroup {
   std::vector<Task> tasks;
   std::vector<std::string> truth_keys, full_keys;  // keys of the truths, by frame of the sequence
   std::optional<lab::Shot> full;                   // the second truth
+  bool is_mine = true;                             // in the share of this program
 
   const Task& truth() const { return tasks.front(); }
 };
@@ -35,9 +38,12 @@ struct TaskGroup {
 // must outlive the tasks.
 std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch);
 
-// Groups with missing results in the store, and the cost of the missing results in time samples of truth.
+// Groups of this program's share with missing results in the store, and the cost of the missing results in time samples
+// of truth. Results that are set aside are not missing.
 struct Remaining {
   std::vector<const TaskGroup*> groups;
+  std::map<std::string, size_t> tries;  // number of failed tries of each missing result, by key
+  size_t set_aside = 0;
   int cost = 0;
 };
 Remaining remainingOf(const std::vector<TaskGroup>& groups, const Store& store);

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <future>
 #include <span>
-#include <thread>
 
+#include "base/cores.h"
 #include "base/error.h"
 
 namespace strobe::world {
@@ -135,7 +135,7 @@ class BvhBuilder {
   using Nodes = std::vector<shared::BvhNode>;  // child indices relative to the first node
 
   BvhBuilder(std::vector<BvhItem>& items, const BvhOptions& options)
-      : items_(items), options_(options), spare_threads_(int(std::max(1u, std::thread::hardware_concurrency())) - 1) {}
+      : items_(items), options_(options), spare_threads_(int(allowedCores()) - 1) {}
 
   TreePart examined(uint32_t begin, uint32_t end, int depth) {
     TreePart part{begin, end, depth, {}, {}, {}, false};

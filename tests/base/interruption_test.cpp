@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <functional>
 
 namespace strobe {
@@ -38,42 +39,83 @@ End endOf(const std::function<void()>& work) {
   return end;
 }
 
-TEST(Interruption, SaysItsLineAndEndsByTheSignal) {
-  for (int signal : {SIGINT, SIGTERM}) {
-    End end = endOf([signal] {
-      Interruption interruption([] { return "interrupted; 7 of 18 points are kept"; });
-      ::kill(::getpid(), signal);
-      ::sleep(10);
-    });
-    EXPECT_EQ(end.signal, signal);
-    EXPECT_EQ(end.text, "interrupted; 7 of 18 points are kept\n");
+// The exit code of a process that stops, as `main` makes it.
+int codeOf(const std::function<void()>& work) {
+  try {
+    work();
+    return 7;
+  } catch (const Stopped& stopped) {
+    std::fputs((stopped.reason + "\n").c_str(), stderr);
+    return kTryAgain;
   }
 }
 
-// What cannot be counted does not keep the program from its end; after its life signals do what they did.
-TEST(Interruption, EndsWithoutItsWordsAndLeavesNothingBehind) {
-  End failed = endOf([] {
-    Interruption interruption([]() -> std::string { throw std::runtime_error("no folder"); });
-    ::kill(::getpid(), SIGINT);
+TEST(Interruption, StopsAtTheNextEndOfWork) {
+  for (int signal : {SIGINT, SIGTERM, SIGUSR1}) {
+    End end = endOf([signal] {
+      Interruption interruption;
+      stopIfRequested();
+      ::kill(::getpid(), signal);
+      stopIfOverdue();  // work goes on for two seconds
+      ::_exit(codeOf([] { stopIfRequested(); }));
+    });
+    EXPECT_EQ(end.status, kTryAgain);
+    EXPECT_EQ(end.text, "interrupted\n");
+  }
+  End waiting = endOf([] {
+    Interruption interruption;
+    ::kill(::getpid(), SIGTERM);
+    ::_exit(codeOf([] { waitFor(100); }));
+  });
+  EXPECT_EQ(waiting.status, kTryAgain);
+}
+
+TEST(Interruption, ASecondSignalEndsAtOnce) {
+  End end = endOf([] {
+    Interruption interruption;
+    for (int signal : {SIGINT, SIGUSR1}) ::kill(::getpid(), signal);
+    std::fputs("runs\n", stderr);
+    ::kill(::getpid(), SIGTERM);
     ::sleep(10);
   });
-  EXPECT_EQ(failed.signal, SIGINT);
-  EXPECT_EQ(failed.text, "interrupted\n");
+  EXPECT_EQ(end.status, kTryAgain);
+  EXPECT_EQ(end.text, "runs\ninterrupted; the same command continues\n");
+}
+
+TEST(Interruption, StopsBeforeATimeLimit) {
+  End end = endOf([] {
+    Interruption interruption(0.05);
+    ::_exit(codeOf([] { stopIfLonger(1); }));
+  });
+  EXPECT_EQ(end.status, kTryAgain);
+  EXPECT_EQ(end.text, "the time is up (--time-left)\n");
+  end = endOf([] {
+    Interruption interruption(0.05);
+    stopIfOverdue();
+    ::usleep(60000);
+    ::_exit(codeOf([] { stopIfOverdue(); }));
+  });
+  EXPECT_EQ(end.status, kTryAgain);
+  EXPECT_NO_THROW(stopIfLonger(1e9)) << "no limit";
+}
+
+// After its life signals do what they did.
+TEST(Interruption, LeavesNothingBehind) {
   End after = endOf([] {
-    {
-      Interruption interruption([] { return "not said"; });
+    for (int i = 0; i < 2; ++i) {
+      Interruption interruption(0.001);
+      ::usleep(2000);
     }
-    {
-      Interruption interruption([] { return "not said"; });
-    }
+    stopIfRequested();
     ::kill(::getpid(), SIGINT);
   });
   EXPECT_EQ(after.signal, SIGINT);
   EXPECT_EQ(after.text, "");
   End ignored = endOf([] {
     ::signal(SIGINT, SIG_IGN);
-    Interruption interruption([] { return "not said"; });
+    Interruption interruption;
     ::kill(::getpid(), SIGINT);
+    stopIfRequested();
   });
   EXPECT_EQ(ignored.status, 7) << "a job in the background";
   EXPECT_EQ(ignored.text, "");

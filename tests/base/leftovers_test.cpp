@@ -7,7 +7,7 @@
 
 #include <set>
 
-#include "base/frozen_home.h"
+#include "base/process_name.h"
 #include "common/temporary_folder.h"
 
 namespace strobe {
@@ -15,11 +15,13 @@ namespace leftovers_test {
 
 namespace fs = std::filesystem;
 
-pid_t goneProcess() {
+// Name of a process of this machine that has ended.
+std::string goneProcess() {
   pid_t child = ::fork();
   if (child == 0) ::_exit(0);
   ::waitpid(child, nullptr, 0);
-  return child;
+  const std::string here = processName();
+  return here.substr(0, here.find('.') + 1) + std::to_string(child);
 }
 
 void write(const Path& file) {
@@ -34,53 +36,37 @@ std::set<std::string> filesIn(const Path& folder) {
   return names;
 }
 
-// Files of the dead go; those of the living, and what only looks like one, stay.
+// Files of ended processes of this machine go. Files of running processes, of other machines, and of other names stay.
 TEST(Leftovers, AreThoseOfProcessesThatAreGone) {
   testing::TemporaryFolder folder;
-  const std::string gone = std::to_string(goneProcess()), here = std::to_string(::getpid());
+  const std::string gone = goneProcess(), here = processName(), other = "elsewhere-0000.1";
   for (const std::string& name : {"room/a.png." + gone + ".part", ".recorded." + gone + "/0/passes/a.lua",
-                                  std::string(".inputs_0/0/passes/b.lua"), std::string(".inputs_12/x.lua")})
+                                  ".inputs." + gone + "/0/passes/b.lua", ".inputs_12." + gone + "/x.lua"})
     write(folder.path() / name);
-  const std::set<std::string> staying = {
-      "room/a.png",     "room/a.png." + here + ".part", ".recorded." + here + "/0/a.lua",
-      "movie.mp4.part", "a." + gone + ".png",           ".inputs_own/a.lua",
-      ".recorded/a.lua"};
+  const std::set<std::string> staying = {"room/a.png",
+                                         "room/a.png." + here + ".part",
+                                         ".recorded." + here + "/0/a.lua",
+                                         "movie.mp4.part",
+                                         "a." + gone + ".png",
+                                         ".inputs_own/a.lua",
+                                         ".recorded/a.lua",
+                                         "room/b.png." + other + ".part",
+                                         ".inputs." + other + "/a.lua"};
   for (const std::string& name : staying) write(folder.path() / name);
   removeLeftovers(folder.path());
   EXPECT_EQ(filesIn(folder.path()), staying);
-  EXPECT_FALSE(fs::exists(folder.path() / ".inputs_0"));
+  EXPECT_FALSE(fs::exists(folder.path() / (".inputs." + gone)));
   removeLeftovers(folder.path() / "no such folder");
 }
 
 TEST(Leftovers, OfOneFileLeaveOthersAlone) {
   testing::TemporaryFolder folder;
-  const std::string gone = std::to_string(goneProcess());
+  const std::string gone = goneProcess();
   for (const std::string& name : {"x.png." + gone + ".part", "x.record.json." + gone + ".part",
                                   "other.png." + gone + ".part", std::string("x.png")})
     write(folder.path() / name);
   removeLeftovers(folder.path(), "x.");
   EXPECT_EQ(filesIn(folder.path()), (std::set<std::string>{"x.png", "other.png." + gone + ".part"}));
-}
-
-// A copy of the home that another process draws from is not taken from it; that of a dead one is.
-TEST(Leftovers, AFolderInUseIsRefused) {
-  testing::TemporaryFolder folder;
-  write(folder.path() / "home/passes/a.lua");
-  const Home home(std::vector<Path>{folder.path() / "home"});
-  {
-    FrozenHome used(home, folder.path() / "out/.inputs");
-    try {
-      FrozenHome(home, folder.path() / "out/.inputs");
-      ADD_FAILURE() << "the copy was taken";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.exitCode(), 2);
-      EXPECT_EQ(error.message(), "another process is using this folder");
-    }
-    EXPECT_TRUE(used.home().find("passes/a.lua"));
-  }
-  write(folder.path() / "out/.inputs/0/passes/old.lua");
-  FrozenHome after(home, folder.path() / "out/.inputs");
-  EXPECT_FALSE(after.home().find("passes/old.lua"));
 }
 
 }  // namespace leftovers_test

@@ -72,8 +72,9 @@ class Resume : public ::testing::Test {
     ::waitpid(child, nullptr, 0);
   }
 
-  // Interrupts a sweep as Ctrl-C does, with all its processes, when it has drawn so many points.
-  Outcome interruptAt(const std::string& out, size_t points_drawn, const std::string& more) const {
+  // Interrupts a sweep when it has drawn so many points: all its processes as Ctrl-C does, or the first one alone as a
+  // batch system does.
+  Outcome interruptAt(const std::string& out, size_t points_drawn, const std::string& more, bool all) const {
     const std::string err = folder_ / "interrupted.txt";
     pid_t child = ::fork();
     if (child == 0) {
@@ -84,7 +85,7 @@ class Resume : public ::testing::Test {
     }
     for (int waited = 0; points(out).size() < points_drawn && waited < 3000; ++waited)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ::kill(-child, SIGINT);
+    ::kill(all ? -child : child, all ? SIGINT : SIGTERM);
     int status = 0;
     ::waitpid(child, &status, 0);
     return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), "", contentOf(err)};
@@ -148,30 +149,42 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
   EXPECT_EQ(file("killed", "table.csv"), file("whole", "table.csv"));
   for (const char* part : {"points", "truth"})
     for (const auto& entry : fs::directory_iterator(folder_ / ("killed/" + std::string(part))))
-      EXPECT_TRUE(std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}\\.(json|png|exr)")))
+      EXPECT_TRUE(
+          std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}_[0-9a-f]{8}\\.(json|png|exr)")))
           << entry.path() << " was left unfinished";
 }
 
 // One line, whatever runs; the number is that of the files.
 TEST_F(Resume, InterruptedItSaysWhatIsKeptAndGoesOn) {
   writeText(folder_ / "x.lua", few("experiment.linear(1, 8, 8)"));
-  for (const std::string more : {"", "--jobs 2"}) {
+  for (const std::string more : {"", "--jobs 2", "--jobs 3"}) {
     const std::string out = "out" + more.substr(more.size() ? more.size() - 1 : 0);
-    Outcome outcome = interruptAt(out, 4, more);
-    EXPECT_EQ(outcome.exit_code, 128 + SIGINT);
+    Outcome outcome = interruptAt(out, 4, more, more != "--jobs 3");
+    EXPECT_EQ(outcome.exit_code, 75);
     std::smatch match;
     const std::regex line("(^|\n)interrupted; (\\d+) of 16 points (is|are) kept; the same command continues\n$");
     ASSERT_TRUE(std::regex_search(outcome.err, match, line)) << outcome.err;
     EXPECT_GE(std::stoi(match[2]), 2) << "two of four files may be truths";
     EXPECT_LT(std::stoi(match[2]), 16) << "nothing was interrupted";
     EXPECT_EQ(outcome.err.find("signal"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(copyIn(folder_ / out).empty());
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / out))
+      EXPECT_TRUE(entry.path().extension() != ".part" && entry.path().extension() != ".lock") << entry.path();
   }
   // The same command at once, while processes of the one before may still end.
   const std::map<std::string, fs::file_time_type> before = points("out2");
-  fs::create_directories(folder_ / "out2/.inputs_3/0");
   ASSERT_EQ(run(command("out2"), "STROBE_VALIDATION=0").exit_code, 0);
   for (const auto& [name, time] : before) EXPECT_EQ(points("out2").at(name), time) << "written again";
-  for (const char* left : {"out2/.inputs_3", "out2/.inputs"}) EXPECT_FALSE(fs::exists(folder_ / left)) << left;
+  EXPECT_TRUE(copyIn(folder_ / "out2").empty());
+}
+
+TEST_F(Resume, ATimeLimitStopsItAndItGoesOn) {
+  writeText(folder_ / "x.lua", few("experiment.linear(1, 12, 12)"));
+  Outcome stopped = run(command("out", "--time-left 0.8"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(stopped.exit_code, 75);
+  EXPECT_NE(stopped.err.find("the time is up (--time-left); "), std::string::npos) << stopped.err;
+  EXPECT_NE(stopped.err.find("the same command continues\n"), std::string::npos) << stopped.err;
+  EXPECT_EQ(run(command("out", "--time-left 1000"), "STROBE_VALIDATION=0").exit_code, 0);
 }
 
 // The run ends between its last point and its results.
@@ -347,7 +360,7 @@ TEST_F(Resume, WhatIsEditedBesideTheExperimentDoesNotCount) {
     truth = { pipeline = "ground_truth", set = { samples = 4 } }, expect = { { "it is drawn", function() return true end } },
   })lua");
   const std::string line = fmt::format("sweep {} -o {} ", (home / "experiments/x.lua").string(), folder_ / "edited");
-  std::thread editor = spoilOnceCopied(home, folder_ / "edited/.inputs/0", files);
+  std::thread editor = spoilOnceCopied(home, folder_ / "edited", files);
   Outcome edited = run(line, "STROBE_VALIDATION=0 STROBE_HOME=" + home.string());
   editor.join();
   EXPECT_EQ(edited.exit_code, 0) << edited.err;

@@ -62,12 +62,24 @@ inline Outcome run(const std::string& arguments, const std::string& environment 
   return runLine("exec env " + environment + " '" + programPath() + "' " + arguments);
 }
 
-// Starts a thread that spoils `files` once a command has copied them into `copies`.
-inline std::thread spoilOnceCopied(const fs::path& folder, const fs::path& copies, std::vector<std::string> files) {
-  return std::thread([folder, copies, files = std::move(files)] {
+// Folder of a command's copy of the home; "" if it has none.
+inline fs::path copyIn(const fs::path& out) {
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(out, missing))
+    if (entry.path().filename().string().starts_with(".inputs.")) return entry.path();
+  return {};
+}
+
+// Starts a thread that spoils `files` once a command has copied them into its folder `out`.
+inline std::thread spoilOnceCopied(const fs::path& folder, const fs::path& out, std::vector<std::string> files) {
+  return std::thread([folder, out, files = std::move(files)] {
+    fs::path copies;
     auto isCopied = [&](const std::string& file) { return contentOf(copies / file) == contentOf(folder / file); };
-    for (int waited = 0; !std::all_of(files.begin(), files.end(), isCopied) && waited < 30000; ++waited)
+    for (int waited = 0; waited < 30000; ++waited) {
+      copies = copyIn(out) / "0";
+      if (std::all_of(files.begin(), files.end(), isCopied)) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     for (const std::string& file : files) writeText(folder / file, "error 'edited'");
   });
 }

@@ -108,7 +108,7 @@ TEST_F(Tune, ReadsItsFilesOnce) {
   const std::vector<std::string> files = {"pipelines/smear.lua", "scenes/card.lua"};
   fs::create_directories(project / "scenes");
   writeText(project / files[1], kCardScene);
-  std::thread editor = spoilOnceCopied(project, folder_ / "found/.inputs/0", files);
+  std::thread editor = spoilOnceCopied(project, folder_ / "found", files);
   Outcome outcome =
       runLine("cd '" + project.string() + "' && exec env STROBE_VALIDATION=0 '" + programPath() + "' tune " + files[0] +
               " --scene " + files[1] + " --size 64x36 --move card=0.6,0,0 --budget-ratio 1000 --evaluations 10 -o " +

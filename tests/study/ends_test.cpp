@@ -25,7 +25,7 @@ TEST(Processes, ReapNoChildOfOthers) {
   Store store(folder.path());
   auto none = []() -> std::unique_ptr<lab::Workbench> { throw Error("there is no device"); };
   Experiment experiment;
-  EXPECT_FALSE(renderInProcesses(experiment, none, store, 2));
+  EXPECT_FALSE(Helpers(experiment, none, store, 2).wait());
   int status = 0;
   ASSERT_EQ(::waitpid(other, &status, 0), other) << "it was reaped";
   EXPECT_EQ(WEXITSTATUS(status), 7);
@@ -80,6 +80,35 @@ TEST(LostDevice, EndsARunAndFailsNoPoint) {
   Results results = run(experiment, batch, store);
   EXPECT_EQ(results.failed(), std::vector<std::string>());
   EXPECT_EQ(results.missing(), 0u);
+}
+
+// Truth never has the required standard error.
+TEST(FailedPoints, AreSetAsideAfterThreeTries) {
+  testing::TemporaryFolder folder;
+  std::string text = kSmall;
+  text.replace(text.find("samples = 4"), 11, "samples = 65536, tolerance = 1, times = \"stratified\"");
+  testing::writeText(folder / "x.lua", text.replace(text.find("{ 1, 2, 3 }"), 11, "{ 1 }"));
+  Experiment experiment = readExperiment(home(), folder / "x.lua");
+  experiment.truth_error = 1e-12;
+  lab::Workbench bench(home(), gpu::DeviceOptions{});
+  auto runOnce = [&](bool retries) {
+    Store store(folder.path());
+    store.retries = retries;
+    lab::Batch batch(bench);
+    Results results = run(experiment, batch, store);
+    EXPECT_EQ(results.failed().size(), 3u);
+    EXPECT_EQ(results.missing(), 0u);
+    for (const Point& point : results.groups[0].points)
+      EXPECT_EQ(point.tries, std::vector<std::string>(point.tries.size(), point.failed));
+    return std::pair(results.groups[0].points[1].tries.size(), batch.drawn());
+  };
+  for (size_t tries : {1, 2, 3}) {
+    auto [tried, drawn] = runOnce(false);
+    EXPECT_EQ(tried, tries);
+    EXPECT_GT(drawn, 0);
+  }
+  EXPECT_EQ(runOnce(false), std::pair(size_t{3}, 0)) << "it was drawn again";
+  EXPECT_EQ(runOnce(true).first, 4u);
 }
 
 // All five points are drawn; no frame can be timed after that.

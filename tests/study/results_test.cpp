@@ -9,12 +9,14 @@
 #include <filesystem>
 #include <limits>
 #include <random>
+#include <set>
 
 #include "common/home.h"
 #include "image/exr.h"
 #include "program/run.h"
 #include "study/curves.h"
 #include "study/report.h"
+#include "study/store.h"
 
 namespace strobe::study {
 namespace results_test {
@@ -103,6 +105,64 @@ TEST(Curves, ReadingsAreFilledWithNumbers) {
   Curve curve = curveOf(results);
   EXPECT_EQ(curve.filled("{good @ 30} of {floor @ 1}; {from mixed} to {to mixed}"), "3.00 % of 2.00 %; 3 to 10");
   for (const char* wrong : {"{god @ 30}", "{good @ 31}", "{good}"}) EXPECT_THROW(curve.filled(wrong), Error) << wrong;
+}
+
+// Times of two devices never stand in one table, figure or page section.
+TEST(Results, TimesOfTwoDevicesAreGroupedByDevice) {
+  Results results = made();
+  results.measures = {"rmse", "ms"};
+  results.layout = layoutFrom(
+      {{"curves", {{"factor", 2}}}, {"front", {{"x", "ms"}, {"y", "rmse"}}}, {"table", {{"cells", {"rmse", "ms"}}}}});
+  for (PointGroup& group : results.groups)
+    for (Point& point : group.points) {
+      if (point.role == ArmRole::truth) continue;
+      point.times = "5 to 25 rounds", point.values["ms"]["all"] = 2;
+    }
+  EXPECT_EQ(results.timedDevices(), std::vector<std::string>{"device, driver"});
+  EXPECT_EQ(Report(results, "").text().find("Times come from"), std::string::npos);
+  EXPECT_EQ(csvOf(results).find("device"), std::string::npos);
+  for (size_t g = 3; g < 5; ++g)
+    for (Point& point : results.groups[g].points) point.device = "other", point.driver = "driver 2";
+  const std::string text = Report(results, "").text();
+  EXPECT_NE(text.find("Times come from 2 devices or drivers: device, driver; other, driver 2."), std::string::npos)
+      << text;
+  EXPECT_LT(text.find("On device, driver"), text.find("On other, driver 2"));
+  const Results first = results.onDevice("device, driver"), second = results.onDevice("other, driver 2");
+  EXPECT_EQ(first.groups.size() + second.groups.size(), results.groups.size());
+  EXPECT_EQ(second.points(), 8u);
+  EXPECT_EQ(second.timedDevices(), std::vector<std::string>{"other, driver 2"});
+  EXPECT_NE(Report(results, "").page().find("On other, driver 2"), std::string::npos);
+  std::set<std::string> names;
+  for (const auto& [name, svg] : Report(results, "").figures()) EXPECT_TRUE(names.insert(name).second) << name;
+  EXPECT_NE(csvOf(results).find(",device\n"), std::string::npos);
+  EXPECT_NE(csvOf(results).find(",\"other, driver 2\"\n"), std::string::npos);
+  EXPECT_EQ(toJson(resultsFrom(toJson(results), "x")).dump(), toJson(results).dump());
+}
+
+// A report fills gaps with points of other devices; a sweep draws them again.
+TEST(Results, PointsOfAnotherDeviceFillGapsOfAReport) {
+  testing::TemporaryFolder folder;
+  Store store(folder.path());
+  Results results = made();
+  results.groups.resize(1);
+  PointGroup& group = results.groups[0];
+  for (size_t i = 1; i < group.points.size(); ++i) {
+    Point& point = group.points[i];
+    point.key = fmt::format("{}_11111111", i), point.device = "device", point.driver = "driver";
+    if (i == 1) store.keep(point.key, point);
+    point.device = "other";
+    if (i < 3) store.keep(fmt::format("{}_22222222", i), point);
+    point.values.clear(), point.device.clear(), point.driver.clear();
+  }
+  Results strict = results;
+  takePoints(strict, folder.path());
+  EXPECT_EQ(strict.missing(), 3u);
+  takePoints(results, folder.path(), true);
+  EXPECT_EQ(results.missing(), 2u);
+  EXPECT_EQ(group.points[1].device, "") << "its own device first";
+  EXPECT_EQ(group.points[1].key, "1_11111111");
+  EXPECT_EQ(results.deviceOf(group.points[2]), "other, driver");
+  EXPECT_EQ(group.points[2].key, "2_22222222");
 }
 
 TEST(Results, AreTheSameFromDisk) {

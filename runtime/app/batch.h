@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Options of `sweep` that write a script instead of drawing: `--sbatch`, `--export`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/batch_script.h"
+
+namespace strobe::app {
+
+struct BatchOptions {
+  bool sbatch = false, submit = false;
+  std::string form;  // of --export: "parallel", "snakemake", "shell"; "": none
+  int tasks = 0;     // 0: `tasksFor` the points
+  int gpus = 0;
+  std::string time;
+
+  bool isWanted() const { return sbatch || !form.empty(); }
+};
+
+void addBatch(CLI::App& command, BatchOptions& options);
+
+// Completes the job by the options, writes its script into `out` and prints the command line that starts it. With
+// `submit`, gives the script and the job of the report to Slurm. Throws `Error` (exit code 1) without Slurm.
+void startBatch(const BatchOptions& options, BatchJob job, size_t points, const Path& out);
+
+}  // namespace strobe::app
