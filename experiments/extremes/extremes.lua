@@ -257,9 +257,9 @@ return experiment {
                 "{adaptive @ 9999} if it is farther by ten thousand times that depth. Jimenez 2014 and UE4-style " ..
                 "mirror colours only if the background is farther than the front by more than a hundredth of the depth " ..
                 "(depth_extent). If the background is closer to the front than this, the error of Jimenez 2014 is " ..
-                "{Jimenez 2014 @ 0.0001} instead of {Jimenez 2014 @ 0.5}. hybrid (text) reveals a background only at edges with a step of at least a " ..
-                "twentieth of the depth. Below this step it equals McGuire 2012 bit for bit ({hybrid (text) @ 0.03}, " ..
-                "{McGuire 2012 @ 0.03}).",
+                "{Jimenez 2014 @ 0.0001} instead of {Jimenez 2014 @ 0.5}. hybrid (text) reveals a background only at " ..
+                "edges with a step of at least a twentieth of the depth. Below this step it equals McGuire 2012 bit for " ..
+                "bit ({hybrid (text) @ 0.03}, {McGuire 2012 @ 0.03}).",
       at = function(value) return { ["scene.gap"] = value } end,
     },
     list {

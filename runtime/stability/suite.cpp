@@ -8,8 +8,8 @@
 
 namespace strobe::stability {
 
-// Minimum number of cases for a stale declaration. A break that occurs in 5 % of the cases is missed by 60 cases with a
-// probability of 0.95^60 = 5 %. (Validation rays of time/coherent_cells break `reversed` in 3 of 56 cases.)
+// Minimum number of cases for a stale declaration. Some breaks are rare: 60 cases miss a break that occurs in 5 % of all
+// cases with a probability of 0.95^60 = 5 %.
 static constexpr int kEnough = 60;
 
 namespace {
