@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "app/kept_bench.h"
 
-#include <future>
-
 #include "app/shot_options.h"
 #include "script/server.h"
-#include "shader/start.h"
 
 namespace strobe::app {
 
 lab::KeptDrawings& KeptBench::on(const std::string& device, double time_limit_s) {
   if (!bench_ || device != device_) {
-    // Start the script server and the shader compiler while the device is created.
+    // Start the script server while the device is created.
     script::startServer(home_);
-    std::future<void> started = std::async(std::launch::async, shader::startCompiler, std::cref(home_));
     drawings_.reset();
     bench_.reset();
     bench_ = std::make_unique<lab::Workbench>(home_, device, validationWanted());
