@@ -8,6 +8,7 @@
 
 namespace strobe::app {
 
+// Options of a script: its form, the number of its tasks, and their requests to Slurm.
 struct BatchOptions {
   bool sbatch = false, submit = false;
   std::string form;  // of --export: "parallel", "snakemake", "shell"; "": none
