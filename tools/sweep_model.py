@@ -30,16 +30,21 @@ def operations(*steps):
     return sum(plain + changes for step in steps for plain, changes, _ in step)
 
 
+def alone_s(o, *steps):
+    """Time of steps on an idle server."""
+    changed = sum(count for step in steps for _, count, name in step if name)
+    return operations(*steps) * (o.latency + 1 / o.rate) + changed / o.folder_rate
+
+
 def changes(folder, *steps):
     return sum(count for step in steps for _, count, name in step if name == folder)
 
 
 def paper(o):
     """Times without queues, and points per second that each part of the system allows."""
-    trip = o.latency + 1 / o.rate
     step = STATE if o.draw >= 1 else []
     point = (CLAIM, PUBLISH, step)
-    own_s = o.draw + operations(*point) * trip
+    own_s = o.draw + alone_s(o, *point)
     limits = {
         "the workers": o.workers / own_s,
         "the server": (o.rate - HEARTBEATS * o.workers) / operations(*point),
@@ -50,8 +55,8 @@ def paper(o):
     outline_s = o.workers * o.points * OUTLINE / o.bandwidth
     rate = min(limits.values())
     return {
-        "claim_ms": 1e3 * operations(CLAIM) * trip,
-        "publish_ms": 1e3 * operations(PUBLISH) * trip,
+        "claim_ms": 1e3 * alone_s(o, CLAIM),
+        "publish_ms": 1e3 * alone_s(o, PUBLISH),
         "rate": rate,
         "limits": limits,
         "start_s": start_s,

@@ -8,7 +8,7 @@
 
 namespace strobe::app {
 
-// Command-line options for a script that starts the tasks of a sweep.
+// Options of a script: its form, the number of its tasks, and their requests to Slurm.
 struct BatchOptions {
   bool sbatch = false, submit = false;
   std::string form;  // of --export: "parallel", "snakemake", "shell"; "": none
@@ -19,7 +19,6 @@ struct BatchOptions {
   bool isWanted() const { return sbatch || !form.empty(); }
 };
 
-// Adds the options to the command.
 void addBatch(CLI::App& command, BatchOptions& options);
 
 // Completes the job by the options, writes its script into `out` and prints the command line that starts it. With

@@ -15,8 +15,8 @@ BatchJob job() {
   return {.name = "samples",
           .sweep = {"/opt/strobe", "sweep", "x.lua", "-o", "out/my samples", "--only", "arm=a b"},
           .report = {"/opt/strobe", "report", "out/my samples", "--experiment", "x.lua"},
-          .start = "/home/lab",
-          .logs = "/home/lab/out/my samples/logs",
+          .start = "/lab",
+          .logs = "/lab/out/my samples/logs",
           .tasks = 4};
 }
 
@@ -35,10 +35,10 @@ TEST(BatchScript, OfAJobArray) {
 #SBATCH --array=1-4
 #SBATCH --gpus=1
 #SBATCH --time=01:00:00
-#SBATCH --output='/home/lab/out/my samples/logs/%A_%a.log'
+#SBATCH --output='/lab/out/my samples/logs/%A_%a.log'
 #SBATCH --open-mode=append
 #SBATCH --requeue --signal=TERM@60
-cd /home/lab || exit
+cd /lab || exit
 srun /opt/strobe sweep x.lua -o 'out/my samples' --only 'arm=a b' --time-left 3480
 code=$?
 [ $code -ne 75 ] || scontrol requeue "$SLURM_JOB_ID"  # stopped before its end: continue later
@@ -49,15 +49,15 @@ exit $code
   EXPECT_EQ(sbatchScript(job()).find("--time"), std::string::npos) << "the limit of the partition";
   EXPECT_EQ(submitLine(job(), "out/my samples/sweep.sbatch"),
             "job=$(sbatch --parsable 'out/my samples/sweep.sbatch') && sbatch --job-name=samples_report "
-            "--dependency=afterany:$job --chdir=/home/lab '--output=/home/lab/out/my samples/logs/report.log' "
+            "--dependency=afterany:$job --chdir=/lab '--output=/lab/out/my samples/logs/report.log' "
             "'--wrap=/opt/strobe report '\\''out/my samples'\\'' --experiment x.lua'");
   expectBash(submitLine(job(), "a b"));
 }
 
 TEST(BatchScript, OfGnuParallel) {
   EXPECT_EQ(parallelScript(job()), R"(#!/bin/bash
-cd /home/lab || exit
-parallel --jobs 4 --retries 2 --joblog '/home/lab/out/my samples/logs/parallel.tsv' '/opt/strobe sweep x.lua -o '\''out/my samples'\'' --only '\''arm=a b'\'' --share {}/4 >>'\''/home/lab/out/my samples/logs'\''/share_{}.log 2>&1' ::: {1..4}
+cd /lab || exit
+parallel --jobs 4 --retries 2 --joblog '/lab/out/my samples/logs/parallel.tsv' '/opt/strobe sweep x.lua -o '\''out/my samples'\'' --only '\''arm=a b'\'' --share {}/4 >>'\''/lab/out/my samples/logs'\''/share_{}.log 2>&1' ::: {1..4}
 /opt/strobe report 'out/my samples' --experiment x.lua
 )");
   expectBash(parallelScript(job()));
@@ -65,9 +65,9 @@ parallel --jobs 4 --retries 2 --joblog '/home/lab/out/my samples/logs/parallel.t
 
 TEST(BatchScript, OfAPlainShell) {
   EXPECT_EQ(shellScript(job()), R"(#!/bin/bash
-cd /home/lab || exit
+cd /lab || exit
 for share in {1..4}; do
-  /opt/strobe sweep x.lua -o 'out/my samples' --only 'arm=a b' --share $share/4 >>'/home/lab/out/my samples/logs'/share_$share.log 2>&1 &
+  /opt/strobe sweep x.lua -o 'out/my samples' --only 'arm=a b' --share $share/4 >>'/lab/out/my samples/logs'/share_$share.log 2>&1 &
 done
 wait
 /opt/strobe report 'out/my samples' --experiment x.lua
@@ -77,17 +77,17 @@ wait
 
 TEST(BatchScript, OfSnakemake) {
   BatchJob braces = job();
-  braces.start = "/home/{lab}", braces.report[2] = "{out}";
-  EXPECT_EQ(snakefile(braces), R"(workdir: "/home/{lab}"
+  braces.start = "/lab/{a}", braces.report[2] = "{out}";
+  EXPECT_EQ(snakefile(braces), R"(workdir: "/lab/{a}"
 
 rule report:
-    input: expand("/home/lab/out/my samples/logs/share_{share}.done", share=range(1, 5))
-    output: touch("/home/lab/out/my samples/logs/report.done")
+    input: expand("/lab/out/my samples/logs/share_{share}.done", share=range(1, 5))
+    output: touch("/lab/out/my samples/logs/report.done")
     shell: "/opt/strobe report '{{out}}' --experiment x.lua"
 
 rule share:
-    output: touch("/home/lab/out/my samples/logs/share_{share}.done")
-    log: "/home/lab/out/my samples/logs/share_{share}.log"
+    output: touch("/lab/out/my samples/logs/share_{share}.done")
+    log: "/lab/out/my samples/logs/share_{share}.log"
     retries: 1
     shell: "/opt/strobe sweep x.lua -o 'out/my samples' --only 'arm=a b' --share {wildcards.share}/4 >>{log:q} 2>&1"
 )");

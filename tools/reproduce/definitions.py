@@ -10,6 +10,7 @@ GENERATED = {
 }
 PAGES_OF_DEFINITIONS = {
     "docs/describing-a-scene.md": "fields with their defaults and ranges: tests/program/pages_test.cpp compares them",
+    "docs/labs.md": "limits, and results of tools/sweep_model.py: tests/repo/sweep_model_test.cpp compares them",
 }
 
 # Page, text, reason why the number is not a measurement.

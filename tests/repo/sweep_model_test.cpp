@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// tools/sweep_model.py: the simulation agrees with the model on paper (docs/labs.md).
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "base/process.h"
+#include "common/source.h"
+
+namespace strobe::repo {
+namespace sweep_model_test {
+
+TEST(SweepModel, SimulationAgreesWithThePaper) {
+  const std::string tool = (sourceFolder() / "tools/sweep_model.py").string();
+  ProgramEnd end = run({.arguments = {"python3", "-B", tool, "--points", "2000", "--workers", "20", "--stagger", "1"}});
+  if (end.code() == 127) GTEST_SKIP() << "no python3";
+  EXPECT_EQ(end.code(), 0) << end.errors;
+  EXPECT_NE(end.output.find("claim: 2.0 ms on paper; after all starts 2.0 ms simulated"), std::string::npos)
+      << end.output;
+  EXPECT_NE(end.output.find("publish: 4.2 ms on paper; after all starts 4.3 ms simulated"), std::string::npos)
+      << end.output;
+}
+
+// The page quotes the numbers of the default.
+TEST(SweepModel, ThePageHasItsNumbers) {
+  const std::string tool = (sourceFolder() / "tools/sweep_model.py").string();
+  ProgramEnd end = run({.arguments = {"python3", "-B", tool}});
+  if (end.code() == 127) GTEST_SKIP() << "no python3";
+  const std::string page = readText(sourceFolder() / "docs/labs.md");
+  for (const char* line : {"all starts: 61 s", "all outlines: 48 s", "within 2.2 ms", "within 4.7 ms",
+                           "limit of the server: 817 points", "whole sweep: 1062 s on paper, 1163 s simulated"})
+    EXPECT_NE(end.output.find(line), std::string::npos) << line << "\n" << end.output;
+  for (const char* text : {"61 s of the server", "48 s at 1 GB/s", "within 2.2 ms", "within 4.7 ms",
+                           "817 points per second", "1,062 s | 1,163 s"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+}
+
+}  // namespace sweep_model_test
+}  // namespace strobe::repo
