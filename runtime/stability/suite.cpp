@@ -8,8 +8,8 @@
 
 namespace strobe::stability {
 
-// Minimum number of cases for a stale declaration. Some breaks are rare: 60 cases miss a break that occurs in 5 % of all
-// cases with a probability of 0.95^60 = 5 %.
+// Minimum number of cases for a stale declaration. Some breaks are rare: 60 cases miss a break that occurs in 5 % of
+// all cases with a probability of 0.95^60 = 5 %.
 static constexpr int kEnough = 60;
 
 namespace {
