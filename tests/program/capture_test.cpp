@@ -286,6 +286,28 @@ TEST_F(Capture, AZipVerifiesWhereItIsUnpacked) {
   EXPECT_EQ(verified.exit_code, 0) << verified.err;
 }
 
+TEST_F(Capture, ASignalStopsItAndASecondOneInTheFolderIsRefused) {
+  pid_t child = ::fork();
+  if (child == 0) {
+    std::string line = "exec '" + programPath() + "' capture " + script_ + " -o " + path("out") + " >/dev/null 2>&1";
+    ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    ::_exit(127);
+  }
+  for (int waited = 0; !fs::exists(path("out/pictures")) && waited < 3000; ++waited) ::usleep(10000);
+  ::kill(child, SIGSTOP);
+  Outcome second = capture("out");
+  EXPECT_EQ(second.exit_code, 2);
+  EXPECT_NE(second.err.find("out: another program works in this folder: process "), std::string::npos) << second.err;
+  for (int signal : {SIGTERM, SIGCONT}) ::kill(child, signal);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 75);
+  EXPECT_FALSE(fs::exists(path("out/.lock")));
+  EXPECT_TRUE(copyIn(path("out")).empty());
+  EXPECT_EQ(capture("out").exit_code, 0);
+}
+
 TEST_F(Capture, KilledAtAnyMomentItGoesOn) {
   ASSERT_EQ(capture("whole").exit_code, 0);
   std::mt19937 random(1);

@@ -104,7 +104,7 @@ TEST_F(SeveralPrograms, GiveTheTableOfOne) {
 }
 
 TEST_F(SeveralPrograms, MeasureTimesOneAfterTheOther) {
-  write("4", "\"ms\"");
+  write("4", "\"ms\", \"ms_ratio\"");
   startAll("out", 3);
   expectAllSucceed();
   const Json results = Json::parse(file("out", "result.json"));
@@ -112,6 +112,15 @@ TEST_F(SeveralPrograms, MeasureTimesOneAfterTheOther) {
     for (const Json& point : group["points"])
       if (point["role"] != "truth") EXPECT_GT(point["values"]["ms"]["all"].get<double>(), 0);
   expectNothingIsLeft("out");
+  // A share measures the times of its points, with the base of the whole.
+  for (const char* share : {"2/2", "1/2"}) {
+    Outcome outcome = sweep("shares", "--share " + std::string(share));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("times: 100 %"), std::string::npos) << outcome.err;
+  }
+  Outcome whole = sweep("shares");
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+  EXPECT_EQ(whole.err.find("times: "), std::string::npos) << whole.err;
 }
 
 // A program is killed while it draws a truth. Others draw the points that it has claimed.
