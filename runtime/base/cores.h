@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cores of this process, and independent work on all of them.
+// Number of cores for this process, and independent work on all cores.
 #pragma once
 
 #include <cstddef>
