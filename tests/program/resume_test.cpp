@@ -156,16 +156,16 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
 
 // One line, whatever runs; the number is that of the files.
 TEST_F(Resume, InterruptedItSaysWhatIsKeptAndGoesOn) {
-  writeText(folder_ / "x.lua", few("experiment.linear(1, 8, 8)"));
+  writeText(folder_ / "x.lua", few("experiment.linear(1, 40, 40)"));
   for (const std::string more : {"", "--jobs 2", "--jobs 3"}) {
     const std::string out = "out" + more.substr(more.size() ? more.size() - 1 : 0);
     Outcome outcome = interruptAt(out, 4, more, more != "--jobs 3");
     EXPECT_EQ(outcome.exit_code, 75);
     std::smatch match;
-    const std::regex line("(^|\n)interrupted; (\\d+) of 16 points (is|are) kept; the same command continues\n$");
+    const std::regex line("(^|\n)interrupted; (\\d+) of 80 points (is|are) kept; the same command continues\n$");
     ASSERT_TRUE(std::regex_search(outcome.err, match, line)) << outcome.err;
     EXPECT_GE(std::stoi(match[2]), 2) << "two of four files may be truths";
-    EXPECT_LT(std::stoi(match[2]), 16) << "nothing was interrupted";
+    EXPECT_LT(std::stoi(match[2]), 80) << "nothing was interrupted";
     EXPECT_EQ(outcome.err.find("signal"), std::string::npos) << outcome.err;
     EXPECT_TRUE(copyIn(folder_ / out).empty());
     for (const auto& entry : fs::recursive_directory_iterator(folder_ / out))
