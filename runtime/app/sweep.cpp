@@ -150,8 +150,8 @@ void list(study::Experiment experiment, const study::Share& share, const SweepOp
   std::fputs((options.json ? points.dump(1) + "\n" : study::listOf(experiment) + counts).c_str(), stdout);
 }
 
-// Writes the result files, then removes the outline, so that `report` always finds one of them. Reads the results back
-// from their JSON first, so that `report` gives the same page.
+// Writes the result files, then removes the outline, so that `report` always finds either of these. Reads the results
+// back from their JSON first, so that `report` gives the same page.
 std::vector<Path> conclude(study::Results& results, const study::Store& store, const ResultNames& names) {
   results.command = store.command;
   results = study::resultsFrom(study::toJson(results), "the results");

@@ -28,7 +28,7 @@ namespace {
 constexpr int kApiVersion = 10102;  // 1.1.2
 const char* const kLibrary = "librenderdoc.so";
 
-// File of the newest capture; "" if there is none.
+// File of the newest capture; "": no capture.
 std::string newestFile(const RenderDocApi& api) {
   uint32_t length = 0;
   const uint32_t count = api.GetNumCaptures();

@@ -7,7 +7,8 @@
 
 namespace strobe::graph {
 
-// Vulkan format and GLSL layout qualifier of a format of a plan (plan/formats.h); of a buffer, those of its entries.
+// Vulkan format and GLSL layout qualifier of a format of a plan (plan/formats.h); of a buffer: format and qualifier of
+// its entries.
 struct DeviceFormat {
   VkFormat vk;
   const char* glsl;

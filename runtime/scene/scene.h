@@ -143,7 +143,7 @@ struct Camera {
 
 // Keyed value: transform of a node, weight of a morph target, or property of a camera or a light.
 struct Track {
-  // Of a node up to Weight, of a camera up to Near, else of a light.
+  // Targets up to Weight belong to a node, targets up to Near to a camera, all others to a light.
   enum class Target {
     Translation,
     Rotation,

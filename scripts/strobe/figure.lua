@@ -290,7 +290,7 @@ function Checker:lines(t, name, path)
 end
 
 -- Returns the number of a row or column, from 1. `labels`: the rows or the columns of the figure. `value`: the number or
--- the label of one of them; may be nil if `labels` has a single entry.
+-- the label of the row or column; may be nil if `labels` has a single entry.
 function Checker:line_number(value, labels, path, what)
   local names = {}
   for i, line in ipairs(labels) do
