@@ -77,7 +77,8 @@ void addBatch(CLI::App& command, BatchOptions& options) {
       ->type_name("parallel|snakemake|shell")
       ->excludes(sbatch);
   command
-      .add_option("--tasks", options.tasks, "number of shares of the script (default: one per 20 points, at most 16)")
+      .add_option("--tasks", options.tasks,
+                  "number of shares of the script (default: one per 20 points, at most 16, at most one per truth)")
       ->check(CLI::Range(1, 1000));
   command.add_option("--time", options.time, "time limit of a task, with --sbatch")
       ->type_name("HH:MM:SS")
@@ -86,8 +87,8 @@ void addBatch(CLI::App& command, BatchOptions& options) {
   command.add_flag("--submit", options.submit, "submit the script, and after it the job of the report")->needs(sbatch);
 }
 
-void startBatch(const BatchOptions& options, BatchJob job, size_t points, const Path& out) {
-  job.tasks = options.tasks > 0 ? options.tasks : tasksFor(points);
+void startBatch(const BatchOptions& options, BatchJob job, size_t points, size_t truths, const Path& out) {
+  job.tasks = options.tasks > 0 ? options.tasks : tasksFor(points, truths);
   job.time = options.time, job.gpus = options.gpus;
   job.logs = std::filesystem::absolute(out).lexically_normal() / "logs";
   const std::string text = scriptOf(options, job);

@@ -12,7 +12,7 @@ namespace strobe::app {
 struct BatchOptions {
   bool sbatch = false, submit = false;
   std::string form;  // of --export: "parallel", "snakemake", "shell"; "": none
-  int tasks = 0;     // 0: `tasksFor` the points
+  int tasks = 0;     // 0: `tasksFor` the points and truths
   int gpus = 0;
   std::string time;
 
@@ -23,6 +23,6 @@ void addBatch(CLI::App& command, BatchOptions& options);
 
 // Completes the job by the options, writes its script into `out` and prints the command line that starts it. With
 // `submit`, gives the script and the job of the report to Slurm. Throws `Error` (exit code 1) without Slurm.
-void startBatch(const BatchOptions& options, BatchJob job, size_t points, const Path& out);
+void startBatch(const BatchOptions& options, BatchJob job, size_t points, size_t truths, const Path& out);
 
 }  // namespace strobe::app

@@ -40,7 +40,7 @@ std::string bracesDoubled(const std::string& text) { return doubled(text, "{}");
 
 }  // namespace
 
-int tasksFor(size_t points) { return int(std::clamp<size_t>(points / 20, 1, 16)); }
+int tasksFor(size_t points, size_t truths) { return int(std::clamp<size_t>(std::min(points / 20, truths), 1, 16)); }
 
 int secondsOf(const std::string& time) {
   static const std::regex form("(?:(\\d{1,3})-)?(\\d{1,3}):(\\d\\d):(\\d\\d)");

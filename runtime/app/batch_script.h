@@ -23,9 +23,9 @@ struct BatchJob {
   int gpus = 0;      // per task
 };
 
-// Number of tasks for a number of points: one per 20 points, 1 to 16. A task draws many points, because it compiles its
-// shaders once.
-int tasksFor(size_t points);
+// Number of tasks of a sweep: one per 20 points, at most one per truth, 1 to 16. A task draws many points, because it
+// compiles its shaders once. Without a truth of its own, a task would have no points.
+int tasksFor(size_t points, size_t truths);
 
 // Seconds of `BatchJob::time`. Throws `Error` (exit code 2) for another text.
 int secondsOf(const std::string& time);

@@ -227,7 +227,8 @@ void sweep(const Home& home, const SweepOptions& options) {
   if (!options.dry_run) requireWritable(options.out);
   study::Experiment checked = experimentOf(home, file, options);
   if (options.dry_run) return list(checked, share, options);
-  if (options.batch.isWanted()) return startBatch(options.batch, jobOf(options, file), checked.points(), options.out);
+  if (options.batch.isWanted())
+    return startBatch(options.batch, jobOf(options, file), checked.points(), checked.truths(), options.out);
   Interruption interruption(options.time_left_s);
   study::Store store(options.out);
   store.requires_exr = options.exr, store.retries = options.retry;

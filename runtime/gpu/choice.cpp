@@ -99,7 +99,7 @@ size_t chosenDevice(const std::vector<DeviceInfo>& devices, const std::string& w
   if (isNumber(wanted)) {
     const size_t index = wanted.size() < 9 ? std::stoul(wanted) : devices.size();
     if (index < devices.size()) return index;
-    throw Error(fmt::format("--device {}: there are {} devices, counted from 0", wanted, devices.size()), {}, 2);
+    throw Error(fmt::format("--device {}: the first device is 0, the last one {}", wanted, devices.size() - 1), {}, 2);
   }
   for (size_t i = 0; i < devices.size(); ++i)
     if (matches(devices[i], wanted)) return i;

@@ -93,10 +93,11 @@ rule share:
 )");
 }
 
-TEST(BatchScript, HasOneTaskPerTwentyPoints) {
-  EXPECT_EQ(tasksFor(1), 1);
-  EXPECT_EQ(tasksFor(60), 3);
-  EXPECT_EQ(tasksFor(100000), 16);
+TEST(BatchScript, HasOneTaskPerTwentyPointsButNoTaskWithoutATruth) {
+  EXPECT_EQ(tasksFor(1, 1), 1);
+  EXPECT_EQ(tasksFor(60, 12), 3);
+  EXPECT_EQ(tasksFor(60, 1), 1);
+  EXPECT_EQ(tasksFor(100000, 50), 16);
 }
 
 TEST(BatchScript, LeavesTimeBeforeTheLimit) {

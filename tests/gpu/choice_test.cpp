@@ -43,7 +43,7 @@ TEST(DeviceChoice, ByIndexNameUuidOrPciAddress) {
   EXPECT_EQ(chosen("GPU-A1000000-0000-0000-0000-00000000000A"), 2u);
   EXPECT_EQ(chosen("GPU-a1"), 2u);
   for (const char* address : {"0000:3b:00.0", "3B:00.0", "3b:0", "00000000:3B:00.0"}) EXPECT_EQ(chosen(address), 2u);
-  EXPECT_EQ(refusal("4"), "--device 4: there are 4 devices, counted from 0");
+  EXPECT_EQ(refusal("4"), "--device 4: the first device is 0, the last one 3");
   EXPECT_EQ(refusal("3c:00.0"),
             "--device '3c:00.0' matches none of 'NVIDIA L40S', 'Intel UHD', 'NVIDIA L40S', 'llvmpipe (LLVM 15)'");
 }
