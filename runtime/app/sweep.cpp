@@ -33,9 +33,11 @@ namespace strobe::app {
 
 namespace {
 
+constexpr size_t kPackFrom = 10000;  // points of a sweep that packs them by default
+
 struct SweepOptions {
   std::string file, out, only, size, device, share;
-  bool dry_run = false, json = false, exr = false, retry = false;
+  bool dry_run = false, json = false, exr = false, retry = false, pack = false;
   int jobs = 1;
   double time_left_s = 0;
   double truth_error = 0, time_limit_s = gpu::kTimeLimit_s;
@@ -194,6 +196,7 @@ BatchJob jobOf(const SweepOptions& options, const std::string& file) {
   if (options.jobs > 1) add("--jobs", std::to_string(options.jobs));
   if (options.exr) sweep.push_back("--exr");
   if (options.retry) sweep.push_back("--retry");
+  if (options.pack) sweep.push_back("--pack");
   return {.name = Path(file).stem(),
           .sweep = std::move(sweep),
           .report = {program, "report", options.out, "--experiment", options.file},
@@ -232,6 +235,7 @@ void sweep(const Home& home, const SweepOptions& options) {
   Interruption interruption(options.time_left_s);
   study::Store store(options.out);
   store.requires_exr = options.exr, store.retries = options.retry;
+  store.packs = options.pack || checked.points() >= kPackFrom;
   store.belongTo(checked.title);
   compareClocks(store.workers());
   const ResultNames names;
@@ -328,6 +332,9 @@ void addSweep(CLI::App& command, SweepOptions& options) {
                   "draw truth with more samples until its standard error over the picture is at most this")
       ->type_name("E")
       ->check(aboveZero());
+  command.add_flag("--pack", options.pack,
+                   fmt::format("move complete points into archives packs/*.zip of {} points; default from {} points on",
+                               study::PointFiles::kPerPack, kPackFrom));
   command.add_flag("--exr", options.exr, "keep every picture as points/KEY.exr, linear, with its record");
   addBatch(command, options.batch);
 }

@@ -37,8 +37,9 @@ static image::Image linearIn(const Path& file) { return image::colourOf(image::r
 
 static std::optional<ShownPoint> shownPoint(const Point& point, const ArmSummary& arm, const Path& folder) {
   // Results without their picture files are laid out without pictures.
+  const PointFiles files(folder);
   for (const std::string& name : {point.measured, point.shown})
-    if (!isAsWritten(point, folder, name)) return std::nullopt;
+    if (!contentOf(point, files, name)) return std::nullopt;
   try {
     ShownPoint one{&point, &arm, linearIn(folder / point.measured), {}};
     one.shown = point.shown == point.measured ? one.measured : linearIn(folder / point.shown);

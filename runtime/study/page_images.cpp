@@ -55,7 +55,7 @@ bool mayFit(const std::vector<ImageSource>& sources, const UrlQuality& level, si
 // Pictures and maps of the points, without duplicates.
 class Collection {
  public:
-  Collection(const Results& results, const Path& folder) : results_(results), folder_(folder) {}
+  Collection(const Results& results, const Path& folder) : results_(results), files_(folder) {}
 
   PageImages collected();
 
@@ -70,7 +70,7 @@ class Collection {
   void map(Pair& pair) const;
 
   const Results& results_;
-  Path folder_;
+  PointFiles files_;
   std::vector<ImageSource> sources_;
   std::map<std::string, int> by_content_;
   std::vector<Pair> pairs_;
@@ -81,11 +81,10 @@ int Collection::pictureOf(const Point& point) {
   if (!point.key.empty()) names.push_back("points/" + point.key + ".png");
   if (!point.picture.empty()) names.push_back(point.picture);
   for (const std::string& name : names) {
-    if (!isAsWritten(point, folder_, name)) continue;
-    Path file = folder_ / name;
-    std::string png = readText(file);
-    auto [found, added] = by_content_.emplace(hashText(png), int(sources_.size()));
-    if (added) sources_.push_back({std::move(png), file.string()});
+    std::optional<std::string> png = contentOf(point, files_, name);
+    if (!png) continue;
+    auto [found, added] = by_content_.emplace(hashText(*png), int(sources_.size()));
+    if (added) sources_.push_back({std::move(*png), name});
     return found->second;
   }
   return -1;

@@ -328,6 +328,7 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
   const gpu::DeviceInfo& device = batch_.bench().device().info();
   point.device = device.name, point.driver = device.driver;
   store_.keep(task.key, point);
+  if (point.isDrawn() && !task.timed) store_.finish(task.key);
   cost_ += task.cost;
   points_ += task.arm->role != ArmRole::truth;
   worker_.reach(points_, spent_.sum());

@@ -510,9 +510,24 @@ void relabel(const Home& home, Results& results, const Experiment& experiment) {
   judgeResults(home, results, experiment.file);
 }
 
+// Results as expectations read them. Times of several devices are not comparable, so they are left out, and the field
+// `incomparable` names their measures.
+static Json judgedJson(Results results) {
+  if (results.timedDevices().size() < 2) return toJson(results);
+  std::set<std::string> times;
+  for (PointGroup& group : results.groups)
+    for (Point& point : group.points)
+      std::erase_if(point.values, [&](const auto& value) {
+        return measureNamed(value.first).isTime() && (times.insert(value.first), true);
+      });
+  Json json = toJson(results);
+  json["incomparable"] = times;
+  return json;
+}
+
 void judgeResults(const Home& home, Results& results, const std::string& file) {
   results.expectations.clear();
-  for (const Json& one : judge(home, file, toJson(results))) takeTexts(one, results.expectations.emplace_back());
+  for (const Json& one : judge(home, file, judgedJson(results))) takeTexts(one, results.expectations.emplace_back());
 }
 
 static std::string csvMeasured(double value) { return std::isnan(value) ? "" : fmt::format("{:.9g}", value); }

@@ -155,6 +155,7 @@ void keepTimes(const Store& store, const Task& task, const std::string& times, c
   for (const std::string& name : task.measures)
     if (measureNamed(name).isTime()) point.values[name]["all"] = measureNamed(name).of_times(input);
   store.keep(task.key, point);
+  store.finish(task.key);
 }
 
 // Tasks that are timed in turn, with the base of their shot.
@@ -334,6 +335,7 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store,
     Worker worker(store.folder(), stateOf(experiment, outlineOf(experiment, groups, batch)));
     ProgressWatch watch;
     renderHere(experiment, batch, store, groups, worker, watch);
+    store.packFinished();
     bench->device().refuseMessages();
   } catch (const Stopped&) {
     code = kTryAgain;

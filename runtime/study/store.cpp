@@ -59,16 +59,16 @@ std::shared_ptr<const lab::Picture> decoded(const std::string& key, const Path& 
 
 }  // namespace
 
-Path pointFile(const Path& folder, const std::string& key, const std::string& ending) {
-  return folder / "points" / (key + ending);
-}
+// Name of the file with the numbers of a point.
+static std::string numbersOf(const std::string& key) { return pointFile("", key, ".json"); }
 
-// Point in a file; empty if the file is damaged or has another point.
-static std::optional<Point> pointFromFile(const Path& file, const std::string& key) {
+// Point with this key; empty if its file is damaged or has another point.
+static std::optional<Point> pointIn(const PointFiles& files, const std::string& key) {
+  const std::string file = numbersOf(key);
   try {
-    std::optional<Json> json = unsealed(readText(file));
+    std::optional<Json> json = unsealed(files.read(file).value_or(""));
     if (!json || json->value("key", "") != key) return std::nullopt;
-    Point point = pointFrom(*json, file.string());
+    Point point = pointFrom(*json, file);
     point.tries = json->value("tries", point.tries);
     point.crops = cropsFrom(json->value("crops", Json::array())), point.attribution = json->value("attribution", "");
     return point;
@@ -91,28 +91,26 @@ static void describeShot(Results& results, const PointGroup& group, const Point&
 std::string contentOfKey(const std::string& key) { return key.substr(0, key.find('_')); }
 
 // Keys of the points in a folder by their content; of several devices, the first by name.
-static std::map<std::string, std::string> keysByContent(const Path& folder) {
-  std::vector<std::string> keys = namesIn(folder / "points", ".json");
-  std::sort(keys.begin(), keys.end());
+static std::map<std::string, std::string> keysByContent(const PointFiles& files) {
   std::map<std::string, std::string> found;
-  for (const std::string& key : keys) found.emplace(contentOfKey(key), key);
+  for (const std::string& key : files.keys()) found.emplace(contentOfKey(key), key);
   return found;
 }
 
 std::vector<Path> takePoints(Results& results, const Path& folder, bool of_any_device) {
+  const PointFiles files(folder);
+  const auto others = of_any_device ? keysByContent(files) : std::map<std::string, std::string>();
   std::vector<Path> damaged;
-  const auto others = of_any_device ? keysByContent(folder) : std::map<std::string, std::string>();
   std::set<std::string> described;
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) {
       std::string key = point.key;
       auto other = others.find(contentOfKey(key));
-      if (other != others.end() && !fs::exists(pointFile(folder, key, ".json"))) key = other->second;
-      Path file = pointFile(folder, key, ".json");
-      if (key.empty() || !fs::exists(file)) continue;
-      std::optional<Point> known = pointFromFile(file, key);
+      if (other != others.end() && !files.has(numbersOf(key))) key = other->second;
+      if (key.empty() || !files.has(numbersOf(key))) continue;
+      std::optional<Point> known = pointIn(files, key);
       if (!known) {
-        damaged.push_back(file);
+        damaged.push_back(folder / numbersOf(key));
         point.values.clear(), point.failed.clear();  // the point counts as missing
         continue;
       }
@@ -122,6 +120,7 @@ std::vector<Path> takePoints(Results& results, const Path& folder, bool of_any_d
       if (known->role == ArmRole::truth) describeShot(results, group, *known, described);
       point = std::move(*known);
     }
+  for (const Path& pack : files.takeDamaged()) damaged.push_back(pack);
   return damaged;
 }
 
@@ -131,29 +130,32 @@ Results resultsSoFar(const Path& outline) {
   return results;
 }
 
-bool isAsWritten(const Point& point, const Path& folder, const std::string& name) {
+std::optional<std::string> contentOf(const Point& point, const PointFiles& files, const std::string& name) {
+  std::optional<std::string> content = files.read(name);
   auto hash = point.files.find(name);
-  if (!fs::is_regular_file(folder / name)) return false;
-  return hash == point.files.end() || hashText(readText(folder / name)) == hash->second;
+  if (content && hash != point.files.end() && hashText(*content) != hash->second) return std::nullopt;
+  return content;
 }
 
 std::vector<Path> alteredFiles(const Results& results, const Path& folder) {
+  const PointFiles files(folder);
   std::vector<Path> altered;
   for (const PointGroup& group : results.groups)
     for (const Point& point : group.points)
       for (const auto& [name, hash] : point.files)
-        if (fs::exists(folder / name) && !isAsWritten(point, folder, name)) altered.push_back(folder / name);
+        if (files.has(name) && !contentOf(point, files, name)) altered.push_back(folder / name);
   return altered;
 }
 
-Store::Store(const Path& folder) : folder_(folder) {
+Store::Store(const Path& folder) : folder_(folder), files_(folder) {
   std::error_code failed;
   fs::create_directories(workers(), failed);
   if (failed) throw WriteError(fmt::format("cannot be written: {}", failed.message()), {workers().string()});
+  removeEndedWorkers(folder_);
+  if (isUsed(folder_)) return;
   for (const Path& place : {folder_, workers()}) removeLeftovers(place);
   // A claim of an ended process is taken over, and given back.
   for (const std::string& key : namesIn(workers(), ".lock")) claim(key);
-  removeEndedWorkers(folder_);
 }
 
 // Renames the file, so that it can still be inspected. If several processes find the file, one process renames it.
@@ -229,17 +231,33 @@ void Store::agreeOn(const Inputs& inputs, const std::string& version) const {
   writeFileAtomically(file, sealed(std::move(known)));
 }
 
+// Hash of an outline without the device. Programs on different devices write the same outline but for the device.
+static std::string contentOf(Results outline) {
+  outline.device = outline.driver = "", outline.software = false;
+  for (PointGroup& group : outline.groups)
+    for (Point& point : group.points) point.key = contentOfKey(point.key);
+  return hashText(textOf(outline));
+}
+
 void Store::keepOutline(Results results) const {
   if (outline.empty()) return;
   results.command = command;
+  const Path file = folder_ / "experiment.json";
+  Json known = fs::exists(file) ? unsealed(readText(file)).value_or(Json::object()) : Json::object();
+  const std::string content = contentOf(results);
+  if (fs::exists(outline) && known.value("outline", "") == content) return;
   writeFileAtomically(outline, textOf(results));
+  if (known.empty()) return;
+  known["outline"] = content;
+  writeFileAtomically(file, sealed(std::move(known)));
 }
 
 std::optional<Point> Store::point(const std::string& key) const {
-  Path file = pointFile(folder_, key, ".json");
-  if (!fs::exists(file)) return std::nullopt;
-  std::optional<Point> point = pointFromFile(file, key);
-  if (!point) discard(file);
+  const bool has_file = files_.has(numbersOf(key));
+  for (const Path& pack : files_.takeDamaged()) discard(pack);
+  if (!has_file) return std::nullopt;
+  std::optional<Point> point = pointIn(files_, key);
+  if (!point) discard(folder_ / numbersOf(key));
   return point;
 }
 
@@ -261,7 +279,7 @@ bool Store::hasFiles(const Point& point) const {
   bool all = true;
   for (const auto& [name, hash] : point.files) {
     if (isOnRequest(name) && !requires_exr) continue;
-    if (isAsWritten(point, folder_, name)) continue;
+    if (contentOf(point, files_, name)) continue;
     discard(folder_ / name);
     all = false;
   }
@@ -285,6 +303,17 @@ void Store::keep(const std::string& key, const Point& point) const {
   if (!point.crops.empty()) json["crops"] = toJson(point.crops);
   if (!point.attribution.empty()) json["attribution"] = point.attribution;
   writeFileAtomically(pointFile(folder_, key, ".json"), sealed(std::move(json)));
+}
+
+void Store::finish(const std::string& key) const {
+  if (!packs) return;
+  finished_.insert(key);
+  if (finished_.size() >= PointFiles::kPerPack) packFinished();
+}
+
+void Store::packFinished() const {
+  files_.pack(finished_);
+  finished_.clear();
 }
 
 size_t Store::triesOf(const std::string& key) const { return point(key).value_or(Point()).tries.size(); }

@@ -11,6 +11,7 @@
 
 #include "base/lease.h"
 #include "lab/workbench.h"
+#include "study/point_files.h"
 #include "study/results.h"
 
 namespace strobe::study {
@@ -20,9 +21,6 @@ inline constexpr const char* kWorkers = ".workers";
 
 // A point that failed so often is set aside.
 inline constexpr size_t kMostTries = 3;
-
-// Path of a file of a point: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
-Path pointFile(const Path& folder, const std::string& key, const std::string& ending);
 
 // Part of a key without the device.
 std::string contentOfKey(const std::string& key);
@@ -38,8 +36,8 @@ Results resultsSoFar(const Path& outline);
 
 // Files of the points of `results` that are in the folder and differ from their hash.
 std::vector<Path> alteredFiles(const Results& results, const Path& folder);
-// True if a file of the point is in the folder and does not differ from its hash.
-bool isAsWritten(const Point& point, const Path& folder, const std::string& name);
+// Content of a file of the point; nothing if the file is missing or differs from its hash.
+std::optional<std::string> contentOf(const Point& point, const PointFiles& files, const std::string& name);
 
 // Store of one sweep. A damaged file counts as missing: a warning names the file, the file gets the ending ".damaged",
 // and its content is made again.
@@ -48,6 +46,7 @@ class Store {
   // Removes what ended processes of this machine have left in the folder.
   explicit Store(const Path& folder);
   Store(const Store&) = delete;
+  ~Store() { packFinished(); }
 
   const Path& folder() const { return folder_; }
   // Folder of the claims and of the signs of running programs.
@@ -75,6 +74,13 @@ class Store {
   void keep(const std::string& key, const Point& point) const;
   size_t triesOf(const std::string& key) const;  // failed tries to draw the point
 
+  // True: complete points move into packs (`PointFiles`).
+  bool packs = false;
+  // Marks a point as complete. After every `PointFiles::kPerPack` complete points, they move into a pack.
+  void finish(const std::string& key) const;
+  // Moves the rest of the complete points into a pack. The destructor does this too.
+  void packFinished() const;
+
   // Claims a point, or other work of this name. Null if another program has the claim.
   std::unique_ptr<Lease> claim(const std::string& key) const { return Lease::claim(workers() / (key + ".lock")); }
 
@@ -91,7 +97,9 @@ class Store {
   bool hasFiles(const Point& point) const;
 
   Path folder_;
-  mutable std::set<std::string> had_;  // keys of points with complete files
+  mutable PointFiles files_;
+  mutable std::set<std::string> finished_;  // keys of complete points that are not in a pack
+  mutable std::set<std::string> had_;       // keys of points with complete files
 };
 
 }  // namespace strobe::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/worker.h"
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <optional>
@@ -71,6 +72,14 @@ std::vector<WorkerState> workersIn(const Path& folder) {
       workers.push_back(std::move(*worker));
     }
   return workers;
+}
+
+bool isUsed(const Path& folder) {
+  const double now_s = timeIn(folder / kWorkers);
+  const std::vector<std::string> names = namesIn(folder / kWorkers, ".json");
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return !hasEnded(name) && changedAt(fileOf(folder, name)) > now_s - kLease_s;
+  });
 }
 
 void removeEndedWorkers(const Path& folder) {

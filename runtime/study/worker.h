@@ -25,6 +25,9 @@ struct WorkerState {
 // States of all programs that have not removed their files.
 std::vector<WorkerState> workersIn(const Path& folder);
 
+// True if a program works in the folder.
+bool isUsed(const Path& folder);
+
 // Removes the files of ended processes of this machine.
 void removeEndedWorkers(const Path& folder);
 

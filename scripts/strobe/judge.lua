@@ -83,6 +83,9 @@ function Results:at(place, wanted)
   for _, count in pairs(counts) do means.count = math.max(means.count, count) end
   return setmetatable(means, { __index = native.at_caller(function(line, _, name)
     require_known(line, name, known, "measure")
+    if check.contains(self.data.incomparable or {}, name) then
+      error({ unmeasured = ("values of '%s' come from several devices"):format(name), incomparable = true, place = line }, 0)
+    end
     error({ unmeasured = ("no value of '%s' was measured for %s"):format(name, self.shown(wanted)), place = line }, 0)
   end) })
 end
@@ -106,7 +109,8 @@ local function judged(entry, r, data)
   if not good and type(holds) == "table" and not holds.unmeasured then
     outcome.outcome, outcome.detail = "fails", holds.mistake or holds.problems and holds.problems[1].message
   elseif not good and type(holds) == "table" then
-    outcome.outcome, outcome.detail = (data.partial or data.missing) and "does not apply" or "fails", holds.unmeasured
+    outcome.outcome, outcome.detail = "fails", holds.unmeasured
+    if data.partial or data.missing or holds.incomparable then outcome.outcome = "does not apply" end
   elseif not good then
     outcome.outcome, outcome.detail = "fails", tostring(holds)
   elseif holds ~= nil then

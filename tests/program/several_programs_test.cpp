@@ -186,6 +186,36 @@ TEST_F(SeveralPrograms, DrawShares) {
   EXPECT_EQ(Json::parse(sweep("shares", "--share 3/3 --dry-run --json").out).size(), 6u);
 }
 
+// Each share moves its points into a pack. Everything reads the packs, and a damaged pack is made again.
+TEST_F(SeveralPrograms, PackTheirPoints) {
+  write("4", "\"ms\"");
+  for (const char* share : {"--share 1/2", "--share 2/2"})
+    EXPECT_EQ(sweep("packed", std::string(share) + " --pack").exit_code, 0);
+  const std::vector<fs::path> packs = filesIn("packed/packs", ".zip");
+  ASSERT_EQ(packs.size(), 2u);
+  // A truth is not timed, but it also is a complete point.
+  EXPECT_TRUE(filesIn("packed/points", ".json").empty());
+  EXPECT_TRUE(filesIn("packed/points", ".png").empty());
+  const Outcome report = run("report " + (folder_ / "packed"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_EQ(report.err, "");
+  EXPECT_EQ(file("packed", "report.html").find("no picture"), std::string::npos);
+  Outcome again = sweep("packed");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.err.find("left to draw"), std::string::npos) << again.err;
+  EXPECT_EQ(again.err.find("times: "), std::string::npos) << again.err;
+
+  fs::resize_file(packs[0], 100);
+  const Outcome damaged = run("report " + (folder_ / "packed"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(damaged.exit_code, 1);
+  EXPECT_NE(damaged.err.find(packs[0].string() + ": is damaged and left out"), std::string::npos) << damaged.err;
+  again = sweep("packed", "--pack");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(again.err.find(packs[0].filename().string() + ".damaged"), std::string::npos) << again.err;
+  EXPECT_EQ(filesIn("packed/packs", ".zip").size(), 2u);
+  EXPECT_EQ(status("packed").out, "Many: 24 of 24 points drawn, 0 missing, 0 failed\n");
+}
+
 TEST_F(SeveralPrograms, RefuseMistakes) {
   write();
   auto refused = [](const Outcome& outcome, const std::string& wanted) {

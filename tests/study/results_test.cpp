@@ -139,6 +139,28 @@ TEST(Results, TimesOfTwoDevicesAreGroupedByDevice) {
   EXPECT_EQ(toJson(resultsFrom(toJson(results), "x")).dump(), toJson(results).dump());
 }
 
+// An expectation that reads times of two devices does not apply. Others are judged as before.
+TEST(Results, ExpectationsDoNotCompareTimesOfTwoDevices) {
+  testing::TemporaryFolder folder;
+  testing::writeText(folder / "x.lua", R"lua(
+return require "strobe.experiment" {
+  title = "Times", measures = { "rmse", "ms" }, truth = { pipeline = "ground_truth" },
+  arms = { { name = "good", pipeline = "none" } }, shots = { { name = "bar", scene = "oracles/bar" } },
+  expect = { { "fast", function(r) return r.at { arm = "good" }.ms < 3 end },
+             { "good", function(r) return r.at { arm = "good" }.rmse < 1 end } },
+})lua");
+  Results results = made();
+  for (PointGroup& group : results.groups)
+    for (Point& point : group.points) point.times = "5 to 25 rounds", point.values["ms"]["all"] = 2;
+  judgeResults(home(), results, folder / "x.lua");
+  EXPECT_EQ(results.expectations[0].outcome, "holds") << results.expectations[0].detail;
+  results.groups[1].points[1].device = "other";
+  judgeResults(home(), results, folder / "x.lua");
+  EXPECT_EQ(results.expectations[0].outcome, "does not apply");
+  EXPECT_EQ(results.expectations[0].detail, "values of 'ms' come from several devices");
+  EXPECT_EQ(results.expectations[1].outcome, "holds");
+}
+
 // A report fills gaps with points of other devices; a sweep draws them again.
 TEST(Results, PointsOfAnotherDeviceFillGapsOfAReport) {
   testing::TemporaryFolder folder;
