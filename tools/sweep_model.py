@@ -17,13 +17,15 @@ from collections import Counter
 
 # Operations on the shared folder: (number that read or write, number that change the folder, changed folder).
 START = [(1190, 0, ""), (20, 8, "workers")]  # copies of scripts and shaders in folders of its own; own state
-CLAIM = [(6, 1, "workers")]  # four lookups of the point, write and close of the claim; its creation
+CLAIM = [(7, 1, "workers")]  # lookups of the point, single and packed, write and close of the claim; its creation
 STATE = [(2, 2, "workers")]  # state of the worker for `strobe status`, at most once per second
 PUBLISH = [(6, 4, "points"), (2, 1, "workers")]  # picture and numbers, each written and renamed; release of the claim
+PACK = [(6, 2, "points")]  # per point: picture and numbers, each opened, read, closed and removed
+PER_PACK = 500  # points of an archive
 HEARTBEATS = 2 / 5  # per second: state and claim of a worker
-OUTLINE = 480  # bytes per point in unfinished.json, which each worker writes at its start
+OUTLINE = 480  # bytes per point in unfinished.json, which the first worker writes
 FILES = 2  # per point: picture and numbers
-READ = 3  # operations per point of a report: open, read, close
+READ = 1  # operations per point of a report: a part of an archive
 
 
 def operations(*steps):
@@ -43,7 +45,7 @@ def changes(folder, *steps):
 def paper(o):
     """Times without queues, and points per second that each part of the system allows."""
     step = STATE if o.draw >= 1 else []
-    point = (CLAIM, PUBLISH, step)
+    point = (CLAIM, PUBLISH, PACK, step)
     own_s = o.draw + alone_s(o, *point)
     limits = {
         "the workers": o.workers / own_s,
@@ -52,7 +54,7 @@ def paper(o):
         "the folder .workers": o.folder_rate / changes("workers", *point),
     }
     start_s = o.workers * operations(START) / o.rate
-    outline_s = o.workers * o.points * OUTLINE / o.bandwidth
+    outline_s = o.points * OUTLINE / o.bandwidth
     rate = min(limits.values())
     return {
         "claim_ms": 1e3 * alone_s(o, CLAIM),
@@ -90,6 +92,7 @@ def worker(o, draw_times, spent):
         end = yield None
         spent[name].append((begin, end - begin))
 
+    waiting = 0  # points that are not in an archive yet
     yield from perform(START, "start")
     for draw_s in draw_times:
         yield from perform(CLAIM, "claim")
@@ -97,11 +100,16 @@ def worker(o, draw_times, spent):
             yield from perform(STATE, "state")
         yield draw_s
         yield from perform(PUBLISH, "publish")
+        waiting += 1
+        if waiting == PER_PACK:
+            yield from perform(PACK * waiting, "pack")
+            waiting = 0
+    yield from perform(PACK * waiting, "pack")
 
 
 def simulate(o):
     """Times of all steps, and the points per second after the start."""
-    chance, server, spent = random.Random(1), Server(o), {name: [] for name in ("start", "claim", "state", "publish")}
+    chance, server, spent = random.Random(1), Server(o), {name: [] for name in ("start", "claim", "state", "publish", "pack")}
     each = [o.points // o.workers + (i < o.points % o.workers) for i in range(o.workers)]
     events, now = [], 0.0
     for i, count in enumerate(each):
@@ -137,14 +145,16 @@ def main():
     started = max(begin + duration for begin, duration in spent["start"])
     ms = lambda name: sorted(1e3 * duration for begin, duration in spent[name] if begin >= started) or [float("nan")]
     print(f"start of a worker: {sum(duration for _, duration in spent['start']) / o.workers:.1f} s simulated; "
-          f"all starts: {on_paper['start_s']:.0f} s of the server; all outlines: {on_paper['outline_s']:.0f} s")
+          f"all starts: {on_paper['start_s']:.0f} s of the server; the outline: {on_paper['outline_s']:.2g} s")
     for name in ("claim", "publish"):
         times = ms(name)
         print(f"{name}: {on_paper[name + '_ms']:.1f} ms on paper; after all starts {sum(times) / len(times):.1f} ms "
               f"simulated, 99 % within {times[int(0.99 * len(times))]:.1f} ms")
     for name, rate in sorted(on_paper["limits"].items(), key=lambda one: one[1]):
         print(f"limit of {name}: {rate:.0f} points per second")
-    print(f"files in the folder points: {FILES * o.points}; in segments of 500 points: {-(-o.points // 500)}")
+    most = o.workers * FILES * min(PER_PACK, -(-o.points // o.workers))
+    archives = o.workers * -(-o.points // (o.workers * PER_PACK))
+    print(f"single files: {FILES * o.points} without archives, at most {most} with; archives: {archives}")
     print(f"a report reads them in {READ * o.points * (o.latency + 1 / o.rate):.0f} s")
     print(f"whole sweep: {on_paper['total_s']:.0f} s on paper, {end:.0f} s simulated")
 

@@ -132,11 +132,18 @@ std::string describe(const study::Experiment& experiment, const std::vector<size
   return share.isWhole() ? text : fmt::format("share {}: {}", share.text(), text);
 }
 
+// Hint for shares without points.
+constexpr const char* kEmptyShare =
+    "a share has no points, because all points with the same truth are in one share; give fewer shares, or start "
+    "several "
+    "programs without --share, which divide the points among themselves";
+
 void list(study::Experiment experiment, const study::Share& share, const SweepOptions& options) {
   const std::vector<size_t> shares = study::sharesOf(experiment, share.of);
   const double seconds = study::secondsPerPoint(options.out);
   std::string counts;
   for (size_t i = 1; i <= share.of; ++i) counts += describe(experiment, shares, {i, share.of}, seconds) + "\n";
+  if (std::set(shares.begin(), shares.end()).size() < share.of) note(kEmptyShare);
   std::vector<study::Group> mine;
   for (size_t i = 0; i < shares.size(); ++i)
     if (shares[i] == share.index) mine.push_back(experiment.groups[i]);
@@ -220,6 +227,7 @@ void showShare(const study::Results& results, const study::Share& share, const P
   else
     fmt::print("share {}: {}; `strobe report {}` shows all shares\n", share.text(),
                countText(results.points(), "point"), folder.string());
+  if (results.points() == 0) note(kEmptyShare);
   throwIfAny(results.failed());
 }
 

@@ -44,6 +44,7 @@ struct TimeComparison {
 
 // The runs have the same shots (requireSameShots). `now` must outlive the result.
 TimeComparison compared(const Run& now, const Run& before, double share);
+TimeComparison compared(Run&& now, const Run& before, double share) = delete;
 
 // Comparison of alternating runs, one pair per block. `now` must outlive the result.
 TimeComparison compared(const std::vector<Run>& now, const std::vector<Run>& before, double share);

@@ -315,7 +315,7 @@ void ExrPart::add(const std::string& layer, const std::vector<std::string>& comp
   addLayer(*this, layer, components, image, ExrKind::uint, &ExrChannel::ids);
 }
 
-std::vector<const ExrPart*> ExrFile::parts() const {
+std::vector<const ExrPart*> ExrFile::parts() const& {
   std::vector<const ExrPart*> parts = {this};
   for (const ExrPart& part : further) parts.push_back(&part);
   return parts;

@@ -61,7 +61,8 @@ struct ExrFile : ExrPart {
   std::optional<glm::mat4> camera_from_world;           // worldToCamera
   std::optional<glm::mat4> ndc_from_world;              // worldToNDC
 
-  std::vector<const ExrPart*> parts() const;                // in the order of the file
+  std::vector<const ExrPart*> parts() const&;               // in the order of the file
+  std::vector<const ExrPart*> parts() && = delete;          // the parts would end with the file
   const ExrPart* part(const std::string& part_name) const;  // nullptr when absent
 };
 

@@ -52,7 +52,8 @@ TEST(TimeComparison, FindsThePassThatMoved) {
 }
 
 TEST(TimeComparison, TooFewRoundsTellNothing) {
-  EXPECT_EQ(movedIn(compared(timed(5, 3, 1, false, 6), timed(1, 1, 1, false, 6), 0.05)), Names());
+  bench::Run before = timed(1, 1, 1, false, 6), now = timed(5, 3, 1, false, 6);
+  EXPECT_EQ(movedIn(compared(now, before, 0.05)), Names());
 }
 
 // Everything is slower by half, as on a machine that does something else: on a software device nothing moved but the
@@ -77,7 +78,8 @@ TEST(TimeComparison, AFasterBaseDoesNotMoveTheOthers) {
         },
         true);
   };
-  TimeComparison comparison = compared(run(0.7, 3), run(1, 1), 0.05);
+  const bench::Run before = run(1, 1), now = run(0.7, 3);
+  TimeComparison comparison = compared(now, before, 0.05);
   EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1 / 0.7, 0.05);
   EXPECT_EQ(movedIn(comparison), Names());
 }

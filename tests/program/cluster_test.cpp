@@ -269,8 +269,10 @@ TEST_F(Slurm, KilledRequeuedAndWithoutControllerItDrawsEveryPointOnce) {
   EXPECT_NE(report.find("not drawn yet: "), std::string::npos) << "of the killed task\n"
                                                                << logs("out") << slurm("scontrol show jobs");
   EXPECT_LT(drawn("out"), 66u);
+  EXPECT_NE(logs("out").find("share 2/4: "), std::string::npos) << "of the requeued task\n"
+                                                                << logs("out") << slurm("scontrol show jobs");
 
-  // The same script again draws the points of the killed task, and those that the requeued task may not have reached.
+  // The same script again draws the points of the killed task.
   submitted();
   ASSERT_TRUE(waitUntil([&] { return isEmpty(); })) << queue();
   EXPECT_EQ(drawn("out"), 66u);
