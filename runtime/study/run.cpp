@@ -169,12 +169,15 @@ struct TimedTurn {
 std::vector<TimedTurn> remainingTurns(const Experiment& experiment, const std::vector<TaskGroup>& groups,
                                       const Store& store) {
   std::vector<TimedTurn> turns;
+  std::map<size_t, const Task*> bases;  // by shot
   const Group* last = nullptr;
   for (const TaskGroup& of : groups) {
     const Group& group = *of.group;
     bool is_along = last && benignOf(experiment, group) && last->at.size() == 1 && last->at[0].axis == group.at[0].axis;
     bool is_same = last && last->shot == group.shot && (is_along || experiment.is_step);
-    if (!is_same) turns.push_back({baseOf(experiment, groups, store, group.shot), {}});
+    auto [base, is_new] = bases.try_emplace(group.shot);
+    if (is_new) base->second = baseOf(experiment, groups, store, group.shot);
+    if (!is_same) turns.push_back({base->second, {}});
     TimedTurn& turn = turns.back();
     for (const Task& task : of.tasks)
       if (turn.base && of.is_mine && lacksTimes(experiment, task, *turn.base, store)) turn.tasks.push_back(&task);
