@@ -308,9 +308,9 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store,
     if (!shot.missing.empty()) note(fmt::format("{}: skipped, {}", shot.title, shot.missing));
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
   Results results = outlineOf(experiment, groups, batch);
+  Worker worker(store.folder(), stateOf(experiment, results));
   if (!is_quiet) store.agreeOn(results.inputs, versionOf(results));
   store.keepOutline(results);
-  Worker worker(store.folder(), stateOf(experiment, results));
   ProgressWatch watch;
   if (!experiment.share.isWhole()) keepShare(results, groups);
   if (!is_quiet) {

@@ -207,6 +207,8 @@ static std::vector<std::string> unlike(const Inputs& inputs, const Inputs& other
 void Store::agreeOn(const Inputs& inputs, const std::string& version) const {
   const Path file = folder_ / "experiment.json";
   if (!fs::exists(file)) return;  // no other program uses the folder
+  std::unique_ptr<Lease> lease;  // programs that start together agree one after another
+  while (!(lease = claim("experiment"))) waitFor(kPoll_s);
   Json known = unsealed(readText(file)).value_or(Json::object());
   Inputs before = known.value("inputs", Inputs());
   std::vector<std::string> names = unlike(inputs, before);

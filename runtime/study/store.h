@@ -55,8 +55,8 @@ class Store {
   // Throws `Error` (exit code 2) if the folder has points of another experiment, by title. Writes a damaged
   // experiment.json again.
   void belongTo(const std::string& title) const;
-  // Compares program and inputs with the last run in the folder. Warns if they differ; throws `Error` (exit
-  // code 2) if another program draws with the earlier version now. `version`: hash of program and inputs.
+  // Compares program and inputs with the last run in the folder, after this program has a `Worker`. Warns if they
+  // differ; throws `Error` (exit code 2) if another program draws with the earlier version now. `version`: hash of program and inputs.
   void agreeOn(const Inputs& inputs, const std::string& version) const;
 
   // True: points without a file of linear colour count as missing.

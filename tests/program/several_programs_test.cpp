@@ -216,6 +216,22 @@ TEST_F(SeveralPrograms, PackTheirPoints) {
   EXPECT_EQ(status("packed").out, "Many: 24 of 24 points drawn, 0 missing, 0 failed\n");
 }
 
+// To the faked program, the clock of the file system is two hours ahead of the machine, far beyond the lease.
+TEST_F(SeveralPrograms, NameUnequalClocksAndGiveTheSameTable) {
+  if (runLine("command -v faketime").exit_code != 0) GTEST_SKIP() << "no faketime";
+  write();
+  ASSERT_EQ(sweep("one").exit_code, 0);
+  startAll("two", 1);
+  const Outcome skewed = runLine("STROBE_VALIDATION=0 exec faketime -f +2h '" + programPath() + "' " + command("two"));
+  EXPECT_EQ(skewed.exit_code, 0) << skewed.err;
+  EXPECT_NE(skewed.err.find("s ahead of the clock of this machine; results do not depend on clocks\n"),
+            std::string::npos)
+      << skewed.err;
+  expectAllSucceed();
+  EXPECT_EQ(file("two", "table.csv"), file("one", "table.csv"));
+  expectNothingIsLeft("two");
+}
+
 TEST_F(SeveralPrograms, RefuseMistakes) {
   write();
   auto refused = [](const Outcome& outcome, const std::string& wanted) {
