@@ -135,8 +135,7 @@ std::string describe(const study::Experiment& experiment, const std::vector<size
 // Hint for shares without points.
 constexpr const char* kEmptyShare =
     "a share has no points, because all points with the same truth are in one share; give fewer shares, or start "
-    "several "
-    "programs without --share, which divide the points among themselves";
+    "several programs without --share, which divide the points among themselves";
 
 void list(study::Experiment experiment, const study::Share& share, const SweepOptions& options) {
   const std::vector<size_t> shares = study::sharesOf(experiment, share.of);

@@ -42,6 +42,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
 
 }  // namespace
 
+// NOLINTBEGIN(readability-identifier-naming): the loader of Vulkan requires these names
 extern "C" {
 
 VKAPI_ATTR VkResult VKAPI_CALL vk_icdNegotiateLoaderICDInterfaceVersion(uint32_t* version) {
@@ -68,3 +69,4 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vk_icdGetPhysicalDeviceProcAddr(VkInsta
 }
 
 }  // extern "C"
+// NOLINTEND(readability-identifier-naming)
