@@ -242,7 +242,8 @@ void sweep(const Home& home, const SweepOptions& options) {
   Interruption interruption(options.time_left_s);
   study::Store store(options.out);
   store.requires_exr = options.exr, store.retries = options.retry;
-  store.packs = options.pack || checked.points() >= kPackFrom;
+  if (options.pack || checked.points() >= kPackFrom)
+    store.packPoints(share.isWhole() ? "" : fmt::format("{}of{}", share.index, share.of));
   store.belongTo(checked.title);
   compareClocks(store.workers());
   const ResultNames names;

@@ -117,7 +117,9 @@ void removeAbandoned(const Path& file) {
   std::error_code failed;
   fs::rename(file, moved, failed);
   if (failed) return;
-  if (stateOf(moved).st_ino == state.st_ino) fs::remove(moved, failed);
+  const struct stat found = stateOf(moved);
+  const bool is_same = found.st_ino == state.st_ino && secondsOf(found) == secondsOf(state);
+  if (is_same) fs::remove(moved, failed);
   else fs::rename(moved, file, failed);
 }
 

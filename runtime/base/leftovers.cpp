@@ -9,8 +9,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// "HOST.12" for "x.png.HOST.12.part", ".inputs.HOST.12" and ".recorded.HOST.12"; "" for other names.
-std::string processOf(const Path& name) {
+// "HOST.12" for "x.png.HOST.12.part", ".inputs.HOST.12" and ".recorded.HOST.12"; "" for other names. libzip appends an
+// ending to the name of a part.
+std::string processOf(const Path& whole) {
+  const Path name = whole.stem().extension() == ".part" ? whole.stem() : whole;
   const std::string text = name.string();
   const bool is_part = name.extension() == ".part";
   if (!is_part && !text.starts_with(".inputs") && !text.starts_with(".recorded.")) return "";

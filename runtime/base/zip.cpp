@@ -29,8 +29,12 @@ void writeZip(const Path& archive, const Path& folder, const std::vector<std::st
   throw WriteError("cannot be written: " + reason, {archive.string()});
 }
 
-ZipFile::ZipFile(const Path& archive) : archive_(archive), opened_(::zip_open(archive.c_str(), ZIP_RDONLY, nullptr)) {
-  if (!opened_) throw Error("is not a ZIP archive, or is damaged", {archive.string()});
+ZipFile::ZipFile(const Path& archive) : archive_(archive) {
+  int code = 0;
+  opened_.reset(::zip_open(archive.c_str(), ZIP_RDONLY, &code));
+  if (opened_) return;
+  if (code == ZIP_ER_NOZIP || code == ZIP_ER_INCONS) throw DamagedZip("is not a ZIP archive", {archive.string()});
+  throw Error("cannot be opened", {archive.string()});
 }
 
 std::vector<std::string> ZipFile::names() const {
@@ -43,14 +47,16 @@ std::vector<std::string> ZipFile::names() const {
 
 std::string ZipFile::read(const std::string& name) const {
   zip_stat_t entry{};
-  const bool found = ::zip_stat(opened_.get(), name.c_str(), 0, &entry) == 0;
+  std::error_code unknown;
+  const bool found = ::zip_stat(opened_.get(), name.c_str(), 0, &entry) == 0 &&
+                     entry.size <= std::filesystem::file_size(archive_, unknown);
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
       found ? ::zip_fopen(opened_.get(), name.c_str(), 0) : nullptr, &::zip_fclose);
   std::string bytes(file ? entry.size : 0, '\0');
-  char beyond = 0;  // the checksum is compared at the end of the entry
+  char beyond = 0;  // the library compares the checksum when it reaches the end of the entry
   const bool is_whole = file && ::zip_fread(file.get(), bytes.data(), bytes.size()) == zip_int64_t(bytes.size()) &&
                         ::zip_fread(file.get(), &beyond, 1) == 0;
-  if (!is_whole) throw Error("has no entry " + name + ", or is damaged", {archive_.string()});
+  if (!is_whole) throw DamagedZip("has a damaged entry " + name, {archive_.string()});
   return bytes;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/files.h"
 
 struct zip;  // of libzip
@@ -16,7 +17,12 @@ namespace strobe {
 // complete and flushed to disk. Throws `WriteError`.
 void writeZip(const Path& archive, const Path& folder, const std::vector<std::string>& names);
 
-// Archive that is open for reading. Throws `Error` naming the archive if it is damaged.
+// The file is not a ZIP archive, or its directory or an entry differs from its checksum.
+struct DamagedZip : Error {
+  using Error::Error;
+};
+
+// Archive that is open for reading. The functions throw `DamagedZip`, or `Error` if the file cannot be opened.
 class ZipFile {
  public:
   explicit ZipFile(const Path& archive);

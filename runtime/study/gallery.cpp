@@ -39,7 +39,7 @@ static std::optional<ShownPoint> shownPoint(const Point& point, const ArmSummary
   // Results without their picture files are laid out without pictures.
   const PointFiles files(folder);
   for (const std::string& name : {point.measured, point.shown})
-    if (!contentOf(point, files, name)) return std::nullopt;
+    if (!checkedFile(point, files, name)) return std::nullopt;
   try {
     ShownPoint one{&point, &arm, linearIn(folder / point.measured), {}};
     one.shown = point.shown == point.measured ? one.measured : linearIn(folder / point.shown);

@@ -81,7 +81,7 @@ int Collection::pictureOf(const Point& point) {
   if (!point.key.empty()) names.push_back("points/" + point.key + ".png");
   if (!point.picture.empty()) names.push_back(point.picture);
   for (const std::string& name : names) {
-    std::optional<std::string> png = contentOf(point, files_, name);
+    std::optional<std::string> png = checkedFile(point, files_, name);
     if (!png) continue;
     auto [found, added] = by_content_.emplace(hashText(*png), int(sources_.size()));
     if (added) sources_.push_back({std::move(*png), name});

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
-#include "base/error.h"
 #include "base/hash.h"
+#include "base/lease.h"
 #include "base/log.h"
 #include "base/process_name.h"
 
@@ -18,21 +18,36 @@ Path pointFile(const Path& folder, const std::string& key, const std::string& en
   return folder / "points" / (key + ending);
 }
 
-// Lists the packs again if the folder has changed.
+static bool isFile(const Path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+// ---- index
+
+// Packs have the names "SHARE.HASH" and "HASH".
+bool PointFiles::isOfAnotherShare(const std::string& stem) const {
+  const size_t number = share.find("of");
+  const std::string other = stem.substr(0, stem.find('.'));
+  return number != std::string::npos && other != share && other.ends_with(share.substr(number));
+}
+
+// Lists the packs again if their folder has changed.
 void PointFiles::refresh() const {
-  std::error_code missing;
-  const fs::file_time_type changed = fs::last_write_time(folder_ / kPacks, missing);
-  if (missing || changed == listed_) return;
-  listed_ = changed;
+  const double changed = changedAt(folder_ / kPacks);
+  if (changed == listed_) return;
   for (const std::string& stem : namesIn(folder_ / kPacks, ".zip")) {
-    const Path pack = folder_ / kPacks / (stem + ".zip");
-    if (!packs_.insert(pack).second) continue;
+    const auto [pack, is_new] = packs_.insert(folder_ / kPacks / (stem + ".zip"));
+    if (!is_new || isOfAnotherShare(stem)) continue;
     try {
-      for (const std::string& name : ZipFile(pack).names()) pack_of_.emplace(name, pack);
-    } catch (const Error&) {
-      damaged_.push_back(pack);
+      for (const std::string& name : ZipFile(*pack).names()) pack_of_.emplace(name, &*pack);
+    } catch (const DamagedZip&) {
+      damaged_.push_back(*pack);
+    } catch (const Error&) {  // removed, or opened again at the next change
+      packs_.erase(pack);
     }
   }
+  listed_ = changed;
 }
 
 // Null if no pack has the name.
@@ -42,23 +57,27 @@ const ZipFile* PointFiles::packWith(const std::string& name) const {
   auto found = pack_of_.find(name);
   if (found == pack_of_.end()) return nullptr;
   if (opened_.size() > kMostOpen) opened_.clear();
-  return &opened_.try_emplace(found->second, found->second).first->second;
+  return &opened_.try_emplace(*found->second, *found->second).first->second;
 }
 
+// ---- reading
+
 bool PointFiles::has(const std::string& name) const {
-  if (fs::is_regular_file(folder_ / name)) return true;
+  if (isFile(folder_ / name)) return true;
   refresh();
   return pack_of_.count(name) > 0;
 }
 
 std::optional<std::string> PointFiles::read(const std::string& name) const {
   try {
-    if (fs::is_regular_file(folder_ / name)) return readText(folder_ / name);
+    if (isFile(folder_ / name)) return readText(folder_ / name);
   } catch (const Error&) {  // moved into a pack in the meantime
   }
   try {
     if (const ZipFile* pack = packWith(name)) return pack->read(name);
-  } catch (const Error&) {  // damaged or removed
+  } catch (const Error& error) {
+    warn(fmt::format("{}; {} counts as missing", error.what(), name));
+    pack_of_.erase(name);
   }
   return std::nullopt;
 }
@@ -69,25 +88,35 @@ std::vector<std::string> PointFiles::keys() const {
   refresh();
   for (const auto& [name, pack] : pack_of_)
     if (hasExtension(name, ".json")) keys.insert(Path(name).stem());
+  std::erase_if(keys, [](const std::string& key) { return key.find('.') != std::string::npos; });  // KEY.record.json
   return {keys.begin(), keys.end()};
 }
 
+// ---- packing
+
 void PointFiles::pack(const std::set<std::string>& keys) {
+  if (keys.empty()) return;
   refresh();
   std::vector<std::string> names;
   for (const std::string& key : keys)
     for (const char* ending : {".json", ".png"})
-      if (const std::string name = pointFile("", key, ending); !pack_of_.count(name) && fs::exists(folder_ / name))
+      if (const std::string name = pointFile("", key, ending); !pack_of_.count(name) && isFile(folder_ / name))
         names.push_back(name);
   if (names.empty()) return;
-  const std::string content = fmt::format("{} {}", processName(), fmt::join(names, " "));
+  const std::string hash = hashText(fmt::format("{} {}", processName(), fmt::join(names, " ")));
+  const Path file = folder_ / kPacks / (share + (share.empty() ? "" : ".") + hash + ".zip");
   try {
-    writeZip(folder_ / kPacks / (hashText(content) + ".zip"), folder_, names);
+    writeZip(file, folder_, names);
   } catch (const Error& error) {
+    // Another program packs the same points, or the folder is full.
     return warn(fmt::format("points are not packed: {}", error.what()));
   }
+  const Path& pack = *packs_.insert(file).first;
   std::error_code ignored;
-  for (const std::string& name : names) fs::remove(folder_ / name, ignored);
+  for (const std::string& name : names) {
+    pack_of_.emplace(name, &pack);
+    fs::remove(folder_ / name, ignored);
+  }
 }
 
 }  // namespace strobe::study

@@ -262,9 +262,9 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   return point;
 }
 
-// Adds the hash of a file to the point, by the name of the file below the folder.
-void PointRenderer::noteFile(Point& point, const Path& file) const {
-  point.files[file.lexically_relative(store_.folder()).generic_string()] = hashText(readText(file));
+// Adds the hash of a file with this content to the point, by the name of the file below the folder.
+void PointRenderer::noteFile(Point& point, const Path& file, const std::string& content) const {
+  point.files[file.lexically_relative(store_.folder()).generic_string()] = hashText(content);
 }
 
 // Writes the picture as shown, and the linear picture if required.
@@ -274,10 +274,10 @@ void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const la
   Path file = pointFile(store_.folder(), task.key, ".png");
   // Not flushed to disk here; the JSON file of the point is written later and is flushed.
   writeFileAtomically(file, png, Flush::no);
-  noteFile(point, file);
+  noteFile(point, file, png);
   if (!store_.requires_exr) return;
   for (const Path& linear : lab::writePicture(picture, pointFile(store_.folder(), task.key, ".exr")))
-    noteFile(point, linear);
+    noteFile(point, linear, readText(linear));
 }
 
 // Writes the files of the layout. The EXR has `color`, `error` and, for truth, masks; the record has the hash of every
@@ -308,7 +308,7 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
   point.picture = stem + ".png";
   image::writePng(store_.folder() / point.picture, displayed(shown, studied.tone));
   for (const std::string& file : {point.measured, point.shown, point.record, point.picture})
-    noteFile(point, store_.folder() / file);
+    noteFile(point, store_.folder() / file, readText(store_.folder() / file));
 }
 
 // Draws, measures and stores one point. A lost device ends the run and leaves the point not drawn.

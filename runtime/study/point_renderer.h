@@ -45,7 +45,7 @@ class PointRenderer {
   void loadTruth(const TaskGroup& group);
   MeasureInput inputOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame);
   Point measuredPoint(const TaskGroup& group, const Task& task);
-  void noteFile(Point& point, const Path& file) const;
+  void noteFile(Point& point, const Path& file, const std::string& content) const;
   void keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);
   void write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);
   void warnOnce(const std::string& who, const std::vector<std::string>& warnings);

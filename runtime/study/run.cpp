@@ -90,8 +90,8 @@ const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& g
   const Task* first = nullptr;
   for (const TaskGroup& group : groups)
     for (const Task& task : group.tasks) {
-      const bool is_drawn = group.is_mine ? store.has(task.key) : !task.key.empty();
-      if (group.group->shot != shot || !task.timed || !is_drawn) continue;
+      if (group.group->shot != shot || !task.timed) continue;
+      if (group.is_mine ? !store.has(task.key) : task.key.empty()) continue;
       if (task.arm->name == experiment.base) return &task;
       if (!first) first = &task;
     }
@@ -241,6 +241,15 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
     timeTurns(experiment, batch, store, left, worker, watch);
 }
 
+// Packs the complete points of this program, also those of earlier runs.
+void packHere(const Store& store, const std::vector<TaskGroup>& groups) {
+  std::vector<std::string> complete;
+  for (const TaskGroup& group : groups)
+    for (const Task& task : group.tasks)
+      if (group.is_mine && !task.key.empty() && store.has(task.key)) complete.push_back(task.key);
+  store.packAll(complete);
+}
+
 // ---- results
 
 PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::string anchor) {
@@ -320,6 +329,7 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store,
   renderHere(experiment, batch, store, groups, worker, watch);
   if (on_drawn) on_drawn();
   timeHere(experiment, batch, store, groups, worker, watch);
+  packHere(store, groups);
   takePoints(results, store.folder());
   if (experiment.expectations && experiment.share.isWhole())
     judgeResults(batch.bench().home(), results, experiment.file);
@@ -338,7 +348,6 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store,
     Worker worker(store.folder(), stateOf(experiment, outlineOf(experiment, groups, batch)));
     ProgressWatch watch;
     renderHere(experiment, batch, store, groups, worker, watch);
-    store.packFinished();
     bench->device().refuseMessages();
   } catch (const Stopped&) {
     code = kTryAgain;

@@ -60,11 +60,11 @@ std::shared_ptr<const lab::Picture> decoded(const std::string& key, const Path& 
 }  // namespace
 
 // Name of the file with the numbers of a point.
-static std::string numbersOf(const std::string& key) { return pointFile("", key, ".json"); }
+static std::string numbersFile(const std::string& key) { return pointFile("", key, ".json"); }
 
 // Point with this key; empty if its file is damaged or has another point.
 static std::optional<Point> pointIn(const PointFiles& files, const std::string& key) {
-  const std::string file = numbersOf(key);
+  const std::string file = numbersFile(key);
   try {
     std::optional<Json> json = unsealed(files.read(file).value_or(""));
     if (!json || json->value("key", "") != key) return std::nullopt;
@@ -88,12 +88,12 @@ static void describeShot(Results& results, const PointGroup& group, const Point&
   }
 }
 
-std::string contentOfKey(const std::string& key) { return key.substr(0, key.find('_')); }
+std::string keyWithoutDevice(const std::string& key) { return key.substr(0, key.find('_')); }
 
 // Keys of the points in a folder by their content; of several devices, the first by name.
 static std::map<std::string, std::string> keysByContent(const PointFiles& files) {
   std::map<std::string, std::string> found;
-  for (const std::string& key : files.keys()) found.emplace(contentOfKey(key), key);
+  for (const std::string& key : files.keys()) found.emplace(keyWithoutDevice(key), key);
   return found;
 }
 
@@ -105,12 +105,12 @@ std::vector<Path> takePoints(Results& results, const Path& folder, bool of_any_d
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) {
       std::string key = point.key;
-      auto other = others.find(contentOfKey(key));
-      if (other != others.end() && !files.has(numbersOf(key))) key = other->second;
-      if (key.empty() || !files.has(numbersOf(key))) continue;
+      auto other = others.find(keyWithoutDevice(key));
+      if (other != others.end() && !files.has(numbersFile(key))) key = other->second;
+      if (key.empty() || !files.has(numbersFile(key))) continue;
       std::optional<Point> known = pointIn(files, key);
       if (!known) {
-        damaged.push_back(folder / numbersOf(key));
+        damaged.push_back(folder / numbersFile(key));
         point.values.clear(), point.failed.clear();  // the point counts as missing
         continue;
       }
@@ -130,7 +130,7 @@ Results resultsSoFar(const Path& outline) {
   return results;
 }
 
-std::optional<std::string> contentOf(const Point& point, const PointFiles& files, const std::string& name) {
+std::optional<std::string> checkedFile(const Point& point, const PointFiles& files, const std::string& name) {
   std::optional<std::string> content = files.read(name);
   auto hash = point.files.find(name);
   if (content && hash != point.files.end() && hashText(*content) != hash->second) return std::nullopt;
@@ -143,7 +143,7 @@ std::vector<Path> alteredFiles(const Results& results, const Path& folder) {
   for (const PointGroup& group : results.groups)
     for (const Point& point : group.points)
       for (const auto& [name, hash] : point.files)
-        if (files.has(name) && !contentOf(point, files, name)) altered.push_back(folder / name);
+        if (files.has(name) && !checkedFile(point, files, name)) altered.push_back(folder / name);
   return altered;
 }
 
@@ -169,6 +169,12 @@ void Store::discard(const Path& file) const {
                    file.string(), kept.filename().string()));
 }
 
+std::unique_ptr<Lease> Store::waitedClaim(const std::string& key) const {
+  std::unique_ptr<Lease> lease;
+  while (!(lease = claim(key))) waitFor(kPoll_s);
+  return lease;
+}
+
 // Title and version of experiment.json; empty if the file is damaged. Files of earlier versions have no checksum.
 static std::optional<std::pair<std::string, int>> titleAndVersion(const std::string& text) {
   Json whole = Json::parse(text, nullptr, false);
@@ -180,6 +186,7 @@ static std::optional<std::pair<std::string, int>> titleAndVersion(const std::str
 }
 
 void Store::belongTo(const std::string& title) const {
+  const auto lease = waitedClaim("experiment");
   Path file = folder_ / "experiment.json";
   auto keep = [&] { writeFileAtomically(file, sealed({{"title", title}, {"version", kVersion}})); };
   if (!fs::exists(file)) return keep();
@@ -206,9 +213,8 @@ static std::vector<std::string> unlike(const Inputs& inputs, const Inputs& other
 
 void Store::agreeOn(const Inputs& inputs, const std::string& version) const {
   const Path file = folder_ / "experiment.json";
-  if (!fs::exists(file)) return;  // no other program uses the folder
-  std::unique_ptr<Lease> lease;  // programs that start together agree one after another
-  while (!(lease = claim("experiment"))) waitFor(kPoll_s);
+  if (!fs::exists(file)) return;                 // no other program uses the folder
+  const auto lease = waitedClaim("experiment");  // programs that start together agree one after another
   Json known = unsealed(readText(file)).value_or(Json::object());
   Inputs before = known.value("inputs", Inputs());
   std::vector<std::string> names = unlike(inputs, before);
@@ -233,38 +239,38 @@ void Store::agreeOn(const Inputs& inputs, const std::string& version) const {
   writeFileAtomically(file, sealed(std::move(known)));
 }
 
-// Hash of an outline without the device. Programs on different devices write the same outline but for the device.
-static std::string contentOf(Results outline) {
+// Hash of an outline without the device, in which outlines of programs on different devices differ.
+static std::string hashOfOutline(Results outline) {
   outline.device = outline.driver = "", outline.software = false;
   for (PointGroup& group : outline.groups)
-    for (Point& point : group.points) point.key = contentOfKey(point.key);
+    for (Point& point : group.points) point.key = keyWithoutDevice(point.key);
   return hashText(textOf(outline));
 }
 
 void Store::keepOutline(Results results) const {
   if (outline.empty()) return;
   results.command = command;
+  const std::string hash = hashOfOutline(results);
+  const auto lease = waitedClaim("experiment");
   const Path file = folder_ / "experiment.json";
   Json known = fs::exists(file) ? unsealed(readText(file)).value_or(Json::object()) : Json::object();
-  const std::string content = contentOf(results);
-  if (fs::exists(outline) && known.value("outline", "") == content) return;
+  if (fs::exists(outline) && known.value("outline", "") == hash) return;
   writeFileAtomically(outline, textOf(results));
   if (known.empty()) return;
-  known["outline"] = content;
+  known["outline"] = hash;
   writeFileAtomically(file, sealed(std::move(known)));
 }
 
 std::optional<Point> Store::point(const std::string& key) const {
-  const bool has_file = files_.has(numbersOf(key));
+  const bool has_file = files_.has(numbersFile(key));
   for (const Path& pack : files_.takeDamaged()) discard(pack);
   if (!has_file) return std::nullopt;
   std::optional<Point> point = pointIn(files_, key);
-  if (!point) discard(folder_ / numbersOf(key));
+  if (!point) discard(folder_ / numbersFile(key));
   return point;
 }
 
-// True if the pictures of the layout are of another point. Their names come from the arm and the values, so that
-// another point with these names may have replaced the pictures.
+// True if another point has overwritten the pictures of the layout, which are named by arm and values, not by key.
 static bool isOfAnother(const Path& folder, const Point& point) {
   if (point.record.empty() || !fs::exists(folder / point.record)) return false;
   Json record = Json::parse(readText(folder / point.record), nullptr, false);
@@ -281,7 +287,7 @@ bool Store::hasFiles(const Point& point) const {
   bool all = true;
   for (const auto& [name, hash] : point.files) {
     if (isOnRequest(name) && !requires_exr) continue;
-    if (contentOf(point, files_, name)) continue;
+    if (checkedFile(point, files_, name)) continue;
     discard(folder_ / name);
     all = false;
   }
@@ -308,12 +314,19 @@ void Store::keep(const std::string& key, const Point& point) const {
 }
 
 void Store::finish(const std::string& key) const {
-  if (!packs) return;
+  if (!packs_) return;
   finished_.insert(key);
-  if (finished_.size() >= PointFiles::kPerPack) packFinished();
+  if (finished_.size() < PointFiles::kPerPack) return;
+  files_.pack(finished_);
+  finished_.clear();
 }
 
-void Store::packFinished() const {
+void Store::packAll(const std::vector<std::string>& keys) const {
+  if (!packs_) return;
+  const std::unique_ptr<Lease> lease = claim("packs" + files_.share);
+  if (!lease) return;
+  for (const std::string& key : keys)
+    if (fs::exists(pointFile(folder_, key, ".json"))) finish(key);
   files_.pack(finished_);
   finished_.clear();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Results of a sweep on disk. A sweep can end at any time and continue later: each point and each truth has a file,
-// named by the hash of all its inputs and written atomically. Folders of one experiment merge by copying. Several
-// programs, also on several machines, may work in one folder.
+// Results of a sweep on disk. A sweep can end at any time and continue later: each truth has a file, and each point has
+// files or entries of a pack, named by the hash of all its inputs and written atomically. Folders of one experiment
+// merge by copying. Several programs, also on several machines, may work in one folder.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ inline constexpr const char* kWorkers = ".workers";
 inline constexpr size_t kMostTries = 3;
 
 // Part of a key without the device.
-std::string contentOfKey(const std::string& key);
+std::string keyWithoutDevice(const std::string& key);
 
 // Fills in the points of `results` that the folder has, and the crops and authors of their shots; other points and
 // shots stay as they are. With `of_any_device`, a missing point is taken from another device or driver. Returns the
@@ -37,16 +37,15 @@ Results resultsSoFar(const Path& outline);
 // Files of the points of `results` that are in the folder and differ from their hash.
 std::vector<Path> alteredFiles(const Results& results, const Path& folder);
 // Content of a file of the point; nothing if the file is missing or differs from its hash.
-std::optional<std::string> contentOf(const Point& point, const PointFiles& files, const std::string& name);
+std::optional<std::string> checkedFile(const Point& point, const PointFiles& files, const std::string& name);
 
 // Store of one sweep. A damaged file counts as missing: a warning names the file, the file gets the ending ".damaged",
 // and its content is made again.
 class Store {
  public:
-  // Removes what ended processes of this machine have left in the folder.
+  // Removes files of ended processes of this machine, unless another program works in the folder.
   explicit Store(const Path& folder);
   Store(const Store&) = delete;
-  ~Store() { packFinished(); }
 
   const Path& folder() const { return folder_; }
   // Folder of the claims and of the signs of running programs.
@@ -56,7 +55,8 @@ class Store {
   // experiment.json again.
   void belongTo(const std::string& title) const;
   // Compares program and inputs with the last run in the folder, after this program has a `Worker`. Warns if they
-  // differ; throws `Error` (exit code 2) if another program draws with the earlier version now. `version`: hash of program and inputs.
+  // differ; throws `Error` (exit code 2) if another program draws with the earlier version now. `version`: hash of
+  // program and inputs.
   void agreeOn(const Inputs& inputs, const std::string& version) const;
 
   // True: points without a file of linear colour count as missing.
@@ -74,15 +74,17 @@ class Store {
   void keep(const std::string& key, const Point& point) const;
   size_t triesOf(const std::string& key) const;  // failed tries to draw the point
 
-  // True: complete points move into packs (`PointFiles`).
-  bool packs = false;
-  // Marks a point as complete. After every `PointFiles::kPerPack` complete points, they move into a pack.
+  // Lets complete points move into packs (`PointFiles`). `share`: of this program, "2of8"; "": all points.
+  void packPoints(const std::string& share) { packs_ = true, files_.share = share; }
+  // Notes that a point is complete. Every `PointFiles::kPerPack` complete points move into a pack.
   void finish(const std::string& key) const;
-  // Moves the rest of the complete points into a pack. The destructor does this too.
-  void packFinished() const;
+  // Moves these points, and the complete points that are left, into packs, unless another program does.
+  void packAll(const std::vector<std::string>& keys) const;
 
   // Claims a point, or other work of this name. Null if another program has the claim.
   std::unique_ptr<Lease> claim(const std::string& key) const { return Lease::claim(workers() / (key + ".lock")); }
+  // Claims the work when no other program has the claim any more.
+  std::unique_ptr<Lease> waitedClaim(const std::string& key) const;
 
   // True: points that failed `kMostTries` times are drawn again.
   bool retries = false;
@@ -98,6 +100,7 @@ class Store {
 
   Path folder_;
   mutable PointFiles files_;
+  bool packs_ = false;
   mutable std::set<std::string> finished_;  // keys of complete points that are not in a pack
   mutable std::set<std::string> had_;       // keys of points with complete files
 };

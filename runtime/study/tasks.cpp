@@ -77,7 +77,7 @@ std::string keyOf(const std::string& content, lab::Batch& batch) {
 
 std::vector<std::string> contentsOfKeys(const std::vector<std::string>& keys) {
   std::vector<std::string> contents;
-  for (const std::string& key : keys) contents.push_back(contentOfKey(key));
+  for (const std::string& key : keys) contents.push_back(keyWithoutDevice(key));
   return contents;
 }
 

@@ -40,8 +40,9 @@ std::set<std::string> filesIn(const Path& folder) {
 TEST(Leftovers, AreThoseOfProcessesThatAreGone) {
   testing::TemporaryFolder folder;
   const std::string gone = goneProcess(), here = processName(), other = "elsewhere-0000.1";
-  for (const std::string& name : {"room/a.png." + gone + ".part", ".recorded." + gone + "/0/passes/a.lua",
-                                  ".inputs." + gone + "/0/passes/b.lua", ".inputs_12." + gone + "/x.lua"})
+  for (const std::string& name :
+       {"room/a.png." + gone + ".part", "packs/a.zip." + gone + ".part.aB3d5f", ".recorded." + gone + "/0/passes/a.lua",
+        ".inputs." + gone + "/0/passes/b.lua", ".inputs_12." + gone + "/x.lua"})
     write(folder.path() / name);
   const std::set<std::string> staying = {"room/a.png",
                                          "room/a.png." + here + ".part",

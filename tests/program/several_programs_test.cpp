@@ -189,6 +189,7 @@ TEST_F(SeveralPrograms, DrawShares) {
 // Each share moves its points into a pack. Everything reads the packs, and a damaged pack is made again.
 TEST_F(SeveralPrograms, PackTheirPoints) {
   write("4", "\"ms\"");
+  EXPECT_EQ(sweep("packed", "--share 1/2").exit_code, 0) << "its single files are packed by the next run";
   for (const char* share : {"--share 1/2", "--share 2/2"})
     EXPECT_EQ(sweep("packed", std::string(share) + " --pack").exit_code, 0);
   const std::vector<fs::path> packs = filesIn("packed/packs", ".zip");

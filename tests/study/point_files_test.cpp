@@ -28,7 +28,7 @@ class PointFilesTest : public ::testing::Test {
   // Two points, one of them with a picture, in a pack.
   void writePack() {
     write("points/a.json", "a"), write("points/a.png", std::string("\0picture", 8)), write("points/b.json", "");
-    write("points/b.exr", "linear");
+    write("points/b.exr", "linear"), write("points/b.record.json", "{}");
     PointFiles(folder_.path()).pack({"a", "b", "absent"});
   }
 
@@ -66,6 +66,22 @@ TEST_F(PointFilesTest, PrefersSingleFiles) {
   EXPECT_EQ(files.keys().size(), 2u);
 }
 
+// Packs of other shares stay closed, unless the shares have another number.
+TEST_F(PointFilesTest, OpensPacksOfItsShare) {
+  for (const char* share : {"1of2", "2of2", "1of3", ""}) {
+    write(numbers("a" + std::string(share)), share);
+    PointFiles files(folder_.path());
+    files.share = share;
+    files.pack({"a" + std::string(share)});
+    EXPECT_EQ(files.read(numbers("a" + std::string(share))), share) << "finds its own pack";
+  }
+  EXPECT_EQ(packs().size(), 4u);
+  EXPECT_EQ(PointFiles(folder_.path()).keys().size(), 4u);
+  PointFiles files(folder_.path());
+  files.share = "2of2";
+  EXPECT_EQ(files.keys(), (std::vector<std::string>{"a", "a1of3", "a2of2"}));
+}
+
 TEST_F(PointFilesTest, CountsDamagedPacksAsMissing) {
   writePack();
   const std::string whole = readText(packs()[0]);
@@ -81,6 +97,7 @@ TEST_F(PointFilesTest, CountsDamagedPacksAsMissing) {
   writeFileAtomically(packs()[0], std::string_view(altered), Flush::no);
   const PointFiles files(folder_.path());
   EXPECT_EQ(files.read("points/a.png"), std::nullopt) << "differs from its checksum";
+  EXPECT_FALSE(files.has("points/a.png"));
   EXPECT_EQ(files.read(numbers("a")), "a");
 }
 
