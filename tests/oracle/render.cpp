@@ -30,7 +30,7 @@ const ::testing::Environment* const kEnvironment = ::testing::AddGlobalTestEnvir
 lab::Workbench& RenderTest::bench() {
   if (!the_bench) {
     the_bench = std::make_unique<lab::Workbench>(home(), "", true);
-    // As on hardware devices: a frame is one submission, and its barriers are validated.
+    // A frame is one submission, as on hardware devices, and its barriers are validated.
     the_bench->frames_in_flight = 2;
   }
   return *the_bench;

@@ -108,8 +108,8 @@ TEST_F(RenderAdaptive, RegionsOfEqualMotionAreGathered) {
   EXPECT_GE(counterOf(own, "adaptive_times.gathered"), 128u * 40 / 3);
 }
 
-// Rays find a bar that is in the picture only before the raster time, one that is half inside and one that enters from
-// outside. The bound is the shortest interval between two rays.
+// Rays find a bar that is in the picture only before the raster time, a bar that is half inside, and a bar that enters
+// from outside. The bound is the shortest interval between two rays.
 TEST_F(RenderAdaptive, RaysFindSurfacesOutsideTheRasterImage) {
   struct Bar {
     double left, right, d;

@@ -28,7 +28,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
   struct Traced {
     std::string node;
     lab::Shot shot;
-    bool asks_alike = true;  // false: the own tree traces some rays against one instance, other backends all of them
+    bool asks_alike = true;  // false: the own tree traces some rays against a single instance, other backends do not
   };
   const Traced cases[] = {
       {"shade", crowd("none", {"tile_light_visibility.per_tile=false"})},

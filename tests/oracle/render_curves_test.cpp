@@ -58,8 +58,7 @@ struct Wheel {
   double from, to;  // degrees from +x, y up
   int blades;
   double slide;
-  double
-      hub;  // px; closer to the hub a blade is narrower than 3 px and may be missed
+  double hub;  // px; closer to the hub a blade is narrower than 3 px and may be missed
   double degrees = kDegrees;
   int height = kSide;     // of the picture
   double slides_off = 0;  // px to the right over the exposure, of cards that cover the right half at the raster time

@@ -245,8 +245,7 @@ TEST_F(RenderDisplacements, SteppedChannelsHaveNoDisplacement) {
   for (const scene::Animation& clip : held->scene.animations) {
     if (clip.tracks.at(0).interpolation != scene::Track::Interpolation::Step) continue;
     shot.animation = clip.name;
-    shot.frame =
-        int(clip.tracks[0].times.at(1) * shot.fps);  // a key lies between this frame and the next
+    shot.frame = int(clip.tracks[0].times.at(1) * shot.fps);  // a key lies between this frame and the next
     shot.exposure = 4;
     lab::Picture picture = render(shot);
     EXPECT_EQ(rms(imageOf(picture, "velocity")), 0) << clip.name;

@@ -88,7 +88,8 @@ TEST_F(RenderMaterials, BlendingCoversAShareOfPoints) {
     // Points within single precision of a border between two cells may fall to either side.
     EXPECT_LE(shareOfOthers(raster, rays), .005) << alpha;
     lab::Picture truth = render(with(shotOf("veil", 64, 64, {{"alpha", alpha}}), "ground_truth", {"samples=4"}));
-    EXPECT_LE(shareOfOthers(raster, colorOf(truth)), .005) << "without motion truth equals the raster image, alpha " << alpha;
+    EXPECT_LE(shareOfOthers(raster, colorOf(truth)), .005)
+        << "without motion truth equals the raster image, alpha " << alpha;
   }
 }
 

@@ -187,7 +187,7 @@ TEST_F(RenderPeers, HdrpLosesOneOfTwoMotionsInATile) {
   image::Image alone = color(0, "hdrp", one_tile), crossed = color(12, "hdrp", one_tile), sharp = color(12, "none", {});
   for (int y = 8; y < 56; ++y) {
     double exact = .2 + .4 * barAtCentre(20, 52, 10, kCloseAnchor, y);
-    EXPECT_NEAR(alone.at(56, y, 0), exact, .4 / 10) << y;  // without other motion: blurred, by 10 taps
+    EXPECT_NEAR(alone.at(56, y, 0), exact, .4 / 10) << y;              // without other motion: blurred, by 10 taps
     EXPECT_NEAR(crossed.at(56, y, 0), sharp.at(56, y, 0), 1e-5) << y;  // with faster motion in the tile: sharp
   }
   EXPECT_NEAR(barAtCentre(20, 52, 10, kCloseAnchor, 15), .55, 1e-9);  // the coverage that is lost

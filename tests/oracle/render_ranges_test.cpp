@@ -45,7 +45,7 @@ struct Bent {
             {d_back, 0},
             {light, dark, 8, 0, 0}};
   }
-  // Centred exposure: half of it with each velocity.
+  // Centred exposure: each velocity for one half.
   Exposure exactAt(int x, int y) const {
     Exposure first = exposeCentre(part(false), {-.5, 0}, x, y), second = exposeCentre(part(true), {0, .5}, x, y);
     Exposure both;

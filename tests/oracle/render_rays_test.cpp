@@ -181,7 +181,7 @@ class RenderRays : public RenderTest {
       if (x == y) continue;
       const size_t kind = i / size_t(width()) % std::size(kKinds);
       dvec3 origin(rays.origin(i)), direction(rays.direction(i));
-      // The nearer of the two hits is the one to explain: the other result misses it.
+      // The nearer of the two hits is in question: the other result misses it.
       const Found& nearer = x.t <= y.t ? x : y;
       if (areInOnePlace(triangles, x, y, origin, direction)) ++tied[kind];
       else if (isBorderline(triangles.at(nearer), origin, direction)) ++bordering[kind];

@@ -227,7 +227,7 @@ TEST_F(StoredNumbers, ReversedAndInverseDepthsErrByTwoDivisions) {
       double worst = 0;
       for (size_t i = 0; i < given.size(); ++i) worst = std::max(worst, std::abs(double(stored[i]) / given[i] - 1));
       EXPECT_LE(worst, 2 * kDivision) << encoding << " " << near;
-      EXPECT_GT(worst, 0x1p-25) << encoding << " " << near;  // it does go through single precision
+      EXPECT_GT(worst, 0x1p-25) << encoding << " " << near;  // single precision is used
       EXPECT_TRUE(std::is_sorted(stored.begin(), stored.end())) << encoding << " " << near;
     }
 }

@@ -15,6 +15,6 @@ return pass.compute {
   writes  = { copied = { format = "r32f", cleared = true, doc = "red channel of the listed pixels, 0 elsewhere" } },
   updates = {
     times = { format = "r32ui", doc = "number of runs" },
-    bins  = { each = 2, format = "buffer32ui", doc = "number of pixels with a red of i / 16 to (i + 1) / 16, for i from 0 to 15" },
+    bins  = { each = 2, format = "buffer32ui", doc = "pixels with a red of i / 16 to (i + 1) / 16, i from 0 to 15" },
   },
 }
