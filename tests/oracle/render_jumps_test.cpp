@@ -216,8 +216,7 @@ TEST_F(RenderJumps, MotionOutsideTheDepthRangeIsRemoved) {
 // At half a second, for a 48th of a second: 20 px of the bar's motion at any frame rate, bit for bit.
 TEST_F(RenderJumps, ExposuresInSecondsAreEqualAtAnyFrameRate) {
   for (const Method& method : methods()) {
-    if (method.settings == std::vector<std::string>{"displacement=extrapolated"})
-      continue;  // the frame before depends on the rate
+    if (method.settings == std::vector<std::string>{"displacement=extrapolated"}) continue;  // depends on the rate
     bool drawn_by_frame = method.settings.size() > 1 && method.settings[1] == "times=stratified";
     if (drawn_by_frame) continue;
     image::Image first;
