@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-// Where the edge is at the two ends of the window, the lesser first.
+// Positions of the edge at the two ends of the window, the smaller one first.
 std::array<double, 2> sweep(double edge, double d, Window window) {
   auto [first, last] = std::minmax({edge + d * window.open, edge + d * window.close});
   return {first, last};
@@ -18,12 +18,12 @@ std::array<double, 2> sweep(double edge, double d, Window window) {
 
 using Times = std::vector<double>;
 
-// Adds the time at which `edge + d*t` is at x, if it ever is.
+// Adds the time when the edge `edge + d*t` crosses x, if it does.
 void addCrossing(Times& times, double edge, double d, double x) {
   if (d != 0 && std::isfinite(edge)) times.push_back((x - edge) / d);
 }
 
-// Adds the times within the window at which a border of a pattern's cells passes x.
+// Adds the times when a cell border of a pattern crosses x; some may lie outside the window.
 void addCellCrossings(Times& times, double cell, double phase, double d, double x, Window window) {
   if (cell <= 0 || d == 0) return;
   auto [first, last] = std::minmax({x - d * window.open, x - d * window.close});
@@ -31,7 +31,7 @@ void addCellCrossings(Times& times, double cell, double phase, double d, double 
     times.push_back((x - phase - k * cell) / d);
 }
 
-// The window cut at the given times.
+// The ends of the window and the given times inside it, sorted.
 Times cut(Times times, Window window) {
   std::erase_if(times, [&](double t) { return !(t > window.open && t < window.close); });
   times.push_back(window.open);
@@ -66,7 +66,7 @@ Exposure integrateSteps(Times times, Window window, const SeenAtTime& seen_at_ti
   return result;
 }
 
-// Twice the signed area: its sign is the order of the corners.
+// Sign of the polygon's area: 1 if the corners run from +x to +y, else -1.
 double orientation(const std::vector<Point>& corners) {
   double sum = 0;
   for (size_t i = 0; i < corners.size(); ++i) {
@@ -106,7 +106,7 @@ Point rotated(Point p, Point centre, double angle) {
   return {centre.x + c * x - s * y, centre.y + s * x + c * y};
 }
 
-// The edges of the strips that can be seen within [from, to] during the window, as (position at the capture, d).
+// Edges that may lie within [from, to] during the window, as (position at the raster time, d).
 std::vector<std::array<double, 2>> edgesWithin(const Strips& strips, double from, double to, Window window) {
   std::vector<std::array<double, 2>> edges;
   for (const Strip& strip : strips) {
@@ -123,7 +123,7 @@ std::vector<std::array<double, 2>> edgesWithin(const Strips& strips, double from
   return edges;
 }
 
-// The mean over [from, to] of what is seen at one time; `edges` are all places where it may change.
+// Mean colour and coverage over [from, to] at one time. `edges` holds every place where the colour may change.
 Exposure meanOver(const Strips& strips, const std::vector<std::array<double, 2>>& edges, double from, double to,
                   double time) {
   std::vector<double> places{from, to};
@@ -187,8 +187,8 @@ Exposure exposeCentre(const Strips& strips, Window window, int pixel) {
 }
 
 Exposure exposePixel(const Strips& strips, Window window, int pixel) {
-  // Between the moments at which an edge enters or leaves the pixel or two edges meet, the mean over the pixel's width
-  // is linear in time, so its value at the middle is its mean.
+  // The times when an edge enters or leaves the pixel, or two edges meet. Between two such times the mean over the
+  // pixel's width is linear in time, so its value in the middle is its mean.
   auto edges = edgesWithin(strips, pixel, pixel + 1, window);
   Times times;
   for (size_t i = 0; i < edges.size(); ++i) {
@@ -240,8 +240,8 @@ Exposure exposeCentre(const RotatingPolygon& picture, Window window, int x, int 
   double radius = std::hypot(arm.x, arm.y);
   double phi = std::atan2(arm.y, arm.x);
   Times times;
-  // In the polygon's frame the pixel runs on a circle: it meets a side where radius * cos(phi - angle*t - psi), its
-  // distance along the side's normal, equals the side's.
+  // In the polygon's frame the pixel's centre runs on a circle. It crosses a side when radius * cos(phi - angle*t -
+  // psi), its distance along the side's normal, equals the side's distance.
   for (const Side& side : sidesOf(picture.corners)) {
     double length = std::hypot(side.normal.x, side.normal.y);
     double psi = std::atan2(side.normal.y, side.normal.x);

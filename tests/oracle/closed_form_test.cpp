@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed forms against brute force: M samples of a step function are off by at most its variation / (2M), whatever
-// the function.
+// The closed forms against brute force: M midpoint samples of a step function are off by at most its variation / (2M).
 #include "oracle/closed_form.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +21,7 @@ double midpoints(Window window, int count, const std::function<double(double)>& 
 // Rounding of the sums; the bounds themselves are exact.
 constexpr double kRounding = 1e-9;
 
-// Three textured surfaces with motions of both signs, one hiding and showing another.
+// Three textured surfaces that move both ways: one hides and uncovers another.
 Strips threeStrips() {
   return {{60.2, 90.7, 17.3, {0.9, 0.6, 6, 60.2}},
           {80.4, 110.1, -9.1, {0.7, 0.2, 5, 3}},
@@ -44,7 +43,7 @@ TEST(Strips, MatchBruteForceWithinItsBound) {
   EXPECT_GT(total_changes, 300);
 }
 
-TEST(Strips, OverThePixelMatchBruteForceInSpaceAndTime) {
+TEST(Strips, PixelMeansMatchBruteForceInSpaceAndTime) {
   constexpr int kTimes = 1000, kPlaces = 64;
   Strips strips = threeStrips();
   for (Window window : kAnchors)

@@ -17,10 +17,10 @@ double smoothStep(double from, double to, double x) {
 
 const Texel& clampedAt(const Row& row, int x) { return row[std::clamp(x, 0, static_cast<int>(row.size()) - 1)]; }
 
-// A place -1 ... 1 from the closing's end of the taps to the opening's, moved to where a shutter curve has it.
+// A place along the taps, from -1 at the end of the exposure to 1 at its start, remapped by a shutter curve.
 double curvedPlace(double place, const TimeOf& time_of) { return time_of ? 1 - 2 * time_of((1 - place) / 2) : place; }
 
-// Adds a displacement that differs from all known ones by more than half a pixel, while there is room.
+// Adds a displacement if it differs from all candidates by more than half a pixel and there is room.
 void addCandidate(std::vector<double>& candidates, double d, size_t limit) {
   bool known = std::any_of(candidates.begin(), candidates.end(), [&](double c) { return std::abs(c - d) <= 0.5; });
   if (!known && candidates.size() < limit) candidates.push_back(d);
@@ -51,7 +51,7 @@ struct Composite {
     return candidates;
   }
 
-  // The nearest texel that is at pixel x at time t, found by following one of the candidates back; null if none is.
+  // Nearest texel that lies at pixel x at time t, found by following the candidates back, or null.
   const Texel* nearestAt(int x, double t, const std::vector<double>& candidates) const {
     const Texel* nearest = nullptr;
     for (double g : candidates) {
@@ -123,14 +123,14 @@ double cylinder(double distance, double radius) { return 1 - smoothStep(0.95 * r
 double softDepth(double za, double zb, double extent) { return saturate(1 - (zb - za) / extent); }
 
 double mcguireAt(const Row& row, double dominant, int x, const McGuire& options) {
-  // The spread of a point: half its displacement to either side, or all of it to one.
+  // Spread of a point: half its displacement to either side, or its whole displacement to one side.
   double reach = options.one_sided ? 1 : 0.5;
   if (std::abs(dominant) * reach <= 0.5) return row[x].colour;
   double radius = std::max(std::abs(row[x].d) * reach, 0.5);
   double weight = 1 / radius;
   double sum = weight * row[x].colour;
   for (int i = 0; i < options.samples; ++i) {
-    // The middle tap would be the pixel itself, which is already in.
+    // The middle tap is the pixel itself, which is already counted.
     bool is_centre = std::abs(curvedPlace(0, options.time_of)) < 1e-9;
     if (!options.one_sided && is_centre && i == (options.samples - 1) / 2) continue;
 
@@ -158,14 +158,14 @@ double guertinAt(const Row& row, double dominant, int x, const Guertin& options)
   auto sign = [](double d) { return double(d > 0) - double(d < 0); };
   auto spread = [&](double d) { return std::max(std::abs(d) * share, 0.5); };
   double radius = spread(row[x].d);
-  double own = radius > 0.5 ? sign(row[x].d) : 0;  // v_c; across the row there is nothing
+  double own = radius > 0.5 ? sign(row[x].d) : 0;  // v_c; a row has no second direction
 
   double weight = options.samples / (options.kappa * radius);
   double sum = weight * row[x].colour;
   for (int i = 0; i < options.samples; ++i) {
     bool is_centre = std::abs(curvedPlace(0, options.time_of)) < 1e-9;
     if (centred && is_centre && options.samples % 2 == 1 && i == options.samples / 2) continue;
-    // One-sided samples are counted from the pixel outwards; after the capture the jitter runs the other way.
+    // One-sided samples are counted from the pixel outwards; after the raster time the jitter is reversed.
     bool after = options.window.open >= 0;
     double t = -1 + 2 * (i + (after ? -1 : 1) * options.eta * options.jitter + 1) / (options.samples + 1);
     t = after ? -curvedPlace(-t, options.time_of) : curvedPlace(t, options.time_of);
@@ -206,7 +206,7 @@ double rampWeight(const Texel& here, const Texel& tap, double dominant, double o
   if (options.facing == Facing::kProjected) facing = std::min(std::abs(tap.d / dominant), 1.0);
   bool leaves = tap.d * offset * (options.window.open + options.window.close) > 0;
   if (options.facing == Facing::kOpposing && leaves) facing = 0;
-  // Relative depths are far apart here, so the soft comparison is a hard one with ties in the middle.
+  // Depths differ widely here, so the soft comparison is a hard one, 1/2 for equal depths.
   double behind = saturate(0.5 + 1000 * (tap.depth - here.depth));
   return behind * spread(here.d) + (1 - behind) * spread(tap.d) * facing;
 }

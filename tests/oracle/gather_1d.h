@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gathers along one row of pixels, in double precision and independent of the shaders: what each published filter
-// must produce on a picture that a person can check. Conventions are those of closed_form.h.
+// The published gathers along one row of pixels, in double precision and independent of the shaders. A row is small
+// enough to check by hand. Conventions as in closed_form.h.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace strobe::oracle {
 
-// What a gather knows about one pixel of one layer. Greater depth is farther.
+// One pixel of one layer, as the gathers read it. Greater depth is farther.
 struct Texel {
   double colour = 0;
   double depth = 0;
@@ -21,22 +21,22 @@ struct Texel {
 };
 using Row = std::vector<Texel>;
 
-// The strips at the capture, sampled at pixel centres; the depth of a strip is 1 + its place in the list.
+// The strips at the raster time, sampled at pixel centres. The depth of a strip is 1 + its index.
 Row rasterise(const Strips& strips, int width);
 
-// The pixel x + offset, rounded to the nearest one; halves go away from x, so that a mirrored row gives a mirrored
-// result.
+// The pixel nearest to x + offset. Halves round away from x, so a mirrored row gives a mirrored result.
 int tapAt(int x, double offset);
 
 // 64 jitters at the middles of 64 equal parts of [-1/2, 1/2]; their mean stands for the mean over all jitters.
 std::vector<double> meanJitters();
 
-// Per pixel, the displacement of largest length in the tiles around: `tile` px wide, as many to either side as the
-// largest displacement can reach in the window. Of equal lengths the first in the row wins.
-// `layers` are read at each pixel in their order.
+// Longest displacement in the tiles around each pixel. Tiles are `tile` px wide; the largest displacement within the
+// window sets the number of tiles to either side. Of equal lengths the first in the row wins. `layers` are read at each
+// pixel in their order.
 std::vector<double> dominantDisplacement(const std::vector<const Row*>& layers, int tile, Window window);
 
-// Of a shutter curve: the time before which a share of the weight lies, both in [0, 1] from the opening; none: even.
+// Inverse shutter curve: the time before which a share of the weight lies. Share and time are in [0, 1] from shutter
+// opening; empty for an even shutter.
 using TimeOf = std::function<double(double share)>;
 
 // --- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur" ---
@@ -44,9 +44,9 @@ using TimeOf = std::function<double(double share)>;
 struct McGuire {
   int samples = 15;
   double jitter = 0;             // in [-1/2, 1/2]
-  double soft_extent = 0.1;      // depth over which two surfaces count as one
-  bool one_sided = false;        // taps on [x, x + d], all of them kept, spread |d|, instead of [x - d/2, x + d/2]
-  bool rounded_distance = true;  // of a tap: between the centres of the two pixels
+  double soft_extent = 0.1;      // range of the soft depth comparison
+  bool one_sided = false;        // taps on [x, x + d] instead of [x - d/2, x + d/2], none left out; spread |d|
+  bool rounded_distance = true;  // tap distances are between pixel centres
   TimeOf time_of = {};
 };
 double mcguireAt(const Row& row, double dominant, int x, const McGuire& options);
@@ -56,7 +56,7 @@ double cylinder(double distance, double radius);
 double softDepth(double za, double zb, double extent);
 
 // --- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter" ---
-// Along one row there is nothing to look at across it: where a pixel is at rest every other sample is left out.
+// A row has one direction only, so a static pixel takes every other sample only.
 
 struct Guertin {
   int samples = 16;
@@ -66,7 +66,7 @@ struct Guertin {
   double kappa = 40;  // the pixel itself weighs samples / (kappa * spread)
   double eta = 0.95;  // share of the jitter that is used
   double soft_extent = 0.1;
-  bool uniform = false;  // all are taken to move like the dominant displacement
+  bool uniform = false;  // every tap has the dominant displacement
   // The edits of McGuire's filter that preceded it: a cylinder without soft border, distances between pixels.
   bool hard_cylinder = false;
   bool rounded_distance = false;
@@ -75,12 +75,12 @@ struct Guertin {
 double guertinAt(const Row& row, double dominant, int x, const Guertin& options);
 
 // --- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" ---
-// As its public descendants implement it.
+// Implemented as in its public descendants.
 
 enum class Facing {
   kAny,
-  kProjected,  // what a tap spreads counts by its displacement along the dominant one, as a share of that
-  kOpposing,   // ... not at all if it never comes here
+  kProjected,  // weight scaled by |d| / |dominant displacement|, at most 1
+  kOpposing,   // weight 0 for a tap that never reaches the pixel
 };
 
 struct Paired {
@@ -88,8 +88,8 @@ struct Paired {
   double jitter = 0;   // in [-1/2, 1/2], in steps
   bool mirror = true;  // the nearer and faster side decides the weight of both
   Facing facing = Facing::kAny;
-  // With the capture in the middle of the window. Else single taps lie on the one side, and a point spreads over all of
-  // its displacement instead of half of it to either side.
+  // With the raster time inside the window, taps lie on both sides. With a one-sided window they lie on one side, and a
+  // point spreads over its whole displacement to that side.
   Window window = kCentreAnchor;
 };
 double pairedAt(const Row& row, double dominant, int x, const Paired& options);
@@ -99,41 +99,41 @@ double pairedAt(const Row& row, double dominant, int x, const Paired& options);
 enum class Mask {
   kNone,
   kOwn,       // along the foreground's own displacement (Tan, Cui and Bhojan 2020)
-  kRelative,  // along its displacement relative to the surface beyond the silhouette
+  kRelative,  // along the displacement relative to the surface beyond the silhouette
 };
 
-// The foreground pixels that move off their surface somewhere in the window: those for which a path of the mask's kind
-// crosses a silhouette. Only silhouettes between neighbouring pixels with a farther surface on the other side count.
+// Marks foreground pixels whose path, of the mask's kind, crosses a silhouette within the window. A silhouette lies
+// between neighbouring pixels of different surfaces.
 std::vector<bool> hiddenMask(const Row& raster, Mask mask, Window window);
 
-// What the strips behind the frontmost one show, valid where the mask is set.
+// The strips behind the frontmost one at the raster time; valid where the mask is set.
 Row reveal(const Strips& strips, const Row& raster, const std::vector<bool>& mask);
 
 struct Layered {
   int samples = 32;
   double jitter = 0;
   int tile = 20;
-  bool harvest = true;     // also consider the displacements met at the taps along the dominant one
+  bool harvest = true;     // also take candidates at the taps along the dominant displacement
   bool both_ways = false;  // ... and at the taps in the opposite direction
-  bool ask_twice = false;  // a texel that is not at the pixel leads to a second guess, by its own displacement
+  bool ask_twice = false;  // a texel that misses the pixel starts a second search with its own displacement
   std::size_t candidates = 4;
 };
 
 struct LayeredResult {
   std::vector<double> colour;
-  std::vector<int> fallbacks;  // per pixel, the time samples for which no layer had anything
+  std::vector<int> fallbacks;  // per pixel, number of time samples that no layer resolves
 };
 
-// Per time sample, the nearest texel of either layer that really is at the pixel at that time. Exact up to sampling and
-// rounding when the layers hold everything that is seen.
+// Per time sample, takes the nearest texel of either layer that lies at the pixel at that time. If the layers hold
+// every visible surface, the only errors are sampling and rounding.
 LayeredResult gatherLayered(const Row& raster, const Row& revealed, const Layered& options, Window window);
 
-// What blurring two perfect layers apart and laying one over the other tends to: the foreground's light plus the share
-// of time it is not there times the mean of what is behind it. Right only where the two do not vary together.
+// Limit of alpha-over of two perfectly blurred layers: the foreground's light, plus the share of time without
+// foreground times the mean of the background. Exact only if foreground and background do not vary together.
 double alphaOverAt(const Strips& strips, Window window, int pixel);
 
-// The mean of the colours seen at the middles of `samples` equal parts of the window: what an error-free method with
-// that many time samples gives.
+// Mean of the colours at the middles of `samples` equal parts of the window: the result of an error-free method with
+// that many time samples.
 double sampledAt(const Strips& strips, Window window, int samples, int pixel);
 
 // --- The scene of the layered composite ---
@@ -149,7 +149,7 @@ struct StripedBar {
   Strips strips() const;
 };
 
-// Over the bar and 45 px to either side of it.
+// Errors over the bar and 45 px to either side.
 struct RowError {
   double rms = 0;
   double max = 0;

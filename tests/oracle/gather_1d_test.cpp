@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The row gathers against the tables in docs/derivations.md. Each number of a table is a mean over all jitters or has
-// none, so that it belongs to the method and not to its noise.
+// The row gathers against the tables in docs/derivations.md. Each number of a table is a mean over all jitters or uses
+// no jitter, so it has no noise.
 #include "oracle/gather_1d.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ double overJitters(const std::function<double(double)>& at_jitter) {
 // A white bar [96, 160) that moves right by 20 px over black.
 Strips whiteBar() { return {{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}}; }
 
-// Digits printed in the tables.
+// Half a unit in the last digit of the tables.
 constexpr double kFourDigits = 0.5e-4 + 1e-9, kThreeDigits = 0.5e-3 + 1e-9;
 
 TEST(Gather, WeightPrimitives) {
@@ -38,7 +38,7 @@ TEST(Gather, WeightPrimitives) {
   EXPECT_EQ(softDepth(1, 1.2, 0.1), 0);
 }
 
-TEST(Gather, TapsRoundAlikeToBothSides) {
+TEST(Gather, TapsRoundSymmetrically) {
   EXPECT_EQ(tapAt(10, 2.5), 13);
   EXPECT_EQ(tapAt(10, -2.5), 7);
   EXPECT_EQ(tapAt(10, -0.4), 10);
@@ -116,14 +116,14 @@ TEST(Gather, McGuireWithTheCentreWeightAndCylinderOfItsSuccessor) {
   }
 }
 
-// Just outside the edge the mean weight of a quarter of the samples is 1, and the pixel itself, which spreads over
-// 1/2 px, weighs N / 20: 5/6 of what is seen is foreground, whatever N. Beside McGuire's (N/4) / (N/4 + 2).
+// Just outside the edge a quarter of the samples have a mean weight of 1, and the pixel itself, which spreads over 1/2
+// px, has the weight N / 20. The foreground's share is 5/6 for every N; in McGuire's filter it is (N/4) / (N/4 + 2).
 TEST(Gather, GuertinsOpacityDoesNotDependOnTheNumberOfSamples) {
   Strips strips{{0, 20000, 4000, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   Row row = rasterise(strips, 24000);
   for (int samples : {64, 256, 1024}) {
     EXPECT_NEAR(guertinAt(row, 4000, 20000, {.samples = samples, .two = false}), 5.0 / 6, 8e-3) << samples;
-    // At rest the pixel leaves the samples across the motion out: half of them remain.
+    // The static pixel leaves out the samples across the motion; half of the foreground's samples remain.
     EXPECT_NEAR(guertinAt(row, 4000, 20000, {.samples = samples}), 5.0 / 7, 8e-3) << samples;
   }
 }
@@ -169,7 +169,7 @@ struct HiddenWhite {
   }
 };
 
-TEST(Gather, PairsInventTheBackgroundFromBeyondTheEdge) {
+TEST(Gather, PairsTakeTheBackgroundFromBeyondTheEdge) {
   struct {
     int depth_px;
     double background;
@@ -179,7 +179,7 @@ TEST(Gather, PairsInventTheBackgroundFromBeyondTheEdge) {
     double alpha = 0.5 + (s + 0.5) / 40;
     double background = (scene.gathered(HiddenWhite::kEdge - 1 - s, true) - alpha * 0.5) / (1 - alpha);
     EXPECT_NEAR(background, expected, kFourDigits) << s;
-    // The mean of what lies from the edge to the end of the reach; what is really behind is white throughout.
+    // Mean from the edge to the end of the taps; the true background is white throughout.
     EXPECT_NEAR(background, std::min(1.0, 8 / (20 - (s + 0.5))), 1.5e-3) << s;
     printed("invented", {background, std::min(1.0, 8 / (20 - (s + 0.5)))});
   }
@@ -249,7 +249,7 @@ TEST(LayeredGather, GentleStripes) {
   for (const LayeredCase& c : kGentleTable) expectCase(gentle(c.d_front, c.d_back), c, "gentle");
 }
 
-TEST(LayeredGather, RelativeBandLeavesOnlySamplingErrorAtEveryPhaseAndAnchor) {
+TEST(LayeredGather, RelativeMaskLeavesOnlySamplingError) {
   for (const LayeredCase& c : kGentleTable)
     for (Window window : {kCloseAnchor, kCentreAnchor, kOpenAnchor})
       for (double left : {120.0, 125.0, 131.0}) {
@@ -262,7 +262,7 @@ TEST(LayeredGather, RelativeBandLeavesOnlySamplingErrorAtEveryPhaseAndAnchor) {
       }
 }
 
-TEST(LayeredGather, WithoutHarvestTheSlowerSurfaceIsMissed) {
+TEST(LayeredGather, WithoutSearchTapsTheSlowerSurfaceIsMissed) {
   Layered options{.samples = 32, .harvest = false};
   RowError following = layeredError(harsh(20, 12), Mask::kRelative, options, kCloseAnchor);
   EXPECT_NEAR(following.rms, .0472, kFourDigits);
@@ -273,12 +273,12 @@ TEST(LayeredGather, WithoutHarvestTheSlowerSurfaceIsMissed) {
   printed("no_harvest", {following.rms, following.max, tracking.rms, tracking.max});
 }
 
-TEST(LayeredGather, HarvestingOneWayMissesASlowerSurfaceThatMovesAgainstTheDominantOne) {
+TEST(LayeredGather, OneWaySearchTapsMissASlowerOpposedSurface) {
   Layered one_way{.samples = 32};
   for (auto [d_front, d_back] : {std::pair{11.0, -12.0}, {6.0, -20.0}, {12.0, -12.0}}) {
     RowError error = layeredError(gentle(d_front, d_back), Mask::kRelative, one_way, kCloseAnchor);
     EXPECT_GT(error.rms, 0.07) << d_front << " " << d_back;
-    EXPECT_EQ(error.fallbacks, 0);  // unnoticed: the background is found where the bar should be
+    EXPECT_EQ(error.fallbacks, 0);  // no fallback: the background is found where the bar should be
     printed("one_way", {error.rms, error.max});
   }
 }
@@ -297,7 +297,7 @@ TEST(LayeredGather, AlphaOverOfPerfectLayersIsExactOnlyOverAStaticBackground) {
     return result;
   };
   EXPECT_LE(error(harsh(20, 0)).max, 1e-12);
-  EXPECT_LE(error(harsh(0, 20)).max, 1e-12);  // the foreground is there always or never
+  EXPECT_LE(error(harsh(0, 20)).max, 1e-12);  // the foreground covers a pixel always or never
   EXPECT_NEAR(error(harsh(20, 12)).rms, .0470, kFourDigits);
   EXPECT_NEAR(error(harsh(20, 12)).max, .193, kThreeDigits);
   printed("perfect_layers", {error(harsh(20, 12)).max});
@@ -306,7 +306,7 @@ TEST(LayeredGather, AlphaOverOfPerfectLayersIsExactOnlyOverAStaticBackground) {
 }
 
 TEST(LayeredGather, ErrorIsWithinTheBoundOfItsSamples) {
-  // With both layers in hand what is left is the time sampling and the nearest pixel, up to 3/4 px of each crossing.
+  // With both layers known, only time sampling and rounding to the nearest pixel remain: up to 3/4 px of each crossing.
   for (const LayeredCase& c : kHarshTable) {
     StripedBar bar = harsh(c.d_front, c.d_back);
     Strips strips = bar.strips();
@@ -322,7 +322,7 @@ TEST(LayeredGather, ErrorIsWithinTheBoundOfItsSamples) {
   }
 }
 
-TEST(HiddenMask, OfABarOverAStaticBackgroundIsItsLeadingBand) {
+TEST(HiddenMask, MarksTheLeadingBandOfABar) {
   Row row = rasterise(whiteBar(), 320);
   for (Mask mask : {Mask::kOwn, Mask::kRelative}) {
     auto close = hiddenMask(row, mask, kCloseAnchor);
@@ -334,7 +334,7 @@ TEST(HiddenMask, OfABarOverAStaticBackgroundIsItsLeadingBand) {
   }
 }
 
-TEST(HiddenMask, OfATrackingShotNeedsTheRelativeMotion) {
+TEST(HiddenMask, TrackingShotNeedsRelativeMotion) {
   Row row = rasterise(gentle(0, 20).strips(), 320);
   auto own = hiddenMask(row, Mask::kOwn, kCloseAnchor);
   auto relative = hiddenMask(row, Mask::kRelative, kCloseAnchor);

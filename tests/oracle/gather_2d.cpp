@@ -16,7 +16,7 @@ Vec2d unitOf(Vec2d a) { return lengthOf(a) > 0 ? scaled(a, 1 / lengthOf(a)) : Ve
 
 Vec2d vectorAt(const image::Image& image, int x, int y) { return {image.at(x, y, 0), image.at(x, y, 1)}; }
 
-// 1 where b is nearer than a or equal, 0 where it is farther by `extent` of its depth.
+// 1 if b is as near as a or nearer, 0 if it is farther by `extent` of its depth.
 double softShare(double a, double b, double extent) {
   return b <= a ? 1 : std::clamp(1 - (1 - a / b) / extent, 0., 1.);
 }
@@ -60,7 +60,8 @@ double guertinAt(const Plane& plane, int x, int y, const PlaneGuertin& options) 
 
   double weight = n / (options.kappa * radius), sum = weight * plane.color->at(x, y, 0);
   for (int i = 0; i < n; ++i) {
-    // Counted from the pixel outwards where all samples lie to one side; every n/across-th, from the middle of that on.
+    // One-sided samples are counted from the pixel outwards. Every n/across-th sample, from the middle of the first
+    // group on, takes the second direction.
     int half = (n - 1) / 2;
     bool second = ((i + 1) * across + half) / n != (i * across + half) / n;
     Vec2d direction = second ? v_c : unitOf(dominant);

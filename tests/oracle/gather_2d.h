@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Guertin's gather in the plane, in double precision, from the images it reads: what a row cannot show, the second
-// direction and the weights of directions. Conventions are those of closed_form.h.
+// Guertin's gather in the plane, in double precision, from the images it reads. It covers the second direction and the
+// weights of directions, which a row lacks. Conventions as in closed_form.h.
 #pragma once
 
 #include "image/image.h"
@@ -12,12 +12,12 @@ struct Vec2d {
   double x = 0, y = 0;
 };
 
-// The direction, of unit length or 0, in which every other sample of a pixel lies. `own` is its displacement, `radius`
-// what it spreads over; `other` is the side to take where `own` has none.
+// Direction of every other sample of a pixel: a unit vector or 0. `own` is the pixel's displacement and `radius` its
+// spread; `other` chooses the side if `own` has no component across `dominant`.
 Vec2d secondDirection(Vec2d dominant, Vec2d own, Vec2d other, double radius, double gamma);
 
 struct Plane {
-  const image::Image* color;  // first channel counts
+  const image::Image* color;  // only the first channel is read
   const image::Image* depth;
   const image::Image* velocity;  // px over the exposure
   const image::Image* dominant;  // per tile

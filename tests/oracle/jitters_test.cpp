@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The definition of a published jitter; render_gathers_test.cpp compares the renderer with the definitions.
+// Tests the definition of a published jitter. render_gathers_test.cpp compares the renderer with the definitions.
 #include "oracle/jitters.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of docs/derivations.md as the tests find them, for tools/reproduce: lines "NAME: 0.123456 0.234567".
+// Prints numbers of docs/derivations.md for tools/reproduce: lines "NAME: 0.123456 0.234567".
 #pragma once
 
 #include <fmt/format.h>

@@ -18,7 +18,7 @@ namespace {
 
 std::unique_ptr<lab::Workbench> the_bench;
 
-// The device must be gone before the libraries it came from are.
+// The device must be destroyed before the libraries that created it.
 class BenchEnvironment : public ::testing::Environment {
  public:
   void TearDown() override { the_bench.reset(); }
@@ -30,7 +30,7 @@ const ::testing::Environment* const kEnvironment = ::testing::AddGlobalTestEnvir
 lab::Workbench& RenderTest::bench() {
   if (!the_bench) {
     the_bench = std::make_unique<lab::Workbench>(home(), "", true);
-    // As devices do that are not software: a frame is one submission, whose barriers are validated.
+    // A frame is one submission, as on hardware devices, and its barriers are validated.
     the_bench->frames_in_flight = 2;
   }
   return *the_bench;
@@ -102,7 +102,7 @@ const std::vector<Anchor>& anchors() {
   return all;
 }
 
-// The fourth channel is alpha or a count, no colour.
+// The fourth channel is alpha or a count, not a colour.
 static double sumOverColors(const image::Image& a, const std::function<double(size_t)>& value) {
   double sum = 0;
   for (size_t i = 0; i < a.values.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The accumulation buffer is truth at as many times: by the closed form of what is seen at each, and against truth by
-// raster, which has neither the ground nor the colours that it keeps.
+// The accumulation buffer equals truth at the same times: against closed forms, and against rasterised truth, which
+// neither keeps the static background nor reuses colours.
 #include <fmt/format.h>
 
 #include "oracle/render.h"
@@ -27,9 +27,9 @@ class RenderAccumulation : public RenderTest {
 const std::vector<std::string> kObjects = {"ball=0.7,0.2,0", "box=0.6,0,0.3"};
 const std::vector<std::string> kAll = {"ball=0.7,0.2,0", "box=0.6,0,0.3", "wall=-0.8,0,0", "camera=0.5,0,0"};
 
-// Cards one behind the other that move apart before a wall at rest: what each time sees, hidden surfaces included. No
-// edge passes a pixel's centre at any of the times.
-TEST_F(RenderAccumulation, SeesWhatIsThereAtEachTime) {
+// Cards behind each other that move apart before a static wall; hidden surfaces become visible. No edge passes a
+// pixel's centre at a sample time.
+TEST_F(RenderAccumulation, AveragesTheVisibleSurfacesOfAllTimes) {
   const Strips stack = {{32, 96, 20, {.9}}, {32, 96, 16, {.6}}, {32, 96, 12, {.3}}, {-kInfinity, kInfinity, 0, {.1}}};
   constexpr int kSamples = 24;
   Numbers numbers;
@@ -53,8 +53,8 @@ TEST_F(RenderAccumulation, SeesWhatIsThereAtEachTime) {
     }
 }
 
-// Shaded anew at each time it is truth by raster with as many samples, whatever moves: both draw the same times.
-TEST_F(RenderAccumulation, IsTruthOfAsManySamples) {
+// With shading at each time the picture is rasterised truth of as many samples: both draw the same times.
+TEST_F(RenderAccumulation, EqualsTruthOfAsManySamples) {
   for (const auto& moves : {kObjects, kAll})
     for (const Anchor& anchor : anchors()) {
       lab::Shot shot = solids(moves);
@@ -66,8 +66,8 @@ TEST_F(RenderAccumulation, IsTruthOfAsManySamples) {
     }
 }
 
-// Colours that are kept are those of texels: what is smooth there is right to a share of it, and few are shaded.
-TEST_F(RenderAccumulation, KeepsTheCapturesColours) {
+// Reused colours are those in the raster image: smooth shading has a small error, and fewer samples are shaded.
+TEST_F(RenderAccumulation, ReusesColoursOfTheRasterImage) {
   for (const auto& moves : {kObjects, kAll}) {
     lab::Shot shot = solids(moves);
     lab::Picture anew = render(with(shot, "accumulation", {"reuse=none"}, "centre"));
@@ -82,8 +82,8 @@ TEST_F(RenderAccumulation, KeepsTheCapturesColours) {
   }
 }
 
-// Before a camera at rest only what moves is drawn, and rays look behind it once, not for each sample.
-TEST_F(RenderAccumulation, FindsTheGroundOnce) {
+// Before a static camera only moving surfaces are drawn, and rays find the background once, not for each sample.
+TEST_F(RenderAccumulation, FindsTheStaticBackgroundOnce) {
   lab::Picture few = render(with(solids(kObjects), "accumulation", {"samples=2"}, "centre"));
   lab::Picture many = render(with(solids(kObjects), "accumulation", {"samples=32"}, "centre"));
   EXPECT_GT(counterOf(few, "static_background.rays"), 0u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One number from a post-process blur to truth: its ends are these two bit for bit, between them more of it costs more
-// rays and errs less, and where all moves alike nothing but a gather is done. Against closed forms, truth and other
-// pipelines.
+// The parameter `quality` of the pipeline `adaptive`: 0 is a post-process blur and 1 is truth, bit for bit. Between
+// them, more quality traces more rays and has less error, and regions of equal motion are gathered only. Against closed
+// forms, truth and other pipelines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class RenderAdaptive : public RenderTest {
     more.push_back(fmt::format("quality={}", quality));
     return render(with(shot, "adaptive", more, anchor));
   }
-  // Truth of 512 samples, drawn once per scene.
+  // Truth of 512 samples, rendered once per scene.
   static const image::Image& truthOf(const std::string& scene) {
     static std::map<std::string, image::Image> truths;
     auto [found, added] = truths.try_emplace(scene);
@@ -34,7 +34,7 @@ class RenderAdaptive : public RenderTest {
       found->second = colorOf(render(with(shot(scene), "ground_truth", {"samples=512", "mark_regions=false"})));
     return found->second;
   }
-  // Rays of all passes.
+  // Number of rays of all passes.
   static uint64_t raysOf(const lab::Picture& picture) {
     uint64_t rays = 0;
     for (const auto& [name, count] : picture.frame.counters)
@@ -43,7 +43,7 @@ class RenderAdaptive : public RenderTest {
   }
 };
 
-TEST_F(RenderAdaptive, IsAPostProcessAtOneEnd) {
+TEST_F(RenderAdaptive, QualityZeroIsThePostProcess) {
   for (const Anchor& anchor : anchors())
     for (const char* scene : {"crowd", "stacked"}) {
       SCOPED_TRACE(fmt::format("{} {}", scene, anchor.name));
@@ -54,19 +54,19 @@ TEST_F(RenderAdaptive, IsAPostProcessAtOneEnd) {
     }
 }
 
-TEST_F(RenderAdaptive, IsTruthAtTheOther) {
+TEST_F(RenderAdaptive, QualityOneIsTruth) {
   for (const char* scene : {"stacked", "tracking_parallax"}) {
     SCOPED_TRACE(scene);
     const lab::Picture own = at(shot(scene), 1, {"samples=8"});
     EXPECT_TRUE(identical(colorOf(own),
                           colorOf(render(with(shot(scene), "ground_truth", {"samples=128", "mark_regions=false"})))));
-    // Of other samples, by their own standard error and that of midpoints, which is no larger.
+    // The bound is the standard error of other samples, plus the error of midpoints, which is no larger.
     const lab::Picture truth = render(with(shot(scene), "ground_truth", {"samples=128", "times=stratified"}));
     EXPECT_LE(rmsDifference(colorOf(own), colorOf(truth)), 2 * rms(imageOf(truth, "error")));
   }
 }
 
-TEST_F(RenderAdaptive, MoreQualityTracesMoreAndErrsLess) {
+TEST_F(RenderAdaptive, MoreQualityTracesMoreAndHasLessError) {
   for (const char* scene : {"stacked", "tracking_parallax", "caged_fan"}) {
     double last = INFINITY;
     uint64_t rays = 0;
@@ -81,9 +81,9 @@ TEST_F(RenderAdaptive, MoreQualityTracesMoreAndErrsLess) {
   }
 }
 
-// A bar and what is behind it that move alike: of the pixels that no border of the picture comes to none is traced, and
-// each is the mean of the texels that come to it.
-TEST_F(RenderAdaptive, GathersWhereAllMovesAlike) {
+// A bar and a background of equal motion. Away from the picture's border each pixel is gathered: it is the mean of the
+// texels that pass over it.
+TEST_F(RenderAdaptive, RegionsOfEqualMotionAreGathered) {
   constexpr int kSamples = 8, kBorder = 30;
   const lab::Shot alike = shotOf("textured_bar", 128, 40, {{"d_f", 16}, {"d_b", 16}});
   const lab::Picture own = at(alike, .4, {"samples=8"}, "end");
@@ -108,9 +108,9 @@ TEST_F(RenderAdaptive, GathersWhereAllMovesAlike) {
   EXPECT_GE(counterOf(own, "adaptive_times.gathered"), 128u * 40 / 3);
 }
 
-// What the capture does not show is found by rays: a bar that was in the picture only before the capture, one that is
-// half in and half out, one that comes in from outside. To within what is let be between two rays.
-TEST_F(RenderAdaptive, FindsWhatTheCaptureDoesNotSee) {
+// Rays find a bar that is in the picture only before the raster time, a bar that is half inside, and a bar that enters
+// from outside. The bound is the shortest interval between two rays.
+TEST_F(RenderAdaptive, RaysFindSurfacesOutsideTheRasterImage) {
   struct Bar {
     double left, right, d;
   };
@@ -124,9 +124,9 @@ TEST_F(RenderAdaptive, FindsWhatTheCaptureDoesNotSee) {
   }
 }
 
-// A panel narrower than the way between two of the first rays passes over pixels whose rays hit nothing but the
-// background before and after the panel. No pixel may lose it: each has the exact coverage to within the shortest
-// interval between two rays, a sixteenth of the exposure at these qualities.
+// A panel narrower than the distance it moves between two of the first rays. It passes over pixels whose rays hit only
+// the background before and after the panel. Each pixel has the exact coverage to within the shortest interval between
+// two rays, a sixteenth of the exposure at these qualities.
 TEST_F(RenderAdaptive, APanelBetweenTwoAgreeingRaysIsFound) {
   constexpr double kLeft = 60.3, kPanel = 8, kMoved = 64;
   const lab::Shot passes = shotOf("bar", 192, 12, {{"left", kLeft}, {"right", kLeft + kPanel}, {"d_f", kMoved}});
@@ -140,7 +140,7 @@ TEST_F(RenderAdaptive, APanelBetweenTwoAgreeingRaysIsFound) {
     }
 }
 
-// A bar has a stripe in the colour of the background and a dark stripe. A pixel between two rays that hit the first
+// A bar with one stripe in the colour of the background and a dark stripe. A pixel between two rays that hit the first
 // stripe and the background still shows the dark stripe: each pixel is exact to within the shortest interval.
 TEST_F(RenderAdaptive, AStripeBetweenTwoAgreeingSurfacesIsFound) {
   constexpr double kLeft = 120, kStripe = 12, kMoved = 64, kLight = .9, kDark = .1;
@@ -164,7 +164,7 @@ TEST_F(RenderAdaptive, AStripeBetweenTwoAgreeingSurfacesIsFound) {
     }
 }
 
-// A hit takes its colour from the raster texels around it only if these texels differ little. The texels of fine
+// A hit takes its colour from the surrounding raster texels only if these texels differ little. The texels of fine
 // stripes differ by the contrast of the stripes, so hits on strong stripes are shaded, and hits on weak stripes are
 // blended.
 TEST_F(RenderAdaptive, HitsBetweenTexelsThatDifferAreShaded) {
@@ -179,16 +179,16 @@ TEST_F(RenderAdaptive, HitsBetweenTexelsThatDifferAreShaded) {
   EXPECT_LT(shareShaded(.501, .499), .1);
 }
 
-// Something that no displacement of the capture tells of comes before what rests or moves alike: rays of the cells see
-// it.
-TEST_F(RenderAdaptive, RaysRefuteCellsThatSeemCertain) {
+// A bar outside the raster image passes over static cells: the cells' validation rays hit it.
+TEST_F(RenderAdaptive, ValidationRaysFindMismatchedCells) {
   const lab::Picture own = at(shotOf("bar", 64, 40, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), .4, {}, "end");
   EXPECT_GT(counterOf(own, "coherent_cells.checked"), counterOf(own, "coherent_cells.mismatched"));
   EXPECT_GT(counterOf(own, "coherent_cells.mismatched"), 0u);
 }
 
-// Pixels of a certain cell are gathered, or static, unless a ray has refuted one of the nine cells around them.
-TEST_F(RenderAdaptive, CellsBesideARefutedCellAreTraced) {
+// Pixels of a certain cell are gathered, or static, unless a ray has found a mismatch in one of the nine cells around
+// them.
+TEST_F(RenderAdaptive, CellsBesideAMismatchedCellAreTraced) {
   constexpr int kWide = 128, kHigh = 40, kSide = 10;
   lab::Shot enters = shotOf("textured_bar", kWide, kHigh, {{"left", 134}, {"right", 154}, {"d_f", 40}, {"d_b", 8}});
   enters.taps = {"coherent_cells.certain"};
@@ -210,10 +210,9 @@ TEST_F(RenderAdaptive, CellsBesideARefutedCellAreTraced) {
   EXPECT_GT(beside, 0u);
 }
 
-// Raster puts the left edge of a card at rest, a thousandth of a pixel to the right of a pixel's centre, on that centre
-// and sees the card there; rays pass beside it. At no time does the pixel see anything but what moves behind, and comes
-// there.
-TEST_F(RenderAdaptive, CardsAtRestBeginWhereRaysMeetThem) {
+// The left edge of a static card lies a thousandth of a pixel right of a pixel's centre. Rasterisation snaps the edge
+// to the centre and draws the card there; rays miss the card. The pixel shows only the moving background, at all times.
+TEST_F(RenderAdaptive, StaticCardsBeginAtTheirRayHits) {
   constexpr float kCard = .5, kBehind = .75;
   for (const Anchor& anchor : anchors()) {
     const lab::Shot shot = shotOf("cards", 96, 8,
@@ -235,7 +234,7 @@ TEST_F(RenderAdaptive, CardsAtRestBeginWhereRaysMeetThem) {
 }
 
 // A gather inside a surface of one colour would move the static texture beside the surface along with it. The raster
-// image and the truth have equal resolution, so the error is that of the intervals between rays alone.
+// image and the truth have equal resolution, so the only error is from the intervals between rays.
 TEST_F(RenderAdaptive, AGatherDoesNotMoveAStaticBackground) {
   for (const lab::Shot& shot :
        {shotOf("../behind", kWidth, kHeight),
@@ -248,8 +247,8 @@ TEST_F(RenderAdaptive, AGatherDoesNotMoveAStaticBackground) {
 }
 
 // A card slides in and back, so its displacement over the exposure is 0. Rays hit the card, but not at the point that
-// the displacement brings.
-TEST_F(RenderAdaptive, RaysRefuteAStaticCellThatTheDisplacementDoesNotDescribe) {
+// the displacement predicts.
+TEST_F(RenderAdaptive, ValidationRaysFindMotionWithoutDisplacement) {
   lab::Shot shot = shotOf("../turns_back", kWidth, kHeight);
   shot.frame = 1;
   const lab::Picture own = at(shot, .5, {}, "centre");
@@ -261,7 +260,7 @@ TEST_F(RenderAdaptive, RaysRefuteAStaticCellThatTheDisplacementDoesNotDescribe) 
 }
 
 // The estimate is a standard deviation: over a picture, its mean is within a factor of 2 of the mean error (measured:
-// 0.6 to 1.6). Nothing that rests has an error.
+// 0.6 to 1.6). Static pixels have no error.
 TEST_F(RenderAdaptive, EstimatesItsError) {
   for (const char* scene : {"stacked", "tracking_parallax", "crowd"}) {
     SCOPED_TRACE(scene);
@@ -282,9 +281,9 @@ TEST_F(RenderAdaptive, EstimatesItsError) {
   EXPECT_EQ(rms(imageOf(rests, "error")), 0);
 }
 
-// The last cells are cut off by the picture's border, at which what moves ends too: rays look at no pixel beyond it.
-// Surfaces from outside the picture come to the cells of one border alone.
-TEST_F(RenderAdaptive, RaysLookAtThePictureAlone) {
+// The picture's border cuts off the last cells, and the moving surface ends there too: no ray leaves the picture.
+// Surfaces from outside the picture enter through the cells of one border only.
+TEST_F(RenderAdaptive, ValidationRaysStayInsideThePicture) {
   constexpr int kHigh = 34;
   const lab::Shot moves = shotOf(
       "crossing", 64, kHigh, {{"a_left", -200}, {"a_width", 400}, {"a_top", -8}, {"a_height", 8 + kHigh}, {"a_x", 12}});

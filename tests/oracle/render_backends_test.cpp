@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture is a function of its description: not of the path rays take, of the run, or of what else is looked at.
+// A picture is a function of its description. It does not depend on the ray tracing backend, the run or the taps.
 #include <fmt/format.h>
 
 #include "oracle/render.h"
@@ -28,16 +28,16 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
   struct Traced {
     std::string node;
     lab::Shot shot;
-    bool asks_alike = true;  // not where rays to one instance alone are asked of the own tree, and of the others all
+    bool asks_alike = true;  // false: the own tree traces some rays against a single instance, other backends do not
   };
   const Traced cases[] = {
       {"shade", crowd("none", {"tile_light_visibility.per_tile=false"})},
       {"ray_reveal", crowd("hybrid_layered", {"tile=8", "limit=0.25"})},
       {"ray_reveal", crowd("hybrid", {"preset=text", "tile=8", "limit=0.25"})},
       {"ray_reveal", crowd(hybridSteps(), {"mask=all", "advance=restart", "tile=8", "limit=0.25"})},
-      // Many at rest, over which the runtime's own tree is built once.
+      // Many static instances; the runtime's own tree over them is built once.
       {"ray_reveal", with(shotOf("crowd", 64, 40, {{"crumbs", 300}}), "hybrid_layered", {"tile=8", "limit=0.25"})},
-      // A box has a back, which rays that skip it pass over at once.
+      // Rays that skip the box pass over its back at once.
       {"ray_reveal", with(shotOf("turning_box", 64, 36, {}), hybridSteps(), {"mask=all"})},
       {"sample", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"}), false},
   };
@@ -51,7 +51,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
     EXPECT_GT(raysOf(first, traced.node, names.front()), 0u) << traced.node;
     for (const std::string& name : names) {
       EXPECT_EQ(outputs(first), outputs(pictures.at(name))) << traced.node << ", " << name;
-      // Each took its own path, and asked as many rays.
+      // Each picture used its own backend only, with equal numbers of rays.
       for (const std::string& other : names) {
         const uint64_t rays = raysOf(pictures.at(name), traced.node, other);
         if (name != other) EXPECT_EQ(rays, 0u) << traced.node << ", " << name;
@@ -70,7 +70,7 @@ TEST_F(RenderBackends, TenRunsGiveOneHash) {
   }
 }
 
-TEST_F(RenderBackends, SeedsMatterOnlyWhereTheyAreUsed) {
+TEST_F(RenderBackends, SeedsChangeOnlyPicturesThatUseThem) {
   lab::Shot shot = crowd("hybrid_layered", {"jitter=hash"});
   Json first = outputs(render(shot));
   shot.seed = 1;
@@ -81,8 +81,8 @@ TEST_F(RenderBackends, SeedsMatterOnlyWhereTheyAreUsed) {
   EXPECT_EQ(outputs(render(plain)), first);
 }
 
-// What is looked at keeps its memory to itself: a picture that changes with it would have read what it may not.
-TEST_F(RenderBackends, LookingChangesNothing) {
+// Taps have their own memory. A picture that changes with a tap has read memory of another image.
+TEST_F(RenderBackends, TapsChangeNoPicture) {
   for (lab::Shot shot : {crowd("hybrid_layered"), crowd("hybrid", {"preset=text"})}) {
     Json without = outputs(render(shot));
     for (const std::vector<std::string>& taps :

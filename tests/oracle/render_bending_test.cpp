@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What joints and morph targets bend: the same for every tracing backend and for truth however it spares rays, exactly
-// still where nothing that a vertex follows moves, and nothing to scenes without it.
+// Deformation by joints and morph targets. The result is equal for every ray tracing backend and for truth with skipped
+// rays. Vertices without a moving joint are exactly static, and scenes without deformation lack the fact `deforms`.
 #include <fmt/format.h>
 
 #include <set>
@@ -56,8 +56,8 @@ TEST_F(RenderBending, BackendsGiveTheSamePictures) {
     }
 }
 
-// What rays are spared through centres is known: bit for bit the picture of all rays.
-TEST_F(RenderBending, TruthSparesWhatItKnows) {
+// Truth skips only rays with a known result: the picture is bit for bit the picture of all rays.
+TEST_F(RenderBending, SkippedRaysDoNotChangeTruth) {
   for (const lab::Shot& shot : samples())
     for (const std::string& backend : backends()) {
       lab::Picture spared = by(with(shot, "ground_truth", {"samples=12"}), backend);
@@ -68,15 +68,15 @@ TEST_F(RenderBending, TruthSparesWhatItKnows) {
     }
 }
 
-// At rest a scene of bending things is a still: to the last bit, whether that is known beforehand or not.
-TEST_F(RenderBending, NothingMovesWithoutItsAnimation) {
+// Without animation a deformable scene is static to the last bit, also if everything is modelled.
+TEST_F(RenderBending, ScenesAreStaticWithoutTheirAnimation) {
   for (lab::Shot shot : samples()) {
     shot.animation = "none";
     lab::Shot two = with(shot, sourceFolder() / "tests/oracle/pipelines/two_ways.lua");
     lab::Picture picture = render(two);
     EXPECT_EQ(rms(imageOf(picture, "velocity")), 0) << shot.scene;
     EXPECT_EQ(rms(imageOf(picture, "ray_velocity")), 0) << shot.scene;
-    two.model_everything = true;  // displacements are computed, of poses that are the same
+    two.model_everything = true;  // displacements are computed, from equal poses
     picture = render(two);
     EXPECT_EQ(rms(imageOf(picture, "velocity")), 0) << shot.scene;
     EXPECT_EQ(rms(imageOf(picture, "ray_velocity")), 0) << shot.scene;
@@ -84,8 +84,8 @@ TEST_F(RenderBending, NothingMovesWithoutItsAnimation) {
   }
 }
 
-// One leg moves: what follows none of its joints is still to the last bit, the leg is not.
-TEST_F(RenderBending, WhatFollowsNoMovingJointIsStill) {
+// One leg moves. Vertices that follow none of its joints are static to the last bit.
+TEST_F(RenderBending, VerticesWithoutAMovingJointAreStatic) {
   lab::Shot shot = with(sample("CesiumMan", 0), sourceFolder() / "tests/oracle/pipelines/two_ways.lua");
   shot.animation = "none";
   shot.width = 160;
@@ -123,8 +123,8 @@ TEST_F(RenderBending, WhatFollowsNoMovingJointIsStill) {
   EXPECT_GT(moved, 20);
 }
 
-// `--move` of the node that shows a skin moves what it shows, though its joints say where that is.
-TEST_F(RenderBending, TheNodeOfASkinMayBeMoved) {
+// `--move` of the node that holds a skin moves the skin, although joints define its position.
+TEST_F(RenderBending, SkinNodesCanBeMoved) {
   lab::Shot shot = with(sample("RiggedSimple", 0), sourceFolder() / "tests/oracle/pipelines/two_ways.lua");
   shot.animation = "none";
   auto held = bench().scene(shot);
@@ -138,8 +138,8 @@ TEST_F(RenderBending, TheNodeOfASkinMayBeMoved) {
       if (hit.at(x, y, 0) != 0) EXPECT_GT(velocity.at(x, y, 0), 0.1) << x << ", " << y;
 }
 
-// The declarations of a pass do not change where nothing bends.
-TEST_F(RenderBending, IsAFactOfTheScene) {
+// Only scenes with deformation have the fact `deforms`.
+TEST_F(RenderBending, DeformationIsAFactOfTheScene) {
   auto holds = [](const lab::Picture& picture) {
     const Json& facts = picture.record["facts"];
     return std::count(facts.begin(), facts.end(), Json("deforms")) > 0;
@@ -148,8 +148,8 @@ TEST_F(RenderBending, IsAFactOfTheScene) {
   EXPECT_FALSE(holds(render(with(sample("BoxAnimated", 6), "none"))));
 }
 
-// Parts that follow one joint are moved as a whole: of the fan the blades and the base, not the cage.
-TEST_F(RenderBending, WhatFollowsOneJointIsRigid) {
+// Parts that follow one joint are rigid: the blades and the base of the fan, not the cage.
+TEST_F(RenderBending, PartsOfOneJointAreRigid) {
   lab::Shot shot = sample("", 0);
   shot.scene = *home().data() / "scenes/vintage_desk_fan/vintage_desk_fan.glb";
   if (!fs::exists(shot.scene)) GTEST_SKIP() << "no fan";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells show what need not be looked at: how large they are must not show in the picture.
+// Cells skip work. The cell size must not change the picture.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -28,12 +28,12 @@ class RenderCells : public RenderTest {
   }
 };
 
-// Nodes that share cells: the mask's bounds serve the composite too.
+// Nodes that share cells: the composite reads the mask's bounds too.
 const std::vector<std::string> kNodes = {"mask_bounds",     "mask_ids",       "cull_candidates", "mask",
                                          "revealed_bounds", "classify_cells", "composite"};
 
-// Those of its pixels and of no others; the last cells are cut off by the picture's border.
-TEST_F(RenderCells, KnowTheInstancesThatTheyShow) {
+// The lowest and highest id in each cell. The picture's border cuts off the last cells.
+TEST_F(RenderCells, CellsHoldTheIdsOfTheirPixels) {
   constexpr int kSide = 7;
   std::vector<std::string> settings;
   for (const std::string& node : kNodes) settings.push_back(fmt::format("{}.cell_side={}", node, kSide));
@@ -55,17 +55,17 @@ TEST_F(RenderCells, KnowTheInstancesThatTheyShow) {
     }
 }
 
-// Cells as the relative mask has them.
+// Cells of the disocclusion mask.
 struct MaskCells {
-  const image::Image& bounds;  // of the displacements in each
+  const image::Image& bounds;  // of the displacements in each cell
   const image::UintImage& ids;
   int side, picture;
 
   vec2 low(ivec2 cell) const { return {bounds.at(cell.x, cell.y, 0), bounds.at(cell.x, cell.y, 1)}; }
   vec2 high(ivec2 cell) const { return {bounds.at(cell.x, cell.y, 2), bounds.at(cell.x, cell.y, 3)}; }
 
-  // May a walk from `own` for b that enters a cell end there otherwise than with "no"? Lengths are compared to within
-  // `slack` px.
+  // True if a walk from `own` for candidate b may end in the cell with a result other than "no". Lengths are compared
+  // to within `slack` px.
   bool concerns(ivec2 own, ivec2 cell, vec2 b, float t, float slack) const {
     const uint32_t only = ids.at(own.x, own.y, 0);
     if (ids.at(own.x, own.y, 1) == only && ids.at(cell.x, cell.y, 0) == only && ids.at(cell.x, cell.y, 1) == only)
@@ -76,8 +76,8 @@ struct MaskCells {
     return from_b <= std::max(1.f, .25f * longest) + slack || std::abs(t) * glm::length(apart) >= .5f - slack;
   }
 
-  // Does a path for b enter such a cell, of displacements and pixels all over `own`, a step per pixel, as far as it
-  // goes and `farther` px on?
+  // True if a path for candidate b enters such a cell. Paths start at several pixels and displacements of `own`,
+  // advance one pixel per step and continue `farther` px past their end.
   bool isCrossed(ivec2 own, vec2 b, float t, int farther) const {
     for (int k = 0; k < 25 * 4; ++k) {
       const vec2 d = glm::mix(low(own), high(own), vec2(float(k % 5), float(k / 5 % 5)) / 4.f);
@@ -94,7 +94,7 @@ struct MaskCells {
     return false;
   }
 
-  // Is there such a cell anywhere that a path might come to, in whatever direction?
+  // True if such a cell lies within reach of a path in any direction.
   bool isNearAny(ivec2 own, vec2 b, float t, int farther) const {
     const float longest = std::abs(t) * glm::length(glm::max(glm::abs(low(own) - b), glm::abs(high(own) - b)));
     if (longest < .49f) return false;
@@ -106,9 +106,9 @@ struct MaskCells {
   }
 };
 
-// Of the displacements found around its tile a cell has all for which a path comes to where a walk may end, and none
-// for which there is no such place around.
-TEST_F(RenderCells, HaveTheMotionsThatCross) {
+// A cell keeps each candidate of its tile with a path into a cell where a walk may end. It drops each candidate without
+// such a cell nearby.
+TEST_F(RenderCells, CellsKeepTheCandidatesThatCross) {
   constexpr int kSide = 10, kTile = 20, kPicture = 96, kLimit = 24, kMargin = 1;
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(shotOf("wedge", kPicture, kPicture, {{"from", 20}, {"to", 65}, {"degrees", 60}}),
@@ -146,8 +146,8 @@ TEST_F(RenderCells, HaveTheMotionsThatCross) {
   }
 }
 
-// Cells that divide tiles: of one that does not the candidates of several tiles are tried.
-TEST_F(RenderCells, DoNotShowInTheMask) {
+// Sides that divide the tile side. Cells of other sides test the candidates of several tiles.
+TEST_F(RenderCells, CellSizeDoesNotChangeTheMask) {
   for (const char* camera : {"main", "tracking"})
     for (const char* anchor : {"end", "centre"}) {
       SCOPED_TRACE(fmt::format("{} {}", camera, anchor));
@@ -170,16 +170,15 @@ int countDifferent(const image::Image& a, const image::Image& b, float by) {
   return count;
 }
 
-// A cell as large as the picture leaves nothing out. What is left out is copied, not added up: 8 roundings of 2^-24
-// each for 16 samples of colours up to 4. Single pixels beside edges at rest differ by more: a sample takes what is
-// within half the distance between two samples of its place, and that may be the pixel's neighbour where the fastest
-// motion around goes by.
-TEST_F(RenderCells, DoNotShowInThePicture) {
+// A cell as large as the picture skips nothing. Skipped pixels are copied, not summed: the difference is 8 roundings of
+// 2^-24 each for 16 samples of colours up to 4. Single pixels beside static edges differ more: a sample takes a surface
+// within half the distance between two samples, and where the fastest motion passes that may be the pixel's neighbour.
+TEST_F(RenderCells, CellSizeDoesNotChangeThePicture) {
   for (const char* camera : {"main", "tracking"}) {
     SCOPED_TRACE(camera);
     lab::Shot shot = room(camera, "end");
     image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=64", "mark_regions=false"})));
-    // Under a mask without cells: only the composite's change.
+    // The mask has no cells, so only the composite changes.
     const std::vector<std::string> nodes = {"raster_bounds", "revealed_bounds", "classify_cells", "composite"};
     auto drawn = [&](int cell) { return colorOf(celled(shot, nodes, cell, hybridSteps(), {"mask=moving"})); };
     image::Image whole = drawn(1024);
@@ -192,8 +191,8 @@ TEST_F(RenderCells, DoNotShowInThePicture) {
   }
 }
 
-// By truth, which knows no cells: what is copied is at rest there, bit for bit.
-TEST_F(RenderCells, LeaveOutWhatNothingReaches) {
+// Truth has no cells: copied pixels are static in it, bit for bit.
+TEST_F(RenderCells, SkippedPixelsAreStatic) {
   lab::Shot shot = room("main", "end");
   shot.taps = {"classify_cells.moved"};
   lab::Picture picture = render(with(shot, "hybrid_layered", {"tile=20"}));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Curved paths: against rotations in closed form, and against straight ones where nothing turns. Catches: a
-// coefficient, bound or time of an arc or parabola that is wrong, each at the wheel or blade where it shows most; a
-// curved search that misses what turns; curves that change what is straight; curves from earlier frames across a cut.
+// Curved paths against rotations in closed form, and against straight paths without rotation. The tests catch a wrong
+// coefficient, bound or time of an arc or parabola, each at the wheel or blade with the largest effect; a curved search
+// that misses a turning surface; curves that change straight paths; and curves from earlier frames across a cut.
 #include <algorithm>
 #include <map>
 
@@ -21,7 +21,7 @@ glm::dvec2 turned(glm::dvec2 p, double t) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
 
-// From the middle of the picture, px.
+// Position relative to the middle of the picture, px.
 glm::dvec2 placeOf(int x, int y, int height = kSide) {
   return glm::dvec2(x + .5, y + .5) - glm::dvec2(kSide, height) / 2.;
 }
@@ -36,8 +36,8 @@ RotatingPolygon exactWedge() {
   return wedge;
 }
 
-// Of the pixels whose surfaces stay in the picture, or those of them that see the wedge at the capture; root mean
-// square.
+// Root mean square error over the pixels whose surfaces stay in the picture; with `inside`, only over pixels with the
+// wedge at the raster time.
 double errorOf(const lab::Picture& picture, Window window, bool inside = false) {
   const RotatingPolygon exact = exactWedge();
   double sum = 0;
@@ -52,17 +52,16 @@ double errorOf(const lab::Picture& picture, Window window, bool inside = false) 
   return std::sqrt(sum / count);
 }
 
-// Wedges evenly around a hub that goes to the left by `slide` px over the exposure: points go along cycloids.
+// Wedges evenly around a hub that moves left by `slide` px over the exposure: points follow cycloids.
 struct Wheel {
   std::string what;
   double from, to;  // degrees from +x, y up
   int blades;
   double slide;
-  double
-      hub;  // px from the hub within which a blade is narrower than three pixels: of its few texels none may be found
+  double hub;  // px; closer to the hub a blade is narrower than 3 px and may be missed
   double degrees = kDegrees;
   int height = kSide;     // of the picture
-  double slides_off = 0;  // px to the right over the exposure, of cards before what is right of the hub at the capture
+  double slides_off = 0;  // px to the right over the exposure, of cards that cover the right half at the raster time
 };
 
 lab::Shot shotOfWheel(const Wheel& wheel) {
@@ -75,7 +74,7 @@ lab::Shot shotOfWheel(const Wheel& wheel) {
                  {"slides_off", wheel.slides_off}});
 }
 
-// Is the point of the picture on a blade?
+// True if the point of the picture is on a blade.
 bool isOnBlade(const Wheel& wheel, glm::dvec2 place, double t) {
   const glm::dvec2 own = place + glm::dvec2(wheel.slide * t, 0);
   const double apart = 360.0 / wheel.blades;
@@ -83,9 +82,9 @@ bool isOnBlade(const Wheel& wheel, glm::dvec2 place, double t) {
   return angle - apart * std::floor(angle / apart) < wheel.to - wheel.from;
 }
 
-// Exact coverage of the pixels whose surfaces stay in the picture, beyond the hub; behind cards of those alone that
-// have a blade behind them at the capture: what comes to others is found where taps along the way of the cards meet it.
-// NaN for other pixels.
+// Exact coverage of the pixels beyond the hub whose surfaces stay in the picture; NaN for other pixels. With cards,
+// only pixels with a blade at the raster time count: at other pixels a blade is found only where a tap along the cards'
+// motion meets it.
 std::vector<double> coverageOf(const Wheel& wheel, Window window) {
   constexpr int kTimes = 1024;
   std::vector<double> coverage(size_t(kSide * wheel.height), NAN);
@@ -110,7 +109,7 @@ std::vector<double> coverageOf(const Wheel& wheel, Window window) {
   return coverage;
 }
 
-// Root mean square, of the pixels with a coverage.
+// Root mean square error over the pixels with a coverage.
 double errorOf(const std::vector<double>& coverage, const lab::Picture& picture) {
   double sum = 0;
   int count = 0;
@@ -130,8 +129,8 @@ class RenderCurves : public RenderTest {
   }
 };
 
-// A parabola meets the point at both ends of the exposure and in the middle.
-TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
+// A parabola passes through the point's position at both ends and in the middle of the exposure.
+TEST_F(RenderCurves, ParabolasPassThroughExactPositions) {
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(wedge(), "hybrid_layered", {"trajectory=quadratic"}, anchor.name);
     shot.taps = {"raster_curve.curve"};
@@ -152,10 +151,10 @@ TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
   }
 }
 
-// Cells of a pixel: their bounds hold the point at all times, as displacements that lead there in a straight line; and
-// beyond its path, and the displacement over all of the exposure, nothing that is farther than a quarter more than a
-// sixteenth of the arc bends.
-TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
+// Cells of one pixel. Their bounds, as straight displacements from the raster time, contain the point at all times and
+// its displacement over the exposure. They exceed these by at most 1.25 times the path deviation of a sixteenth of the
+// arc.
+TEST_F(RenderCurves, BoundsOfArcsContainEveryPoint) {
   for (const Anchor& anchor : anchors()) {
     std::vector<std::string> settings = {"trajectory=arc"};
     for (const char* node : {"raster_bounds", "revealed_bounds", "classify_cells", "composite"})
@@ -179,7 +178,7 @@ TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
         const double bulge = glm::length(place) * std::pow(glm::radians(kDegrees) / 16, 2) / 8;
         const double wider = 1.25 * bulge / std::abs(far);
         for (int k = 0; k < 2; ++k) {
-          // The curve is known to 1e-3 px, the places here in 256 steps.
+          // The curve is known to 1e-3 px; the positions here are 256 samples.
           EXPECT_LE(bounds.at(x, y, k), low[k] + 5e-3) << anchor.name << ' ' << x << ' ' << y;
           EXPECT_GE(bounds.at(x, y, k), low[k] - wider - 5e-3) << anchor.name << ' ' << x << ' ' << y;
           EXPECT_GE(bounds.at(x, y, 2 + k), high[k] - 5e-3) << anchor.name << ' ' << x << ' ' << y;
@@ -190,7 +189,7 @@ TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
   }
 }
 
-TEST_F(RenderCurves, FollowATurningWedge) {
+TEST_F(RenderCurves, CurvesFollowATurningWedge) {
   for (const Anchor& anchor : anchors()) {
     std::map<std::string, double> errors;
     for (const char* curve : {"line", "quadratic", "arc"})
@@ -205,7 +204,7 @@ TEST_F(RenderCurves, FollowATurningWedge) {
   }
 }
 
-TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
+TEST_F(RenderCurves, ArcsFollowABladeAndARollingWheel) {
   for (const Wheel& wheel :
        {Wheel{"blade", 30, 50, 1, 0, 8}, Wheel{"wheel", 0, 45, 4, 20, 4}, Wheel{"fan", 0, 30, 5, 0, 6}})
     for (const Anchor& anchor : anchors()) {
@@ -217,8 +216,8 @@ TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
     }
 }
 
-// An arc says by how much a point turns, whatever its centre does; over a full turn too, whose ends are in one place.
-TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
+// An arc holds the angle of rotation for any motion of its centre, also over a full turn with equal ends.
+TEST_F(RenderCurves, ArcsHoldTheAngleOfRotation) {
   for (double slide : {0., 15.})
     for (double degrees : {30., 170., 360., 430.})
       for (const Anchor& anchor : anchors()) {
@@ -240,8 +239,8 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
       }
 }
 
-// Beyond a sixth of a turn, which parabolas leave.
-TEST_F(RenderCurves, ArcsFollowFurtherThanParabolas) {
+// Rotations beyond a sixth of a turn, the limit of parabolas.
+TEST_F(RenderCurves, ArcsFollowLongerRotationsThanParabolas) {
   for (const Wheel& wheel : {Wheel{"half a turn", 20, 65, 1, 0, 4, 180}, Wheel{"a full turn", 20, 65, 1, 0, 4, 360},
                              Wheel{"rolls", 0, 45, 3, 12, 6, 300}})
     for (const Anchor& anchor : anchors()) {
@@ -256,7 +255,7 @@ TEST_F(RenderCurves, ArcsFollowFurtherThanParabolas) {
     }
 }
 
-// Where nothing turns no curve is looked for, and every picture is that of straight paths.
+// Without rotation no curve is computed, and the picture equals the one with straight paths.
 TEST_F(RenderCurves, StraightPathsCostNothing) {
   auto drawn = [&](const lab::Shot& shot, const std::string& curve) {
     return render(with(shot, "hybrid_layered", {"trajectory=" + curve}));
@@ -274,8 +273,8 @@ TEST_F(RenderCurves, StraightPathsCostNothing) {
   }
 }
 
-// What goes straight is blurred as if all did, whatever turns beside it, farther off than either goes.
-TEST_F(RenderCurves, BesideWhatTurnsStraightPathsAreWhatTheyWere) {
+// A card with straight motion, farther from the turning blade than either moves, is blurred as with straight paths.
+TEST_F(RenderCurves, RotationDoesNotChangeStraightPathsBesideIt) {
   const lab::Shot shot = shotOf("beside", 160, 32);
   auto drawn = [&](const std::string& curve) {
     return colorOf(render(with(shot, "hybrid_layered", {"tile=8", "trajectory=" + curve})));
@@ -292,7 +291,7 @@ TEST_F(RenderCurves, BesideWhatTurnsStraightPathsAreWhatTheyWere) {
   }
 }
 
-TEST_F(RenderCurves, AreRefusedWhereTheySayNothing) {
+TEST_F(RenderCurves, UnsupportedCombinationsAreRefused) {
   auto problemOf = [&](const std::vector<std::string>& settings) -> std::string {
     return testing::refusalOf([&] { render(with(wedge(), hybridSteps(), settings)); });
   };
@@ -307,7 +306,7 @@ TEST_F(RenderCurves, AreRefusedWhereTheySayNothing) {
 
 // --- From poses of earlier frames
 
-constexpr double kSlow = 5;  // degrees over the exposure of a half that the scene is made for
+constexpr double kSlow = 5;  // degrees over the scene's default exposure of half a frame
 constexpr double kPerFrame = 2 * kSlow;
 
 lab::Shot slowWedge() { return shotOf("wedge", kSide, kSide, {{"from", 20}, {"to", 65}, {"degrees", kSlow}}); }
@@ -316,8 +315,8 @@ std::vector<std::string> foretold(const std::string& trajectory) {
   return {"displacement=extrapolated", "trajectory=" + trajectory};
 }
 
-// Over two frames up to the raster time: the curve goes through the poses of both.
-TEST_F(RenderCurves, MeetThePosesOfEarlierFrames) {
+// Exposure of two frames up to the raster time: the curve passes through the poses of both.
+TEST_F(RenderCurves, CurvesPassThroughPosesOfEarlierFrames) {
   constexpr int kFrames = 2;
   lab::Shot shot = with(slowWedge(), "hybrid_layered", foretold("quadratic"), "end");
   shot.exposure = kFrames;
@@ -335,15 +334,15 @@ TEST_F(RenderCurves, MeetThePosesOfEarlierFrames) {
         const double u = 1 - double(k) / kFrames;
         const glm::dvec2 at = d * (u - 1) + 4 * u * (1 - u) * b;
         const glm::dvec2 expected = turned(placeOf(x, y), -k * kPerFrame / kDegrees) - placeOf(x, y);
-        // Places of single precision, times the sums of their coefficients, which are below 32.
+        // Single precision of the positions, times the sum of their coefficients, which is below 32.
         EXPECT_LE(glm::length(at - expected), 1e-3) << -k << ", " << x << " " << y;
       }
     }
   EXPECT_GT(seen, 500);
 }
 
-// x = 12 t + 5 t^2 / 2, t in exposures: the curve of second order is the path, wherever the exposure lies.
-TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
+// x = 12 t + 5 t^2 / 2, t in exposures: the quadratic curve is the exact path for every anchor.
+TEST_F(RenderCurves, QuadraticCurvesMatchUniformAcceleration) {
   const lab::Shot bent = shotOf("bent", 96, 32, {{"before", 12}, {"after", 12}, {"bend", 5}});
   for (const Anchor& anchor : anchors()) {
     lab::Shot shot = with(bent, "hybrid_layered", foretold("quadratic"), anchor.name);
@@ -360,10 +359,10 @@ TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
   }
 }
 
-// Over an exposure of half a frame, twenty degrees from frame to frame. Of the path that turns, a line leaves out
-// f (f + 1) / 2 second differences at f frames, a parabola f (f + 1) (f + 2) / 6 third ones, and a third difference is
-// a third of a second one: at the ends of these exposures a parabola leaves less than a third of what a line leaves.
-TEST_F(RenderCurves, FromEarlierFramesFollowWhatTurns) {
+// Exposure of half a frame, twenty degrees per frame. At f frames a line misses f (f + 1) / 2 second differences of the
+// rotation and a parabola f (f + 1) (f + 2) / 6 third differences. A third difference is a third of a second one, so at
+// the ends of these exposures the error of a parabola is less than a third of the error of a line.
+TEST_F(RenderCurves, ExtrapolatedCurvesFollowRotation) {
   for (const Anchor& anchor : anchors()) {
     std::map<std::string, double> farthest;
     for (const char* trajectory : {"line", "quadratic"}) {
@@ -396,8 +395,8 @@ TEST_F(RenderCurves, FromEarlierFramesFollowWhatTurns) {
   }
 }
 
-// What is straight is not looked at; and where all is modelled, each texel of it keeps its displacement bit for bit.
-TEST_F(RenderCurves, FromEarlierFramesStraightPathsAreWhatTheyWere) {
+// Straight paths run no curve pass. If everything is modelled, each straight texel keeps its displacement bit for bit.
+TEST_F(RenderCurves, ExtrapolatedCurvesKeepStraightPaths) {
   auto drawn = [&](const std::string& trajectory, bool everything) {
     lab::Shot shot = with(shotOf("textured_bar", 64, 24), "hybrid_layered", foretold(trajectory));
     shot.model_everything = everything;
@@ -413,8 +412,8 @@ TEST_F(RenderCurves, FromEarlierFramesStraightPathsAreWhatTheyWere) {
   }
 }
 
-// Poses beyond a cut are none: of one pose the path is straight.
-TEST_F(RenderCurves, FromEarlierFramesEndAtACut) {
+// Poses beyond a cut are not used: with one pose left the path is straight.
+TEST_F(RenderCurves, ExtrapolatedCurvesEndAtACut) {
   auto drawn = [&](const std::string& trajectory, const std::string& cuts) {
     lab::Shot shot = with(slowWedge(), "hybrid_layered", foretold(trajectory));
     shot.cuts = cuts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Displacements of every sample scene: of what raster and of what rays see, and as differences of positions projected
+// Displacements of every sample scene by rasterisation and by ray tracing, against differences of positions projected
 // in double precision.
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int kWidth = 64, kHeight = 40;
 
-// A pixel coordinate of a world position; nothing where it is not in front of the camera.
+// Pixel coordinates of a world position; nothing for positions behind the camera or near its plane.
 std::optional<dvec2> pixelOf(const scene::Pose& pose, const dvec3& position_ws) {
   dvec3 seen(glm::inverse(pose.world_from_camera) * dvec4(position_ws, 1));
   const scene::Camera& camera = pose.camera;
@@ -36,7 +36,7 @@ class RenderDisplacements : public RenderTest {
     lab::Picture picture;
     const scene::Scene* scene = nullptr;
     scene::Pose capture, open, close;
-    std::array<std::vector<std::vector<scene::BentVertex>>, 3> bent;  // at these poses; of instances that bend
+    std::array<std::vector<std::vector<scene::BentVertex>>, 3> bent;  // at these poses; deformed instances only
     std::shared_ptr<lab::HeldScene> held;
   };
 
@@ -84,7 +84,7 @@ class RenderDisplacements : public RenderTest {
     return seen;
   }
 
-  // Where the corners of the triangle of a hit are at a pose (0: the capture, 1: open, 2: close), world space.
+  // World-space corners of a hit triangle at a pose (0: raster time, 1: shutter opening, 2: shutter closing).
   static std::array<dvec3, 3> cornersAt(const Seen& seen, size_t pose, size_t instance, uint32_t geometry,
                                         uint32_t triangle) {
     const scene::Mesh& mesh = seen.scene->meshes[size_t(scene::instancesOf(*seen.scene)[instance].mesh)];
@@ -102,7 +102,7 @@ class RenderDisplacements : public RenderTest {
     return corners;
   }
 
-  // The node of the drawable of most triangles.
+  // Node of the instance with the most triangles.
   static std::string largestNode(const scene::Scene& scene) {
     size_t most = 0;
     int largest = 0;
@@ -114,7 +114,7 @@ class RenderDisplacements : public RenderTest {
     return scene.nodes[size_t(largest)].name;
   }
 
-  // A shot within the longest clip, in which the largest object and the file's camera move besides.
+  // A shot within the longest clip; the largest object and the file's camera get additional motion.
   static lab::Shot movingShot(const Path& file) {
     lab::Shot shot = shotOfFile(file);
     auto held = bench().scene(shot);
@@ -131,8 +131,8 @@ class RenderDisplacements : public RenderTest {
     return shot;
   }
 
-  // Of the point of a triangle that a pixel's centre sees, from where it is projected to at both ends of the exposure;
-  // nothing where its plane is met outside of the triangle, or too flat to be met by single precision.
+  // Displacement of the triangle's point at a pixel's centre, from its projections at both ends of the exposure.
+  // Nothing if the ray meets the plane outside the triangle, or at an angle too flat for single precision.
   static std::optional<dvec2> differenceAt(const Seen& seen, int x, int y, const image::UintImage& hit) {
     const size_t at = hit.at(x, y, 0) - 1;
     const auto world = cornersAt(seen, 0, at, hit.at(x, y, 1), hit.at(x, y, 2));
@@ -186,7 +186,7 @@ class RenderDisplacements : public RenderTest {
   }
 };
 
-TEST_F(RenderDisplacements, AreDifferencesOfProjectedPositions) {
+TEST_F(RenderDisplacements, MatchDifferencesOfProjectedPositions) {
   if (files().empty()) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
   int moving = 0, bending = 0, all = 0;
   for (const Path& file : files()) {
@@ -206,8 +206,8 @@ TEST_F(RenderDisplacements, AreDifferencesOfProjectedPositions) {
   EXPECT_GE(bending, 20);
 }
 
-// The same from near, of what joints and morph targets bend, at several times of their clips.
-TEST_F(RenderDisplacements, OfWhatBendsFromNear) {
+// Scenes deformed by joints and morph targets, seen from near at several times of their clips.
+TEST_F(RenderDisplacements, MatchOnDeformedSurfacesFromNear) {
   std::optional<Path> data = home().data();
   if (!data || files().empty()) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
   for (const char* name :
@@ -234,8 +234,8 @@ TEST_F(RenderDisplacements, OfWhatBendsFromNear) {
     }
 }
 
-// Jumps of stepped channels leave no displacement, whichever side of the capture they lie on.
-TEST_F(RenderDisplacements, StepsLeaveNone) {
+// Jumps of stepped channels leave no displacement on either side of the raster time.
+TEST_F(RenderDisplacements, SteppedChannelsHaveNoDisplacement) {
   std::optional<Path> data = home().data();
   Path file = data ? *data / "scenes/khronos_samples/InterpolationTest.glb" : "";
   if (!data || !fs::exists(file)) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
@@ -245,8 +245,7 @@ TEST_F(RenderDisplacements, StepsLeaveNone) {
   for (const scene::Animation& clip : held->scene.animations) {
     if (clip.tracks.at(0).interpolation != scene::Track::Interpolation::Step) continue;
     shot.animation = clip.name;
-    shot.frame =
-        int(clip.tracks[0].times.at(1) * shot.fps);  // a key lies within this exposure of two frames, or the next
+    shot.frame = int(clip.tracks[0].times.at(1) * shot.fps);  // a key lies between this frame and the next
     shot.exposure = 4;
     lab::Picture picture = render(shot);
     EXPECT_EQ(rms(imageOf(picture, "velocity")), 0) << clip.name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The edge detectors in the renderer: pixel by pixel against their formulas in double precision, on the depths, normals
-// and ids that the renderer found; and the properties each is chosen for, on depths that are formulas.
+// The renderer's edge detectors: pixel by pixel against their formulas in double precision, on the rendered depths,
+// normals and ids; and their main properties, on depths given by formulas.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,11 +23,11 @@ lab::Shot detected(lab::Shot shot, const std::string& edge, std::vector<std::str
   return with(shot, sourceFolder().string() + "/tests/oracle/pipelines/edges_alone.lua", settings);
 }
 
-// --- What a detector answers, in double precision: above 1 is an edge
+// --- Response of a detector in double precision: above 1 is an edge
 
 using Kernel = std::array<std::array<double, 3>, 3>;
 
-// A picture's depth, normal and id; its border goes on outside.
+// Depth, normal and id of a picture, clamped at its border.
 class Seen {
  public:
   explicit Seen(const lab::Picture& picture)
@@ -57,7 +57,7 @@ class Seen {
 
 constexpr double kDepthThreshold = .05, kNormalThreshold = .8, kPlaneThreshold = .02;
 
-// Lengths of the steps of depth and normal that two kernels answer, given as functions of the offset.
+// Gradient lengths of depth and normal by two kernels, given as functions of the offset.
 using Weight = std::function<double(int x, int y)>;
 struct Steps {
   double depth = 0, normal = 0;
@@ -97,7 +97,7 @@ double byRoberts(const Seen& seen, int x, int y) {
   return gradientAt(seen, x, y, 1, down, up).answer();
 }
 
-// Second differences of the inverse depth; `radius` px.
+// Second differences of the inverse depth; `radius` in px.
 double byLaplacian(const Seen& seen, int x, int y, int radius, const Weight& weight) {
   double own = seen.depth(x, y), depth = 0, unit = 0;
   dvec3 normal(0);
@@ -125,7 +125,7 @@ double byPlane(const Seen& seen, int x, int y) {
   return answer;
 }
 
-// With `stands_off` the neighbour must be off the plane as well.
+// With `stands_off` the neighbour must also be off the tangent plane.
 double bySilhouette(const Seen& seen, int x, int y, bool stands_off) {
   double answer = 0;
   for (auto [i, j] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
@@ -152,9 +152,9 @@ double answerOf(const std::string& detector, const Seen& seen, int x, int y) {
   return bySilhouette(seen, x, y, false);
 }
 
-// --- Canny, as he describes it: smooth, differentiate, keep ridges, then flood
+// --- Canny's steps: smooth, differentiate, keep ridges, flood
 
-// The direction is the principal axis of the summed outer products of all components over their thresholds.
+// The direction is the principal axis of the summed outer products of all components, divided by their thresholds.
 struct Slope {
   double answer = 0, angle = 0;
 };
@@ -164,7 +164,7 @@ Slope slopeAt(const Seen& seen, int x, int y) {
   double sum = 0;
   for (int i = -2; i <= 2; ++i) sum += std::exp(-.5 * i * i);
   auto gauss = [&](int i) { return std::abs(i) > 2 ? 0 : std::exp(-.5 * i * i) / sum; };
-  double unit = gauss(0) + gauss(1);  // a step after smoothing, between two pixels either side
+  double unit = gauss(0) + gauss(1);  // response to a unit step after smoothing
   auto smoothed = [&](const Kernel& sobel, int i, int j) {
     double weight = 0;
     for (int b = -1; b <= 1; ++b)
@@ -193,7 +193,7 @@ Slope slopeAt(const Seen& seen, int x, int y) {
   return {std::max(std::hypot(slope[3][0], slope[3][1]), normal), .5 * std::atan2(2 * xy, xx - yy)};
 }
 
-// 2 strong, 1 weak, 0 none.
+// 2 strong, 1 weak, 0 no edge.
 int ridgeAt(const Seen& seen, int x, int y) {
   Slope slope = slopeAt(seen, x, y);
   const int dx[] = {0, 1, 1, 1, 0}, dy[] = {-1, -1, 0, 1, 1};
@@ -204,7 +204,7 @@ int ridgeAt(const Seen& seen, int x, int y) {
   return is_ridge ? (slope.answer > 1 ? 2 : 1) : 0;
 }
 
-// Edges, flooded from the strong ones along weak ones; nothing in these pictures is farther than the flood reaches.
+// Edges, flooded from strong ridges along weak ones. The flood is longer than every edge in these pictures.
 std::vector<bool> cannyOf(const Seen& seen) {
   std::vector<int> ridge;
   for (int y = 0; y < seen.height; ++y)
@@ -226,21 +226,21 @@ std::vector<bool> cannyOf(const Seen& seen) {
   return edge;
 }
 
-constexpr double kNear = 105;  // the reliefs' steps are from 100 to 110
+constexpr double kNear = 105;  // the reliefs step from depth 100 to 110
 
 // --- Pixel by pixel
 
 class RenderEdges : public RenderTest {
  protected:
   static image::Image edgesOf(const lab::Shot& shot) { return imageOf(render(shot), "edge"); }
-  // Pixels that are edges of all, or in one column or row of them.
+  // Number of edge pixels.
   static int count(const image::Image& edges) {
     int sum = 0;
     for (float value : edges.values) sum += value > .5f;
     return sum;
   }
-  // The largest answer to depth on near pixels, 5 px or more from the border, is `expected`: with a threshold just
-  // below there are edges, just above there are none.
+  // Expects `expected` as the largest response to depth on near pixels, 5 px or more from the border: edges exist with
+  // a threshold just below it, but not with a threshold just above it.
   static void expectAnswer(const lab::Shot& shot, const std::string& detector, double expected, double tolerance,
                            std::vector<std::string> settings = {}) {
     std::string node = detector == "canny" ? "edge_gradient" : "edge";
@@ -259,9 +259,9 @@ class RenderEdges : public RenderTest {
   }
 };
 
-// Single precision decides differently only where the answer is 1 within 1e-4: depths have 7 digits, and their
-// differences are not below a hundredth of them.
-TEST_F(RenderEdges, EachIsItsFormula) {
+// Single precision may decide differently only if the response is within 1e-4 of 1: depths have 7 digits, and their
+// differences are at least a hundredth of the depth.
+TEST_F(RenderEdges, DetectorsMatchTheirFormulas) {
   for (const std::string scene : {"crowd", "solids"}) {
     for (std::string name : {"sobel", "prewitt", "scharr", "roberts", "laplacian four", "laplacian eight",
                              "laplacian log", "plane", "silhouette", "id"}) {
@@ -284,7 +284,7 @@ TEST_F(RenderEdges, EachIsItsFormula) {
   }
 }
 
-TEST_F(RenderEdges, DepthAndNormalAddUpOrAreBothAskedFor) {
+TEST_F(RenderEdges, DepthAndNormalCombineBySumOrAnd) {
   auto in_x = [](int i, int j) { return kSobel[size_t(j + 1)][size_t(i + 1)]; };
   auto in_y = [&](int i, int j) { return in_x(j, i); };
   for (const std::string scene : {"crowd", "solids"}) {
@@ -307,8 +307,9 @@ TEST_F(RenderEdges, DepthAndNormalAddUpOrAreBothAskedFor) {
   }
 }
 
-// No answer in these pictures is so near a threshold, a neighbour's answer or a sector's border that rounding decides.
-TEST_F(RenderEdges, CannyIsItsFourSteps) {
+// No response in these pictures is close enough to a threshold, a neighbour's response or a sector's border for
+// rounding to decide.
+TEST_F(RenderEdges, CannyMatchesItsFourSteps) {
   for (const std::string scene : {"crowd", "solids"}) {
     lab::Picture picture = render(detected(shotOf(scene, 64, 40), "canny"));
     Seen seen(picture);
@@ -323,22 +324,22 @@ TEST_F(RenderEdges, CannyIsItsFourSteps) {
 
 // --- Steps of known height
 
-// A step from 100 to 110: the near side sees 1/10 of its depth, in inverse depth 1 - 10/11. .001 tells apart
-// neighbouring weights of every kernel; single precision is good to 1e-5.
-TEST_F(RenderEdges, AUnitStepAnswersOne) {
+// A step from 100 to 110: 1/10 of the near side's depth, or 1 - 10/11 in inverse depth. A tolerance of .001 separates
+// neighbouring weights of every kernel; single precision is accurate to 1e-5.
+TEST_F(RenderEdges, ResponseToAStepIsItsRelativeHeight) {
   lab::Shot step = shotOf("relief", 32, 32, {{"field", 1}, {"step", .1}});
   for (const char* detector : {"sobel", "prewitt", "scharr", "roberts", "canny"})
     expectAnswer(step, detector, .1, .001);
   for (const char* kernel : {"four", "eight"})
     expectAnswer(step, "laplacian", 1 - 1 / 1.1, .001, {fmt::format("edge.kernel={}", kernel)});
-  expectAnswer(step, "laplacian", (1 - 1 / 1.1) * 1.00504, .001, {"edge.kernel=log"});  // the second pixel answers more
+  expectAnswer(step, "laplacian", (1 - 1 / 1.1) * 1.00504, .001, {"edge.kernel=log"});  // larger at the second pixel
   expectAnswer(step, "plane", 1 - 1 / 1.1, .001);
   expectAnswer(step, "roberts", .1, .001, {"edge.norm=l1"});
 }
 
-// Transfer of [side middle side] x [-1 0 1] at a wave of k rad/px along an axis and along a diagonal: Scharr answers
-// both alike within 1 %, Sobel within 3 %, Prewitt within 6 %. .002: the phase that a pixel sees is off the steepest by
-// .042 at most (.0009), and the depth there by 2 % (.0002).
+// Response of [side middle side] x [-1 0 1] to a wave of k rad/px along an axis and along a diagonal: equal within 1 %
+// for Scharr, 3 % for Sobel and 6 % for Prewitt. Tolerance .002: a pixel's phase is at most .042 from the steepest one
+// (.0009), and its depth differs by 2 % (.0002).
 TEST_F(RenderEdges, ScharrDependsLeastOnDirection) {
   const double k = .85, height = .02;
   const std::pair<const char*, double> sides[] = {{"scharr", 3. / 16}, {"sobel", 1. / 4}, {"prewitt", 1. / 3}};
@@ -355,7 +356,7 @@ TEST_F(RenderEdges, ScharrDependsLeastOnDirection) {
   }
 }
 
-// --- What each marks of a bar [96, 160)
+// --- Edges of a bar [96, 160)
 
 std::vector<int> columnsOf(const image::Image& edges) {
   std::vector<int> columns;
@@ -364,7 +365,7 @@ std::vector<int> columnsOf(const image::Image& edges) {
   return columns;
 }
 
-TEST_F(RenderEdges, WhichPixelsOfAStepAreMarked) {
+TEST_F(RenderEdges, DetectorsMarkTheExpectedPixelsOfAStep) {
   const std::vector<int> near = {96, 159}, both = {95, 96, 159, 160}, wide = {94, 95, 96, 97, 158, 159, 160, 161};
   lab::Shot bar = shotOf("bar", 256, 16);
   for (const char* detector : {"id", "silhouette", "canny"})
@@ -372,15 +373,15 @@ TEST_F(RenderEdges, WhichPixelsOfAStepAreMarked) {
   for (const char* detector : {"sobel", "prewitt", "scharr", "laplacian", "plane"})
     EXPECT_EQ(columnsOf(edgesOf(detected(bar, detector))), both) << detector;
   EXPECT_EQ(columnsOf(edgesOf(detected(bar, "laplacian", {"edge.kernel=log"}))), wide);
-  // Half a pixel to the right and below: the left edge falls on the background.
+  // Edges by Roberts lie half a pixel to the right and below: the left edge falls on the background.
   EXPECT_EQ(columnsOf(edgesOf(detected(bar, "roberts"))), (std::vector<int>{95, 159}));
 }
 
 // --- Planes
 
-// The floor of `solids` without the rows beside the horizon (below which a pixel's two rows are a fifth apart) and
-// without everything within 4 px of another instance: nothing there is an edge.
-TEST_F(RenderEdges, AFloorIsNoEdgeToWhatKnowsPlanes) {
+// The floor of `solids` without the rows beside the horizon and without pixels within 4 px of another instance. Only
+// Sobel finds edges there.
+TEST_F(RenderEdges, PlaneDetectorsFindNoEdgeOnAFloor) {
   for (std::string name : {"plane", "plane distance", "laplacian", "laplacian log", "silhouette", "sobel"}) {
     size_t space = name.find(' ');
     std::vector<std::string> settings;
@@ -406,8 +407,8 @@ TEST_F(RenderEdges, AFloorIsNoEdgeToWhatKnowsPlanes) {
   }
 }
 
-// The tangent plane at the ball's outline runs along the line of sight, and so past what is behind it.
-TEST_F(RenderEdges, TheDistanceFromAPlaneMissesOutlinesOfABall) {
+// The tangent plane at the ball's outline contains the view ray, so the background lies near that plane.
+TEST_F(RenderEdges, PlaneDistanceMissesOutlinesOfABall) {
   lab::Shot solids = shotOf("solids", 96, 64);
   const std::string threshold = "edge.depth_threshold=0.2";  // the wall is .44 of its depth behind the ball
   lab::Picture picture = render(detected(solids, "id"));
@@ -427,7 +428,7 @@ TEST_F(RenderEdges, TheDistanceFromAPlaneMissesOutlinesOfABall) {
 
 // --- Canny
 
-// Column 19 is strong down to about row 25, where the step is .1, and weak from there; column 43 is weak throughout.
+// Column 19 is strong down to about row 25, where the step is .1, and weak below. Column 43 is weak throughout.
 TEST_F(RenderEdges, CannyKeepsWeakEdgesThatMeetStrongOnes) {
   lab::Shot relief = shotOf("relief", 64, 64, {{"field", 2}, {"step", .3}, {"weak", .07}});
   relief = with(relief, "", {"edge_gradient.depth_threshold=0.1", "edge_gradient.normal_threshold=16"});
@@ -447,7 +448,7 @@ TEST_F(RenderEdges, CannyKeepsWeakEdgesThatMeetStrongOnes) {
   EXPECT_NEAR(strong, 4 + 24 * .2 / .23, 2);
   EXPECT_EQ(lastRow("edge.reach=5"), strong + 5);
   EXPECT_EQ(lastRow("edge.reach=15"), strong + 15);
-  // With a threshold below both everything is strong.
+  // A lower threshold makes both columns strong.
   image::Image all = edgesOf(detected(relief, "canny", {"edge_gradient.depth_threshold=0.05"}));
   EXPECT_GT(all.at(19, 60, 0), .5f);
   EXPECT_GT(all.at(43, 60, 0), .5f);
@@ -455,7 +456,7 @@ TEST_F(RenderEdges, CannyKeepsWeakEdgesThatMeetStrongOnes) {
 
 // --- Scale
 
-TEST_F(RenderEdges, PowersOfTwoChangeNothing) {
+TEST_F(RenderEdges, ScalingByPowersOfTwoChangesNoEdge) {
   std::map<std::string, image::Image> at_one;
   for (double scale : {1., 1. / 4096, 1024.})
     for (const std::string& detector : kDetectors) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pipeline eevee between its two limits: with one step it is a gather of the middle of the exposure, with many an
+// The pipeline eevee between its two limits: one step is a gather at the middle of the exposure, many steps are an
 // accumulation buffer. In between, against exposures in closed form.
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ class RenderEevee : public RenderTest {
     return colorOf(render(with(shot, "eevee", settings, anchor)));
   }
 
-  // The largest error of a row against exact exposures.
+  // Largest error of a row against exact exposures.
   template <class ExactAt>
   static double worst(const image::Image& color, const ExactAt& exact, int first = 0, int last = kWidth) {
     double error = 0;
@@ -37,8 +37,8 @@ lab::Shot solids() {
 
 // --- One step
 
-// With the anchor `centre` the middle of the exposure is the raster time: the picture is that of the gather's own
-// pipeline, bit for bit.
+// With the anchor `centre` the middle of the exposure is the raster time: the picture equals the gather's own pipeline,
+// bit for bit.
 TEST_F(RenderEevee, OneStepIsAGather) {
   struct Gather {
     std::string weights, pipeline;
@@ -59,8 +59,8 @@ TEST_F(RenderEevee, OneStepIsAGather) {
     }
 }
 
-// Other outputs are those of the raster time, whatever the steps.
-TEST_F(RenderEevee, LayersAreThoseOfTheRasterTime) {
+// All outputs but the colour belong to the raster time, for any number of steps.
+TEST_F(RenderEevee, OtherOutputsBelongToTheRasterTime) {
   for (const Anchor& anchor : anchors()) {
     const lab::Picture none = render(with(solids(), "none", {}, anchor.name));
     const lab::Picture eevee = render(with(solids(), "eevee", {}, anchor.name));
@@ -69,7 +69,7 @@ TEST_F(RenderEevee, LayersAreThoseOfTheRasterTime) {
   }
 }
 
-// A single step has no curve in it: it is blurred over the whole exposure with even weight.
+// A single step has even weight over the whole exposure, with any shutter curve.
 TEST_F(RenderEevee, OneStepHasEvenWeight) {
   lab::Shot shot = shotOf("bar", kWidth, kRows);
   const image::Image even = drawn(shot, 1, "end");
@@ -80,8 +80,8 @@ TEST_F(RenderEevee, OneStepHasEvenWeight) {
 
 // --- Many steps
 
-// Steps in which nothing moves by more than a pixel are not blurred: what is left are the times of the accumulation
-// buffer. Before that the difference shrinks.
+// Steps with motion of at most a pixel are not blurred, so 64 steps equal an accumulation buffer at the same times.
+// With fewer steps the difference shrinks from one count to the next.
 TEST_F(RenderEevee, ManyStepsAreAnAccumulationBuffer) {
   lab::Shot stripes = shotOf("textured_bar", 96, 8, {{"left", 30}, {"right", 60}, {"d_f", 20}, {"d_b", -12}});
   for (const lab::Shot& shot : {stripes, shotOf("wedge", 64, 64)})
@@ -97,8 +97,8 @@ TEST_F(RenderEevee, ManyStepsAreAnAccumulationBuffer) {
     }
 }
 
-// The scene is shaded at each step, with the shadows of that time.
-TEST_F(RenderEevee, ManyStepsAreTruthWhereLightMoves) {
+// Each step is shaded with the shadows at its time.
+TEST_F(RenderEevee, ManyStepsEqualTruthWithMovingShadows) {
   const lab::Shot shot = shotOf("crowd", 64, 40);
   for (const Anchor& anchor : anchors()) {
     auto truth = [&](const std::string& shading) {
@@ -112,8 +112,8 @@ TEST_F(RenderEevee, ManyStepsAreTruthWhereLightMoves) {
 
 // --- Closed forms
 
-// Of a bar that moves evenly the time for which it covers a pixel, by taps of equal weight. Its edge and each tap are
-// rounded to pixels, half a pixel each, in the step in which the edge passes; taps stand for 1/16 of a step.
+// Share of time while a bar at constant velocity covers a pixel, by taps of equal weight. In the step when the edge
+// passes, the edge and each tap are rounded to pixels, half a pixel each; a tap stands for 1/16 of a step.
 TEST_F(RenderEevee, CoverageIsExactToAPixel) {
   constexpr double kMoved = 40;
   lab::Shot shot = shotOf("bar", kWidth, kRows, {{"d_f", kMoved}});
@@ -125,7 +125,7 @@ TEST_F(RenderEevee, CoverageIsExactToAPixel) {
     }
 }
 
-// A bar that goes to the right and comes back has no displacement over the exposure. Eight steps follow it.
+// A bar that moves right and back has no displacement over the exposure. Eight steps follow it.
 TEST_F(RenderEevee, StepsFollowMotionThatTurnsBack) {
   lab::Shot shot = shotOf("bent", 96, kRows,
                           {{"left", 30}, {"right", 60}, {"before", 40}, {"after", -40}, {"light", 0}, {"dark", 0}});
@@ -138,8 +138,8 @@ TEST_F(RenderEevee, StepsFollowMotionThatTurnsBack) {
   EXPECT_LT(worst(drawn(shot, 8, "centre", {"weights=uniform"}), exact, 0, 96), .05);
 }
 
-// With a shutter curve the steps have equal weight, each of it even: of the triangle the first of four ends after
-// sqrt(1/8) of the exposure.
+// With a shutter curve the steps have equal weight, and each step is even: the first of four steps under the triangle
+// ends after sqrt(1/8) of the exposure.
 TEST_F(RenderEevee, StepsHaveEqualWeight) {
   constexpr double kMoved = 60;
   const double first = std::sqrt(.125), ends[] = {0, first, .5, 1 - first, 1};
@@ -152,7 +152,7 @@ TEST_F(RenderEevee, StepsHaveEqualWeight) {
         sum += barAtCentre(96, 160, kMoved, {anchor.window.open + ends[k], anchor.window.open + ends[k + 1]}, x) / 4;
       return sum;
     };
-    // The fastest weight: a pixel of the middle steps is 1/(60 * .146) of a step.
+    // Largest weight of a pixel: 1/(60 * .146) of a middle step.
     const double pixel = 1 / (4 * kMoved * (.5 - first));
     EXPECT_LT(worst(drawn(shot, 4, anchor.name, {"weights=uniform"}), exact), pixel + .5 / 64 + 1e-4) << anchor.name;
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a frame's scene does not require is left out, and no picture changes: every pipeline and preset, and settings
-// that make other graphs, on scenes that lack this and that, against themselves with everything modelled. Where nothing
-// moves each method is the capture. All bit for bit, but for what rays at own times, and means taken in another order,
-// may differ by (expectFewDiffer). Catches: a fact proven where it does not hold, a pass omitted that a picture needs,
-// a stand-in that differs from the image of the omitted pass.
+// Omitted work changes no picture. Every pipeline and preset, and settings with other graphs, are compared with
+// themselves with everything modelled, on scenes that lack certain features. Without motion each method equals the
+// raster image. All comparisons are bit for bit, except for rays at other times and for reordered means
+// (expectFewDiffer). The tests catch a fact that is proven wrongly, an omitted pass that a picture needs, and a
+// stand-in that differs from the image of the omitted pass.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,10 +24,10 @@ namespace render_facts_test {
 
 constexpr int kWidth = 48, kHeight = 30;
 
-// Of means of few numbers, taken in another order: a few last places of single precision.
+// Tolerance of reordered means of few numbers: a few last places of single precision.
 const double kRounded = std::ldexp(1., -21);
-// Of what is at rest and is met by a ray at each time instead of once: its place in the capture is rounded, and what is
-// shaded there.
+// Tolerance of static surfaces that a ray hits at each time instead of once: their position in the raster image is
+// rounded, and so is the shading there.
 const double kMetAnew = std::ldexp(1., -17);
 
 struct Case {
@@ -36,8 +36,8 @@ struct Case {
   std::vector<std::string> absent;
 };
 
-// Bars and cards in front of each other under a lamp; paper that is cut out; a blended card; cards that are seen from
-// one side; a plane whose light casts no shadow; a post that joints bend, where there are shared scenes.
+// Bars and cards in front of each other under a lamp; cut-out paper; a blended card; one-sided cards; a plane whose
+// light casts no shadow; a post deformed by joints, if the shared scenes are present.
 std::vector<Case> cases() {
   Shot follows = shotOf("crowd", kWidth, kHeight, {{"speed", 0}});
   follows.moves = {"camera=0.2,0,0"};
@@ -46,17 +46,19 @@ std::vector<Case> cases() {
   Shot instant = follows;
   instant.exposure = 0;
   std::vector<Case> all = {
-      {"crowd at rest",
+      {"static crowd",
        shotOf("crowd", kWidth, kHeight, {{"speed", 0}}),
        {"motion", "curves", "alpha", "blend", "one_sided", "deforms"}},
       {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "deforms"}},
       {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "deforms"}},
-      {"crowd whose motion is not kept", held, {"motion", "curves", "alpha", "blend", "one_sided", "deforms"}},
-      {"crowd in no time", instant, {"motion", "curves", "alpha", "blend", "one_sided", "deforms", "before", "after"}},
+      {"crowd without motion blur", held, {"motion", "curves", "alpha", "blend", "one_sided", "deforms"}},
+      {"crowd with exposure 0",
+       instant,
+       {"motion", "curves", "alpha", "blend", "one_sided", "deforms", "before", "after"}},
       {"cut out", shotOf("cut_out", kWidth, kHeight), {"motion", "curves", "blend", "one_sided", "shadows", "deforms"}},
       {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"curves", "one_sided", "shadows", "deforms"}},
       {"sides", shotOf("sides", kWidth, kHeight), {"motion", "curves", "alpha", "blend", "shadows", "deforms"}},
-      {"a square that slides",
+      {"sliding square",
        shotOf("quad_2d", kWidth, kHeight,
               {{"left", 18}, {"right", 28}, {"top", 10}, {"bottom", 18}, {"d_x", 8}, {"d_y", -4}}),
        {"curves", "alpha", "blend", "one_sided", "shadows", "deforms"}},
@@ -72,7 +74,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-// Of those that have them: other graphs than presets make.
+// Settings with graphs other than those by presets.
 const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
     {"mcguire2012", {{"weights=uniform", "range=split"}, {"color_format=fp16"}, {"displacement=extrapolated"}}},
     {"adaptive", {{"quality=0"}, {"quality=0.6"}, {"quality=0.8", "samples=4"}}},
@@ -97,7 +99,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
 
 class RenderFacts : public oracle::RenderTest {
  protected:
-  // Settings of every preset, then those of kGraphs.
+  // Settings of every preset, then the settings in kGraphs.
   static std::vector<std::vector<std::string>> graphsOf(const std::string& pipeline) {
     std::vector<std::vector<std::string>> graphs;
     for (const auto& preset : bench().evaluate(pipeline, {})->pipeline.presets)
@@ -131,21 +133,21 @@ class RenderFacts : public oracle::RenderTest {
                        : hasGround(required)           ? kMetAnew
                        : takesMeansOtherwise(required) ? kRounded
                                                        : 0;
-      // Of means alone no pixel differs by more; what is at rest is found by a ray or by raster.
+      // Reordered means differ by no more in any pixel. Static surfaces may come from a ray or from rasterisation.
       const int most = hasGround(required) ? kWidth * kHeight / 100 : 0;
       expectFewDiffer(oracle::colorOf(required), oracle::colorOf(everything), rounded, most);
     }
     EXPECT_EQ(required.record["pipeline"]["plan"], everything.record["pipeline"]["plan"]);
     bool still = std::count(one.absent.begin(), one.absent.end(), "motion") && isMethod(pipeline) &&
-                 !required.record["counters"].contains("sample.not_finite");  // truth is no method, whoever has it
+                 !required.record["counters"].contains("sample.not_finite");  // excludes pipelines that contain truth
     if (!still || required.frame.outputs.at("color").format != "rgba32f") return;
     Picture capture = render(with(
         one.shot, "none", halves ? std::vector<std::string>{"shade.color_format=fp16"} : std::vector<std::string>{}));
     EXPECT_TRUE(oracle::identical(oracle::colorOf(required), oracle::colorOf(capture)));
   }
 
-  // Then what is at rest counts in the mean at once, or is the capture's where nothing reaches, and else sample by
-  // sample.
+  // With a static background, static surfaces enter the mean at once, or equal the raster image where nothing moves.
+  // With everything modelled they enter sample by sample.
   static bool hasGround(const Picture& picture) {
     return picture.record["counters"].contains("over_background.samples");
   }
@@ -156,7 +158,7 @@ class RenderFacts : public oracle::RenderTest {
 
   static bool mayDiffer(const Picture& picture) { return takesMeansOtherwise(picture); }
 
-  // `rounded`: a share of its colour by which a texel is not what a ray that is not required finds there.
+  // `rounded`: allowed relative difference of a colour; `most`: number of pixels that may exceed it.
   static void expectFewDiffer(const image::Image& a, const image::Image& b, double rounded, int most) {
     int differ = 0;
     for (int y = 0; y < a.height; ++y)
@@ -177,8 +179,8 @@ class RenderFacts : public oracle::RenderTest {
     return nodes;
   }
 
-  // A preset in every scene, in the short form in the moving crowd and every third scene; another graph in two scenes.
-  // The scenes differ from graph to graph and from pipeline to pipeline.
+  // Compares a preset in every scene; in the short form, in the moving crowd and every third scene. Compares another
+  // graph in two scenes. The scenes differ from graph to graph and from pipeline to pipeline.
   void compareAll(const std::string& pipeline) {
     const std::vector<Case> scenes = cases();
     const std::vector<std::vector<std::string>> graphs = graphsOf(pipeline);
@@ -192,7 +194,7 @@ class RenderFacts : public oracle::RenderTest {
   }
 };
 
-TEST_F(RenderFacts, AreWhatTheScenesSay) {
+TEST_F(RenderFacts, ScenesHaveTheExpectedFacts) {
   for (const Case& one : cases()) {
     Shot shot = with(one.shot, "none", {}, "centre");
     auto held = bench().scene(shot);
@@ -207,8 +209,8 @@ TEST_F(RenderFacts, AreWhatTheScenesSay) {
   }
 }
 
-// Of the parts of an exposure: what looks at an end of it that is the capture is not required.
-TEST_F(RenderFacts, OfEachAnchor) {
+// Facts about the two ends of the exposure: an end at the raster time is not required.
+TEST_F(RenderFacts, AnchorsRequireTheirEndsOfTheExposure) {
   const std::map<std::string, std::vector<std::string>> lacked = {
       {"end", {"after"}}, {"centre", {}}, {"start", {"before"}}};
   for (const auto& [anchor, absent] : lacked) {
@@ -221,16 +223,16 @@ TEST_F(RenderFacts, OfEachAnchor) {
   }
 }
 
-TEST_F(RenderFacts, OfEveryPipelineThatShips) {
+TEST_F(RenderFacts, OmittedWorkChangesNoPipeline) {
   for (const std::string& name : script::pipelineNames(bench().home()))
     if (name.rfind("hybrid", 0) != 0) compareAll(name);
 }
 
-TEST_F(RenderFacts, OfTheHybrids) {
+TEST_F(RenderFacts, OmittedWorkChangesNoHybrid) {
   for (const char* name : {"hybrid", "hybrid_layered"}) compareAll(name);
 }
 
-TEST_F(RenderFacts, AreInTheRecord) {
+TEST_F(RenderFacts, FactsAreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid_layered")),
           moving = render(with(cases()[1].shot, "hybrid_layered"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
@@ -238,8 +240,8 @@ TEST_F(RenderFacts, AreInTheRecord) {
   EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid_layered")).record["facts"].size(), 10u);
 }
 
-// What goes on otherwise after the capture than displacements say is blurred as they do, to where it never comes.
-TEST_F(RenderFacts, WhatIsForetoldIsReached) {
+// Displacements may predict a wrong motion after the raster time. The moving rectangle contains the predicted motion.
+TEST_F(RenderFacts, MovingRectangleContainsExtrapolatedMotion) {
   const std::vector<std::vector<std::string>> paths = {{"displacement=extrapolated"},
                                                        {"displacement=extrapolated", "trajectory=quadratic"},
                                                        {"trajectory=line"},
@@ -258,8 +260,8 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
       }
 }
 
-// Outside of where anything moves, passes that know what stands in for them do not run; what they leave is the same.
-TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
+// Outside the moving rectangle, passes with a stand-in do not run; their images stay the same.
+TEST_F(RenderFacts, PassesSkipPixelsOutsideTheMovingRectangle) {
   const Shot square = shotOf("quad_2d", kWidth, kHeight, {{"left", 18}, {"right", 24}, {"top", 10}, {"bottom", 15}});
   Shot shot = with(square, "hybrid_layered", {}, "end");
   shot.taps = {"mask.mask", "ray_reveal.found", "tile_max.longest", "composite.blurred"};
@@ -270,8 +272,8 @@ TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
   EXPECT_FALSE(oracle::identical(oracle::colorOf(required), oracle::colorOf(none)));
 }
 
-// A tap of what is left out is what stands in for it.
-TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
+// A tap of an omitted pass returns its stand-in.
+TEST_F(RenderFacts, TapsOfOmittedPassesReturnStandIns) {
   Shot shot = with(cases()[0].shot, "hybrid_layered");
   shot.taps = {"composite.blurred", "mask.mask", "tile_max.longest", "gather_candidates.candidates_0"};
   Picture required = render(shot), everything = everythingOf(shot);
@@ -279,8 +281,8 @@ TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
     EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
 }
 
-// Of parts of the exposure, which have raster times of their own, nothing is proven about motion.
-TEST_F(RenderFacts, OfPartsHold) {
+// Parts of the exposure have their own raster times, so no fact about motion is proven for them.
+TEST_F(RenderFacts, PartsHaveNoFactsAboutMotion) {
   Shot shot = with(cases()[0].shot, "eevee", {}, "end");
   const plan::PipelineDesc& pipeline = bench().evaluate("eevee", {})->pipeline;
   auto absent = [&] {
@@ -291,8 +293,8 @@ TEST_F(RenderFacts, OfPartsHold) {
   EXPECT_EQ(absent().front(), "motion");
 }
 
-// What runs where nothing moves is what the capture alone needs; parts of an exposure are drawn all the same.
-TEST_F(RenderFacts, AStillFrameCostsWhatTheCaptureCosts) {
+// A static frame runs only the nodes of the raster image. Parts of an exposure are still drawn.
+TEST_F(RenderFacts, StaticFramesRunOnlyTheRasterNodes) {
   std::vector<std::string> capture = nodesOf(render(with(cases()[0].shot, "none")));
   for (const std::string& name : script::pipelineNames(bench().home())) {
     if (isMethod(name) && !plan::hasParts(bench().evaluate(name, {})->pipeline)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The filters in the renderer against the same filters along one row in double precision, pixel by pixel with the
-// pixel's own jitter, and their means over jitters against the numbers in docs/derivations.md. The jitter is
-// interleaved gradient noise: down 160 rows of a column it is as even as 160 numbers can be.
+// The renderer's filters against the row filters in double precision, pixel by pixel with the pixel's own jitter, and
+// their means over jitters against the numbers in docs/derivations.md. The jitter is interleaved gradient noise: down
+// 160 rows of a column it is as even as 160 numbers can be.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ double meanOverJitters(const RowCase& filter, int x) {
 
 class RenderFilters : public RenderTest {
  protected:
-  // Per pixel against the row's filter; then the means of columns against the mean over jitters.
+  // Compares each pixel with the row filter, then the means of columns with the mean over jitters.
   lab::Picture check(const RowCase& filter, double mean_tolerance) {
     lab::Picture picture = render(filter.shot);
     EXPECT_EQ(counterOf(picture, "tile_max.clamped"), 0u) << filter.what;
@@ -86,7 +86,7 @@ TEST_F(RenderFilters, OneSidedMcGuireReproducesItsRow) {
   for (const Line& line : table) EXPECT_NEAR(columnMean(colorOf(picture), line.x), line.value, .02) << line.x;
 }
 
-// A pair of taps in the renderer shares one jitter, as here.
+// A pair of taps shares one jitter in the renderer and here.
 TEST_F(RenderFilters, PairedFilterReproducesItsTable) {
   const std::pair<int, double> table[] = {{-10, .9746}, {-6, .7754}, {-4, .6748}, {-1, .5254},
                                           {0, .4746},   {2, .3750},  {5, .2246},  {8, .0752}};
@@ -99,8 +99,8 @@ TEST_F(RenderFilters, PairedFilterReproducesItsTable) {
     EXPECT_NEAR(columnMean(colorOf(picture), 160 + offset), value, .01) << offset;
 }
 
-// The background that pairs of taps invent inside of a silhouette, where truth is white throughout.
-TEST_F(RenderFilters, PairedFilterInventsAnEdge) {
+// Estimates the background inside a silhouette from pairs of taps; the true background is white throughout.
+TEST_F(RenderFilters, PairedFilterAddsAFalseEdge) {
   Strips strips{{160, 288, 40, {.5}}, {-kInfinity, 296, 0, {1}}, {}};
   Row row = rasterise(strips, 480);
   for (Texel& texel : row) texel.depth = texel.surface == 0 ? 1 : 2;  // white and black are one surface
@@ -123,9 +123,9 @@ TEST_F(RenderFilters, PairedFilterInventsAnEdge) {
   }
 }
 
-// Each of N taps counts as 1/N of the exposure or not at all: over a background at rest the result is as good as N time
-// samples of the exact picture, with taps and paths rounded to pixels: 1/(2N) for each edge, 1/2 px of 20 for rounding.
-TEST_F(RenderFilters, UniformGatherIsExactOverABackgroundAtRest) {
+// Each of N taps counts as 1/N of the exposure or not at all. Over a static background the error is at most 1/(2N) for
+// each edge, as with N time samples.
+TEST_F(RenderFilters, UniformGatherIsExactOverAStaticBackground) {
   for (int samples : {16, 32}) {
     for (const Anchor& anchor : anchors()) {
       lab::Shot shot =
@@ -140,7 +140,7 @@ TEST_F(RenderFilters, UniformGatherIsExactOverABackgroundAtRest) {
   }
 }
 
-// Surfaces less than `depth_extent` apart count partly as one; where all moves alike each tap still counts once.
+// Surfaces closer than `depth_extent` count partly as one. With equal motion each tap still counts once.
 TEST_F(RenderFilters, UniformGatherIsABoxFilterOfSurfacesCloseInDepth) {
   constexpr int kSamples = 32;
   Strips strips{{40, 72, 16, {.9}}, {-kInfinity, kInfinity, 16, {.2}}};

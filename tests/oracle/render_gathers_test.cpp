@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The gathers of Guertin 2014 and Jimenez 2014 in the renderer: against the same filters in double precision, pixel by
-// pixel; their tiles and paths on scenes where these can be counted; and what holds of any filter.
+// pixel; their tiles and paths, on scenes where these can be counted; and properties of every filter.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ class RenderGathers : public RenderTest {
 
 // --- Against the filter along a row
 
-TEST_F(RenderGathers, GuertinAlongARow) {
+TEST_F(RenderGathers, GuertinMatchesTheRowFilter) {
   struct Case {
     std::string scene;
     double d_front, d_back;
@@ -68,11 +68,11 @@ TEST_F(RenderGathers, GuertinAlongARow) {
                   options.jitter = jitter;
                   return guertinAt(row, dominant[x], x, options);
                 },
-                100, 160});  // tiles that the bar reaches whatever the anchor
+                100, 160});  // tiles on the bar's path for every anchor
     }
 }
 
-TEST_F(RenderGathers, JimenezAlongARow) {
+TEST_F(RenderGathers, JimenezMatchesTheRowFilter) {
   struct Case {
     std::string scene;
     double d_front, d_back;
@@ -102,8 +102,8 @@ TEST_F(RenderGathers, JimenezAlongARow) {
     }
 }
 
-// The cheap path is the plain mean of the taps, at whatever depths they are.
-TEST_F(RenderGathers, JimenezAveragesWhereAllMovesAlike) {
+// The cheap path is the plain mean of the taps, at any depth.
+TEST_F(RenderGathers, JimenezAveragesRegionsOfEqualMotion) {
   Row row = rasterise(stripes(20, 19), kWidth);
   for (const Anchor& anchor : anchors()) {
     bool centred = anchor.name == "centre";
@@ -120,8 +120,8 @@ TEST_F(RenderGathers, JimenezAveragesWhereAllMovesAlike) {
   }
 }
 
-// No more samples than pixels moved, but a pair of them at least.
-TEST_F(RenderGathers, JimenezTakesAPairAtLeast) {
+// No more samples than pixels of motion, but at least a pair.
+TEST_F(RenderGathers, JimenezTakesAtLeastAPair) {
   for (const Anchor& anchor : anchors()) {
     auto by = [&](const char* count, int samples) {
       return colorOf(
@@ -134,8 +134,8 @@ TEST_F(RenderGathers, JimenezTakesAPairAtLeast) {
   }
 }
 
-// Every jitter, frozen and per frame. In frame 1 the bar stands two displacements farther on (exposure 1/2).
-TEST_F(RenderGathers, JittersAreTheirDefinitions) {
+// Every jitter, frozen and per frame. In frame 1 the bar is two displacements farther on (exposure 1/2).
+TEST_F(RenderGathers, JittersMatchTheirDefinitions) {
   Row row = rasterise(kWhiteBar, kWidth);
   auto at_jitter = [&](int x, double jitter) { return pairedAt(row, 20, x, {.jitter = jitter}); };
   for (bool per_frame : {false, true}) {
@@ -151,11 +151,11 @@ TEST_F(RenderGathers, JittersAreTheirDefinitions) {
 
 // --- In the plane
 
-// The renderer's own color, depth, velocity and tiles, gathered again in double precision. Taps within single precision
-// of the border of two pixels may go to either, along x and along y: one pixel in 200 may have one.
-TEST_F(RenderGathers, GuertinInThePlane) {
-  EXPECT_NEAR(secondDirection({10, 0}, {0, 0}, {0, 3}, .5, 1.5).y, 1, 1e-12);  // at rest: across, to the other's side
-  EXPECT_NEAR(secondDirection({10, 0}, {0, -9}, {}, 9, 1.5).y, -1, 1e-12);     // fast: its own
+// Gathers the rendered color, depth, velocity and tiles again in double precision. A tap within single precision of the
+// border between two pixels may take either pixel: one pixel in 200 may have such a tap.
+TEST_F(RenderGathers, GuertinMatchesThePlaneFilter) {
+  EXPECT_NEAR(secondDirection({10, 0}, {0, 0}, {0, 3}, .5, 1.5).y, 1, 1e-12);  // static: across, to the side of `other`
+  EXPECT_NEAR(secondDirection({10, 0}, {0, -9}, {}, 9, 1.5).y, -1, 1e-12);     // fast: its own direction
   Vec2d between = secondDirection({10, 0}, {-1, 1}, {}, 1.25, 1.5);            // half of each: (-.354, .854), scaled
   EXPECT_NEAR(between.x / between.y, -.5 * std::sqrt(.5) / (.5 + .5 * std::sqrt(.5)), 1e-12);
 
@@ -196,8 +196,8 @@ TEST_F(RenderGathers, GuertinInThePlane) {
 
 // --- Tiles
 
-// One tile of 32 px that moves by u, seen from its neighbour at the opposite of `offset`.
-TEST_F(RenderGathers, TilesCountByTheSignsOfTheirMotion) {
+// One tile of 32 px moves by u and lies at `offset` from the middle tile; the middle tile is tested.
+TEST_F(RenderGathers, TilesCountByTheDirectionOfTheirMotion) {
   struct Case {
     int offset_x, offset_y;
     double u_x, u_y;
@@ -218,7 +218,7 @@ TEST_F(RenderGathers, TilesCountByTheSignsOfTheirMotion) {
                          {"b_y", 0}};
       bool expected = anchor.name == "centre" ? c.centre : anchor.name == "end" ? c.close : c.open;
       for (const char* rule : {"sign", "swept_box"}) {
-        if (rule == std::string("swept_box") && anchor.name == "start") continue;  // `close` backwards
+        if (rule == std::string("swept_box") && anchor.name == "start") continue;  // the mirror image of `end`
         lab::Shot shot = with(shotOf("crossing", 96, 96, numbers), "mcguire2012",
                               {"tile=32", "limit=0.3", fmt::format("tile_rule={}", rule)}, anchor.name);
         shot.taps = {"neighbour_max.dominant"};
@@ -231,7 +231,7 @@ TEST_F(RenderGathers, TilesCountByTheSignsOfTheirMotion) {
     }
 }
 
-// Two tiles side by side move, seven are at rest: 1 - (1 + |cos|) / 2 for the two, and for those at rest beside both.
+// Two adjacent tiles move, seven are static: 1 - (1 + |cos|) / 2 for the two and for static tiles beside both.
 TEST_F(RenderGathers, TileVarianceIsOneMinusTheMeanAlignment) {
   struct Case {
     double x, y, cosine;
@@ -242,7 +242,7 @@ TEST_F(RenderGathers, TileVarianceIsOneMinusTheMeanAlignment) {
     shot.taps = {"direction_variance.variance"};
     image::Image variance = render(shot).frame.taps.at("direction_variance.variance").floats;
     double both = 1 - (1 + c.cosine) / 2;
-    // The right column is beside b alone, the bottom row beside neither.
+    // The right column is beside b only, the bottom row beside neither tile.
     const double expected[3][3] = {{both, both, 0}, {both, both, 0}, {0, 0, 0}};
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 3; ++x)
@@ -250,7 +250,8 @@ TEST_F(RenderGathers, TileVarianceIsOneMinusTheMeanAlignment) {
   }
 }
 
-// Displacements are looked up at most a quarter of a tile away: only pixels as near to a border of a tile can change.
+// Displacements are read at most a quarter of a tile away: only pixels within that distance of a tile's border can
+// change.
 TEST_F(RenderGathers, TileJitterStaysWithinAQuarterOfATile) {
   auto color = [&](const std::string& tile_jitter) {
     return colorOf(render(rowShot("bar", "guertin2014", "end", {"jitter=none", "tile_jitter=" + tile_jitter})));
@@ -270,9 +271,9 @@ TEST_F(RenderGathers, TileJitterStaysWithinAQuarterOfATile) {
   }
 }
 
-// Beside a rectangle that moves up and down, while the dominant motion (of another one, out of reach) is sideways: what
-// the taps meet there never comes to the pixel.
-TEST_F(RenderGathers, DirectionsTellWhatMovesAcross) {
+// A pixel beside a rectangle that moves vertically. The dominant motion, of a distant rectangle, is horizontal: the
+// surfaces at the taps never reach the pixel.
+TEST_F(RenderGathers, DirectionWeightsRejectMotionAcrossTheTaps) {
   lab::Shot scene = shotOf("crossing", 96, 96,
                            {{"b_left", 24},
                             {"b_top", 24},
@@ -293,9 +294,9 @@ TEST_F(RenderGathers, DirectionsTellWhatMovesAcross) {
 
 // --- Paths
 
-// The bar's tiles are the columns [80, 160), so that within the exposure it may be seen in [60, 180). Only for the tile
-// [120, 140) all tiles around move alike, whatever the background does.
-TEST_F(RenderGathers, PathsAreTakenByAsManyPixelsAsCounted) {
+// The bar's tiles are the columns [80, 160), so within the exposure the bar stays in [60, 180). Only around the tile
+// [120, 140) do all tiles have equal motion, for any background.
+TEST_F(RenderGathers, PathsHaveTheExpectedPixelCounts) {
   struct Case {
     std::string pipeline, scene;
     Numbers numbers;
@@ -319,10 +320,10 @@ TEST_F(RenderGathers, PathsAreTakenByAsManyPixelsAsCounted) {
 
 // --- Over a revealed layer
 
-// Under alpha_over a gather gives the foreground alone where something was revealed. Over a background at rest the
-// composite of exact coverage is exact: to 16 samples in the inner band, of taps rounded to pixels. Weights that are
-// too opaque stay so.
-TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
+// Under alpha_over a gather returns the foreground alone where a surface was revealed. Over a static background a
+// composite with exact coverage is exact: to 16 samples in the inner band, with taps rounded to pixels. Weights that
+// are too opaque stay too opaque.
+TEST_F(RenderGathers, GathersSeparateForegroundAndRevealedLayer) {
   Strips strips = stripes(20, 0);
   auto inner_error = [&](const std::string& weights) {
     lab::Shot shot = with(shotOf("textured_bar", kWidth, 8), hybridSteps(),
@@ -336,11 +337,11 @@ TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
   double exact = inner_error("jimenez2014"), opaque = inner_error("guertin2014");
   EXPECT_LE(exact, .8 / 32 + 1e-4);  // changes of .8 at most: stripes and the edge
   EXPECT_GT(opaque, 5 * exact);
-  EXPECT_LT(opaque, .3);  // opaque by up to .5 too much, over a background darker by .5 in the mean
+  EXPECT_LT(opaque, .3);  // at most .5 too opaque, over a background darker by .5 on average
 }
 
-// What rests in front of what moves is there for all of the exposure, wherever taps along that motion fall.
-TEST_F(RenderGathers, WhatRestsInFrontIsNotLost) {
+// A static surface before a moving background is visible throughout the exposure, wherever the taps fall.
+TEST_F(RenderGathers, StaticForegroundsAreKept) {
   for (const char* samples : {"samples=5", "samples=16"}) {
     lab::Shot shot = shotOf("textured_bar", kWidth, 8, motions(0, 20));
     image::Image seen = colorOf(render(with(shot, "none", {}, "end")));
@@ -350,8 +351,8 @@ TEST_F(RenderGathers, WhatRestsInFrontIsNotLost) {
   }
 }
 
-// A wire at rest keeps its colour in front of moving objects, also where no tap falls on the wire.
-TEST_F(RenderGathers, AThinForegroundAtRestKeepsItsColour) {
+// A static wire keeps its colour before moving objects, also if no tap falls on the wire.
+TEST_F(RenderGathers, ThinStaticForegroundsKeepTheirColour) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
       {"mcguire2012", {"weights=uniform"}}, {"hybrid", {}}, {"hybrid_layered", {}}, {"adaptive", {}}};
   for (double width : {1, 2, 5})

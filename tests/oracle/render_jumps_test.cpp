@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What of the motion does not blur: cuts, and shares of the camera's motion and of objects'. Each picture is that of a
-// scene in which the rest moves as much less, by every method and by truth. And exposures in seconds.
+// Motion without blur: cuts, and shares of the camera's and the objects' motion. Each picture must equal a scene with
+// correspondingly less motion, by every method and by truth. Also exposures in seconds.
 #include <fmt/format.h>
 
 #include <set>
@@ -16,7 +16,7 @@ struct Method {
   std::string pipeline;
   std::vector<std::string> settings;
 };
-// One for each way to read motion. The gathers of other papers read the same displacements as the first.
+// One method for each way to read motion. The gathers of other papers read the same displacements as the first.
 const Method kGather = {"mcguire2012", {}}, kExtrapolated = {"hybrid_layered", {"displacement=extrapolated"}};
 const std::vector<Method>& methods() {
   static const std::vector<Method> methods = {
@@ -40,7 +40,7 @@ class RenderJumps : public RenderTest {
   static image::Image drawn(const lab::Shot& shot, const Method& method, const std::string& anchor) {
     return colorOf(render(with(shot, method.pipeline, method.settings, anchor)));
   }
-  // The same picture, bit for bit, by every method.
+  // Expects the same picture, bit for bit, by every method.
   static void expectAlike(const lab::Shot& a, const lab::Shot& b, const std::string& anchor, const std::string& what) {
     for (const Method& method : methods())
       EXPECT_TRUE(identical(drawn(a, method, anchor), drawn(b, method, anchor)))
@@ -51,7 +51,7 @@ class RenderJumps : public RenderTest {
 
 // --- Cuts
 
-TEST_F(RenderJumps, ACutOfTheSceneIsThePictureWithoutBlur) {
+TEST_F(RenderJumps, SceneCutsRemoveAllBlur) {
   const std::pair<std::string, double> cuts[] = {{"end", -.3},           {"end", 0},    {"centre", .2},
                                                  {"centre", -.5 + 1e-6}, {"start", .5}, {"start", 1}};
   image::Image sharp = drawn(jumps({}), {"none", {}}, "end");
@@ -61,25 +61,25 @@ TEST_F(RenderJumps, ACutOfTheSceneIsThePictureWithoutBlur) {
           << method.pipeline << " " << anchor << " " << cut;
 }
 
-// The capture is on the other side of it, or the exposure does not reach it.
-TEST_F(RenderJumps, ACutOutsideOfTheExposureChangesNothing) {
+// The exposure does not cross the cut.
+TEST_F(RenderJumps, CutsOutsideTheExposureChangeNothing) {
   const std::pair<std::string, double> cuts[] = {{"end", -1.01}, {"end", .1}, {"start", 0}, {"start", 1.01}};
   for (const auto& [anchor, cut] : cuts)
     for (const Method& method : methods()) {
-      if (method.settings == std::vector<std::string>{"displacement=extrapolated"}) continue;  // the frame before is
+      if (method.settings == std::vector<std::string>{"displacement=extrapolated"}) continue;  // reads the frame before
       EXPECT_TRUE(identical(drawn(jumps({{"scene_cut", cut}}), method, anchor), drawn(jumps({}), method, anchor)))
           << method.pipeline << " " << anchor << " " << cut;
     }
 }
 
-// The path of the frame before is no path over a cut.
-TEST_F(RenderJumps, ACutBeforeTheExposureIsNoPathToExtrapolate) {
-  Method extrapolated{"hybrid", {"displacement=extrapolated"}};  // without rays at their own time
+// Motion of the previous frame is not extrapolated over a cut.
+TEST_F(RenderJumps, CutsBeforeTheExposurePreventExtrapolation) {
+  Method extrapolated{"hybrid", {"displacement=extrapolated"}};  // traces no rays at sample times
   EXPECT_TRUE(
       identical(drawn(jumps({{"scene_cut", -1.5}}), extrapolated, "end"), drawn(jumps({}), {"none", {}}, "end")));
 }
 
-TEST_F(RenderJumps, ACutOfOneThingStandsItStill) {
+TEST_F(RenderJumps, CutsOfANodeRemoveItsMotion) {
   for (const char* anchor : {"end", "centre", "start"}) {
     double cut = anchor == std::string("start") ? .4 : -.4;
     expectAlike(jumps({{"a_cut", cut}}), jumps({{"a_x", 0}}), anchor, "object");
@@ -87,8 +87,8 @@ TEST_F(RenderJumps, ACutOfOneThingStandsItStill) {
   }
 }
 
-// Two cards of a glTF file, `a` and `b`, and its camera go 2 m within a second, each by a clip of its own: those that
-// are not held where they are at half a second. `extend` adds what it likes.
+// Two cards `a` and `b` of a glTF file and its camera. Each moves 2 m within a second by its own clip, except for nodes
+// in `held`, which keep their position at half a second. `extend` edits the file's JSON.
 class RenderJumpsInGltf : public RenderJumps {
  protected:
   static Path file() { return testing::processFolder() / "a.gltf"; }
@@ -136,7 +136,7 @@ class RenderJumpsInGltf : public RenderJumps {
   }
 };
 
-TEST_F(RenderJumpsInGltf, ACutOfTheSceneOrOfTheShotIsThePictureWithoutBlur) {
+TEST_F(RenderJumpsInGltf, SceneAndShotCutsRemoveAllBlur) {
   const Json cuts = {0.2, 0.45};
   lab::Shot moving = shot({}), option = moving;
   const image::Image none = drawn(moving, {"none", {}}, "end");
@@ -144,12 +144,12 @@ TEST_F(RenderJumpsInGltf, ACutOfTheSceneOrOfTheShotIsThePictureWithoutBlur) {
   for (const image::Image& blurred : pictures(moving)) EXPECT_FALSE(identical(blurred, none));
   option.cuts = "0.2,0.45";
   expectSame(pictures(option), sharp, "shot");
-  option.cuts = "0.4,0.51";  // it opens at the one, and the other comes later
+  option.cuts = "0.4,0.51";  // the exposure starts at the first cut and ends before the second
   expectSame(pictures(option), pictures(moving), "outside");
   expectSame(pictures(shot({}, [&](Json& json) { json["scenes"][0]["extras"]["cuts"] = cuts; })), sharp, "scene");
 }
 
-TEST_F(RenderJumpsInGltf, ACutOfANodeOrAClipStandsItStill) {
+TEST_F(RenderJumpsInGltf, CutsOfANodeOrClipRemoveItsMotion) {
   const Json cuts = {0.2, 0.45};
   for (int node : {0, 2}) {
     const std::vector<image::Image> held = pictures(shot({node}));
@@ -163,21 +163,21 @@ TEST_F(RenderJumpsInGltf, ACutOfANodeOrAClipStandsItStill) {
 
 // --- Shares
 
-TEST_F(RenderJumps, SharesOfTheMotionAreLessMotion) {
+TEST_F(RenderJumps, SharesOfMotionEqualSlowerMotion) {
   lab::Shot half_camera = jumps({}), no_objects = jumps({}), both = jumps({});
   half_camera.camera_blur = .5;
   no_objects.object_blur = 0;
   both.camera_blur = .25;
   both.object_blur = .5;
   for (const char* anchor : {"end", "centre"}) {
-    expectAlike(half_camera, jumps({{"camera_x", 4}}), anchor, "half of the camera's");
-    expectAlike(no_objects, jumps({{"a_x", 0}, {"b_y", 0}}), anchor, "none of the objects'");
+    expectAlike(half_camera, jumps({{"camera_x", 4}}), anchor, "half of the camera's motion");
+    expectAlike(no_objects, jumps({{"a_x", 0}, {"b_y", 0}}), anchor, "no motion of the objects");
     expectAlike(both, jumps({{"camera_x", 2}, {"a_x", 8}, {"b_y", 4}}), anchor, "both");
   }
 }
 
-// The camera goes along with `a`. Without its motion `a` is as sharp as with it, and what is at rest is too.
-TEST_F(RenderJumps, WhatTheCameraFollowsStaysSharp) {
+// The camera moves along with `a`. With the camera's motion left out, `a` is sharp, and so are static surfaces.
+TEST_F(RenderJumps, FollowedNodesStaySharp) {
   const Numbers together = {{"a_x", 16}, {"camera_x", 16}};
   lab::Shot followed = jumps(together);
   followed.camera_blur = 0;
@@ -190,8 +190,8 @@ TEST_F(RenderJumps, WhatTheCameraFollowsStaysSharp) {
   EXPECT_THROW(render(with(followed, "none")), Error);
 }
 
-// Of `a` (at a depth of 100 m), `b` (105 m) and what is behind (120 m), at rest but for a camera that moves.
-TEST_F(RenderJumps, BetweenDepthsOtherThingsStandStill) {
+// `a` is at a depth of 100 m, `b` at 105 m and the static background at 120 m. Only the camera moves the background.
+TEST_F(RenderJumps, MotionOutsideTheDepthRangeIsRemoved) {
   const Numbers rests = {{"camera_x", 0}};
   lab::Shot all = jumps({}), near = jumps(rests), far = jumps(rests), soft = jumps(rests);
   all.motion_depths = "0,inf";
@@ -202,7 +202,7 @@ TEST_F(RenderJumps, BetweenDepthsOtherThingsStandStill) {
   for (const char* anchor : {"end", "centre"}) {
     expectAlike(near, jumps({{"camera_x", 0}, {"b_y", 0}}), anchor, "near");
     expectAlike(far, jumps({{"camera_x", 0}, {"a_x", 0}}), anchor, "far");
-    expectAlike(soft, jumps({{"camera_x", 0}, {"b_y", 4}}), anchor, "a metre of two beyond the end");
+    expectAlike(soft, jumps({{"camera_x", 0}, {"b_y", 4}}), anchor, "one metre into a soft border of two");
   }
   lab::Shot none = jumps({});
   none.motion_depths = "1,2";
@@ -213,10 +213,10 @@ TEST_F(RenderJumps, BetweenDepthsOtherThingsStandStill) {
 
 // --- Seconds
 
-// Half a second in, a 48th of a second long: 20 px of the bar, at any number of frames per second, bit for bit.
-TEST_F(RenderJumps, AnExposureInSecondsIsTheSameAtAnyRate) {
+// At half a second, for a 48th of a second: 20 px of the bar's motion at any frame rate, bit for bit.
+TEST_F(RenderJumps, ExposuresInSecondsAreEqualAtAnyFrameRate) {
   for (const Method& method : methods()) {
-    if (method.settings == std::vector<std::string>{"displacement=extrapolated"}) continue;  // by the frame before
+    if (method.settings == std::vector<std::string>{"displacement=extrapolated"}) continue;  // depends on the rate
     bool drawn_by_frame = method.settings.size() > 1 && method.settings[1] == "times=stratified";
     if (drawn_by_frame) continue;
     image::Image first;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The hybrid on a striped bar over stripes, both moving, against the exact exposure: rms / max over the bar and 45 px
-// to either side, the table of docs/derivations.md in the renderer.
+// The hybrid on a striped bar over stripes, both moving, against the exact exposure: rms and largest error over the bar
+// and 45 px to either side. Reproduces the table in docs/derivations.md with the renderer.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -75,7 +75,7 @@ RowError errorOf(const lab::Picture& picture, const Stripes& stripes, Case c, Wi
 
 std::string shown(RowError e) { return fmt::format("{:.4f}/{:.3f}", e.rms, e.max); }
 
-// What the renderer marked, and the same layers with that mask composited in double precision.
+// Pixels that the renderer marked in one row.
 std::vector<bool> markedIn(const lab::Picture& picture) {
   std::vector<bool> marked;
   for (int x = 0; x < kWidth; ++x) marked.push_back(imageOf(picture, "mask").at(x, kRow, 0) > .5f);
@@ -88,8 +88,9 @@ LayeredResult simulated(const lab::Picture& picture, const Strips& strips, int s
   return gatherLayered(raster, revealed, {.samples = samples, .both_ways = true, .ask_twice = true}, kCloseAnchor);
 }
 
-// Pixel by pixel. Which of two candidates finds a surface can differ, since tiles too far to reach a pixel do not count
-// in the renderer: they may find neighbouring texels of it. That is one time sample, in a few pixels beside stripes.
+// Compares pixel by pixel. The renderer ignores tiles too far away to matter to a pixel, so two candidates for one
+// surface may have another order and find neighbouring texels. The difference is one time sample, in a few pixels
+// beside stripes.
 void expectSimulated(const lab::Picture& picture, const Strips& strips, int samples, const std::string& what) {
   LayeredResult expected = simulated(picture, strips, samples);
   int fallbacks = 0, different = 0;
@@ -119,16 +120,17 @@ class RenderLayers : public RenderTest {
   void checkTable(const Stripes& stripes);
 };
 
-// The mask along the foreground's own motion. It is one pixel wider than the exact one (a silhouette that is reached at
-// the very end of the exposure counts), which the table's does not allow for: compared with that mask.
+// The mask along the foreground's own motion. It is one pixel wider than the exact mask, because it marks a silhouette
+// that is reached at the very end of the exposure. The table uses the exact mask, so this compares with a simulation
+// with the rendered mask.
 RowError RenderLayers::checkOwn(const Stripes& stripes, Case c, const std::string& what) {
   lab::Picture picture = layered(stripes, c, "paper");
   expectSimulated(picture, stripes.bar(c).strips(), 32, what + " own");
   return errorOf(picture, stripes, c);
 }
 
-// rms within .002 of the table: the candidates' order is worth .0008 at most. .015 is what 32 samples of an exact
-// picture allow for (.010), and .033 their largest error.
+// rms within .002 of the table: the order of the candidates changes it by at most .0008. With 32 samples an exact
+// picture has an rms of .010, bounded by .015 here, and a largest error of .033.
 RowError RenderLayers::checkRelative(const Stripes& stripes, Case c, const std::string& what) {
   lab::Picture picture = layered(stripes, c, "disocclusion");
   expectSimulated(picture, stripes.bar(c).strips(), 32, what + " relative");
@@ -157,7 +159,7 @@ void RenderLayers::checkTable(const Stripes& stripes) {
     RowError simulated_best = layeredError(stripes.bar(c), Mask::kRelative,
                                            {.samples = 16, .both_ways = true, .ask_twice = true}, kCloseAnchor);
     EXPECT_NEAR(best.rms, simulated_best.rms, .002) << what;
-    // Over a background at rest alpha-over is exact, up to 16 samples.
+    // Over a static background alpha-over is exact, up to 16 samples.
     EXPECT_LE(linear.rms, c.d_back == 0 ? simulated_best.rms + .001 : kInfinity) << what;
     table += fmt::format("| {}, {} | {} | {} | {} | {} | {} |\n", c.d_front, c.d_back, shown(own), shown(relative),
                          shown(letter), shown(linear), shown(best));
@@ -168,8 +170,8 @@ void RenderLayers::checkTable(const Stripes& stripes) {
 TEST_F(RenderLayers, HarshStripesGiveTheTable) { checkTable(kHarsh); }
 TEST_F(RenderLayers, GentleStripesGiveTheTable) { checkTable(kGentle); }
 
-// .0065 and .03: the largest of all phases of these stripes and of the bar (docs/derivations.md).
-TEST_F(RenderLayers, EveryAnchorIsAsGood) {
+// .0065 and .03 are the largest errors over all phases of these stripes and of the bar (docs/derivations.md).
+TEST_F(RenderLayers, AnchorsHaveTheSameErrorBounds) {
   for (const Anchor& anchor : anchors()) {
     for (Case c : {kCases[2], kCases[4], kCases[6], kCases[7]}) {
       RowError error = errorOf(layered(kGentle, c, "disocclusion", 32, anchor.name), kGentle, c, anchor.window);
@@ -179,8 +181,8 @@ TEST_F(RenderLayers, EveryAnchorIsAsGood) {
   }
 }
 
-// Everything that is uncovered is marked, and at most 2 px per silhouette more.
-TEST_F(RenderLayers, RelativeMaskCoversWhatIsUncovered) {
+// Every disoccluded pixel is marked, and at most 2 px per silhouette more.
+TEST_F(RenderLayers, DisocclusionMaskCoversAllDisocclusions) {
   for (const Anchor& anchor : anchors()) {
     for (Case c : {kCases[0], kCases[4], kCases[6], kCases[7]}) {
       std::string what = fmt::format("{} f {} b {}", anchor.name, c.d_front, c.d_back);
@@ -198,21 +200,20 @@ TEST_F(RenderLayers, RelativeMaskCoversWhatIsUncovered) {
 }
 
 // Without a second displacement per tile the slower of two surfaces is found at the taps along the faster one, or, if
-// it moves against it, at those to the other side.
+// it moves the other way, at the taps on the other side.
 TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {
   std::string pipeline = sourceFolder().string() + "/tests/oracle/pipelines/layered_alone.lua";
   for (Case c : {Case{20, 12}, {6, 20}, {12, -12}, {11, -12}, {6, -20}}) {
     std::string what = fmt::format("f {} b {}", c.d_front, c.d_back);
     RowError both = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {}))), kGentle, c);
     EXPECT_LE(both.rms, .0065) << what;
-    if (c.d_front * c.d_back > 0) continue;  // found without taps too, by asking twice
+    if (c.d_front * c.d_back > 0) continue;  // the second search finds it without taps
     RowError none = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {"search_taps=false"}))), kGentle, c);
     EXPECT_GE(none.rms, 5 * both.rms) << what;
   }
 }
 
-// The same where that one is no longer than its way and the taps to either side of it: those meet it that lie within
-// the exposure, as many of them as there are.
+// A slow surface that is only 20 px long is found by the taps within the exposure.
 TEST_F(RenderLayers, TapsWithinTheExposureFindASmallSurface) {
   constexpr double kFrom = 40, kTo = 60, kSlow = -12, kFast = 20;
   constexpr int kSamples = 32;
@@ -234,13 +235,13 @@ TEST_F(RenderLayers, TapsWithinTheExposureFindASmallSurface) {
         render(with(shot, pipeline, {"tile=128", "limit=0.2", fmt::format("samples={}", kSamples)}, anchor.name));
     expectWithin(
         colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
-        // Of samples, and of the 3/4 px off its place at which a texel is taken to be there.
+        // Time sampling, plus the 3/4 px within which a texel counts as present.
         [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .75 / -kSlow) + 1e-4; }, anchor.name);
   }
 }
 
-// A surface that the taps along the tile's longest displacement step over is met by those along its second.
-TEST_F(RenderLayers, TapsAlongTheSecondDisplacementFindWhatOthersStepOver) {
+// Taps along the tile's longest displacement step over a small surface. Taps along its second displacement find it.
+TEST_F(RenderLayers, TapsAlongTheSecondDisplacementFindSmallSurfaces) {
   constexpr double kFrom = 20, kTo = 24, kSmall = 8, kLongest = 60, kSecond = -20;
   constexpr int kSamples = 4;
   const lab::Shot shot = shotOf("cards", 128, 4,
@@ -261,17 +262,17 @@ TEST_F(RenderLayers, TapsAlongTheSecondDisplacementFindWhatOthersStepOver) {
   const lab::Picture picture =
       render(with(shot, "hybrid_layered", {"tile=128", "limit=0.5", fmt::format("samples={}", kSamples)}, "centre"));
   const image::Image& color = colorOf(picture);
-  // Left of where the second card comes.
+  // Columns left of the second card's path.
   for (int x = 0; x < 40; ++x) {
     const Exposure exact = exposeCentre(strips, {-.5, .5}, x);
-    // Of samples, and of the 3/4 px off its place at which a texel is taken to be there.
+    // Time sampling, plus the 3/4 px within which a texel counts as present.
     const double tolerance = exact.variation * (1. / (2 * kSamples) + .75 / kSmall) + 1e-4;
     EXPECT_NEAR(color.at(x, 1, 0), exact.colour, tolerance) << x;
   }
 }
 
-// Tiles in which both surfaces are seen have the longer displacement, and the other one.
-TEST_F(RenderLayers, TilesHaveTheOtherMotionToo) {
+// Tiles with both surfaces hold the longer displacement and the other one.
+TEST_F(RenderLayers, TilesHoldTwoDisplacements) {
   constexpr int kTile = 40;
   for (Case c : {Case{20, 12}, {6, 20}, {12, -12.5}}) {
     lab::Shot shot = with(kGentle.shot(c), "hybrid_layered", {fmt::format("tile={}", kTile)});
@@ -295,9 +296,9 @@ TEST_F(RenderLayers, TilesHaveTheOtherMotionToo) {
   }
 }
 
-// Nothing that raster sees moves, but what was revealed comes out from behind it. With displacements per layer only
-// those of the revealed one tell.
-TEST_F(RenderLayers, WhatIsHiddenAtTheCaptureComesOut) {
+// Nothing in the raster image moves, but a revealed surface emerges from behind it. Only the displacements of the
+// revealed layer contain that motion.
+TEST_F(RenderLayers, RevealedSurfacesEmergeFromBehindStaticOnes) {
   constexpr int kSamples = 32;
   lab::Shot shot = shotOf("cards", 128, 4,
                           {{"left0", 40},

@@ -19,7 +19,7 @@ class RenderLenses : public RenderTest {
  protected:
   static Path file() { return testing::processFolder() / "a.gltf"; }
 
-  // A white card of 4 by 4 m that faces a camera and a directional light; `pointer` goes from one value to the other
+  // A white card of 4 by 4 m that faces a camera and a directional light. `pointer` changes from one value to the other
   // within a second.
   static lab::Shot shot(const std::string& pointer, float from, float to, bool unlit, double vertical_fov = 1) {
     scene::Asset asset;
@@ -50,8 +50,9 @@ class RenderLenses : public RenderTest {
   }
 };
 
-// A point that is at r from the middle at the capture is at r tan(at capture) / tan(then), half angles of the lens.
-TEST_F(RenderLenses, ZoomsDisplace) {
+// A point at distance r from the middle at the raster time is at r tan(a) / tan(b) later; a and b are half the angles
+// of view at the raster time and at the later time.
+TEST_F(RenderLenses, ZoomsCauseDisplacements) {
   lab::Shot zoom = shot("/cameras/0/perspective/yfov", 1.2f, .4f, true);
   zoom.anchor = "centre";
   lab::Picture picture = render(with(zoom, sourceFolder() / "tests/oracle/pipelines/two_ways.lua", {}, "centre"));
@@ -71,8 +72,8 @@ TEST_F(RenderLenses, ZoomsDisplace) {
   EXPECT_GT(longest, 3);
 }
 
-// The card's border goes outwards: a pixel is white from the time at which the border passes its centre.
-TEST_F(RenderLenses, ZoomsBlurTruth) {
+// The card's border moves outwards: a pixel is white after the border has passed its centre.
+TEST_F(RenderLenses, TruthBlursZooms) {
   const int samples = 32;
   lab::Shot zoom = with(shot("/cameras/0/perspective/yfov", 1.2f, .8f, true), "ground_truth",
                         {fmt::format("samples={}", samples)}, "centre");
@@ -91,7 +92,8 @@ TEST_F(RenderLenses, ZoomsBlurTruth) {
   EXPECT_GE(between, 2);
 }
 
-// Shaded at its own time, a point takes the mean of the light; frozen, that of the capture.
+// With full shading a point averages the light over the exposure; with frozen shading it has the light of the raster
+// time.
 TEST_F(RenderLenses, LightsFadeWithinTheExposure) {
   lab::Shot fading = shot("/extensions/KHR_lights_punctual/lights/0/intensity", 4, 0, false);
   auto middle = [&](const std::string& shading) {

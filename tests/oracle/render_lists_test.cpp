@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Passes that run over lists of pixels, and buffers: against what the masks say, and against the same without lists.
+// Passes that run over lists of pixels, and buffers: against the masks, and against the same passes without lists.
 #include <fmt/format.h>
 
 #include <array>
@@ -23,10 +23,10 @@ class RenderLists : public RenderTest {
   }
 };
 
-// A side that is no multiple of 8, so that squares at the border are cut off.
+// Sides that are not multiples of 8, so the border cuts off squares of 8x8 pixels.
 lab::Shot crowd() { return shotOf("crowd", 90, 51); }
 
-TEST_F(RenderLists, EachMaskedPixelOnceAndNoOther) {
+TEST_F(RenderLists, ExactlyTheMaskedPixelsRunOnce) {
   const lab::Picture picture = listed(crowd(), {});
   const image::Image &mask = imageOf(picture, "mask"), &copied = imageOf(picture, "copied");
   const image::UintImage& times = picture.frame.outputs.at("times").uints;
@@ -42,13 +42,13 @@ TEST_F(RenderLists, EachMaskedPixelOnceAndNoOther) {
   EXPECT_LT(masked, mask.width * mask.height - 200);
 }
 
-TEST_F(RenderLists, WithoutAListThePictureIsRunOver) {
+TEST_F(RenderLists, WithoutAListEveryPixelRuns) {
   const lab::Picture picture = listed(crowd(), {"over=picture"});
   for (uint32_t times : picture.frame.outputs.at("times").uints.values) ASSERT_EQ(times, 1u);
 }
 
-// Squares of 8x8 pixels row by row, in each blocks of 4x2 pixels, two beside each other.
-TEST_F(RenderLists, TheOrderIsThatOfTheSquares) {
+// Squares of 8x8 pixels row by row; in each square, blocks of 4x2 pixels, two side by side.
+TEST_F(RenderLists, ListsAreOrderedBySquares) {
   const lab::Picture picture = listed(crowd(), {}, {"moving_list.list"});
   const image::Image& mask = imageOf(picture, "mask");
   const std::vector<uint32_t>& entries = picture.frame.taps.at("moving_list.list").uints.values;
@@ -62,7 +62,7 @@ TEST_F(RenderLists, TheOrderIsThatOfTheSquares) {
             if (x >= mask.width || y >= mask.height || mask.at(x, y, 0) <= .5f) continue;
             ASSERT_EQ(entries.at(at++), uint32_t(x) | uint32_t(y) << 16);
           }
-  for (; at < entries.size(); ++at) ASSERT_EQ(entries.at(at), 0u) << "behind the list";
+  for (; at < entries.size(); ++at) ASSERT_EQ(entries.at(at), 0u) << "after the end of the list";
 }
 
 TEST_F(RenderLists, BuffersCountAtomically) {
@@ -75,13 +75,13 @@ TEST_F(RenderLists, BuffersCountAtomically) {
   for (int i = 0; i < 16; ++i) EXPECT_EQ(imageOf(picture, "bins").at(i, 0, 0), float(expected.at(size_t(i)))) << i;
 }
 
-// Where nothing moves there is no list, and where nothing is masked it has no groups.
+// Without motion no pixel is masked, and the list dispatches no workgroup.
 TEST_F(RenderLists, AnEmptyListRunsNothing) {
   const lab::Picture picture = listed(shotOf("bar", 64, 16, {{"d_f", 0}}), {});
   for (uint32_t times : picture.frame.outputs.at("times").uints.values) ASSERT_EQ(times, 0u);
 }
 
-// Its entries in a row are more than an image may be wide.
+// The list has more entries than an image may have columns.
 TEST_F(RenderLists, AWidePictureHasALongList) {
   const lab::Picture picture = listed(shotOf("bar", 2200, 8, {{"d_f", 20}}), {"limit=0.02"});
   const std::vector<uint32_t>& times = picture.frame.outputs.at("times").uints.values;

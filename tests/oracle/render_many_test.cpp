@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene of many small meshes and textures against its closed form: squares of one colour each, as large as two by two
-// pixels, in rows that cover the picture.
+// A scene of many small meshes and textures against its closed form: squares of two by two pixels, one colour each, in
+// rows that cover the picture.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -92,7 +92,7 @@ class RenderMany : public RenderTest {
   }
 };
 
-// Calls of the driver since the start of a test.
+// Driver calls since the start of a test.
 size_t allocations = 0, submissions = 0;
 gpu::Dispatch calls_before;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The masks in the renderer: where they are against what must be marked, and what they are worth against truth.
+// The masks in the renderer: marked pixels against the required ones, and the error with each mask against truth.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -53,21 +53,21 @@ class RenderMasks : public RenderTest {
   }
 };
 
-// A bar [96, 160) that moves by 20 px: the band [R - d, R), and a pixel more where the silhouette is reached at the
+// A bar [96, 160) that moves by 20 px marks the band [R - d, R), and one pixel more where the silhouette arrives at the
 // very end of the exposure.
-TEST_F(RenderMasks, TheBarIsMarkedByItsMotion) {
+TEST_F(RenderMasks, MarkedBandsHaveTheLengthOfTheMotion) {
   lab::Shot right = shotOf("bar", 256, 16, {{"d_f", 20}}), left = shotOf("bar", 256, 16, {{"d_f", -20}});
   for (const char* own : {"own_edge=true", "own_edge=false"})
     EXPECT_EQ(markedIn(marked(right, "paper", {"edge=sobel", own})), range(139, 160)) << own;
   EXPECT_EQ(markedIn(marked(left, "paper", {"edge=sobel"})), range(96, 117));
   EXPECT_EQ(markedIn(marked(right, "disocclusion")), range(139, 160));
-  // Edges of two pixels on the near side are reached a pixel earlier.
+  // Edges two pixels wide on the near side are reached a pixel earlier.
   EXPECT_EQ(markedIn(marked(right, "paper", {"edge=laplacian", "edge.kernel=log"})), range(138, 160));
 }
 
-// Half of 40 px to either side: both bands. What Roberts answers for is half a pixel to the right: a left silhouette
-// falls on the background, where the mask does not look.
-TEST_F(RenderMasks, EveryDetectorLeadsToTheSameMask) {
+// Half of 40 px to either side: both bands. Edges by Roberts lie half a pixel to the right: a left silhouette falls on
+// the background, where the mask does not read edges.
+TEST_F(RenderMasks, EdgeDetectorsGiveTheSameMask) {
   lab::Shot bar = shotOf("bar", 256, 16, {{"d_f", 40}});
   Columns both = range(96, 117), right = range(139, 160);
   both.insert(both.end(), right.begin(), right.end());
@@ -76,20 +76,20 @@ TEST_F(RenderMasks, EveryDetectorLeadsToTheSameMask) {
   EXPECT_EQ(markedIn(marked(bar, "paper", {"edge=roberts"}, "centre")), right);
 }
 
-TEST_F(RenderMasks, OverABackgroundAtRestEveryMaskReachesTheBound) {
+TEST_F(RenderMasks, MasksStayWithinTheBoundOverAStaticBackground) {
   const Strips strips{{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   for (const Anchor& anchor : anchors())
     for (const char* mask : {"paper", "disocclusion", "moving", "all"}) {
       lab::Picture picture = marked(shotOf("bar", 256, 16), mask, {"edge=silhouette"}, anchor.name);
-      // One of 16 samples for each border of the bar, half of it by their times and half by rounding to pixels.
+      // Each border of the bar is off by one of 16 samples: half a sample by time, half by rounding to pixels.
       expectWithin(
           colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
           [](const Exposure& e) { return e.variation / 16 + 1e-4; }, fmt::format("{} {}", anchor.name, mask));
     }
 }
 
-// However near it is: here all is nearer than a metre.
-TEST_F(RenderMasks, TilesKnowTheFarthestThatMoves) {
+// All surfaces here are nearer than a metre.
+TEST_F(RenderMasks, TilesHoldTheFarthestMovingDepth) {
   constexpr int kTile = 8;
   lab::Shot shot = shotOf("crowd", 64, 40, {{"scale", .01}});
   shot.taps = {"tile_velocities.farthest"};
@@ -112,14 +112,14 @@ TEST_F(RenderMasks, TilesKnowTheFarthestThatMoves) {
 
 // --- Gaps
 
-// Displaced by 20 px every tooth lies on the next, by 5 or 15 px half of it between two: one tap finds nothing, four
-// find the right half of each tooth by one and the left by the other.
-TEST_F(RenderMasks, SeveralTapsFindGapsThatOneJumpsOver) {
+// Displaced by 20 px every tooth lies on the next one; by 5 or 15 px half of a tooth lies in a gap. One tap finds
+// nothing; of four taps one finds the right half of each tooth and another the left half.
+TEST_F(RenderMasks, SeveralTapsFindGapsThatOneTapMisses) {
   lab::Shot comb = shotOf("comb", 128, 16);
   lab::Picture one = marked(comb, "paper", {"edge=silhouette"});
   lab::Picture four = marked(comb, "paper", {"edge=silhouette", "mask_taps=4"});
   int in_teeth = 0, found = 0;
-  for (int x = 20; x < 88; ++x) {  // from 108 on pixels leave the picture, which counts as uncovering; 20 px before
+  for (int x = 20; x < 88; ++x) {  // from 108 on, pixels leave the picture, which marks them; stops 20 px before
     bool tooth = (x - 4) % 20 < 10;
     in_teeth += tooth;
     EXPECT_LT(imageOf(one, "mask").at(x, 8, 0), .5f) << x;
@@ -131,9 +131,9 @@ TEST_F(RenderMasks, SeveralTapsFindGapsThatOneJumpsOver) {
   EXPECT_LE(with_taps, .5 * without) << with_taps << " " << without;
 }
 
-// However far something goes, by more pixels than there are whole numbers: what the others uncover is looked for. Its
-// own paths leave the picture.
-TEST_F(RenderMasks, WhatGoesBeyondNumbersHidesNothingOfTheRest) {
+// A surface that moves by more pixels than an integer can hold leaves the picture. Disocclusions by the other surfaces
+// are still marked.
+TEST_F(RenderMasks, HugeDisplacementsKeepOtherDisocclusions) {
   lab::Shot slow = shotOf("crowd", 64, 40, {{"scale", 1e-8}}), fast = slow;
   slow.moves = {"near=0,0,0"}, fast.moves = {"near=1e5,0,0"};
   for (const Anchor& anchor : anchors()) {
@@ -155,8 +155,9 @@ TEST_F(RenderMasks, WhatGoesBeyondNumbersHidesNothingOfTheRest) {
   }
 }
 
-// Without rays, and with displacements per tile of each layer, a hybrid is the post-process that blurs its layers.
-TEST_F(RenderMasks, WithoutRaysAHybridIsItsGather) {
+// Without rays and with displacements per tile and layer, a hybrid equals the post-process filter that blurs its
+// layers.
+TEST_F(RenderMasks, HybridWithoutRaysEqualsItsGather) {
   const lab::Shot crowd = shotOf("crowd", 64, 40);
   const std::vector<std::string> none = {"mask=none", "composite=alpha_over", "tiles=separate"};
   struct Gather {
@@ -177,9 +178,9 @@ TEST_F(RenderMasks, WithoutRaysAHybridIsItsGather) {
     }
 }
 
-// --- Cost and worth
+// --- Cost and error
 
-TEST_F(RenderMasks, WhatMovesCoversWhatTheSeedMarks) {
+TEST_F(RenderMasks, MovingMaskContainsTheOtherMasks) {
   for (const std::string scene : {"crowd", "comb", "slanted_quad"})
     for (const Anchor& anchor : anchors()) {
       lab::Shot shot = shotOf(scene, 64, 40);
@@ -194,11 +195,11 @@ TEST_F(RenderMasks, WhatMovesCoversWhatTheSeedMarks) {
     }
 }
 
-TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
+TEST_F(RenderMasks, StaticPixelsAreNotMarked) {
   lab::Shot still = shotOf("crowd", 64, 40, {{"speed", 0}});
   for (const char* mask : {"none", "paper", "disocclusion", "moving"})
     EXPECT_EQ(countMarked(imageOf(marked(still, mask), "mask")), 0) << mask;
-  // A bar of 20 px of motion and all it comes by: tiles farther than that from its path stay out.
+  // The bar moves by 20 px: tiles farther than that from its path stay unmarked.
   Columns moving = markedIn(marked(shotOf("bar", 256, 16), "moving"));
   EXPECT_LE(moving.front(), 96 - 20);
   EXPECT_GE(moving.front(), 96 - 20 - 2 * 8);
@@ -206,8 +207,8 @@ TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
   EXPECT_LE(moving.back(), 160 + 2 * 8);
 }
 
-// Of a displacement that is no number what is one counts: NaN is 0, infinity far.
-TEST_F(RenderMasks, DamagedDisplacementsMoveByWhatIsLeftOfThem) {
+// Invalid displacements: NaN counts as 0, infinity as motion.
+TEST_F(RenderMasks, InvalidDisplacementsCountAsZeroOrAsMotion) {
   const Path project = sourceFolder() / "tests/oracle/project";
   lab::Workbench damaged(Home({project, home().shipped()}, home().data(), home().program()), bench());
   const lab::Picture picture = damaged.render(with(shotOf("bar", 128, 16), "damaged_masks", {}, "end"));
@@ -217,8 +218,8 @@ TEST_F(RenderMasks, DamagedDisplacementsMoveByWhatIsLeftOfThem) {
   }
 }
 
-// Silhouettes between things that move alike uncover nothing.
-TEST_F(RenderMasks, WhatMovesAlikeIsNotMarkedByRelativeMotion) {
+// Silhouettes between surfaces with equal motion uncover nothing.
+TEST_F(RenderMasks, EqualMotionIsNotMarkedByRelativeMotion) {
   lab::Shot alike = shotOf(
       "cards", 128, 8,
       {{"left0", 40}, {"right0", 72}, {"z0", 0}, {"d0", 16}, {"left1", -80}, {"right1", 208}, {"z1", -20}, {"d1", 16}});
@@ -226,10 +227,10 @@ TEST_F(RenderMasks, WhatMovesAlikeIsNotMarkedByRelativeMotion) {
   EXPECT_GT(countMarked(imageOf(marked(alike, "paper"), "mask")), 0);
 }
 
-// Cards that move across each other. Without a mask the error is .33 rms; .063 with the seed's, .057 with the relative
-// one, .070 with those that mark more: 36 pixels are worse, most of all those at the left border through which the band
-// comes into the picture. No layer has it there, so that what is revealed behind is taken instead of a fallback.
-TEST_F(RenderMasks, RevealingIsWorthMoreThanRevealingEverything) {
+// Cards that move across each other. The rms error is .33 without a mask, .063 with `paper`, .057 with `disocclusion`
+// and .070 with the larger masks. The larger masks are worse at 36 pixels, most of all at the left border, where the
+// band enters the picture: no layer holds the band there, so the revealed background is taken instead of a fallback.
+TEST_F(RenderMasks, DisocclusionMaskHasLessErrorThanLargerMasks) {
   lab::Shot crowd = shotOf("crowd", 64, 40);
   image::Image exact = truth(crowd);
   std::map<std::string, double> error;
@@ -240,7 +241,7 @@ TEST_F(RenderMasks, RevealingIsWorthMoreThanRevealingEverything) {
   for (const char* mask : {"paper", "disocclusion", "moving", "all"}) EXPECT_LE(error[mask], error["none"] / 4) << mask;
   EXPECT_LE(error["disocclusion"], error["paper"]);
   EXPECT_LE(error["disocclusion"], error["all"]);
-  EXPECT_NEAR(error["moving"], error["all"], 1e-3);  // what is still and stays uncovered needs nothing
+  EXPECT_NEAR(error["moving"], error["all"], 1e-3);  // static pixels that stay uncovered need no rays
 }
 
 }  // namespace render_masks_test

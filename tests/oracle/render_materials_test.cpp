@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sides, alpha and samplers of materials, by raster, rays and truth alike and with every way to trace.
+// Sides, alpha and samplers of materials: equal by rasterisation, rays and truth, with every ray tracing backend.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ class RenderMaterials : public RenderTest {
     return sum / (double(color.width) * color.height);
   }
 
-  // The share of pixels whose red differs by more than rounding.
+  // Share of pixels whose red differs by more than rounding.
   static double shareOfOthers(const image::Image& a, const image::Image& b) {
     int others = 0;
     for (int y = 0; y < a.height; ++y)
@@ -34,8 +34,8 @@ class RenderMaterials : public RenderTest {
   }
 };
 
-// glTF 2.0, 3.7.4 and 3.9.6: the sign of the determinant says which winding is the front's.
-TEST_F(RenderMaterials, BacksAreSeenOfWhatHasTwoSides) {
+// glTF 2.0, 3.7.4 and 3.9.6: the sign of the determinant decides which winding is the front.
+TEST_F(RenderMaterials, BackFacesShowOnDoubleSidedMaterialsOnly) {
   const std::vector<bool> seen = {true, false, true, true, false, true, false, true};
   for (const std::string& backend : backends()) {
     lab::Shot shot = shotOf("sides", 64, 8);
@@ -53,8 +53,8 @@ TEST_F(RenderMaterials, BacksAreSeenOfWhatHasTwoSides) {
   }
 }
 
-// What is closed shows no back: it makes no difference whether backs would be seen.
-TEST_F(RenderMaterials, ClosedObjectsShowNoBacks) {
+// A closed object hides its back faces: drawing them makes no difference.
+TEST_F(RenderMaterials, ClosedObjectsHideTheirBackFaces) {
   for (const char* pipeline : {"ground_truth", "hybrid", "none"}) {
     lab::Shot shot = with(shotOf("closed", 64, 40), pipeline);
     if (std::string(pipeline) == "ground_truth") shot.sets.push_back({"samples", "8"});
@@ -65,7 +65,7 @@ TEST_F(RenderMaterials, ClosedObjectsShowNoBacks) {
   }
 }
 
-TEST_F(RenderMaterials, SidesCostNothingWhereAllHaveTwo) {
+TEST_F(RenderMaterials, FactsDescribeTheMaterials) {
   auto facts = [](const lab::Picture& picture) { return picture.record["facts"].dump(); };
   lab::Shot shot = with(shotOf("sides", 64, 8), "none");
   EXPECT_NE(facts(render(shot)).find("one_sided"), std::string::npos);
@@ -74,7 +74,8 @@ TEST_F(RenderMaterials, SidesCostNothingWhereAllHaveTwo) {
   EXPECT_EQ(facts(render(with(shotOf("cut_out", 32, 8), "none"))).find("blend"), std::string::npos);
 }
 
-// Each pixel is one or the other, as many are the card's as alpha says: 4 standard deviations of independent ones.
+// Each pixel shows the card or the wall. The share of the card is alpha, within 4 standard deviations of independent
+// pixels.
 TEST_F(RenderMaterials, BlendingCoversAShareOfPoints) {
   for (double alpha : {0., .25, .6, 1.}) {
     lab::Shot shot = with(shotOf("veil", 64, 64, {{"alpha", alpha}}), kTwoWays);
@@ -84,15 +85,16 @@ TEST_F(RenderMaterials, BlendingCoversAShareOfPoints) {
     EXPECT_NEAR(meanOf(raster), .2 + .7 * alpha, .7 * 4 * share + 1e-5) << alpha;
     for (float value : {raster.at(3, 5, 0), raster.at(40, 20, 0)})
       EXPECT_LT(std::min(std::abs(value - .2), std::abs(value - .9)), 1e-6) << alpha;
-    // Points within single precision of the border of two cells may fall to either side.
+    // Points within single precision of a border between two cells may fall to either side.
     EXPECT_LE(shareOfOthers(raster, rays), .005) << alpha;
     lab::Picture truth = render(with(shotOf("veil", 64, 64, {{"alpha", alpha}}), "ground_truth", {"samples=4"}));
-    EXPECT_LE(shareOfOthers(raster, colorOf(truth)), .005) << "at rest truth is the capture, alpha " << alpha;
+    EXPECT_LE(shareOfOthers(raster, colorOf(truth)), .005)
+        << "without motion truth equals the raster image, alpha " << alpha;
   }
 }
 
-// Sub-pixel samples see other points, and so do times while the card moves: the mean of N goes towards the blend as
-// fast as independent ones do.
+// Subpixel samples hit other points, and so do samples at other times while the card moves. The mean of N samples
+// converges to the blend as fast as with independent samples.
 TEST_F(RenderMaterials, BlendingConverges) {
   const double alpha = .25, expected = .2 + .7 * alpha;
   auto spread = [&](const image::Image& color) {
@@ -111,8 +113,8 @@ TEST_F(RenderMaterials, BlendingConverges) {
 
 // ---- samplers
 
-// Nearest texels, found by their indices; the checker's first field is black.
-TEST_F(RenderMaterials, NearestTexelsAreNearest) {
+// Nearest texels, computed from their indices; the checker's first field is black.
+TEST_F(RenderMaterials, NearestLookupsReturnTheNearestTexel) {
   auto texel = [](double place, const std::string& wrap) {
     int index = int(std::floor(place * 8));
     if (wrap == "clamp") return std::clamp(index, 0, 7);
@@ -121,7 +123,7 @@ TEST_F(RenderMaterials, NearestTexelsAreNearest) {
     return turn % 8;
   };
   for (const char* wrap : {"repeat", "mirror", "clamp"}) {
-    // 2.5 repeats over 64 px: 3.2 px to a texel, whose borders no pixel's centre is within 0.02 texels of.
+    // 2.5 repeats over 64 px: a texel is 3.2 px wide, and no pixel's centre is within 0.02 texels of a texel's border.
     const double repeats = 2.5, start = -.753;
     lab::Shot shot = shotOf("sampler", 64, 64, {{"repeats", repeats}, {"start", start}});
     shot.sets.push_back({"scene.wrap", wrap});
@@ -141,8 +143,8 @@ TEST_F(RenderMaterials, NearestTexelsAreNearest) {
   }
 }
 
-// Linear lookups blend, and smaller levels are grey; what asks for nearest texels of the first level has neither.
-TEST_F(RenderMaterials, FiltersAreThoseAskedFor) {
+// Linear lookups blend, and smaller levels are grey. Nearest lookups of the first level give neither.
+TEST_F(RenderMaterials, TexturesUseTheChosenFilter) {
   auto blended = [](const std::string& filter, double repeats) {
     lab::Shot shot = shotOf("sampler", 64, 64, {{"repeats", repeats}, {"start", .003}});
     shot.sets.push_back({"scene.filter", filter});

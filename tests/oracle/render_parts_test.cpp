@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A loop over parts of the exposure draws each part as a frame of its own whose exposure is the part, bit for bit, and
-// leaves no trace in what is drawn after it.
+// A loop over parts of the exposure draws each part as a separate frame whose exposure is the part, bit for bit, and
+// does not affect the drawings after it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ const std::string kPartsThenRaster = sourceFolder() / "tests/oracle/pipelines/pa
 const std::vector<std::string> kObjects = {"ball=0.35,0.1,0", "box=0.3,0,0.15"};
 const std::vector<std::string> kAll = {"ball=0.35,0.1,0", "box=0.3,0,0.15", "wall=-0.4,0,0", "camera=0.25,0,0"};
 
-// Lit solids with shadows. At 16 frames per second times of frames and of their parts are exact.
+// Lit solids with shadows. At 16 frames per second the times of frames and of their parts are exact.
 lab::Shot solids(const std::vector<std::string>& moves) {
   lab::Shot shot = shotOf("solids", 96, 64);
   shot.moves = moves;
@@ -32,7 +32,7 @@ class RenderParts : public RenderTest {
       EXPECT_TRUE(identical(imageOf(parts, prefix + output), imageOf(frame, output))) << output;
   }
 
-  // Of a node in the order of execution.
+  // Position of a node in the order of execution.
   static size_t place(const lab::Picture& picture, const std::string& node) {
     const auto& times = picture.frame.times;
     auto named = [&](const graph::StepTime& time) { return time.name == node; };
@@ -40,8 +40,8 @@ class RenderParts : public RenderTest {
   }
 };
 
-// Of an exposure of four frames from frame 0 on, the second half is an exposure of two frames about frame 3.
-TEST_F(RenderParts, AreFramesOfTheirOwn) {
+// In an exposure of four frames from frame 0 on, the second half is an exposure of two frames centred on frame 3.
+TEST_F(RenderParts, PartsEqualSeparateFrames) {
   for (const auto& moves : {kObjects, kAll}) {
     lab::Shot whole = with(solids(moves), kPartsThenRaster, {"parts=2"}, "start"), part = solids(moves);
     whole.exposure = 4, whole.frame = 0;
@@ -52,8 +52,8 @@ TEST_F(RenderParts, AreFramesOfTheirOwn) {
   }
 }
 
-// A displacement that is extrapolated from the frame before a part has the part's share of the exposure.
-TEST_F(RenderParts, HaveAFrameBeforeThem) {
+// A displacement extrapolated from the frame before a part is scaled to the part's share of the exposure.
+TEST_F(RenderParts, PartsExtrapolateFromTheFrameBefore) {
   lab::Shot whole = with(solids(kAll), kPartsThenRaster, {"part_gbuffer.displacement=extrapolated"}, "start");
   lab::Shot part = with(solids(kAll), "none", {"gbuffer.displacement=extrapolated"}, "centre");
   whole.exposure = 4, whole.frame = 0;
@@ -61,9 +61,9 @@ TEST_F(RenderParts, HaveAFrameBeforeThem) {
   expectSame(render(whole), "part_", render(part));
 }
 
-// Poses, rays and the frame's data are the frame's again, on every path that traces; more than four parts are waited
-// for one by one.
-TEST_F(RenderParts, LeaveTheFrameAsItIs) {
+// After the loop, poses, rays and frame data belong to the frame again, with every ray tracing backend. More than four
+// parts are waited for one by one.
+TEST_F(RenderParts, PartsDoNotChangeTheFrame) {
   for (const std::string& backend : backends())
     for (const Anchor& anchor : anchors())
       for (int count : {3, 7}) {
@@ -79,8 +79,9 @@ TEST_F(RenderParts, LeaveTheFrameAsItIs) {
       }
 }
 
-// The parts have equal weight by the curve, here the square of the time: the last of four begins at sqrt(3/4).
-TEST_F(RenderParts, HaveEqualWeight) {
+// The parts have equal weight under the curve, whose integral is the square of the time: the last of four begins at
+// sqrt(3/4).
+TEST_F(RenderParts, PartsHaveEqualWeight) {
   lab::Shot shot =
       with(shotOf("bar", 96, 8, {{"left", 30}, {"right", 60}, {"d_f", 20}}), kPartsThenRaster, {"parts=4"});
   shot.shutter_curve = "0,1";

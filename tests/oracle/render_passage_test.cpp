@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A panel of cells that passes a wall of cells, per pixel against the closed form: truth converges to it, and
-// hybrid_layered has about the error of truth with as few samples.
+// A panel of cells passes a wall of cells, per pixel against the closed form: truth converges to it, and hybrid_layered
+// has about the error of truth with as many samples.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace render_passage_test {
 constexpr int kWidth = 96, kHeight = 54;
 constexpr double kAngle = 17;  // degrees, upwards
 
-// scripts/scenes/stability/passage.lua and lib/stage.lua, said once more.
+// A second implementation of scripts/scenes/stability/passage.lua and lib/stage.lua.
 struct Panel {
   double left, top, right, bottom, cell, slant;
   uint32_t seed;
@@ -35,8 +35,7 @@ const Panel kWall{-8, -8, kWidth + 8, kHeight + 8,
                   9,  0,  1,          {{.05, .12, .35}, {.25, .55, .7}, {.02, .05, .08}, {.45, .7, .55}}};
 const Panel kPanel{33, 16, 62, 37, 12, .17, 2, {{.9, .35, .1}, {.95, .75, .2}, {.6, .08, .12}}};
 
-// The mean over the exposure of what is seen at a pixel's centre: exact, from the times at which a border of a cell
-// passes.
+// Mean colour at a pixel's centre over the exposure: exact, by integration between the passages of cell borders.
 glm::dvec3 exposureAt(int x, int y, double speed, Window window) {
   const glm::dvec2 pixel(x + .5, y + .5);
   const glm::dvec2 d = speed * glm::dvec2(std::cos(glm::radians(kAngle)), -std::sin(glm::radians(kAngle)));
@@ -81,8 +80,7 @@ class RenderPassage : public RenderTest {
   }
 };
 
-// The closed form itself: truth of many samples comes to it.
-TEST_F(RenderPassage, IsWhatTruthConvergesTo) {
+TEST_F(RenderPassage, TruthConvergesToTheClosedForm) {
   for (const Anchor& anchor : anchors()) {
     double last = INFINITY;
     for (int samples : {16, 256, 1024}) {
@@ -95,8 +93,8 @@ TEST_F(RenderPassage, IsWhatTruthConvergesTo) {
   }
 }
 
-// While successive samples are at least two pixels apart; if they are closer, truth resolves parts of a pixel.
-TEST_F(RenderPassage, LayersHaveTheErrorOfTruthWithAsFewSamples) {
+// Successive samples are at least two pixels apart. If they were closer, truth would resolve parts of a pixel.
+TEST_F(RenderPassage, LayersHaveTheErrorOfTruthWithAsManySamples) {
   double most = 0;
   for (const Anchor& anchor : anchors())
     for (double speed : {10., 30., 100.})

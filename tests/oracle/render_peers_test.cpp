@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blurs of engines and papers since 2020: each does what it is known for, and shows the weakness it is known for.
-// Against closed forms, and against truth where there is none.
+// Blurs of engines and papers since 2020, with their known strengths and weaknesses. Against closed forms, or against
+// truth where no closed form exists.
 #include <fmt/format.h>
 
 #include <bit>
@@ -15,11 +15,11 @@ constexpr int kWidth = 256, kRows = 8, kRow = 4;
 
 class RenderPeers : public RenderTest {};
 
-// --- Bevy: each pixel along its own displacement
+// --- Bevy: each pixel blurs along its own displacement
 
-// On a bar over black, taps inside the bar are as many as times at which the bar is there: within, that is the
-// exposure. Without, where truth has ramps as well, it is the sharp picture, bit for bit.
-TEST_F(RenderPeers, BevyBlursNothingBeyondASilhouette) {
+// A bar over black. Inside the bar, the share of taps on the bar equals its share of the exposure. Outside, where truth
+// has ramps too, the picture stays sharp, bit for bit.
+TEST_F(RenderPeers, BevyBlursNothingOutsideASilhouette) {
   const Strips bar = {{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   constexpr int kSamples = 32;
   for (const Anchor& anchor : anchors()) {
@@ -40,24 +40,24 @@ TEST_F(RenderPeers, BevyBlursNothingBeyondASilhouette) {
       }
     }
     bool centred = anchor.name == "centre";
-    EXPECT_LT(softest, centred ? .55 : .1);  // half of the ramp, or all of it
-    EXPECT_GT(missed, centred ? .45 : .9);   // the half that is not there, or all of the ramp at the other end
+    EXPECT_LT(softest, centred ? .55 : .1);  // half the ramp, or the whole ramp
+    EXPECT_GT(missed, centred ? .45 : .9);   // the missing half, or the whole ramp at the other end
   }
 }
 
-// What is nearer and goes fast along the pixel's own line counts, although it goes away: a ghost where truth has none.
-TEST_F(RenderPeers, BevyTakesWhatGoesAwayForWhatComes) {
+// A nearer and faster surface on the pixel's own line counts even if it moves away: a ghost that truth does not have.
+TEST_F(RenderPeers, BevyShowsGhostsOfDepartingSurfaces) {
   lab::Shot shot = shotOf("textured_bar", kWidth, kRows,
                           {{"d_f", 20}, {"d_b", -12}, {"period_b", 8}, {"b_light", .2}, {"b_dark", .2}});
   image::Image color = colorOf(render(with(shot, "bevy", {"samples=32"}, "end")));
-  // To the right of a bar that has come from the left nothing but the background of .2 is ever seen.
+  // Right of a bar that has come from the left, only the background of .2 is ever visible.
   EXPECT_GT(color.at(162, kRow, 0), .4);
   EXPECT_FLOAT_EQ(color.at(180, kRow, 0), .2f);
 }
 
 // --- Lee, Kwon and Oh 2024: full layers, searched back along displacements
 
-// Three cards one right behind the other that move apart, before a wall at rest.
+// Three cards directly behind each other that move apart before a static wall.
 const Strips kStack = {{32, 96, 20, {.9}}, {32, 96, 16, {.6}}, {32, 96, 12, {.3}}, {-kInfinity, kInfinity, 0, {.1}}};
 
 lab::Shot stacked() {
@@ -71,7 +71,7 @@ lab::Shot stacked() {
   return shotOf("cards", 128, kRows, numbers);
 }
 
-// Which surface is the farthest that a pixel sees within the exposure, 0 the first.
+// Index of the farthest surface that is visible at a pixel within the exposure, 0 for the first.
 int farthestSeen(const Strips& strips, Window window, int x) {
   int farthest = 0;
   for (int i = 0; i < 256; ++i) {
@@ -81,9 +81,10 @@ int farthestSeen(const Strips& strips, Window window, int x) {
   return farthest;
 }
 
-// As many layers as surfaces: exact up to the number of samples, inside of the silhouettes, where each layer's own
-// displacement is searched for. With fewer, exactly those pixels are wrong that see what is in no layer.
-TEST_F(RenderPeers, Layers2024SeeAsFarAsTheyHaveLayers) {
+// With as many layers as surfaces the picture is exact up to the number of samples inside the silhouettes, where the
+// search follows each layer's own displacement. With fewer layers, only pixels that show a surface without a layer are
+// wrong.
+TEST_F(RenderPeers, Lee2024ResolvesAsManySurfacesAsLayers) {
   constexpr int kSamples = 64;
   for (int layers = 1; layers <= 4; ++layers)
     for (const Anchor& anchor : anchors()) {
@@ -106,8 +107,8 @@ TEST_F(RenderPeers, Layers2024SeeAsFarAsTheyHaveLayers) {
     }
 }
 
-// What is outside of the picture at the capture is in no layer, however many there are.
-TEST_F(RenderPeers, Layers2024MissWhatHasLeft) {
+// A surface outside the picture at the raster time is in no layer, however many layers exist.
+TEST_F(RenderPeers, Lee2024MissesSurfacesOutsideThePicture) {
   const Strips gone = {{260, 300, 60, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, kRows, {{"left", 260}, {"right", 300}, {"d_f", 60}});
   image::Image color = colorOf(render(with(shot, "lee2024", {"layer_count=4"}, "end")));
@@ -115,8 +116,8 @@ TEST_F(RenderPeers, Layers2024MissWhatHasLeft) {
   EXPECT_GT(exposeCentre(gone, kCloseAnchor, 230).colour, .4);
 }
 
-// A pixel that is at none of its layers' paths knows of what passes over it by its tile alone.
-TEST_F(RenderPeers, Layers2024FindNothingOutsideByOwnDisplacements) {
+// A pixel on no path of its own layers gets the displacement of passing surfaces from its tile only.
+TEST_F(RenderPeers, Lee2024FindsNothingOutsideByOwnDisplacements) {
   lab::Shot shot = shotOf("bar", kWidth, kRows);
   image::Image own = colorOf(render(with(shot, "lee2024", {"paths=own"}, "end")));
   image::Image tiles = colorOf(render(with(shot, "lee2024", {"paths=tiles", "samples=64"}, "end")));
@@ -128,11 +129,11 @@ TEST_F(RenderPeers, Layers2024FindNothingOutsideByOwnDisplacements) {
   }
 }
 
-// --- Unity HDRP: tiles scattered along their motion, weights by how motions are aligned
+// --- Unity HDRP: tiles scattered along their motion, weights by alignment of motions
 
-// A bar of four tiles that comes from 90 px away: tiles of 16 px hold its displacement as far as it was, not
-// everywhere, and its blur is as long.
-TEST_F(RenderPeers, HdrpBlursFartherThanItsTilesAreWide) {
+// A bar of four tiles that has moved 90 px. The tiles of 16 px on its path hold its displacement, distant tiles do not,
+// and the blur has the full length.
+TEST_F(RenderPeers, HdrpBlursFartherThanATile) {
   const Strips bar = {{160, 224, 90, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, 16, {{"left", 160}, {"right", 224}, {"d_f", 90}});
   shot = with(shot, "hdrp", {"samples=64"}, "end");
@@ -145,7 +146,7 @@ TEST_F(RenderPeers, HdrpBlursFartherThanItsTilesAreWide) {
     if (covered > 0) {
       EXPECT_FLOAT_EQ(dominant.at(tile, 0, 0), 90) << tile;
     }
-    bool far_off = 16 * (tile + 2) < 70 || 16 * (tile - 1) > 224;  // of all that it passes, by a tile and more
+    bool far_off = 16 * (tile + 2) < 70 || 16 * (tile - 1) > 224;  // by at least a tile from the bar's whole path
     if (far_off) {
       EXPECT_EQ(dominant.at(tile, 0, 0), 0) << tile;
     }
@@ -154,8 +155,8 @@ TEST_F(RenderPeers, HdrpBlursFartherThanItsTilesAreWide) {
     EXPECT_NEAR(colorOf(picture).at(x, kRow, 0), exposeCentre(bar, kCloseAnchor, x).colour, 1.5 / 64) << x;
 }
 
-// Tiles 10 to 13 tell those that they pass, up to where they are when the exposure begins and ends, and no others.
-TEST_F(RenderPeers, HdrpTilesTellAllThatTheyPass) {
+// Tiles 10 to 13 scatter their displacement to the tiles between their positions at the two ends of the exposure.
+TEST_F(RenderPeers, HdrpTilesScatterAlongTheirWholePath) {
   constexpr int kTiles = kWidth / 16;
   constexpr double kLength = 90, kFrom = 10, kTo = 13;
   for (const Anchor& anchor : anchors()) {
@@ -172,7 +173,7 @@ TEST_F(RenderPeers, HdrpTilesTellAllThatTheyPass) {
   }
 }
 
-// `a` moves 12 px to the right, `b` 10 px down; both lie in one tile, far from each other.
+// `a` moves 12 px right, `b` 10 px down; both lie in one tile, far from each other.
 lab::Shot crossing(double a_x) {
   return shotOf("crossing", 96, 96,
                 {{"a_left", 0}, {"a_top", 64}, {"a_x", a_x}, {"b_left", 40}, {"b_top", 20}, {"b_x", 0}, {"b_y", 10}});
@@ -186,13 +187,13 @@ TEST_F(RenderPeers, HdrpLosesOneOfTwoMotionsInATile) {
   image::Image alone = color(0, "hdrp", one_tile), crossed = color(12, "hdrp", one_tile), sharp = color(12, "none", {});
   for (int y = 8; y < 56; ++y) {
     double exact = .2 + .4 * barAtCentre(20, 52, 10, kCloseAnchor, y);
-    EXPECT_NEAR(alone.at(56, y, 0), exact, .4 / 10) << y;  // where nothing else moves it is blurred, by 10 taps
-    EXPECT_NEAR(crossed.at(56, y, 0), sharp.at(56, y, 0), 1e-5) << y;  // where something faster does it is sharp
+    EXPECT_NEAR(alone.at(56, y, 0), exact, .4 / 10) << y;              // without other motion: blurred, by 10 taps
+    EXPECT_NEAR(crossed.at(56, y, 0), sharp.at(56, y, 0), 1e-5) << y;  // with faster motion in the tile: sharp
   }
-  EXPECT_NEAR(barAtCentre(20, 52, 10, kCloseAnchor, 15), .55, 1e-9);  // of which half was to be seen
+  EXPECT_NEAR(barAtCentre(20, 52, 10, kCloseAnchor, 15), .55, 1e-9);  // the coverage that is lost
 }
 
-// What the weights are for: what moves across the dominant displacement is not smeared along it.
+// The weights keep a surface that moves across the dominant displacement from being smeared along it.
 TEST_F(RenderPeers, HdrpSpreadsNothingAcrossItsOwnMotion) {
   auto beside = [](const std::string& pipeline) {
     return colorOf(render(with(crossing(12), pipeline, {"tile=96"}, "end"))).at(36, 36, 0);
@@ -201,9 +202,9 @@ TEST_F(RenderPeers, HdrpSpreadsNothingAcrossItsOwnMotion) {
   EXPECT_GT(beside("jimenez2014"), .3);
 }
 
-// --- Oberberger, Chajdas and Westermann 2022: one ray per pixel at a time of its own, a filter along the motion
+// --- Oberberger, Chajdas and Westermann 2022: one ray per pixel at a random time, a filter along the motion
 
-// A striped bar over stripes at rest, the mean over rows and seeds of each column against the exact exposure.
+// A striped bar over static stripes: the mean of each column over rows and seeds, against the exact exposure.
 constexpr int kTallRows = 64, kSeeds = 16;
 const Strips kStriped = {{96, 160, 20, {.9, .6, 8, 96}}, {-kInfinity, kInfinity, 0, {.4, .1, 8, 0}}};
 
@@ -220,14 +221,14 @@ double meanOfColumn(const image::Image& color, int x) {
   return sum;
 }
 
-// What a column sees, on average over the times that pixels draw from: the middles of 32 parts of the exposure.
+// Mean colour of a column over the times that pixels draw from: the middles of 32 parts of the exposure.
 double meanOfTimes(int x) {
   double sum = 0;
   for (int i = 0; i < 32; ++i) sum += seenAt(kStriped, x + .5, (i + .5) / 32 - 1).colour / 32;
   return sum;
 }
 
-// Worst column of the mean over seeds, where the bar is seen at some time.
+// Largest bias of a column's mean over seeds, among the columns that the bar covers at some time.
 double biasOf(const std::vector<image::Image>& pictures) {
   double worst = 0;
   for (int x = 76; x < 160; ++x) {
@@ -238,7 +239,7 @@ double biasOf(const std::vector<image::Image>& pictures) {
   return worst;
 }
 
-// Noise: how far pixels of a column are from the mean of it.
+// Noise: standard deviation of the pixels from the mean of their column.
 double noiseOf(const image::Image& color) {
   double squares = 0;
   for (int x = 76; x < 160; ++x) {
@@ -248,9 +249,9 @@ double noiseOf(const image::Image& color) {
   return std::sqrt(squares);
 }
 
-// Rays alone are right on average and noisy; the filter takes away most of the noise, and what it leaves is wrong
-// however many pictures are averaged. Colours lie in a range of .8: no standard deviation is more than half of that.
-TEST_F(RenderPeers, Temporal1IsRightOnAverageUntilItIsFiltered) {
+// Rays alone are unbiased and noisy. The filter removes most of the noise, but adds a bias that no number of averaged
+// pictures removes. Colours lie in a range of .8, so a standard deviation is at most .4.
+TEST_F(RenderPeers, Oberberger2022IsUnbiasedWithoutItsFilter) {
   std::vector<image::Image> rays, filtered;
   for (int seed = 1; seed <= kSeeds; ++seed) {
     rays.push_back(colorOf(render(oneRay(0, seed))));
@@ -264,10 +265,10 @@ TEST_F(RenderPeers, Temporal1IsRightOnAverageUntilItIsFiltered) {
   EXPECT_GT(after, .01);
 }
 
-// Where motions differ all are blurred along the longer one: a wall at rest before which something passes is smeared,
-// which in truth is as sharp as ever wherever it is seen.
-TEST_F(RenderPeers, Temporal1BlursWhatRestsAlongWhatMoves) {
-  // Of stripes at rest under a bar of one colour the contrast is what is left of them by the bar's share of the time.
+// Pixels with different motions are all blurred along the longer one: a static wall behind a moving bar is smeared,
+// although truth shows it sharp.
+TEST_F(RenderPeers, Oberberger2022SmearsStaticSurfacesAlongMotion) {
+  // The contrast of static stripes behind a bar of one colour, reduced by the bar's share of the time.
   lab::Shot shot = shotOf("textured_bar", kWidth, kTallRows, {{"f_light", .25}, {"f_dark", .25}, {"period_b", 2}});
   auto contrast = [&](int levels) {
     image::Image color = colorOf(render(with(shot, "oberberger2022", {fmt::format("octaves={}", levels)}, "end")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sampling ranges: every anchor against the exact exposures of all, the exposure split at the capture where motion
-// bends there, and displacements extrapolated from the frame before.
+// Sampling ranges: every anchor against the exact exposures of all anchors; the exposure split at the raster time,
+// where the velocity changes; and displacements extrapolated from the frame before.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace render_ranges_test {
 
 constexpr int kWidth = 96, kHeight = 20, kSamples = 16, kMargin = 16;
 
-// The scene `bent`, with its numbers (pixels, over the exposure).
+// The scene `bent` with its parameters (px over the exposure).
 struct Bent {
   double before = 20, after = 20, before_y = 0, after_y = 0, bend = 0, d_back = 0;
   double light = .4, dark = .1, top = -8, bottom = 40;
@@ -37,7 +37,7 @@ struct Bent {
                    {"top", top},
                    {"bottom", bottom}});
   }
-  // Linear motion as in the part before the capture, or as in that after it.
+  // Linear motion at the velocity before or after the raster time.
   MovingPolygon part(bool is_after) const {
     return {{{30, top}, {62, top}, {62, bottom}, {30, bottom}},
             is_after ? Point{after, after_y} : Point{before, before_y},
@@ -45,7 +45,7 @@ struct Bent {
             {d_back, 0},
             {light, dark, 8, 0, 0}};
   }
-  // Centred: half of the exposure each.
+  // Centred exposure: each velocity for one half.
   Exposure exactAt(int x, int y) const {
     Exposure first = exposeCentre(part(false), {-.5, 0}, x, y), second = exposeCentre(part(true), {0, .5}, x, y);
     Exposure both;
@@ -59,7 +59,7 @@ struct Bent {
 
 using ExactExposure = std::function<Exposure(int x, int y)>;
 
-// Away from the left and right border, beyond which no filter knows anything.
+// Root mean square error without the left and right border, since no filter has surfaces beyond it.
 double rmsTo(const image::Image& color, const ExactExposure& exact) {
   double sum = 0;
   for (int y = 0; y < color.height; ++y)
@@ -67,14 +67,14 @@ double rmsTo(const image::Image& color, const ExactExposure& exact) {
   return std::sqrt(sum / (color.height * (color.width - 2 * kMargin)));
 }
 
-// Over something at rest and of one colour.
+// Over a static background of one colour.
 const std::vector<Bent> kPlain = {
     {.before = 20, .after = -20, .light = .1},
     {.before = 0, .after = 18, .light = .1},
     {.before = -8, .after = 19, .light = .1},
     {.before = 12, .after = 20, .light = .1},
 };
-// Over a checker, which moves.
+// Over a checker, static or moving.
 const std::vector<Bent> kTextured = {
     {.before = 19, .after = -17},
     {.before = 0, .after = 18, .d_back = -12},
@@ -107,8 +107,8 @@ class RenderRanges : public RenderTest {
   void checkComposite(const Method& method, const Bent& bent);
 };
 
-// Time samples, and edges placed to within 3/4 px of the path, which layered composites take for being there. Borders
-// of the picture, where what moves in is not known, are left out.
+// Error of time samples and of edges placed to within 3/4 px, the tolerance of layered composites. The picture's
+// borders are left out, since the surfaces that enter there are unknown.
 void RenderRanges::checkComposite(const Method& method, const Bent& bent) {
   auto exact = [&](int x, int y) { return bent.exactAt(x, y); };
   image::Image split = colorBy(method, bent.shot(), {"range=split"}), inside = split;
@@ -149,7 +149,7 @@ TEST_F(RenderRanges, EachAnchorIsNearestToItsOwnExposure) {
 
 // ----------------------------------------------------------------------------------------------
 
-TEST_F(RenderRanges, TruthFollowsMotionThatBends) {
+TEST_F(RenderRanges, TruthFollowsMotionInTwoSegments) {
   constexpr int kTimes = 128;
   for (const Bent& bent : {kPlain[0], kTextured[2]}) {
     std::vector<std::string> settings = {fmt::format("samples={}", kTimes), "mark_regions=false"};
@@ -160,8 +160,8 @@ TEST_F(RenderRanges, TruthFollowsMotionThatBends) {
   }
 }
 
-// Over a background at rest each tap counts as 1/N of the exposure: as good as N time samples of the exact picture.
-TEST_F(RenderRanges, SplitGatherIsExactWhereMotionBends) {
+// Over a static background each tap counts as 1/N of the exposure: as exact as N time samples.
+TEST_F(RenderRanges, SplitGatherIsExactForTwoSegments) {
   for (const Bent& bent : kPlain) {
     auto exact = [&](int x, int y) { return bent.exactAt(x, y); };
     image::Image split = colorBy(kUniform, bent.shot(), {"range=split"});
@@ -171,12 +171,12 @@ TEST_F(RenderRanges, SplitGatherIsExactWhereMotionBends) {
   }
 }
 
-TEST_F(RenderRanges, SplitCompositesAreExactWhereMotionBends) {
+TEST_F(RenderRanges, SplitCompositesAreExactForTwoSegments) {
   for (const Bent& bent : {kPlain[0], kPlain[2]}) checkComposite(kInGather, bent);
   for (const Bent& bent : {kPlain[0], kTextured[0], kTextured[1], kTextured[2]}) checkComposite(kBest, bent);
 }
 
-TEST_F(RenderRanges, OneSidedExposuresHaveOnePart) {
+TEST_F(RenderRanges, OneSidedExposuresHaveOneSegment) {
   lab::Shot shot = kTextured[0].shot();
   for (const Method& method : kSplitting)
     for (const char* anchor : {"end", "start"}) {
@@ -185,9 +185,9 @@ TEST_F(RenderRanges, OneSidedExposuresHaveOnePart) {
     }
 }
 
-// The two displacements differ from the one by rounding, which may put a tap on the other side of half a pixel: paths
-// here end on no border of pixels.
-TEST_F(RenderRanges, LinearMotionIsTheSameSplitOrWhole) {
+// The two displacements differ from the single one by rounding, which may move a tap across half a pixel. No path here
+// ends on a border of pixels.
+TEST_F(RenderRanges, SplittingDoesNotChangeLinearMotion) {
   for (const Method& method : kSplitting)
     for (const lab::Shot& shot : {Bent{.d_back = -7.3}.shot(), crowd()}) {
       image::Image whole = colorBy(method, shot), split = colorBy(method, shot, {"range=split"});
@@ -195,9 +195,9 @@ TEST_F(RenderRanges, LinearMotionIsTheSameSplitOrWhole) {
     }
 }
 
-// Of 28 px, 21.5 are left of each displacement: the last tap lies 7.6 px off along either axis, and is rounded to 8,
-// which what moves by more would pass.
-TEST_F(RenderRanges, LinearMotionIsShortenedAlikeSplitOrWhole) {
+// The limit shortens displacements of 28 px to 21.5 px: the last tap lies 7.6 px away along either axis, rounded to 8.
+// Longer displacements would move it further.
+TEST_F(RenderRanges, SplittingDoesNotChangeShortenedMotion) {
   const lab::Shot shot = Bent{.before_y = 20, .after_y = 20, .light = .1}.shot();
   const std::vector<std::string> shortened = {"limit=0.224", "samples=256"};
   std::vector<std::string> split = shortened;
@@ -207,7 +207,7 @@ TEST_F(RenderRanges, LinearMotionIsShortenedAlikeSplitOrWhole) {
   EXPECT_GT(image::countDifferent(whole, colorBy(kUniform, shot, {"samples=256"}), 1e-5), 0);
 }
 
-TEST_F(RenderRanges, PublishedWeightsKnowNoParts) {
+TEST_F(RenderRanges, PublishedWeightsRefuseSplitRanges) {
   for (const char* weights : {"mcguire2012", "uniform"}) {
     std::string setting = fmt::format("weights={}", weights);
     const std::string refused = testing::refusalOf([&] {
@@ -222,7 +222,7 @@ TEST_F(RenderRanges, PublishedWeightsKnowNoParts) {
 
 using At = std::function<vec2(int x, int y)>;
 
-// The largest distance between a velocity image and the closed form, over pixels where `counts`.
+// Largest distance between a velocity image and the closed form, over the pixels that `counts` selects.
 double farthest(const image::Image& velocity, const At& exact, const std::function<bool(int x, int y)>& counts) {
   double largest = 0;
   int count = 0;
@@ -237,9 +237,9 @@ double farthest(const image::Image& velocity, const At& exact, const std::functi
   return largest;
 }
 
-// At x = v t + bend t^2 / 2 (t in exposures) the window yields v + bend (open + close) / 2, and the frame before, 1/T
-// exposures earlier, v - bend / (2 T).
-TEST_F(RenderRanges, ExtrapolationMissesWhatAcceleratesByThePredictedAmount) {
+// With x = v t + `bend` t^2 / 2 (t in exposures) the window yields v + `bend` (open + close) / 2. The frame before, 1/T
+// exposures earlier, yields v - `bend` / (2 T).
+TEST_F(RenderRanges, ExtrapolationMissesAccelerationByThePredictedAmount) {
   Bent bent{.before = 12, .after = 12, .bend = 5};
   const double exposure = .5;  // T
   auto on_bar = [](int x, int) { return x >= 30 && x < 62; };
@@ -280,7 +280,7 @@ TEST_F(RenderRanges, UniformMotionIsExtrapolatedExactly) {
 
 constexpr double kFocal = 64;  // px, of the scene `crowd`
 
-// Where, from the principal point in px, a camera that turned by `angle` to its left sees what was at `p` before.
+// Position, in px from the principal point, of the direction at `p` after the camera has turned left by `angle`.
 vec2 turned(vec2 p, double angle) {
   double x = p.x / kFocal, y = p.y / kFocal;
   double depth = std::cos(angle) - x * std::sin(angle);
@@ -308,8 +308,8 @@ TEST_F(RenderRanges, SkyMovesWithTheTurningCamera) {
   }
 }
 
-// Where nothing was revealed there is nothing that moves, the sky does not show through either.
-TEST_F(RenderRanges, WhatIsNotThereDoesNotMoveWithTheTurningCamera) {
+// Pixels without a revealed surface have no motion, not even the motion of the sky.
+TEST_F(RenderRanges, PixelsWithoutARevealedSurfaceHaveNoMotion) {
   lab::Shot shot = crowd();
   shot.spins = {"camera=0,1,0,8"};
   shot = with(shot, "hybrid_layered", {"range=split"}, "centre");
@@ -329,7 +329,7 @@ TEST_F(RenderRanges, WhatIsNotThereDoesNotMoveWithTheTurningCamera) {
   EXPECT_GT(nothing, 100);
 }
 
-// Focal length times the camera's path over the depth, whatever the anchor; the sky stands still.
+// Focal length times the camera's motion over the depth, for every anchor; the sky is static.
 TEST_F(RenderRanges, PicturePansWithTheMovingCamera) {
   for (const Anchor& anchor : anchors()) {
     for (const char* displacement : {"window", "extrapolated"}) {
@@ -347,9 +347,9 @@ TEST_F(RenderRanges, PicturePansWithTheMovingCamera) {
   }
 }
 
-// The camera was 30 m further ahead a frame ago: what is nearer than that was behind it. The path up to the near plane
-// is extrapolated to its full length; nothing is divided by a depth below it.
-TEST_F(RenderRanges, WhatWasBehindTheCameraIsExtrapolatedFromTheNearPlane) {
+// A frame ago the camera was 30 m further ahead, so nearer surfaces were behind it. Their path up to the near plane is
+// extrapolated to its full length, without a division by a depth below the near plane.
+TEST_F(RenderRanges, SurfacesFromBehindTheCameraStartAtTheNearPlane) {
   lab::Shot shot = crowd({{"speed", 0}});
   shot.moves = {"camera=0,0,30"};
   lab::Picture picture = pictureBy({"mcguire2012", {}}, shot, {"displacement=extrapolated"}, "start");

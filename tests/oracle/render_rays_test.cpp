@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Rays that rounding makes hard, through every tracing backend and through Embree: to vertices and edges, along
-// surfaces and axes, from far away. Where two answers differ, the ray passes the triangle in question within rounding
-// of its border, along its plane, or starts on it: single precision cannot say more, which is reckoned here at double.
+// Rays that are hard for single precision, through every ray tracing backend and through Embree: to vertices and edges,
+// along surfaces and axes, from far away. If two results differ, the ray must pass the triangle within rounding of its
+// border or along its plane, or start on it, as computed in double precision.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,8 +30,8 @@ namespace render_rays_test {
 const std::string kRays = sourceFolder().string() + "/scripts/inspect/test_rays.lua";
 const char* const kKinds[] = {"through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane"};
 
-// Rays go through each scene as the pixels of a picture twice as wide as high: 512x256, or with at least as many pixels
-// as STROBE_RAYS says. Rows have the kinds by turns.
+// Rays go through each scene as the pixels of a picture twice as wide as high: 512x256, or at least STROBE_RAYS pixels.
+// The rows cycle through the kinds of rays.
 int height() {
   const char* asked = std::getenv("STROBE_RAYS");
   const double rays = asked ? std::atof(asked) : 131072;
@@ -47,7 +47,7 @@ struct Found {
   }
 };
 
-// What one backend found.
+// Rays and hits of one backend.
 class Rays {
  public:
   explicit Rays(const lab::Picture& picture) : outputs_(picture.frame.outputs) {}
@@ -71,7 +71,7 @@ class Rays {
 
 using Triangle = std::array<dvec3, 3>;
 
-// The triangles of a shot's scene at the capture, as rays see them: from the camera.
+// Triangles of a shot's scene at the raster time, relative to the camera.
 class Triangles {
  public:
   explicit Triangles(lab::Shot shot, const Home& home) : loaded_(lab::loadScene(home, shot)) {
@@ -118,7 +118,7 @@ class Triangles {
   dvec3 origin_;
   std::vector<scene::Instance> instances_;
   std::vector<dmat4> transforms_;
-  std::vector<std::vector<scene::BentVertex>> bent_;  // of instances that bend
+  std::vector<std::vector<scene::BentVertex>> bent_;  // empty for rigid instances
 };
 
 double distanceToSegment(const dvec3& p, const dvec3& a, const dvec3& b) {
@@ -127,14 +127,14 @@ double distanceToSegment(const dvec3& p, const dvec3& a, const dvec3& b) {
   return glm::length(p - (a + s * (b - a)));
 }
 
-// Sine of the angle between a ray and a triangle. What is off to a side moves their meeting by that much more.
+// Sine of the angle between a ray and a triangle. An offset of the ray moves its hit by the offset divided by the sine.
 double slantOf(const Triangle& triangle, const dvec3& direction) {
   dvec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
   double lengths = glm::length(normal) * glm::length(direction);
   return lengths > 0 ? std::abs(glm::dot(normal, direction)) / lengths : 0;
 }
 
-// May rounding decide whether this ray meets this triangle?
+// True if rounding may decide whether this ray hits this triangle.
 bool isBorderline(const Triangle& triangle, const dvec3& origin, const dvec3& direction) {
   double size = glm::length(origin);
   for (const dvec3& corner : triangle) size = std::max(size, glm::length(corner));
@@ -160,8 +160,7 @@ class RenderRays : public RenderTest {
     return with(shot, kRays);
   }
 
-  // Scenes of which nothing bends, and, but where rays are counted, one in which joints and one in which morph targets
-  // bend what rays meet.
+  // Rigid scenes and, without STROBE_RAYS, one scene deformed by joints and one deformed by morph targets.
   static std::vector<std::string> scenes(std::vector<std::string> rigid) {
     std::optional<Path> data = home().data();
     for (const char* name : {"CesiumMan", "AnimatedMorphSphere"}) {
@@ -171,8 +170,8 @@ class RenderRays : public RenderTest {
     return rigid;
   }
 
-  // Whatever is not the same is within rounding. Reports the first few that are not. Where STROBE_RAYS is set, prints
-  // how many were two triangles in one place ("tied") or passed a border within rounding ("bordering"), by kinds.
+  // Expects that all differences are within rounding, and reports the first few others. With STROBE_RAYS, prints for
+  // each kind how many pairs of hits are in one place ("tied") or pass a border within rounding ("bordering").
   static void expectAlike(const Rays& rays, const Triangles& triangles, const std::function<Found(size_t)>& other,
                           const std::string& what) {
     int wrong = 0;
@@ -182,7 +181,7 @@ class RenderRays : public RenderTest {
       if (x == y) continue;
       const size_t kind = i / size_t(width()) % std::size(kKinds);
       dvec3 origin(rays.origin(i)), direction(rays.direction(i));
-      // The nearer of the two is what the other did not meet.
+      // The nearer of the two hits is in question: the other result misses it.
       const Found& nearer = x.t <= y.t ? x : y;
       if (areInOnePlace(triangles, x, y, origin, direction)) ++tied[kind];
       else if (isBorderline(triangles.at(nearer), origin, direction)) ++bordering[kind];
@@ -212,7 +211,7 @@ class RenderRays : public RenderTest {
   }
 };
 
-TEST_F(RenderRays, MeetTheSameInEveryBackend) {
+TEST_F(RenderRays, BackendsHitTheSameTriangles) {
   for (const std::string& scene : scenes({"crowd", "cut_out", "solids", "living_room"})) {
     lab::Shot shot = shotThrough(scene);
     Triangles triangles(shot, bench().home());
@@ -224,7 +223,7 @@ TEST_F(RenderRays, MeetTheSameInEveryBackend) {
       size_t hits = 0;
       for (size_t i = 0; i < rays.count(); ++i) {
         hits += rays.hit(i).instance > 0;
-        // Any hit is there where the nearest one is.
+        // A ray is blocked exactly if it has a nearest hit.
         ASSERT_EQ(rays.blocked(i), rays.hit(i).instance > 0) << scene << ", " << backend << ", ray " << i;
       }
       EXPECT_GT(hits, rays.count() / 8) << scene;
@@ -290,7 +289,7 @@ class Embree {
   RTCScene scene_;
 };
 
-TEST_F(RenderRays, MeetWhatEmbreeMeets) {
+TEST_F(RenderRays, HitsMatchEmbree) {
   for (const std::string& scene : scenes({"crowd", "solids", "living_room"})) {
     lab::Shot shot = shotThrough(scene);
     shot.backend = "bvh";
@@ -304,7 +303,7 @@ TEST_F(RenderRays, MeetWhatEmbreeMeets) {
   }
 }
 #else
-TEST_F(RenderRays, MeetWhatEmbreeMeets) { GTEST_SKIP() << "there is no Embree 3"; }
+TEST_F(RenderRays, HitsMatchEmbree) { GTEST_SKIP() << "Embree 3 is not installed"; }
 #endif
 
 }  // namespace render_rays_test

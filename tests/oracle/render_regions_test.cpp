@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The region `self` of truth against a box seen in plan: which of its four sides a column's line of sight meets.
+// The region `self` of truth against a box in plan view, where each column's view ray hits at most one of four sides.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace strobe::oracle {
 namespace render_regions_test {
 
-// Seen from above, x to the right and z towards the camera, whose lines of sight are parallel to z.
+// Plan view: x to the right, z towards the camera. The view rays are parallel to z.
 struct Box {
   double side = 30, at = 48, yaw = 20, degrees = 0, d_f = 0, left = 0, right = 0;
 
@@ -28,16 +28,17 @@ struct Box {
 
   double angle(double t) const { return (yaw + degrees * t) * std::numbers::pi / 180; }
 
-  // The normal of side `i` at t: towards the camera where z is positive.
+  // Component along z of the normal of side `i`: positive towards the camera.
   static double facing(int i, double angle) { return std::cos(angle + i * std::numbers::pi / 2); }
 
   struct Seen {
     int side;
-    double along;   // of the side, from its middle, pixels
+    double along;   // on the side, from its middle, px
     double margin;  // to the nearest end of a side, pixels of the picture
   };
 
-  // The side that the column of centre `x` sees at t; a convex shape shows every side that faces the camera.
+  // Side that is visible at t in the column of centre `x`; every side of a convex shape that faces the camera is
+  // visible.
   std::optional<Seen> seen(double x, double t) const {
     double from_axis = x - at - d_f * t, angle = this->angle(t);
     for (int i = 0; i < 4; ++i) {
@@ -62,7 +63,7 @@ struct Box {
 
 class RenderRegions : public RenderTest {};
 
-// Columns of `self`, of which every row is alike.
+// Compares the columns of `self`, whose rows are all equal.
 int expectSelf(const lab::Picture& picture, const Box& box, Window window, int samples, const std::string& what) {
   const image::Image& self = imageOf(picture, "self");
   const image::Image& hidden = imageOf(picture, "hidden");
@@ -86,8 +87,8 @@ int expectSelf(const lab::Picture& picture, const Box& box, Window window, int s
   return found;
 }
 
-// Its right side is seen before the capture, and faces away from the camera at it.
-TEST_F(RenderRegions, SelfIsWhereAHiddenSideWasSeen) {
+// A side is visible within the exposure, and faces away from the camera at the raster time.
+TEST_F(RenderRegions, SelfMarksHiddenSidesOfATurningBox) {
   constexpr int kSamples = 32;
   for (const Anchor& anchor : anchors()) {
     int found = 0;
@@ -101,8 +102,8 @@ TEST_F(RenderRegions, SelfIsWhereAHiddenSideWasSeen) {
   }
 }
 
-// What only slides shows the sides that it shows at the capture, though it uncovers the wall.
-TEST_F(RenderRegions, SelfIsNothingOfABoxThatSlides) {
+// A sliding box shows the same sides throughout, although it uncovers the wall.
+TEST_F(RenderRegions, SelfIsEmptyForASlidingBox) {
   for (const Anchor& anchor : anchors()) {
     lab::Picture picture = render(with(Box{.d_f = 20}.shot(), "ground_truth", {"samples=32"}, anchor.name));
     EXPECT_EQ(rms(imageOf(picture, "self")), 0) << anchor.name;
@@ -110,8 +111,8 @@ TEST_F(RenderRegions, SelfIsNothingOfABoxThatSlides) {
   }
 }
 
-// It was hidden by something else.
-TEST_F(RenderRegions, SelfIsAlsoWhatAPostHid) {
+// Here a post hides the side at the raster time.
+TEST_F(RenderRegions, SelfMarksSidesBehindAPost) {
   constexpr int kSamples = 32;
   for (const Anchor& anchor : anchors()) {
     Box box{.d_f = 20, .left = 45, .right = 52};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rays reveal, against scenes whose layers are known in closed form.
+// Layers revealed by rays, against scenes whose layers are known in closed form.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr int kWidth = 16, kHeight = 8;
 const std::string kPipelines = sourceFolder().string() + "/tests/oracle/pipelines/";
 const std::string kHits = sourceFolder().string() + "/scripts/inspect/hits.lua";
 
-// tests/oracle/scenes/layers.lua
+// Parameters of tests/oracle/scenes/layers.lua.
 struct Planes {
   double scale = 1, gap = 1e-3, slope = 0;
   int split = 0, count = 4;
@@ -37,7 +37,7 @@ struct Planes {
   double wall(int x) const { return depthOf(20 * scale, x); }
 };
 
-// Single precision finds a depth to a few parts in 10^7, far less than the planes are apart.
+// Single precision gives a depth to a few parts in 10^7, far less than the distance between the planes.
 void expectDepth(const image::Image& depths, const std::function<double(int x)>& expected, double tolerance,
                  const std::string& what) {
   double worst = 0;
@@ -46,7 +46,7 @@ void expectDepth(const image::Image& depths, const std::function<double(int x)>&
   EXPECT_LE(worst, tolerance) << what << ": " << depths.at(0, 0, 0) << " for " << expected(0);
 }
 
-// The plane whose depth on the axis is nearest to that of the pixel beside it; of the wall -1.
+// Index of the plane whose depth on the axis is nearest to the depth of the pixel beside the axis; -1 for the wall.
 int planeSeen(const Planes& planes, const image::Image& depths) {
   double depth = depths.at(kWidth / 2, kHeight / 2, 0);
   for (int k = 0; k < planes.count; ++k)
@@ -54,7 +54,7 @@ int planeSeen(const Planes& planes, const image::Image& depths) {
   return -1;
 }
 
-// The luminance rule of the specification, in double precision.
+// The luminance rule of termination, in double precision.
 bool endsBy(double front, double here, double tolerance) {
   return std::abs(here - front) > tolerance * std::max(here, front) + 1e-4;
 }
@@ -77,8 +77,8 @@ class RenderReveal : public RenderTest {
   lab::Picture advances(const Planes& planes) { return render(with(planes.shot(), kPipelines + "advances.lua")); }
 };
 
-// Layer by layer, on planes that no ray meets at a right angle, over nine orders of magnitude.
-TEST_F(RenderReveal, AdvancesAgreeLayerByLayer) {
+// Layer by layer, on planes oblique to every ray, over nine orders of magnitude.
+TEST_F(RenderReveal, WaysOfAdvancingAgreeLayerByLayer) {
   for (double scale : {1., 1e-3, 1e3, 1e6}) {
     Planes planes{.scale = scale, .slope = .3, .count = 5};
     lab::Picture picture = advances(planes);
@@ -98,8 +98,8 @@ TEST_F(RenderReveal, AdvancesAgreeLayerByLayer) {
   }
 }
 
-// Planes 4e-6 of their depth apart. Restarting begins 1e-5 of the depth later: beyond two of them.
-TEST_F(RenderReveal, OnlyTheKeptRayLosesNoLayer) {
+// Planes 4e-6 of their depth apart. A restarted ray begins 1e-5 of the depth later, beyond two planes.
+TEST_F(RenderReveal, OnlyAKeptOriginFindsCloseLayers) {
   for (double scale : {1., 1e6}) {
     Planes planes{.scale = scale, .gap = 4e-6, .count = 9};
     lab::Picture picture = advances(planes);
@@ -111,8 +111,8 @@ TEST_F(RenderReveal, OnlyTheKeptRayLosesNoLayer) {
   }
 }
 
-// Two instances in one place read as one, whatever the way of advancing.
-TEST_F(RenderReveal, SurfacesInOnePlaceReadAsOne) {
+// Two instances in one place count as one surface, with every way of advancing.
+TEST_F(RenderReveal, SurfacesInOnePlaceCountAsOne) {
   Planes planes{.gap = 0, .split = 1, .count = 2};
   lab::Picture picture = advances(planes);
   for (const char* advance : {"origin_kept", "restart", "instance_filter"})
@@ -120,9 +120,9 @@ TEST_F(RenderReveal, SurfacesInOnePlaceReadAsOne) {
         imageOf(picture, fmt::format("{}_1", advance)), [&](int x) { return planes.wall(x); }, 1e-5, advance);
 }
 
-// A camera that slides along x by 0.5 m per frame, at frame 2: what lies 10 and 20 m away goes left by 4 px of focal
-// length times that over the depth, for the time of the exposure.
-TEST_F(RenderReveal, ACameraPathMovesWhatIsSeen) {
+// At frame 2 of a camera that slides along x by 0.5 m per frame, a surface moves left by the camera's motion over the
+// exposure, times 4 px of focal length over the depth.
+TEST_F(RenderReveal, CameraPathsCauseDisplacements) {
   lab::Shot shot = with(Planes{.count = 1}.shot(), "none");
   shot.path = {"0=0,0,0,0,0,-1", "1=0.5,0,0,0.5,0,-1", "4=2,0,0,2,0,-1"};
   shot.frame = 2, shot.exposure = 0.5;
@@ -131,7 +131,7 @@ TEST_F(RenderReveal, ACameraPathMovesWhatIsSeen) {
   EXPECT_NEAR(picture.camera_from_world[3][0], -1, 1e-6);
 }
 
-// However long what is seen is, along whichever axis: the corners' rounding is a metre here.
+// Depths are exact on surfaces of any length along any axis: the rounding of the corners is a metre here.
 TEST_F(RenderReveal, DepthsOnALongRoadAreExact) {
   constexpr int kSide = 32;
   lab::Shot shot = shotOf("road", kSide, kSide);
@@ -149,7 +149,7 @@ TEST_F(RenderReveal, DepthsOnALongRoadAreExact) {
   EXPECT_GT(seen, 100);
 }
 
-TEST_F(RenderReveal, TheCapIsCounted) {
+TEST_F(RenderReveal, CappedRaysAreCounted) {
   lab::Picture picture = advances({.slope = .3, .count = 5});
   const uint64_t all = kWidth * kHeight;
   for (const std::string advance : {"origin_kept", "restart"}) {
@@ -166,18 +166,19 @@ TEST_F(RenderReveal, TheCapIsCounted) {
   EXPECT_EQ(counterOf(picture, raysOf(picture, "instance_filter_few")), all);
 }
 
-// Equal luminance is passed through; the threshold is the formula's, on both sides of it and in the dark.
-TEST_F(RenderReveal, LuminanceEndsAsItsFormulaSays) {
+// Surfaces of equal luminance are passed. The threshold follows its formula for brighter and darker surfaces and in the
+// dark.
+TEST_F(RenderReveal, LuminanceTerminationFollowsItsFormula) {
   struct Case {
     std::vector<double> values;
     double a, b;
   };
   const Case cases[] = {
-      {{.5, .5, .505, .506}, .01, .02},   // the second is the same, the third within .01, the fourth is not
+      {{.5, .5, .505, .506}, .01, .02},   // the second is equal, the third is within .01, the fourth is not
       {{.5, .52, .6, .7}, .0382, .0384},  // |.52 - .5| is .0382 * .52 + 1.4e-4 and .0384 * .52 + 3e-5
-      {{.5, .50005, .5002, .7}, 0, .4},   // 1e-4 alone
+      {{.5, .50005, .5002, .7}, 0, .4},   // constant term 1e-4
       {{0, .00005, .0002, 0}, 0, .01},    // in the dark
-      {{.7, .5, .2, .1}, .2, .8},         // darker: the share is of the brighter
+      {{.7, .5, .2, .1}, .2, .8},         // darker: the tolerance is a share of the brighter one
   };
   for (const Case& c : cases) {
     Planes planes{.split = 1, .values = c.values};
@@ -189,8 +190,9 @@ TEST_F(RenderReveal, LuminanceEndsAsItsFormulaSays) {
   }
 }
 
-// tests/oracle/scenes/coats.lua: what differs in radiance, base colour and mean of the material comes in that order.
-TEST_F(RenderReveal, LuminanceIsOfWhatItSays) {
+// Planes of tests/oracle/scenes/coats.lua differ first in radiance, then in base colour, then in the mean of the
+// material.
+TEST_F(RenderReveal, LuminanceUsesTheChosenQuantity) {
   lab::Shot shot = shotOf("coats", kWidth, kHeight);
   lab::Picture picture = render(with(shot, kPipelines + "luminances.lua"));
   const std::pair<const char*, double> depths[] = {{"radiance", 11}, {"base_color", 12}, {"material", 13}};
@@ -199,8 +201,8 @@ TEST_F(RenderReveal, LuminanceIsOfWhatItSays) {
         imageOf(picture, of), [depth = depth](int) { return depth; }, 1e-6, of);
 }
 
-// Of one instance the planes are its own layers, of several others that were not told from it.
-TEST_F(RenderReveal, WhatLuminancePassesThroughIsCounted) {
+// Planes of one instance are its own layers. Planes of other instances that were passed are counted.
+TEST_F(RenderReveal, InstancesPassedByLuminanceAreCounted) {
   for (int split : {0, 1}) {
     lab::Shot shot = with(Planes{.split = split}.shot(), hybridSteps(),
                           {"mask=all", "termination=luminance", "advance=origin_kept"});
@@ -222,7 +224,7 @@ TEST_F(RenderReveal, InspectorListsTheLayers) {
     EXPECT_EQ(color.at(k, 0, 3), 1) << k;
     double length = std::hypot(where.at(k, 0, 1), where.at(k, 0, 2), where.at(k, 0, 3));
     EXPECT_NEAR(length, 1, 1e-6) << k;
-    EXPECT_NEAR(where.at(k, 0, 1) / where.at(k, 0, 3), .3, 1e-5) << k;  // across depth = z + .3 x, to the camera
+    EXPECT_NEAR(where.at(k, 0, 1) / where.at(k, 0, 3), .3, 1e-5) << k;  // the plane depth = z + .3 x faces the camera
     EXPECT_EQ(imageOf(listed, "velocity").at(k, 0, 0), 0) << k;
   }
   for (int k = 5; k < 16; ++k) {
@@ -231,7 +233,7 @@ TEST_F(RenderReveal, InspectorListsTheLayers) {
   }
 }
 
-// The inspector and the pass meet the same surface: at a pixel of the bar the second hit is what is revealed there.
+// The inspector and the pass hit the same surface: at a pixel of the bar, the second hit is the revealed surface.
 TEST_F(RenderReveal, InspectorAndPassAgree) {
   lab::Shot shot = shotOf("textured_bar", 96, 4, {{"left", 32}, {"right", 64}, {"d_f", 12}, {"d_b", -7}});
   lab::Picture revealed = render(with(shot, hybridSteps(), {"mask=all", "termination=instance"}));
@@ -242,7 +244,7 @@ TEST_F(RenderReveal, InspectorAndPassAgree) {
     for (int part = 0; part < 2; ++part)  // instance, geometry
       EXPECT_EQ(uintsOf(listed, "hit").at(1, 0, part), uintsOf(revealed, "revealed_id").at(x, 1, part)) << x;
     EXPECT_NE(uintsOf(listed, "hit").at(0, 0, 0), uintsOf(listed, "hit").at(1, 0, 0)) << x;
-    EXPECT_EQ(uintsOf(listed, "hit").at(2, 0, 0), 0u) << x;  // behind the background there is nothing
+    EXPECT_EQ(uintsOf(listed, "hit").at(2, 0, 0), 0u) << x;  // nothing is behind the background
     EXPECT_EQ(imageOf(listed, "velocity").at(1, 0, 0), imageOf(revealed, "revealed_velocity").at(x, 1, 0)) << x;
     EXPECT_NEAR(imageOf(listed, "velocity").at(0, 0, 0), 12, 1e-3) << x;
     EXPECT_NEAR(imageOf(listed, "velocity").at(1, 0, 0), -7, 1e-3) << x;
@@ -270,7 +272,7 @@ struct Striped {
   Strips strips() const {
     return {{kLeft, kRight, d_front, {.8, .2, 6, kLeft}}, {-kInfinity, kInfinity, d_back, {.9, .1, 10, 0}}};
   }
-  // Over the bar and 20 px to either side: what comes in from outside of the picture no filter knows.
+  // The bar and 20 px to either side: no filter has the surfaces that enter the picture from outside.
   static constexpr int kFirst = kLeft - 20, kLast = kRight + 20;
   RowError error(const lab::Picture& picture) const {
     RowError error;
@@ -288,8 +290,8 @@ struct Striped {
   }
 };
 
-// What goes along with the surface in front to within 1 px is passed: then there is only the sky behind the bar.
-TEST_F(RenderReveal, MotionPassesWhatGoesAlong) {
+// A surface whose motion differs from the front surface's by less than 1 px is passed: then only the sky is left.
+TEST_F(RenderReveal, MotionTerminationPassesEqualMotion) {
   const std::pair<double, bool> cases[] = {{12, false}, {11.2, false}, {10.8, true}, {-12, true}, {0, true}};
   for (const auto& [d_back, is_other] : cases) {
     Striped scene{12, d_back};
@@ -303,9 +305,9 @@ TEST_F(RenderReveal, MotionPassesWhatGoesAlong) {
   }
 }
 
-// N time samples of an exact picture, edges placed to 3/4 px of the 20 moved (motion is followed from pixel to pixel),
-// and 1e-4 for single precision.
-TEST_F(RenderReveal, InGatherIsExactOverABackgroundAtRest) {
+// N time samples of an exact picture, edges placed to 3/4 px of 20 px of motion (motion is followed from pixel to
+// pixel), and 1e-4 for single precision.
+TEST_F(RenderReveal, InGatherIsExactOverAStaticBackground) {
   Striped scene;
   lab::Shot flat = shotOf("bar", 144, 4, {{"left", 48}, {"right", 96}, {"background", .25}});
   Strips strips{{48, 96, 20, {1}}, {-kInfinity, kInfinity, 0, {.25}}};
@@ -322,11 +324,7 @@ TEST_F(RenderReveal, InGatherIsExactOverABackgroundAtRest) {
   EXPECT_LE(in_gather.rms, layered.rms + 1e-4);
 }
 
-// Bar and background move together, all of it in stripes: what covers and what is covered are as correlated as can be.
-// Looking at both layers per time sample gives the exact picture, up to 32 samples (docs/derivations.md has .0069/.016)
-// and edges placed by pixels. The product of two means is off by .15 even with perfect layers, and alpha_over blurs of
-// the background only what was revealed, where the exact mean goes on beyond the silhouette.
-// A background of two instances: each is in view where the other one was.
+// A background of two instances: each becomes visible where the other one was.
 TEST_F(RenderReveal, InGatherFollowsABackgroundOfSeveralInstances) {
   lab::Shot shot = shotOf("cards", 128, 4,
                           {{"left0", -80},
@@ -349,6 +347,10 @@ TEST_F(RenderReveal, InGatherFollowsABackgroundOfSeveralInstances) {
   }
 }
 
+// Bar and background move together, both striped: coverage and background are fully correlated. Reading both layers per
+// time sample gives the exact picture, up to 32 samples (.0069/.016 in docs/derivations.md) and edges placed by pixels.
+// The product of two means is off by .15 even with perfect layers. In addition, alpha_over blurs only the revealed part
+// of the background, although the exact mean extends beyond the silhouette.
 TEST_F(RenderReveal, CompositesOnCorrelatedStripes) {
   Striped scene{20, 20};
   auto errorOf = [&](const char* composite) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Colours of a plane against the formulas of glTF 2.0 (appendix B) and KHR_lights_punctual in double precision, with
-// points, angles and distances from where the scene says that things are; textures against what any filter must do.
+// points, angles and distances from the scene's parameters; textures against properties of every filter.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ dmat3 turnY(double degrees) {
   return dmat3(dvec3(c, 0, -s), dvec3(0, 1, 0), dvec3(s, 0, c));
 }
 
-// tests/oracle/scenes/lit.lua
+// Parameters of tests/oracle/scenes/lit.lua.
 struct Lit {
   int light = 1;
   double tilt_x = 0, tilt_y = 0, metallic = 0, roughness = .5, range = 0, bump_x = 0, bump_y = 0, bump_z = 1, bump = 1;
@@ -47,7 +47,7 @@ struct Lit {
   dmat3 turned() const { return turnY(tilt_y) * turnX(tilt_x); }
   dvec3 middle() const { return dvec3(0, 0, -5); }
 
-  // Of the plane that a pixel's centre sees.
+  // Point of the plane at a pixel's centre.
   dvec3 pointAt(int x, int y) const {
     double focal = kHeight / 2. / std::tan(glm::radians(30.));
     dvec3 ray((x + .5 - kWidth / 2.) / focal, (kHeight / 2. - y - .5) / focal, -1);
@@ -55,7 +55,7 @@ struct Lit {
     return ray * (dot(middle(), normal) / dot(ray, normal));
   }
 
-  // The plane, and not at so flat an angle to its normal map that the formulas mean nothing.
+  // True if the pixel shows the plane, and the angle to its normal map is not too flat for the formulas.
   bool isSeen(int x, int y) const {
     dvec3 point = pointAt(x, y);
     return point.z < 0 && distance(point, middle()) < 19 && dot(normal(), -normalize(point)) > .02;
@@ -63,7 +63,7 @@ struct Lit {
 
   dvec3 normal() const { return normalize(turned() * dvec3(bump * bump_x, bump * bump_y, std::max(bump_z, 1e-3))); }
 
-  // Does the card stand between the point and the light?
+  // True if the card is between the point and the light.
   bool isShadowed(dvec3 point, double margin) const {
     double share = (-card_z - point.z) / (at.z - point.z);
     dvec3 met = point + share * (at - point);
@@ -112,7 +112,7 @@ struct Lit {
 
 class RenderShading : public RenderTest {
  protected:
-  // Single precision in a few dozen operations; a highlight is as steep as 1 / roughness^2.
+  // Tolerance: single precision in a few dozen operations; the slope of a highlight is up to 1 / roughness^2.
   static void expectFormula(const Lit& lit, const std::string& what) {
     image::Image color = colorOf(render(lit.shot()));
     double worst = 0, brightest = 0;
@@ -137,7 +137,7 @@ class RenderShading : public RenderTest {
   }
 };
 
-TEST_F(RenderShading, LightsFallAsTheirExtensionSays) {
+TEST_F(RenderShading, LightsFollowTheirExtension) {
   expectFormula({.light = 1}, "directional");
   expectFormula({.light = 1, .tilt_x = -50, .tilt_y = 20}, "directional, tilted");
   expectFormula({.light = 2, .tilt_x = -50}, "point");
@@ -145,7 +145,7 @@ TEST_F(RenderShading, LightsFallAsTheirExtensionSays) {
   expectFormula({.light = 3, .range = 9, .at = dvec3(.5, 1, -1)}, "spot");
 }
 
-TEST_F(RenderShading, SurfacesReflectAsGltfSays) {
+TEST_F(RenderShading, SurfacesReflectByTheGltfFormulas) {
   for (double metallic : {0., .6, 1.})
     for (double roughness : {.25, .9})
       expectFormula({.light = 2,
@@ -167,12 +167,12 @@ TEST_F(RenderShading, SkyAndGlowAdd) {
 TEST_F(RenderShading, NormalMapsTurnTheNormal) {
   for (auto [x, y] : {std::pair(.5, 0.), std::pair(0., .5), std::pair(-.25, -.5)})
     expectFormula({.light = 2, .tilt_x = -20, .tilt_y = 25, .bump_x = x, .bump_y = y}, fmt::format("bump {} {}", x, y));
-  expectFormula({.light = 2, .bump_x = .25, .bump_y = .25, .bump = 2}, "a scaled one");
-  expectFormula({.light = 2, .tilt_y = -40, .bump_x = .5, .bump_z = -.5}, "one that points into the surface");
+  expectFormula({.light = 2, .bump_x = .25, .bump_y = .25, .bump = 2}, "scaled");
+  expectFormula({.light = 2, .tilt_y = -40, .bump_x = .5, .bump_z = -.5}, "pointing into the surface");
 }
 
-// Where the card stands between a point and the light there is none; a pixel's width from its edge not looked at.
-TEST_F(RenderShading, ShadowsAreWhereTheLightIsHidden) {
+// Points behind the card, as viewed from the light, are dark. Pixels near the shadow's edge or the card are not tested.
+TEST_F(RenderShading, ShadowsLieBehindTheCard) {
   Lit lit{.light = 2, .at = dvec3(1, 2, 0), .card = .8};
   image::Image color = colorOf(render(lit.shot()));
   int dark = 0, bright = 0;
@@ -191,11 +191,11 @@ TEST_F(RenderShading, ShadowsAreWhereTheLightIsHidden) {
   EXPECT_GE(bright, 100);
 }
 
-// ---- within the exposure: truth shades at each sample's own time, or as at the capture
+// ---- within the exposure: truth shades at each sample's time, or at the raster time
 
 constexpr int kTimes = 16;
 
-// Of sample `k`, in exposures before the capture: an exposure of a frame ends there.
+// Time of sample `k` in exposures; the exposure of a frame ends at the raster time.
 double timeOf(int k) { return (k + .5) / kTimes - 1; }
 
 // Mean over the samples' times.
@@ -218,7 +218,7 @@ class RenderShadingInMotion : public RenderShading {
     return colorOf(render(shot));
   }
 
-  // Single precision, as above.
+  // Tolerance of single precision, as above.
   template <typename Expected>
   static void expect(const image::Image& color, const Lit& lit, const Expected& expected, const std::string& what) {
     int seen = 0;
@@ -234,9 +234,9 @@ class RenderShadingInMotion : public RenderShading {
   }
 };
 
-// A plane that turns about its own normal looks the same at any time, its highlight too; frozen, the highlight is
-// carried along with the surface.
-TEST_F(RenderShadingInMotion, HighlightsStandOrAreCarriedAlong) {
+// A plane that turns about its own normal looks the same at any time, with its highlight. With frozen shading the
+// highlight turns along with the surface.
+TEST_F(RenderShadingInMotion, FrozenHighlightsTurnWithTheSurface) {
   Lit lit{.light = 2, .roughness = .35, .at = dvec3(1, 1, -3)};
   const double degrees = 40;
   auto still = [&](dvec3 point) { return lit.expected(point); };
@@ -253,8 +253,8 @@ TEST_F(RenderShadingInMotion, HighlightsStandOrAreCarriedAlong) {
   EXPECT_GT(rmsDifference(full, frozen), .01) << "the two differ";
 }
 
-// A light that moves over what stands still: frozen, nothing blurs.
-TEST_F(RenderShadingInMotion, LightsMoveInFullTruthAlone) {
+// A light moves over a static scene: with frozen shading nothing blurs.
+TEST_F(RenderShadingInMotion, LightsMoveOnlyWithFullShading) {
   Lit lit{.light = 2, .at = dvec3(1, 1, -3)};
   const dvec3 way(-2, .5, .25);
   std::vector<std::string> move = {"light=-2,0.5,0.25"};
@@ -267,12 +267,12 @@ TEST_F(RenderShadingInMotion, LightsMoveInFullTruthAlone) {
   };
   expect(truth(lit, "full", move), lit, moved, "full");
   EXPECT_LE(oracle::largestDifference(truth(lit, "frozen", move), colorOf(render(lit.shot()))), 1e-6)
-      << "the capture's picture";
+      << "the raster image";
 }
 
-// The shadow of a card that moves over a plane at rest. Not looked at: what is on the card at some time, and what is at
-// the shadow's edge at one of the samples.
-TEST_F(RenderShadingInMotion, ShadowsOfMoversStandOrMove) {
+// The shadow of a card that moves over a static plane. Pixels on the card at any time, or at the shadow's edge at any
+// sample, are not tested.
+TEST_F(RenderShadingInMotion, ShadowsMoveOnlyWithFullShading) {
   Lit lit{.light = 2, .at = dvec3(1, 2, 0), .card = .8};
   const double way = -.6;
   image::Image full = truth(lit, "full", {"card=-0.6,0,0"}), frozen = truth(lit, "frozen", {"card=-0.6,0,0"});
@@ -305,7 +305,7 @@ TEST_F(RenderShadingInMotion, ShadowsOfMoversStandOrMove) {
   EXPECT_GE(still, 80);
 }
 
-// Of the middle of the picture: the mean, and the root mean square distance from one half.
+// Mean of the middle of the picture, and its root mean square distance from one half.
 struct Contrast {
   double mean = 0, spread = 0;
 };
@@ -336,9 +336,9 @@ class RenderTextures : public RenderTest {
   }
 };
 
-// Head-on a pixel is 0.09 m wide. Stripes much wider keep nearly all of their contrast (.5); much narrower ones leave
-// the mean of black and white.
-TEST_F(RenderTextures, AreSharpWhenLargeAndGreyWhenSmall) {
+// Seen head-on, a pixel is 0.09 m wide. Much wider stripes keep nearly all of their contrast (.5); much narrower ones
+// blur to the mean of black and white.
+TEST_F(RenderTextures, LargeStripesAreSharpAndSmallOnesGrey) {
   for (double along : {0., 1.}) {
     Contrast large = stripes(1, 8, along, 0, 0);
     EXPECT_NEAR(large.mean, .5, .1);
@@ -349,24 +349,24 @@ TEST_F(RenderTextures, AreSharpWhenLargeAndGreyWhenSmall) {
   }
 }
 
-// How far a texture is from the camera does not depend on the size of the triangles that carry it, here 0.25 m.
-TEST_F(RenderTextures, AreFilteredAlikeOnSmallTriangles) {
+// The filter does not depend on the size of the textured triangles, here 0.25 m.
+TEST_F(RenderTextures, SmallTrianglesDoNotChangeTheFilter) {
   EXPECT_LT(stripes(60, 8, 0, 0, 0, 160).spread, .01);
   EXPECT_LT(stripes(20, 8, 1, 70, 0, 160).spread, .05);
 }
 
-// A plane turned by 70 degrees recedes three times as fast as it spreads. Stripes along the direction in which it
-// recedes, 3 px wide at its middle, stay; those across it, 1 px wide there, go.
-TEST_F(RenderTextures, AreBlurredAlongTheDirectionInWhichTheyRecede) {
+// A plane turned by 70 degrees recedes three times as fast as it spreads. Stripes along the receding direction, 3 px
+// wide in the middle, stay; stripes across it, 1 px wide there, vanish.
+TEST_F(RenderTextures, StripesAcrossTheRecedingDirectionAreBlurred) {
   EXPECT_GT(stripes(3.5, 8, 0, 70, 0).spread, .25);
   EXPECT_LT(stripes(20, 8, 1, 70, 0).spread, .05);
   EXPECT_GT(stripes(3.5, 8, 1, 0, 70).spread, .25);
   EXPECT_LT(stripes(20, 8, 0, 0, 70).spread, .05);
 }
 
-// Planes that recede faster than 1:16 are filtered as those that just do, along the same direction: stripes that lie
-// along it stay as sharp.
-TEST_F(RenderTextures, AtGrazingAnglesAreBlurredAlongTheSameDirection) {
+// Planes that recede faster than 1:16 are filtered like planes at that limit, along the same direction: stripes along
+// it stay as sharp.
+TEST_F(RenderTextures, GrazingPlanesKeepTheFilterDirection) {
   auto spreadAt = [](double facing) {
     const image::Image color = colorOf(render(with(shotOf("grazing", 32, 32, {{"facing", facing}}), "none")));
     double sum = 0;
@@ -378,11 +378,11 @@ TEST_F(RenderTextures, AtGrazingAnglesAreBlurredAlongTheSameDirection) {
   };
   const double not_yet = spreadAt(.0626), just = spreadAt(.0624);
   EXPECT_GT(not_yet, .4);
-  EXPECT_NEAR(just, not_yet, .01) << "the planes themselves lie a little otherwise";
+  EXPECT_NEAR(just, not_yet, .01) << "the two planes differ slightly in angle";
 }
 
-// By raster and by rays alike.
-TEST_F(RenderTextures, HolesAreSeenThrough) {
+// By rasterisation and by rays.
+TEST_F(RenderTextures, CutOutHolesAreTransparent) {
   for (double alpha : {.25, .75}) {
     lab::Shot shot = shotOf("cut_out", 32, 8, {{"alpha", alpha}});
     for (const char* mode : {"rays", "raster"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of shadow rays for a whole tile at once is what each of them finds.
+// Light visibility of whole tiles equals the result of each of their shadow rays.
 #include <fmt/format.h>
 
 #include "oracle/render.h"
@@ -15,7 +15,7 @@ class RenderShadows : public RenderTest {
     return with(shotOf("occluders", 160, 90, numbers), "none");
   }
 
-  // Draws the shot with shafts and without, and expects one picture.
+  // Draws the shot with and without visibility per tile, and expects one picture.
   static lab::Picture expectSame(const lab::Shot& shot, const std::string& what) {
     lab::Picture by_tiles = render(shot);
     lab::Picture by_rays = render(with(shot, shot.pipeline, {"tile_light_visibility.per_tile=false"}));
@@ -31,7 +31,7 @@ class RenderShadows : public RenderTest {
   static uint64_t raysOf(const lab::Picture& picture) { return counterOf(picture, "shade.rays_bvh"); }
 };
 
-TEST_F(RenderShadows, TilesAreToldWhatTheirRaysFind) {
+TEST_F(RenderShadows, TileVisibilityMatchesShadowRays) {
   uint64_t free = 0, stopped = 0;
   for (int seed = 1; seed <= 24; ++seed) {
     lab::Picture picture = expectSame(occluders(seed), fmt::format("seed {}", seed));
@@ -42,13 +42,13 @@ TEST_F(RenderShadows, TilesAreToldWhatTheirRaysFind) {
   EXPECT_GT(stopped, 1000u);
 }
 
-TEST_F(RenderShadows, AtAnyScale) {
+TEST_F(RenderShadows, TileVisibilityMatchesAtAnyScale) {
   for (double scale : {1e-6, 1e-3, 1e3, 1e6})
     for (int seed : {3, 6, 7, 9})
       expectSame(occluders(seed, {{"scale", scale}}), fmt::format("scale {}, seed {}", scale, seed));
 }
 
-TEST_F(RenderShadows, ForAnyCameraAndSample) {
+TEST_F(RenderShadows, TileVisibilityMatchesForAnyCameraAndSample) {
   for (int seed : {2, 5}) {
     expectSame(occluders(seed, {{"orthographic", 1}}), fmt::format("orthographic, seed {}", seed));
     lab::Shot shot = occluders(seed);
@@ -58,13 +58,13 @@ TEST_F(RenderShadows, ForAnyCameraAndSample) {
 }
 
 // The last tiles may be partial.
-TEST_F(RenderShadows, AtAnySizeOfThePicture) {
+TEST_F(RenderShadows, TileVisibilityMatchesAtAnyPictureSize) {
   for (int width : {1, 7, 9, 63})
     expectSame(with(shotOf("occluders", width, width / 2 + 1, {{"seed", 4}}), "none"),
                fmt::format("{} px wide", width));
 }
 
-TEST_F(RenderShadows, MostRaysInARoomAreNotTraced) {
+TEST_F(RenderShadows, TileVisibilitySavesRaysInARoom) {
   lab::Shot shot = with(lab::Shot{}, "none");
   shot.scene = "living_room";
   shot.width = 320;
@@ -73,7 +73,7 @@ TEST_F(RenderShadows, MostRaysInARoomAreNotTraced) {
   EXPECT_LT(raysOf(by_tiles), 3 * raysOf(render(with(shot, "none", {"tile_light_visibility.per_tile=false"}))) / 5);
 }
 
-// Structures of drivers cannot be walked: each ray is traced there.
+// Acceleration structures of drivers cannot be traversed by a shader, so each ray is traced there.
 TEST_F(RenderShadows, OtherBackendsTraceEachRay) {
   const shader::BackendRow& query_row = shader::rowOf(shader::Backend::Query);
   if (!shader::isPresent(query_row, bench().device().info())) GTEST_SKIP() << "no ray queries";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Objects that a scale of 0 flattens to a sheet: a square that lies in the plane it is flattened to stays as it is, so
-// its picture is known, by every pipeline and tracing backend.
+// Objects that a scale of 0 flattens to a sheet. A square that already lies in the plane of the sheet does not change,
+// so its picture is known, by every pipeline and ray tracing backend.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr int kSize = 40;
 
 class RenderSheets : public RenderTest {
  protected:
-  // A red square of 2 by 2 m, node 0, before a white wall that has its shadow. `extend` changes it.
+  // A red square of 2 by 2 m, node 0, before a white wall with the square's shadow. `extend` edits the asset.
   static lab::Shot shot(const std::function<void(scene::Asset&)>& extend) {
     scene::Asset asset;
     asset.add<float>({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0}, "VEC3", 3, 5126);
@@ -49,7 +49,7 @@ class RenderSheets : public RenderTest {
     return result;
   }
 
-  // Keys of the square over a second.
+  // Adds keys of the square over a second.
   static void addClip(scene::Asset& asset, const char* path, const std::vector<float>& from_to) {
     const int times = asset.add<float>({0, 1}, "SCALAR", 1, 5126), values = asset.add(from_to, "VEC3", 3, 5126);
     Json& clips = asset.json["animations"];
@@ -75,7 +75,7 @@ class RenderSheets : public RenderTest {
     return pixels;
   }
 
-  // Pictures of a shot, by raster, and by rays with every backend.
+  // Pictures of a shot by rasterisation, and by rays with every backend.
   static std::vector<std::pair<std::string, image::Image>> pictures(lab::Shot shot) {
     std::vector<std::pair<std::string, image::Image>> all = {{"raster", colorOf(render(with(shot, "none")))}};
     for (const std::string& backend : backends()) {
@@ -85,7 +85,7 @@ class RenderSheets : public RenderTest {
     return all;
   }
 
-  // Both shots have the same picture, with a red square in it.
+  // Expects the same picture from both shots, with a red square in it.
   static void expectSame(const lab::Shot& flat, const lab::Shot& full, const std::string& what) {
     const image::Image expected = colorOf(render(with(full, "none")));
     EXPECT_GT(redIn(expected), 100) << what;
@@ -93,16 +93,16 @@ class RenderSheets : public RenderTest {
   }
 };
 
-// Nothing lies outside of the plane that is left, so nothing changes: by the node's own scale, one that mirrors, one
-// above it, and one above a turned node, which projects it along z.
-TEST_F(RenderSheets, AreWhatTheyAreWithoutTheScale) {
+// The square lies in the plane of the sheet, so nothing changes. The scale of 0 is the node's own, with and without
+// mirroring and rotation; its parent's; and the parent's of a turned node, which projects the node along z.
+TEST_F(RenderSheets, FlatteningAFlatSquareChangesNothing) {
   struct Case {
     const char* name;
     Json parent, node, plain;
     bool one_sided = false;
   };
   const double x = .18, y = .26, z = .12, w = std::sqrt(1 - x * x - y * y - z * z);
-  // The first two rows of what the rotation does to x and y.
+  // The effect of the rotation on x and y without its third row, which the projection removes.
   const Json projected = {{"matrix",
                            {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 0, 0, 2 * (x * y - z * w),
                             1 - 2 * (x * x + z * z), 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}};
@@ -131,8 +131,8 @@ TEST_F(RenderSheets, AreWhatTheyAreWithoutTheScale) {
   }
 }
 
-// A box that is flattened shows its front, lit as a square is.
-TEST_F(RenderSheets, OfSolidsShowTheirFaces) {
+// A flattened box shows its front, lit like a square.
+TEST_F(RenderSheets, FlattenedSolidsShowTheirFaces) {
   auto shotOfShape = [&](const char* shape, const char* scale) {
     return shotOf(".lua", fmt::format(R"(local scene = require "strobe.scene"
 return scene {{ nodes = {{
@@ -149,15 +149,15 @@ return scene {{ nodes = {{
 }
 
 // Two scales of 0 leave a line, which has no area.
-TEST_F(RenderSheets, LinesAndPointsAreNotSeen) {
+TEST_F(RenderSheets, LinesAndPointsAreInvisible) {
   for (const Json& scale : {Json({1, 0, 0}), Json({0, 0, 1}), Json({0, 0, 0})})
     for (const auto& [way, color] :
          pictures(shot([&](scene::Asset& asset) { asset.json["nodes"][0]["scale"] = scale; })))
       EXPECT_EQ(redIn(color), 0) << scale.dump() << ", " << way;
 }
 
-// A sheet that moves is blurred as the square is, and revealed by rays alike.
-TEST_F(RenderSheets, MoveAsTheyDoWithoutTheScale) {
+// A moving sheet is blurred like the square, also where rays reveal it.
+TEST_F(RenderSheets, MovingSheetsBlurLikeSquares) {
   auto moving = [&](const Json& scale) {
     lab::Shot result = shot([&](scene::Asset& asset) {
       asset.json["nodes"][0]["scale"] = scale;
@@ -179,8 +179,8 @@ TEST_F(RenderSheets, MoveAsTheyDoWithoutTheScale) {
   EXPECT_GT(rms(full[0]), .05);
 }
 
-// At the very time at which a keyed scale is 0, and at the end of one that ends there, the square is as before.
-TEST_F(RenderSheets, ScalesThatPassThroughZeroLoseNothing) {
+// At the time when a keyed scale is 0, and at the end of a scale that ends at 0, the square does not change.
+TEST_F(RenderSheets, KeyedScalesOfZeroChangeNothing) {
   for (const auto& [at, last] : {std::pair(12, -1.f), std::pair(24, 0.f)}) {
     const int frame = at;
     auto keyed = [&](float to) {

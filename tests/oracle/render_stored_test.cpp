@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Formats and depth encodings in the pipelines: every image that holds a displacement, a colour or a depth between
-// passes follows them, at the precision that the formats have by definition, and nothing else changes.
+// Formats and depth encodings in the pipelines: every image with displacements, colours or depths between passes
+// follows them, at the precision that defines the format, and nothing else changes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace render_stored_test {
 constexpr double kHalf = 0x1p-11;              // relative error of half floats, rounded to the nearest
 constexpr double kTwoDivisions = 5 * 0x1p-23;  // 2.5 units in the last place each, on any device
 
-// All at once: every shader of the hybrid is compiled for these and for the defaults alone.
+// All options at once, so that the hybrid's shaders are compiled only for these and for the defaults.
 const std::vector<std::string> kOther = {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"};
 
 struct Kept {
@@ -24,7 +24,7 @@ struct Kept {
   std::string kind;  // "velocity", "color", "depth"
 };
 
-// What a pipeline keeps between passes, in settings that need it.
+// Images that a pipeline keeps between passes, with settings that need them.
 struct Keeper {
   std::string pipeline;
   std::vector<std::string> settings;
@@ -82,7 +82,7 @@ class RenderStored : public RenderTest {
   }
 };
 
-// Relative to the larger component: a displacement's small component may be the difference of large ones.
+// Expects each value within `relative` of the exact one, and infinite values unchanged.
 void expectClose(const image::Image& exact, const image::Image& stored, double relative, const std::string& what) {
   ASSERT_EQ(exact.values.size(), stored.values.size()) << what;
   double worst = 0;
@@ -95,8 +95,8 @@ void expectClose(const image::Image& exact, const image::Image& stored, double r
   EXPECT_LE(worst, 0x1p-25) << what;  // half a step of the half floats below 2^-14
 }
 
-// The images of the passes that shade and project: rounded once from what fp32 holds.
-TEST_F(RenderStored, WhatIsSeenAndRevealedIsRoundedOnce) {
+// Images of the passes that shade and project are rounded once from fp32.
+TEST_F(RenderStored, ShadedAndProjectedImagesAreRoundedOnce) {
   for (const Keeper& keeper : keepers()) {
     if (name(keeper).find('=') != std::string::npos && name(keeper) != hybridSteps() + " mask=all") continue;
     lab::Picture exact = render(crowd(keeper, {}));
@@ -107,7 +107,7 @@ TEST_F(RenderStored, WhatIsSeenAndRevealedIsRoundedOnce) {
   }
 }
 
-TEST_F(RenderStored, EveryImageOnTheWayFollowsAndIsHalfTheSize) {
+TEST_F(RenderStored, ImagesBetweenPassesHaveTheChosenFormat) {
   for (const Keeper& keeper : keepers()) {
     plan::Plan exact = planOf(crowd(keeper, {}));
     plan::Plan half = planOf(crowd(keeper, {"velocity_format=fp16", "color_format=fp16"}));
@@ -124,11 +124,11 @@ TEST_F(RenderStored, EveryImageOnTheWayFollowsAndIsHalfTheSize) {
   }
 }
 
-// No image of full resolution holds four or two floats of 32 bits but normals (which no parameter is about) and the
-// picture: whoever adds a pass that keeps colours or displacements in fp32 regardless is told here.
-const char* const kOpenPicture = "composite.blurred";  // the picture, but for the samples that rays add
+// Only normals and the picture are images of full resolution with two or four 32-bit floats. A new pass that keeps
+// colours or displacements in fp32 fails this test.
+const char* const kOpenPicture = "composite.blurred";  // the picture before rays add samples
 
-TEST_F(RenderStored, NothingElseIsKeptInSinglePrecision) {
+TEST_F(RenderStored, NoOtherImageIsInSinglePrecision) {
   for (const Keeper& keeper : keepers()) {
     plan::Plan plan = planOf(crowd(keeper, {"velocity_format=fp16", "color_format=fp16"}));
     int picture = plan.outputs.front().second;
@@ -160,7 +160,7 @@ TEST_F(RenderStored, SkySurvivesEveryEncoding) {
                             encoding);
 }
 
-TEST_F(RenderStored, NothingRevealedStaysNothing) {
+TEST_F(RenderStored, PixelsWithoutARevealedSurfaceStayEmpty) {
   lab::Picture picture = render(crowd({hybridSteps(), {"mask=all"}, kRevealed}, kOther));
   expectSkyWhereNothingIs(picture, "hybrid");
   const image::Image& valid = imageOf(picture, "revealed_valid");
@@ -173,7 +173,7 @@ TEST_F(RenderStored, NothingRevealedStaysNothing) {
   EXPECT_GT(nothing, 0u);
 }
 
-// A bar moves by d: by definition of half floats, 100.03 px become 100 (steps of 1/16), and 600.2 px 600 (of 1/2).
+// A bar moves by d. Half floats round 100.03 px to 100 (steps of 1/16) and 600.2 px to 600 (steps of 1/2).
 TEST_F(RenderStored, DisplacementsHaveTheStepsOfHalfFloats) {
   for (auto [d, expected] :
        {std::pair{100.03, 100.0}, {100.04, 100.0625}, {600.2, 600.0}, {600.3, 600.5}, {0.3, 0.300048828125}}) {
@@ -199,8 +199,8 @@ TEST_F(RenderStored, OverflowIsClampedAndCounted) {
   EXPECT_EQ(counterOf(render(with(largest, "mcguire2012", {"color_format=fp16"})), "shade.color_clamped"), 0u);
 }
 
-// The bar is 100 units from a camera whose near distance is 1, the background 110: 1 - n/z is right to half a step.
-TEST_F(RenderStored, DepthsOfAnOrthographicCameraGoThroughTheSameFormulas) {
+// The bar is 100 units from a camera with a near distance of 1, the background 110: 1 - n/z is exact to half a step.
+TEST_F(RenderStored, OrthographicDepthsUseTheSameFormulas) {
   lab::Shot shot = shotOf("bar", 64, 4, {{"left", 16}, {"right", 48}});
   const image::Image exact = imageOf(render(with(shot, "mcguire2012")), "depth");
   EXPECT_NEAR(exact.at(32, 2, 0), 100, 1e-3);
@@ -212,9 +212,9 @@ TEST_F(RenderStored, DepthsOfAnOrthographicCameraGoThroughTheSameFormulas) {
   }
 }
 
-// Colours: the blur is a mean of taps, so rounding each by at most 2^-11 of itself moves no pixel by more than that of
-// the brightest tap; depths and displacements as they were.
-TEST_F(RenderStored, ThePictureMovesByNoMoreThanItsColours) {
+// The blur is a mean of taps. Rounding each colour by at most 2^-11 of itself changes a pixel by at most that share of
+// the brightest tap. Depths and displacements do not change.
+TEST_F(RenderStored, PictureErrorIsBoundedByColourRounding) {
   for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014"}) {
     Keeper keeper{pipeline, {}, {}};
     lab::Picture full = render(crowd(keeper, {})), half = render(crowd(keeper, {"color_format=fp16"}));
@@ -227,8 +227,8 @@ TEST_F(RenderStored, ThePictureMovesByNoMoreThanItsColours) {
   }
 }
 
-// What is at rest is copied: with half floats the picture is what was stored, bit for bit.
-TEST_F(RenderStored, StillPicturesAreWhatWasStored) {
+// Static pixels are copied: with half floats the picture equals the stored colours, bit for bit.
+TEST_F(RenderStored, StaticPicturesEqualTheStoredColours) {
   for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid", "hybrid_layered"}) {
     lab::Shot shot = crowd({pipeline, {}, {{"shade.color", "color"}}}, kOther);
     shot.exposure = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Frames of normal maps against the formulas of glTF 2.0: a square that faces the camera, under one light from +X,
-// whose map leans to its x. The frame is that of the vertices' tangents, else that of the coordinates of the lookup.
+// Frames of normal maps against the formulas of glTF 2.0: a square that faces the camera, under one light from +X, with
+// a map that leans to its x. The vertices' tangents define the frame; without tangents, the texture coordinates of the
+// lookup define it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -33,7 +34,7 @@ class RenderTangents : public RenderTest {
     return all;
   }
 
-  // The square; `tangent` is that of all four vertices, empty for none.
+  // The square. All four vertices have `tangent`; if it is empty, the file has no tangents.
   static scene::Asset square(const std::vector<float>& tangent) {
     scene::Asset asset;
     asset.add<float>({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, "VEC3", 3, 5126);
@@ -65,7 +66,7 @@ class RenderTangents : public RenderTest {
     return with(result, "none");
   }
 
-  // The pixel in the middle, which sees the point that faces the camera, by raster and by rays.
+  // The middle pixel, which shows the point that faces the camera, by rasterisation and by rays.
   static double middleOf(const scene::Asset& asset) {
     const lab::Shot one = shot(asset);
     const double raster = colorOf(render(one)).at(kSize / 2, kSize / 2, 0);
@@ -74,7 +75,7 @@ class RenderTangents : public RenderTest {
     return raster;
   }
 
-  // glTF 2.0, appendix B, of white with roughness 0.9 under 3 lx from +X, 60 degrees off the view.
+  // glTF 2.0, appendix B, for white with roughness 0.9 under 3 lx from +X, 60 degrees off the view direction.
   static double expected(const dvec3& tangent, double handedness) {
     const dvec3 normal(0, 0, 1), view(0, 0, 1), light(std::sin(glm::radians(60.)), 0, std::cos(glm::radians(60.)));
     const dvec3 map(218 / 127.5 - 1, 128 / 127.5 - 1, 218 / 127.5 - 1);
@@ -90,7 +91,7 @@ class RenderTangents : public RenderTest {
 };
 
 // 3.7.2.1: x of the map along TANGENT, y along cross(NORMAL, TANGENT) times its w.
-TEST_F(RenderTangents, AreThoseOfTheFile) {
+TEST_F(RenderTangents, TangentsComeFromTheFile) {
   for (const std::vector<float>& t : {std::vector<float>{1, 0, 0, 1},
                                       {-1, 0, 0, 1},
                                       {0, 1, 0, 1},
@@ -104,8 +105,8 @@ TEST_F(RenderTangents, AreThoseOfTheFile) {
   EXPECT_NEAR(expected({0, 1, 0}, 1), .33, 1e-2);
 }
 
-// What has none is lit by its texture coordinates, which here grow along x, and against y: TANGENT 1, 0, 0, 1.
-TEST_F(RenderTangents, StandInForTheCoordinates) {
+// Without tangents the texture coordinates define the frame. Here they grow along x and against y: TANGENT 1, 0, 0, 1.
+TEST_F(RenderTangents, CoordinatesReplaceMissingTangents) {
   for (const Json& part : {Json::object(), Json({{"scale", {-1, 1, 1}}}), Json({{"rotation", {0, 0, .6, .8}}}),
                            Json({{"rotation", {0, 1, 0, 0}}}), Json({{"scale", {1, 1, 0}}})}) {
     scene::Asset with_tangents = square({1, 0, 0, 1}), without = square({});
@@ -115,8 +116,8 @@ TEST_F(RenderTangents, StandInForTheCoordinates) {
   }
 }
 
-// Tangents go with the joints that a vertex follows, here a quarter turn about z, and with morph targets.
-TEST_F(RenderTangents, BendWithTheMesh) {
+// Tangents follow the joints of a vertex, here with a quarter turn about z, and morph targets.
+TEST_F(RenderTangents, TangentsDeformWithTheMesh) {
   scene::Asset skinned = square({1, 0, 0, 1});
   skinned.primitive()["attributes"]["JOINTS_0"] =
       skinned.add<uint8_t>({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4", 4, 5121);
@@ -137,8 +138,8 @@ TEST_F(RenderTangents, BendWithTheMesh) {
   }
 }
 
-// The same texels by the same coordinates, which the file has or KHR_texture_transform makes.
-TEST_F(RenderTangents, FollowTheCoordinatesOfTheLookup) {
+// The same texels by the same coordinates, from the file or from KHR_texture_transform.
+TEST_F(RenderTangents, TangentsFollowTheCoordinatesOfTheLookup) {
   struct Case {
     Json transform;
     double a, b, c, d;  // u' = a u + b v, v' = c u + d v
@@ -150,7 +151,7 @@ TEST_F(RenderTangents, FollowTheCoordinatesOfTheLookup) {
       {{{"rotation", 3.14159265358979}}, -1, 0, 0, -1, {-1, 0, 0}, 1},
       {{{"scale", {-1, 1}}}, -1, 0, 0, 1, {-1, 0, 0}, -1},
       {{{"scale", {1, -1}}}, 1, 0, 0, -1, {1, 0, 0}, -1},
-      // u' = cos u + sin v, of which u goes along x and v against y.
+      // u' = cos u + sin v; u grows along x and v against y.
       {{{"rotation", 1.1}, {"offset", {.25, .5}}, {"scale", {2, 2}}}, 2 * k, 2 * s, -2 * s, 2 * k, {k, -s, 0}, 1},
   };
   for (const Case& one : cases) {

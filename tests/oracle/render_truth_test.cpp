@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Truth against exact exposures. M time samples of a step function of time with changes J_1 ... J_m are off by at most
-// sum |J| / (2M) at the midpoints of M strata and by sum |J| / M anywhere in them (docs/derivations.md); 1e-4 is for
-// single precision. Raster snaps vertices to 1/256 px, which moves a crossing by 1/(256 |d|) of the exposure.
-// Catches: times, weights or filters of samples that are off; raster and rays that differ; rays spared (SparesRays...,
-// SamplesOnce...) that would have changed a pixel, each by the reason for which they are spared.
+// sum |J| / (2M) at the midpoints of M strata, and by sum |J| / M anywhere in the strata (docs/derivations.md); 1e-4 is
+// for single precision. Rasterisation snaps vertices to 1/256 px, which moves a crossing by 1/(256 |d|) of the
+// exposure. The tests catch wrong times, weights or filters of samples; differences between rasterisation and rays; and
+// skipped rays (SkipsRays..., SamplesStaticPixelsOnce) that would have changed a pixel, one test for each reason to
+// skip rays.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -26,7 +27,7 @@ BoundOf strataBound(int samples) {
   return [=](const Exposure& e) { return e.variation / samples + kRounding; };
 }
 
-// A striped bar over stripes, both moving; small, and everything is seen along a row.
+// A small scene of a striped bar over stripes, both moving; all rows are equal.
 struct StripedScene {
   double d_front = 20, d_back = -12;
   lab::Shot shot() const {
@@ -63,8 +64,9 @@ TEST_F(RenderTruth, HalfPlaneAndBarMatchTheirCoverage) {
   }
 }
 
-// A bar in front at the capture uncovers what it hid (inner, hidden) and covers what was beside it (outer).
-TEST_F(RenderTruth, RegionsAreWhereTheBarComesFromAndGoes) {
+// A bar in front at the raster time uncovers the background that it hid (inner, hidden) and covers the background
+// beside it (outer).
+TEST_F(RenderTruth, RegionsFollowTheMotionOfTheBar) {
   constexpr int kSamples = 32, kLeft = 40, kRight = 60, kMoved = 20;
   for (const Anchor& anchor : anchors()) {
     lab::Picture picture = render(with(shotOf("bar", 96, 2, {{"left", kLeft}, {"right", kRight}, {"d_f", kMoved}}),
@@ -88,8 +90,8 @@ TEST_F(RenderTruth, RegionsAreWhereTheBarComesFromAndGoes) {
   }
 }
 
-// With a sample at the capture itself, where what moves stands as it does there and hides what it uncovers at others.
-TEST_F(RenderTruth, OddNumbersOfSamplesMatchAroundTheCapture) {
+// One sample lies at the raster time, where a moving surface hides the background that it uncovers at other times.
+TEST_F(RenderTruth, OddNumbersOfSamplesMatch) {
   for (int samples : {1, 3, 5, 33}) {
     for (double d : {20.0, -7.25}) {
       lab::Shot shot = shotOf("half_plane", 96, 2, {{"edge", 48.3}, {"d_f", d}});
@@ -119,8 +121,8 @@ TEST_F(RenderTruth, TexturedBarMatchesAtMidpointsAndInStrata) {
   }
 }
 
-// A pinhole camera, surfaces at two depths.
-TEST_F(RenderTruth, PerspectiveMatchesToo) {
+// A pinhole camera with surfaces at two depths.
+TEST_F(RenderTruth, PerspectiveMatches) {
   constexpr int kSamples = 256;
   Strips strips{{20, 60, 15, {.8}}, {-kInfinity, 50, -6, {.3}}, {-kInfinity, kInfinity, 0, {.1}}};
   for (const Anchor& anchor : anchors()) {
@@ -131,7 +133,7 @@ TEST_F(RenderTruth, PerspectiveMatchesToo) {
   }
 }
 
-// Sides and motion along no axis, and a checker that moves behind.
+// Sides and motion oblique to the axes, over a moving checker.
 TEST_F(RenderTruth, SlantedQuadOverAMovingCheckerMatches) {
   constexpr int kSamples = 256;
   MovingPolygon quad{
@@ -144,7 +146,7 @@ TEST_F(RenderTruth, SlantedQuadOverAMovingCheckerMatches) {
   }
 }
 
-// Poses turn, they are not moved along straight lines.
+// Poses rotate; points do not move along straight lines.
 TEST_F(RenderTruth, TurningWedgeMatches) {
   constexpr int kSamples = 256, kSide = 48;
   for (double degrees : {30.0, -160.0}) {
@@ -176,12 +178,12 @@ TEST_F(RenderTruth, BoxPixelsMatchWithinTheirStatedError) {
         sum += std::pow(color.at(x, y, 0) - exposePixel(strips, anchor.window, x).colour, 2);
     double error = std::sqrt(sum / (color.width * color.height)), stated = rms(imageOf(picture, "error"));
     EXPECT_LE(error, 3 * stated) << anchor.name;
-    EXPECT_LE(stated, .03) << anchor.name;  // and it is no excuse
+    EXPECT_LE(stated, .03) << anchor.name;  // the stated error is small, too
   }
 }
 
-// The mean over seeds tends to the exact value: sixteen of them are off by a quarter of the bound on one's deviation,
-// sqrt(sum J^2) / (2M); four of those, and 1e-4, never happen by chance.
+// The mean over seeds tends to the exact value. The deviation of sixteen seeds is a quarter of the bound for one seed,
+// sqrt(sum J^2) / (2M); four deviations plus 1e-4 are never exceeded by chance.
 TEST_F(RenderTruth, JitteredTimesAreUnbiased) {
   constexpr int kSamples = 64, kSeeds = 16;
   StripedScene scene;
@@ -198,8 +200,8 @@ TEST_F(RenderTruth, JitteredTimesAreUnbiased) {
       [](const Exposure& e) { return std::sqrt(e.variation * e.jump) / (2 * kSamples) + kRounding; }, "mean");
 }
 
-// The error truth states of itself is that of its mean, give or take what half a picture of samples can tell.
-TEST_F(RenderTruth, StatedErrorIsTheErrorMade) {
+// The stated error is the error of the mean, up to the noise of an estimate from half the samples.
+TEST_F(RenderTruth, StatedErrorMatchesTheActualError) {
   constexpr int kSamples = 64;
   StripedScene scene;
   double made = 0, stated = 0;
@@ -219,7 +221,7 @@ TEST_F(RenderTruth, StatedErrorIsTheErrorMade) {
   EXPECT_LE(ratio, 3);
 }
 
-// Nothing tells how far off one sample is.
+// One sample gives no estimate of its error.
 TEST_F(RenderTruth, OneSampleStatesNoError) {
   lab::Picture picture = render(with(shotOf("bar", 96, 2, {{"d_f", 20}}), "ground_truth", truth(1)));
   for (int x = 0; x < 96; ++x)
@@ -254,15 +256,15 @@ TEST_F(RenderTruth, StopsAtTheToleranceAndNotBefore) {
   EXPECT_LT(count, 1024);
   EXPECT_EQ(imageOf(some, "error").at(50, 1, 3), count);
   EXPECT_LE(rms(imageOf(some, "error")), .003);
-  // Samples that were not taken are missing all over the exposure, not at its end.
+  // The missing samples are spread over the exposure instead of left out at its end.
   EXPECT_LE(rmsDifference(colorOf(some), colorOf(all)), 2 * .003);
 
   lab::Picture strict = render(with(shot, "ground_truth", truth(128, {"times=stratified", "tolerance=1e-6"})));
   EXPECT_EQ(samplesOf(strict), 128);
 }
 
-// Rasterised pictures of the same times share no visibility with rays. What they see differs where a sample falls
-// within 1/256 px of an edge, so at most by the snapping, and in the mean by less than the error truth states.
+// Rasterised pictures at the same times share no visibility with rays. They differ only where a sample falls within
+// 1/256 px of an edge: at most by the snapping, and on average by less than the stated error.
 TEST_F(RenderTruth, RasterAndRaysAgree) {
   constexpr int kSamples = 64;
   for (StripedScene scene : {StripedScene{20, -12}, {6, 20}}) {
@@ -287,8 +289,8 @@ TEST_F(RenderTruth, RasterAndRaysAgree) {
   }
 }
 
-// What nothing in motion reaches is not sampled again: the same picture, errors and regions bit for bit.
-TEST_F(RenderTruth, SamplesOnceWhatNothingReaches) {
+// Pixels that no motion reaches are not sampled again: the picture, errors and regions are equal, bit for bit.
+TEST_F(RenderTruth, SamplesStaticPixelsOnce) {
   lab::Shot shot;
   shot.scene = "living_room";
   shot.width = 96;
@@ -313,9 +315,10 @@ uint64_t sum(const lab::Picture& picture, const std::string& counter) {
   return total;
 }
 
-// What is at rest is found once and what moves is traced before it: the picture of every ray, by any backend, bit for
-// bit, where pixels are seen through their centres. A mover in front, one behind what stands, shadows of both.
-TEST_F(RenderTruth, SparesRaysOfNoConsequence) {
+// Static surfaces are found once, and moving surfaces are traced before them. At pixel centres the picture equals the
+// picture of all rays, bit for bit, with any backend. The scene has a mover in front, one behind a static surface, and
+// shadows of both.
+TEST_F(RenderTruth, SkipsRaysWithoutChange) {
   lab::Shot shot;
   shot.scene = "living_room";
   shot.width = 96;
@@ -328,14 +331,14 @@ TEST_F(RenderTruth, SparesRaysOfNoConsequence) {
     for (const char* output : {"color", "error", "inner", "outer"})
       EXPECT_TRUE(identical(imageOf(spared, output), imageOf(all, output))) << output;
     EXPECT_LT(sum(spared, "rays_") * 4, sum(all, "rays_"));
-    EXPECT_GT(sum(spared, "validated"), 0u) << "shadows on what moves";
+    EXPECT_GT(sum(spared, "validated"), 0u) << "shadows on moving surfaces";
     EXPECT_EQ(sum(all, "validated"), 0u);
   }
 }
 
-// Through whole pixels neighbours must agree; samples that do not are traced. The audit finds what was missed: here
-// less than a thousandth of the samples, whose error is far below that of so many samples.
-TEST_F(RenderTruth, SparesRaysWhereNeighboursAgree) {
+// Over whole pixels a ray is skipped only if its neighbours agree. Validation finds mismatches in less than a
+// thousandth of the samples, and their error is far below the noise of this number of samples.
+TEST_F(RenderTruth, SkipsRaysWhereNeighboursAgree) {
   lab::Shot shot;
   shot.scene = "living_room";
   shot.width = 160;
@@ -348,7 +351,7 @@ TEST_F(RenderTruth, SparesRaysWhereNeighboursAgree) {
   EXPECT_LT(sum(spared, "rays_") * 4, sum(all, "rays_") * 3);
 
   if (!allCases()) return;
-  // Shadows that move are sampled all over the exposure.
+  // Moving shadows are sampled throughout the exposure.
   std::vector<std::string> full = truth(64, {"pixel=box", "shading=full", "validation_share=0"});
   lab::Picture lit = render(with(shot, "ground_truth", full));
   full.push_back("mode=brute");
@@ -356,9 +359,9 @@ TEST_F(RenderTruth, SparesRaysWhereNeighboursAgree) {
             .02 * rms(imageOf(lit, "error")));
 }
 
-// A bar in front of everything moves as a whole: where it hides all that is at rest it alone is asked, nothing of it
-// was hidden, and beside it at each time nothing in motion is.
-TEST_F(RenderTruth, SparesRaysOfWhatMovesAsAWhole) {
+// A rigid bar moves in front of everything. Where the bar hides every static surface, rays are traced against the bar
+// alone; no part of the bar is ever hidden, and beside the bar nothing moves.
+TEST_F(RenderTruth, SkipsRaysBesideARigidMover) {
   const lab::Shot bar = shotOf("bar", 96, 32, {{"left", 20}, {"right", 60}, {"d_f", 12}});
   lab::Picture spared = render(with(bar, "ground_truth", truth(64, {"pixel=box", "validation_share=0.1"})));
   lab::Picture all = render(with(bar, "ground_truth", truth(64, {"pixel=box", "mode=brute"})));
@@ -369,8 +372,9 @@ TEST_F(RenderTruth, SparesRaysOfWhatMovesAsAWhole) {
   EXPECT_LT(sum(spared, "rays_") * 2, sum(all, "rays_"));
 }
 
-// The same before a moving camera, by what first samples see at the capture: of points that the capture shows.
-TEST_F(RenderTruth, SparesRaysToWhatTheCaptureShows) {
+// A moving camera: the first samples show which points are visible in the raster image, and rays to these points are
+// skipped.
+TEST_F(RenderTruth, SkipsRaysToPointsOfTheRasterImage) {
   lab::Shot shot;
   shot.scene = "living_room";
   shot.width = 160;
@@ -387,7 +391,7 @@ TEST_F(RenderTruth, SparesRaysToWhatTheCaptureShows) {
     EXPECT_LE(sum(spared, "mismatched") * 1000, sum(spared, "validated")) << pixel;
     EXPECT_LT(sum(spared, "rays_") * 4, sum(all, "rays_") * 3) << pixel;
   }
-  // Of few samples none is spared, nor where each is shaded at its time: two pictures of the same rays.
+  // With few samples, or with full shading, no ray is skipped: both pictures trace the same rays.
   for (const char* pixel : {"pixel=box", "pixel=centre"})
     EXPECT_TRUE(identical(colorOf(render(with(shot, "ground_truth", truth(16, {pixel})))),
                           colorOf(render(with(shot, "ground_truth", truth(16, {pixel, "mode=brute"}))))))
@@ -398,8 +402,8 @@ TEST_F(RenderTruth, SparesRaysToWhatTheCaptureShows) {
   EXPECT_TRUE(identical(colorOf(lit), colorOf(render(with(shot, "ground_truth", full)))));
 }
 
-// A wedge that turns, and a card that comes nearer.
-TEST_F(RenderTruth, RasterAndRaysAgreeWhereMotionBends) {
+// A wedge that turns, and a card that approaches.
+TEST_F(RenderTruth, RasterAndRaysAgreeOnNonlinearMotion) {
   for (const char* scene : {"wedge", "approach"}) {
     lab::Shot shot = shotOf(scene, 32, 32);
     if (scene == std::string("approach")) shot.sets.clear();
@@ -410,7 +414,7 @@ TEST_F(RenderTruth, RasterAndRaysAgreeWhereMotionBends) {
   }
 }
 
-TEST_F(RenderTruth, RasterRefusesWhatOnlyRaysCan) {
+TEST_F(RenderTruth, RasterModeRefusesOptionsOfRays) {
   for (const char* setting : {"pixel=box", "slices=4"}) {
     const std::string refused = testing::refusalOf([&] {
       render(with(StripedScene{}.shot(), "ground_truth", {"mode=raster", setting}));

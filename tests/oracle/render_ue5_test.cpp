@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each parameter of the pipeline ue5 alone: what it changes, by pictures in closed form and by counted pixels. The
-// other three are off.
+// Each parameter of the pipeline ue5 alone, by pictures in closed form and by counted pixels. The other three are off.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +38,7 @@ class RenderUe5 : public RenderTest {
 
 bool onGrid(int x, int y) { return x % 2 == 0 && y % 2 == 0; }
 
-// Linear interpolation of the pixels with even coordinates; beyond the last of them its colour goes on.
+// Linear interpolation of the pixels with even coordinates, constant beyond the last even pixel.
 double between(const image::Image& color, int x, int y) {
   const int left = x - x % 2, top = y - y % 2;
   const int right = left + 2 * (x % 2) < color.width ? left + 2 * (x % 2) : left;
@@ -68,7 +67,8 @@ TEST_F(RenderUe5, HalfResolutionGathersAQuarter) {
     }
 }
 
-// Tiles have 16 px: those of the columns [96, 160) show the bar [90, 170) alone. A bar that moves by less is not heavy.
+// Tiles have 16 px: the tiles of the columns [96, 160) show only the bar [90, 170). Motion below 16 px makes no tile
+// heavy.
 TEST_F(RenderUe5, HalfResolutionLeavesTilesWithASlowPixel) {
   for (double moved : {16., 15.9}) {
     lab::Shot shot = shotOf("bar", kWidth, 32, {{"left", 90}, {"right", 170}, {"d_f", moved}});
@@ -126,7 +126,7 @@ TEST_F(RenderUe5, TheSecondDirectionBlursHalf) {
 
 // --- Shortest and longest displacement of tiles
 
-// Everything moves by 19 to 20 px: taps have equal weights at any depth.
+// Everything moves by 19 to 20 px, so taps have equal weights at any depth.
 TEST_F(RenderUe5, CheapTapsHaveEqualWeight) {
   const Row row = rasterise({{96, 160, 20, {.9, .6, 8, 96}}, {-kInfinity, kInfinity, 19, {.4, .1, 8, 0}}}, kWidth);
   lab::Shot shot = only(shotOf("textured_bar", kWidth, kRows, motions(20, 19)), "cheap=true", {"jitter=ign"});
@@ -141,7 +141,7 @@ TEST_F(RenderUe5, CheapTapsHaveEqualWeight) {
   expectPerPixel({"cheap", shot, mean, 112, 144}, colorOf(picture));
 }
 
-// Every tile that the bar reaches has pixels at rest: no tap is cheap, and the picture is that without the parameter.
+// Every tile on the bar's path has static pixels: no tap is cheap, and the parameter does not change the picture.
 TEST_F(RenderUe5, NoTapIsCheapBesideASlowSurface) {
   lab::Shot shot = shotOf("bar", kWidth, kRows, {{"left", 120}, {"right", 136}, {"d_f", 40}});
   const lab::Picture cheap = render(only(shot, "cheap=true"));
@@ -152,7 +152,7 @@ TEST_F(RenderUe5, NoTapIsCheapBesideASlowSurface) {
 
 // --- Nearest depth
 
-// The rectangle `a` is in front of `b`, and both are in front of a background at rest. Each grows by a pixel to all
+// The rectangle `a` is in front of `b`, and both are in front of a static background. Each grows by a pixel on all
 // eight sides over the surface behind it.
 TEST_F(RenderUe5, NearerSurfacesGrowByAPixel) {
   lab::Shot shot = shotOf("crossing", 96, 96, {{"a_left", 40}, {"a_top", 20}, {"a_x", -7}, {"b_top", 32}, {"b_y", 10}});
@@ -171,7 +171,7 @@ TEST_F(RenderUe5, NearerSurfacesGrowByAPixel) {
     }
 }
 
-// The filter along a row in which the two pixels beside the bar move as the bar does, at their own depth and colour.
+// The filter along a row, with the bar's displacement in the two pixels beside the bar at their own depth and colour.
 TEST_F(RenderUe5, PixelsBesideTheBarMoveWithIt) {
   for (const Anchor& anchor : anchors()) {
     Row row = rasterise({{96, 160, 20, {.9, .6, 8, 96}}, {-kInfinity, kInfinity, 0, {.4, .1, 8, 0}}}, kWidth);

@@ -7,7 +7,7 @@
 
 namespace strobe::oracle {
 
-// A tap that lies within single precision of the border of two pixels may go to either: one of three jitters must fit.
+// A tap within single precision of the border of two pixels may take either pixel: one of three jitters must fit.
 static double distanceToExpected(const RowCase& filter, double value, int x, int y) {
   double jitter = filter.jitter(x, y), nearest = kInfinity;
   for (double shift : {0.0, -2e-4, 2e-4})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A picture whose lines all show the same row, against a filter along that row in double precision, pixel by pixel with
-// each pixel's own jitter.
+// A picture with equal rows, against a filter along the row in double precision, pixel by pixel with each pixel's own
+// jitter.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace strobe::oracle {
 
-// The row of the picture, and the filter at one pixel of it for a given jitter.
+// The shot, and the row filter at one pixel for a given jitter.
 struct RowCase {
   std::string what;
   lab::Shot shot;
@@ -20,7 +20,7 @@ struct RowCase {
   JitterAt jitter = ignJitter;
 };
 
-// Within 2e-3: single precision moves a weight by less, and a tap that changes pixels is accounted for.
+// Tolerance 2e-3: single precision changes a weight by less, and a tap that changes pixels is accounted for.
 void expectPerPixel(const RowCase& filter, const image::Image& color);
 
 }  // namespace strobe::oracle

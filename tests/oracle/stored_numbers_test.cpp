@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The functions of mixin/quantised.glsl run on chosen numbers, against what half floats and depth encodings are by
-// definition: the list of all half floats, and 1 - n/z in double precision.
+// Runs the functions of mixin/quantised.glsl on chosen numbers, against the definitions of half floats and depth
+// encodings: the list of all half floats, and 1 - n/z in double precision.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using Floats = std::vector<float>;
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr double kLargestHalf = 65504;
 
-// Every half float from 0 up: exponents of 5 bits, mantissas of 10, those of exponent 0 without the leading 1.
+// Every half float from 0 up: exponents of 5 bits, mantissas of 10 bits. Exponent 0 has no leading 1.
 const std::vector<double>& halves() {
   static const std::vector<double> all = [] {
     std::vector<double> list;
@@ -36,8 +36,8 @@ const std::vector<double>& halves() {
   return all;
 }
 
-// The nearest half float of a number of at most 65504 in magnitude; of two equally near the one with an even mantissa,
-// which has an even index.
+// Nearest half float to a number of at most 65504 in magnitude. Of two equally near ones the even mantissa wins, which
+// has an even index.
 double nearestOfAll(double value) {
   double magnitude = std::abs(value);
   auto above = std::lower_bound(halves().begin(), halves().end(), magnitude);
@@ -77,7 +77,7 @@ void count_depth_lost(uint n) { atomicAdd(counts[2], n); }
 
 class StoredNumbers : public RenderTest {
  protected:
-  // `body` turns `v`, four of the values at a time. `given` is what the parameters of a pass would define.
+  // Runs `body` on `v`, which holds four values at a time. `given` defines the parameters as a pass would.
   static Result run(const std::string& given, const std::string& body, const Floats& values, float near = 0) {
     Floats padded = values;
     padded.resize((values.size() + 3) / 4 * 4, 0.0f);
@@ -140,7 +140,8 @@ class StoredNumbers : public RenderTest {
 
 bool sameBits(float a, float b) { return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b); }
 
-// Every half float, every number in the middle of two, and the floats on both sides of the middle; then random ones.
+// Every half float, every midpoint between two neighbours, and the floats on both sides of the midpoint; then random
+// ones.
 Floats hardNumbers() {
   Floats values;
   for (size_t i = 0; i + 1 < halves().size(); ++i) {
@@ -154,7 +155,7 @@ Floats hardNumbers() {
   return values;
 }
 
-TEST_F(StoredNumbers, HalfFloatsAreTheNearestThereAre) {
+TEST_F(StoredNumbers, HalfFloatsAreRoundedToNearest) {
   Floats given = hardNumbers();
   for (const Result& result : {colors("fp16", given), velocities("fp16", given)}) {
     size_t wrong = 0;
@@ -167,13 +168,13 @@ TEST_F(StoredNumbers, HalfFloatsAreTheNearestThereAre) {
   }
 }
 
-TEST_F(StoredNumbers, BeyondHalfFloatsColorsAreClamped) {
+TEST_F(StoredNumbers, ColorsBeyondHalfFloatsAreClamped) {
   Result result = colors("fp16", {65504, 65505, 1e30f, -3e38f, 65504, -65504, 0, 1, -65519, 2, 3, 4});
   EXPECT_EQ(result.values, (Floats{65504, 65504, 65504, -65504, 65504, -65504, 0, 1, -65504, 2, 3, 4}));
   EXPECT_EQ(result.color_clamped, 2u);  // texels, not channels
 }
 
-TEST_F(StoredNumbers, BeyondHalfFloatsDisplacementsAreShortened) {
+TEST_F(StoredNumbers, DisplacementsBeyondHalfFloatsAreShortened) {
   Floats given = {131008, -32752, 3e38f, 3e38f, -1e20f, 0, 65504, 65504, 100000, 3, 12, -65505};
   Result result = velocities("fp16", given);
   EXPECT_EQ(result.velocity_clamped, 5u);
@@ -209,14 +210,14 @@ TEST_F(StoredNumbers, SinglePrecisionIsKeptBitForBit) {
   }
 }
 
-// Depths from the near distance to `far` of them, in equal steps of their logarithm.
+// Depths from the near distance to `far` near distances, in equal steps of the logarithm.
 Floats depthsUpTo(float near, double far) {
   Floats list;
   for (int i = 0; i < 20000; ++i) list.push_back(float(near * std::pow(far, (i + 0.5) / 20000)));
   return list;
 }
 
-// A division is within 2.5 units in the last place on any device, and a unit is at most 2^-23 of the number.
+// A division is exact to 2.5 units in the last place on any device, and a unit is at most 2^-23 of the number.
 constexpr double kDivision = 2.5 * 0x1p-23;
 
 TEST_F(StoredNumbers, ReversedAndInverseDepthsErrByTwoDivisions) {
@@ -226,12 +227,13 @@ TEST_F(StoredNumbers, ReversedAndInverseDepthsErrByTwoDivisions) {
       double worst = 0;
       for (size_t i = 0; i < given.size(); ++i) worst = std::max(worst, std::abs(double(stored[i]) / given[i] - 1));
       EXPECT_LE(worst, 2 * kDivision) << encoding << " " << near;
-      EXPECT_GT(worst, 0x1p-25) << encoding << " " << near;  // it does go through single precision
+      EXPECT_GT(worst, 0x1p-25) << encoding << " " << near;  // single precision is used
       EXPECT_TRUE(std::is_sorted(stored.begin(), stored.end())) << encoding << " " << near;
     }
 }
 
-// The code is the whole number next to (1 - n/z) (2^24 - 1): at most half a step off, hence z by the share z/(n 2^25).
+// The code is the integer nearest to (1 - n/z) (2^24 - 1), at most half a step off. The relative error of z is z/(n
+// 2^25).
 TEST_F(StoredNumbers, Unorm24ErrsByHalfAStep) {
   const double steps = 16777215, half_step = 0.5 / steps;
   for (float near : {1e-6f, 0.01f, 1.0f, 1000.0f}) {
@@ -240,10 +242,10 @@ TEST_F(StoredNumbers, Unorm24ErrsByHalfAStep) {
     for (size_t i = 0; i < given.size(); ++i) {
       double n = near, z = given[i], back = result.values[i];
       double step_error = std::abs((1 - n / back) - (1 - n / z));
-      // n/z is at most 1 and rounded twice, in single precision, on the way there and back.
+      // n/z is at most 1, and is rounded in single precision by encoding and by decoding.
       ASSERT_LE(step_error, half_step + 3 * kDivision * n / z) << near << " " << z;
       if (z < 100 * n || z > 1e5 * n) continue;
-      // 1 %: the share is of n/z, and z its inverse.
+      // 1 % of slack: the bound is relative to n/z, and z is its inverse.
       ASSERT_LE(std::abs(back / z - 1), 1.01 * z / (n * 0x1p25) + 3 * kDivision) << near << " " << z;
     }
     EXPECT_TRUE(std::is_sorted(result.values.begin(), result.values.end())) << near;
@@ -251,14 +253,14 @@ TEST_F(StoredNumbers, Unorm24ErrsByHalfAStep) {
   }
 }
 
-TEST_F(StoredNumbers, Unorm24HasNoMoreThanItsSteps) {
+TEST_F(StoredNumbers, Unorm24MergesDepthsWithinAStep) {
   Floats given;
   for (int i = 0; i < 4096; ++i) given.push_back(1e6f + float(i));  // steps there: z^2 / 2^24 = 60000 near distances
   Floats stored = depths("unorm24", 1, given).values;
   EXPECT_LE(std::unique(stored.begin(), stored.end()) - stored.begin(), 2);
 }
 
-TEST_F(StoredNumbers, WhatIsTooFarBecomesSkyAndIsCounted) {
+TEST_F(StoredNumbers, TooDistantDepthsBecomeSkyAndAreCounted) {
   Result result = depths("unorm24", 0.5f, {1e6f, 0.49f * 0x1p25f, 0.51f * 0x1p25f, 1e30f, kInf, 1, 1, 1});
   EXPECT_LT(result.values[1], kInf);
   EXPECT_EQ(result.values[2], kInf);
@@ -267,14 +269,14 @@ TEST_F(StoredNumbers, WhatIsTooFarBecomesSkyAndIsCounted) {
   EXPECT_EQ(result.depth_lost, 2u);  // the sky itself is not lost
 }
 
-TEST_F(StoredNumbers, NothingIsKeptAsNothingAndNothingIsNearerThanNear) {
+TEST_F(StoredNumbers, EmptyAndNearDepthsAreKept) {
   for (const char* encoding : {"reversed", "inverse", "unorm24"}) {
     Floats stored = depths(encoding, 0.1f, {0, 0.1f, 0.05f, -1}).values;
     EXPECT_EQ(stored[0], 0) << encoding;
     EXPECT_NEAR(stored[1], 0.1, 0.1 * 2 * kDivision) << encoding;
     double nearer = std::string(encoding) == "inverse" ? 0.05 : 0.1;
     EXPECT_NEAR(stored[2], nearer, nearer * 2 * kDivision) << encoding;
-    EXPECT_EQ(stored[3], -1) << encoding;  // readers take it for 0
+    EXPECT_EQ(stored[3], -1) << encoding;  // readers treat it as 0
   }
 }
 

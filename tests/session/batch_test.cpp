@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A batch draws what single pictures are, and does nothing twice.
+// A batch draws the same pictures as single calls, and does nothing twice.
 #include "lab/batch.h"
 
 #include "lab/record.h"
@@ -21,7 +21,7 @@ std::map<std::string, std::string> outputHashes(const lab::Picture& picture) {
 
 class BatchTest : public SessionTest {
  protected:
-  // Numbers of three pipelines: samples, exposures, a value of one node.
+  // Shot `i` of three pipelines in turn, with its own exposure and its own number of samples or value of a node.
   static Shot point(int i) {
     Shot shot = smallShot(std::vector<std::string>{"hybrid", "mcguire2012", "none"}[size_t(i % 3)]);
     shot.exposure = 0.1 + 0.005 * i;
@@ -41,7 +41,7 @@ TEST_F(BatchTest, AHundredPointsRunNoScriptAndReadNoShader) {
   evaluations = bench().evaluations();
   int compilations = bench().compilations();
 
-  // There is nothing left that could be run or read.
+  // Without these folders no script can be run and no shader read.
   std::map<std::string, std::string> files = home_.all();
   for (const char* folder : {"passes", "shaders", "scripts"})
     fs::rename(home_.path(folder), home_.path(folder + std::string("_away")));
@@ -61,11 +61,11 @@ TEST_F(BatchTest, AHundredPointsRunNoScriptAndReadNoShader) {
   }
 }
 
-// Without a batch too, as long as no file changes.
+// Also without a batch, as long as no file changes.
 TEST_F(BatchTest, PicturesInALoopRunNoScriptTwice) {
   Shot shot = smallShot("hybrid");
   lab::Picture first = bench().render(shot);
-  ::usleep(100000);  // files younger than this are looked at again
+  ::usleep(100000);  // younger files are checked again
   bench().render(shot);
   int evaluations = bench().evaluations(), compilations = bench().compilations();
   for (int i = 0; i < 3; ++i) EXPECT_EQ(outputHashes(bench().render(shot)), outputHashes(first));
@@ -74,7 +74,7 @@ TEST_F(BatchTest, PicturesInALoopRunNoScriptTwice) {
   home_.edit("scripts/scenes/oracles/textured_bar.lua", "\n", "\n\n");
   home_.edit("shaders/shared/frame.h", "\n", "\n\n");
   bench().render(shot);
-  EXPECT_EQ(bench().evaluations(), evaluations) << "the pipeline's scripts are as they were";
+  EXPECT_EQ(bench().evaluations(), evaluations) << "the pipeline's scripts did not change";
   home_.edit("scripts/pipelines/hybrid.lua", "\n", "\n\n");
   lab::Picture edited = bench().render(shot);
   EXPECT_EQ(bench().evaluations(), evaluations + 1);
@@ -88,7 +88,7 @@ TEST_F(BatchTest, TheSamePictureIsDrawnOnce) {
   auto first = batch.picture(shot);
   Shot typed = shot;
   typed.fps = 24;
-  EXPECT_EQ(batch.picture(typed), first) << "what the scene suggests is the same as what is said";
+  EXPECT_EQ(batch.picture(typed), first) << "an explicit value equals the scene's default";
   EXPECT_EQ(batch.drawn(), 1);
   auto color = batch.color(shot);
   EXPECT_EQ(color->values, first->frame.outputs.at("color").floats.values);
@@ -98,14 +98,14 @@ TEST_F(BatchTest, TheSamePictureIsDrawnOnce) {
   EXPECT_NE(batch.picture(other), first);
 }
 
-TEST_F(BatchTest, OutputsAreReadBackAsAsked) {
+TEST_F(BatchTest, OnlyWantedOutputsAreReadBack) {
   Batch batch(bench());
   auto picture = batch.picture(smallShot("hybrid"), {"color"});
   EXPECT_EQ(picture->frame.outputs.size(), 1u);
   EXPECT_GT(batch.picture(smallShot("hybrid"))->frame.outputs.size(), 1u);
 }
 
-TEST_F(BatchTest, RefusalsAreToldFromErrors) {
+TEST_F(BatchTest, RefusalsDifferFromErrors) {
   Batch batch(bench());
   Shot shot = smallShot("mcguire2012");
   shot.sets.push_back({"samples", 0});
@@ -117,12 +117,12 @@ TEST_F(BatchTest, RefusalsAreToldFromErrors) {
     batch.picture(missing);
     ADD_FAILURE();
   } catch (const lab::Refusal&) {
-    ADD_FAILURE() << "a scene is no matter of the pipeline";
+    ADD_FAILURE() << "the pipeline cannot refuse a missing scene";
   } catch (const Error&) {
   }
 }
 
-TEST_F(BatchTest, TimesAreOfFramesInTurn) {
+TEST_F(BatchTest, FramesAreTimedInTurn) {
   Batch batch(bench());
   Shot few = smallShot("mcguire2012"), many = few;
   few.sets.push_back({"samples", 2});

@@ -9,7 +9,7 @@ namespace {
 
 size_t below(std::mt19937& random, size_t n) { return n ? random() % n : 0; }
 
-// The place of a random match, or npos.
+// Position of a random match, or npos.
 size_t anyMatch(std::mt19937& random, const std::string& text, const std::string& pattern, size_t& length) {
   std::regex expression(pattern);
   std::vector<std::pair<size_t, size_t>> found;
@@ -72,7 +72,7 @@ Edit randomEdit(std::mt19937& random, const std::map<std::string, std::string>& 
       edit.kind = "comment", edit.text = text + (isLua(file) ? "\n-- touched\n" : "\n// touched\n");
       break;
     case 5:
-      edit.kind = "nonsense", edit.text = "this is no program " + std::to_string(random());
+      edit.kind = "nonsense", edit.text = "this is not a program " + std::to_string(random());
       break;
     case 6:
       edit.kind = "binding", edit.text = rebound(random, text);

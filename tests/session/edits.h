@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random mistakes in the files a session runs on: what people type, reproducible by a seed.
+// Random mistakes in the files of a session, like typing errors; reproducible by a seed.
 #pragma once
 
 #include <random>
@@ -11,12 +11,12 @@ namespace strobe::session {
 struct Edit {
   std::string kind;  // "syntax", "truncated", "renamed", "binding", "deleted", "nonsense", "endless", "comment"
   std::string file;
-  std::string text;  // what the file is to hold; unused for "deleted"
+  std::string text;  // new text of the file; unused for "deleted"
   Save save = Save::InPlace;
   std::string shown() const { return kind + " in " + file; }
 };
 
-// A mistake (or a harmless comment) in one of `files`, names with their good texts.
+// A mistake (or a harmless comment) in one of `files`, which maps names to good texts.
 Edit randomEdit(std::mt19937& random, const std::map<std::string, std::string>& files);
 
 }  // namespace strobe::session

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Random mistakes: none takes the picture away, none leaves a trace once it is mended. Found when it was written: a
-// ray pass with `termination = luminance` that took minutes to compile.
+// Random mistakes: each keeps the picture, and none leaves a trace after its repair. The first run found a ray pass
+// with `termination = luminance` that took minutes to compile.
 //
-// STROBE_EDITS (100; 1000 with --all), STROBE_EDITS_DRAWN (12; 60) and STROBE_EDITS_SEED (1) make it longer, thorough
-// or other: docs/reload.md has the result of drawing a thousand. STROBE_EDITS_REPORT names a file for a table of
-// results.
+// STROBE_EDITS (100; 1000 with --all), STROBE_EDITS_DRAWN (12; 60) and STROBE_EDITS_SEED (1) set the number of edits,
+// the number of drawn pictures and the seed; docs/reload.md has the result for a thousand edits. STROBE_EDITS_REPORT
+// names a file for a table of results.
 #include "session/edits.h"
 
 #include <cstdlib>
@@ -29,7 +29,7 @@ struct Tally {
 
 class Edits : public SessionTest {
  protected:
-  // The files a session of these pipelines can reach.
+  // Files that a session of these pipelines can read.
   std::map<std::string, std::string> files() {
     std::map<std::string, std::string> files = home_.all();
     std::erase_if(files, [](const auto& file) {
@@ -41,7 +41,7 @@ class Edits : public SessionTest {
     return files;
   }
 
-  // After an edit: what was refused as a whole left the picture as it was; what was taken is what a cold start draws.
+  // After an edit: a refused edit keeps the picture, and an accepted edit gives the picture of a cold start.
   void expectSound(Session& session, const lab::Reload& told, const std::string& good_image, const Edit& edit) {
     std::string image = colorHash(session);
     if (!told.swapped) {
@@ -53,7 +53,7 @@ class Edits : public SessionTest {
       Session cold(bench(), session.shot());
       EXPECT_EQ(image, colorHash(cold)) << "after " << edit.shown();
     } catch (const Error& error) {
-      ADD_FAILURE() << "a cold start refuses what was reloaded: " << edit.shown() << "\n" << error.what();
+      ADD_FAILURE() << "a cold start refuses the reloaded files: " << edit.shown() << "\n" << error.what();
     }
   }
 
@@ -69,7 +69,7 @@ class Edits : public SessionTest {
   }
 };
 
-TEST_F(Edits, MistakesTakeNothingAway) {
+TEST_F(Edits, MistakesKeepThePicture) {
   int count = fromEnvironment("STROBE_EDITS", allCases() ? 1000 : 100);
   int drawn = fromEnvironment("STROBE_EDITS_DRAWN", allCases() ? 60 : 12);
   std::mt19937 random(unsigned(fromEnvironment("STROBE_EDITS_SEED", 1)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluations that fork from a process which has loaded the scripts are those of a process of their own.
+// Evaluations that fork from a process with loaded scripts equal evaluations in a separate process.
 #include <thread>
 
 #include "plan/description.h"
@@ -13,7 +13,7 @@ using script::Settings;
 
 const char* const kPass = "passes/gather/mcguire2012.lua";
 
-// The description, and its files; for a failure, the error.
+// Description of the pipeline and its files; after a failure, the error.
 using Answered = std::pair<plan::PipelineDesc, std::string>;
 
 Answered answeredBy(const Evaluation& evaluation) {
@@ -53,7 +53,7 @@ class EvaluatorTest : public SessionTest {
   script::Limits limits_;
 };
 
-TEST_F(EvaluatorTest, OtherSettingsGiveWhatAProcessOfTheirOwnGives) {
+TEST_F(EvaluatorTest, ForksEqualSeparateProcesses) {
   const std::vector<Settings> some = {{},
                                       {{"samples", int64_t{4}}},
                                       {{"samples", std::string("many")}},
@@ -64,7 +64,7 @@ TEST_F(EvaluatorTest, OtherSettingsGiveWhatAProcessOfTheirOwnGives) {
       for (const Settings& sets : some) EXPECT_EQ(forked(pipeline, sets), alone(pipeline, sets)) << pipeline;
 }
 
-TEST_F(EvaluatorTest, AChangedFileCounts) {
+TEST_F(EvaluatorTest, ChangedFilesAreLoadedAgain) {
   for (int i = 0; i < 3; ++i) {
     for (int64_t samples : {3, 4, 5})
       EXPECT_EQ(forked("mcguire2012", {{"samples", samples}}), alone("mcguire2012", {{"samples", samples}}));
@@ -76,11 +76,11 @@ TEST_F(EvaluatorTest, AChangedFileCounts) {
   EXPECT_EQ(forked("mcguire2012", {}), alone("mcguire2012", {}));
 }
 
-TEST_F(EvaluatorTest, ServesLongerThanAScriptMayRun) {
+TEST_F(EvaluatorTest, ServesLongerThanTheTimeLimitOfAScript) {
   limits_.cpu_s = 0.1;
   const Answered once = alone("mcguire2012", {});
   for (int i = 0; i < 400 && !HasFailure(); ++i) EXPECT_EQ(forked("mcguire2012", {}), once) << i;
-  // A limit is looked at when the kernel's clock ticks, every few milliseconds: of many forks some are seen.
+  // The limit is checked when the kernel's clock ticks, every few milliseconds, so it stops some of many forks.
   limits_.cpu_s = 0.001;
   bool is_stopped = false;
   for (int i = 0; i < 400 && !is_stopped; ++i)
@@ -90,7 +90,7 @@ TEST_F(EvaluatorTest, ServesLongerThanAScriptMayRun) {
   EXPECT_EQ(forked("mcguire2012", {}), once);
 }
 
-TEST_F(EvaluatorTest, AFileThatTakesAnothersPlaceCounts) {
+TEST_F(EvaluatorTest, ReplacingFilesAreLoaded) {
   const Path project = ::testing::TempDir() + "evaluator_project";
   std::filesystem::remove_all(project);
   std::filesystem::create_directories(project);
@@ -114,8 +114,8 @@ TEST_F(EvaluatorTest, AFileThatTakesAnothersPlaceCounts) {
   std::filesystem::remove_all(project);
 }
 
-// What was loaded does not end with the thread that asked first.
-TEST_F(EvaluatorTest, AnotherThreadMayGoOn) {
+// Loaded scripts outlive the thread that loaded them.
+TEST_F(EvaluatorTest, OtherThreadsReuseLoadedScripts) {
   const Answered once = forked("mcguire2012", {});
   std::thread([&] { EXPECT_EQ(forked("mcguire2012", {}), once); }).join();
   for (int i = 0; i < 3; ++i) EXPECT_EQ(forked("mcguire2012", {}), once);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facts of a frame as sessions and batches meet them: what moves pauses, and the plan is made for that.
+// Facts of a frame in sessions and batches: when motion pauses, the plan changes.
 #include <gtest/gtest.h>
 
 #include "lab/batch.h"
@@ -13,7 +13,7 @@ namespace facts_test {
 using lab::Session;
 using lab::Shot;
 
-// A box before a wall that sets off after 12 frames.
+// A box before a wall. The box starts to move after 12 frames.
 const char* kScene = R"(local scene = require "strobe.scene"
 local grey = scene.material { name = "grey", color = { 0.5, 0.5, 0.5 } }
 return scene {
@@ -43,7 +43,7 @@ class FactsTest : public SessionTest {
   static bool rests(const Session& session) { return plan::lacks(session.plan(), "motion"); }
 };
 
-TEST_F(FactsTest, APlanIsMadeAnewWhereAFactChanges) {
+TEST_F(FactsTest, ChangedFactsMakeANewPlan) {
   Session session(bench(), shotAt("hybrid", kStill));
   EXPECT_TRUE(rests(session));
   size_t still = session.plan().nodes.size();
@@ -58,14 +58,14 @@ TEST_F(FactsTest, APlanIsMadeAnewWhereAFactChanges) {
   EXPECT_EQ(bench().compilations(), compilations);
 }
 
-TEST_F(FactsTest, AFrameWithTheSameFactsGoesOnWithThePlan) {
+TEST_F(FactsTest, EqualFactsKeepThePlan) {
   Session session(bench(), shotAt("hybrid", kStill));
   const plan::Plan* plan = &session.plan();
   session.set("frame", std::to_string(kStill + 1), "window");
   EXPECT_EQ(plan, &session.plan());
 }
 
-TEST_F(FactsTest, WhatIsLeftOutCanBeLookedAt) {
+TEST_F(FactsTest, OmittedPassesCanBeTapped) {
   Session session(bench(), shotAt("hybrid_layered", kStill));
   std::vector<std::string> ports = session.ports();
   EXPECT_TRUE(std::count(ports.begin(), ports.end(), "composite.blurred"));
@@ -85,7 +85,7 @@ TEST_F(FactsTest, EverythingCanBeModelled) {
   EXPECT_EQ(hashes(session.draw()), before);
 }
 
-TEST_F(FactsTest, ABatchKeepsPlansOfDifferentFactsApart) {
+TEST_F(FactsTest, BatchesKeepPlansOfDifferentFactsApart) {
   lab::Batch batch(bench());
   for (int frame : {kStill, kMoving, kStill}) {
     auto picture = batch.picture(shotAt("hybrid", frame));
@@ -97,7 +97,7 @@ TEST_F(FactsTest, ABatchKeepsPlansOfDifferentFactsApart) {
   EXPECT_LT(batch.planOf(shotAt("hybrid", kStill))->nodes.size(), batch.planOf(everything)->nodes.size());
 }
 
-TEST_F(FactsTest, TimedFramesRunWhatTheirColourNeeds) {
+TEST_F(FactsTest, TimedFramesRunOnlyThePassesOfTheColour) {
   lab::Batch batch(bench());
   std::vector<Shot> shots = {shotAt("none", kStill), shotAt("hybrid", kStill)};
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, {.least = 1, .most = 1});

@@ -49,7 +49,7 @@ void EditableHome::remove(const std::string& file) const { fs::remove(path(file)
 void EditableHome::edit(const std::string& file, const std::string& from, const std::string& to, Save save) const {
   std::string text = read(file);
   size_t at = text.find(from);
-  ASSERT_NE(at, std::string::npos) << file << " does not say: " << from;
+  ASSERT_NE(at, std::string::npos) << file << " does not contain: " << from;
   write(file, text.replace(at, from.size(), to), save);
 }
 
@@ -65,7 +65,7 @@ namespace {
 
 std::unique_ptr<lab::Workbench> the_bench;
 
-// The device must be gone before the libraries it came from are.
+// The device must be destroyed before the libraries that created it.
 class BenchEnvironment : public ::testing::Environment {
  public:
   void TearDown() override { the_bench.reset(); }
@@ -91,7 +91,7 @@ lab::Shot smallShot(const std::string& pipeline, int width, int height) {
   shot.width = width;
   shot.height = height;
   shot.frame = 0;
-  // Front and back move differently, so that every mask and every layer has something to do.
+  // Front and back move differently, so every mask marks pixels and every layer has pixels.
   for (const auto& [name, value] : std::initializer_list<std::pair<const char*, double>>{{"width", width},
                                                                                          {"height", height},
                                                                                          {"left", width * 3 / 8},

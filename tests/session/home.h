@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A copy of the project's passes, shaders and scripts that a test may edit while a session runs on it.
+// A copy of the project's passes, shaders and scripts that a test may edit while a session uses the copy.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@
 
 namespace strobe::session {
 
-// Ways an editor saves.
+// Ways of saving in an editor.
 enum class Save { InPlace, Rename, Twice };
 
-// One at a time: its folder is the same as long as the test program runs.
+// Only one may exist at a time: its folder is the same for the whole test program.
 class EditableHome {
  public:
   static Home home();
@@ -28,7 +28,7 @@ class EditableHome {
   std::string read(const std::string& file) const { return readText(path(file)); }
   void write(const std::string& file, const std::string& text, Save save = Save::InPlace) const;
   void remove(const std::string& file) const;
-  // Replaces the first `from` in a file; fails the test where there is none.
+  // Replaces the first `from` in a file; a missing `from` fails the test.
   void edit(const std::string& file, const std::string& from, const std::string& to, Save save = Save::InPlace) const;
   // Texts of all files below passes, shaders and scripts, by name.
   std::map<std::string, std::string> all() const;
@@ -46,7 +46,7 @@ class SessionTest : public ::testing::Test {
 // A small picture of two moving bars that every pipeline can blur.
 lab::Shot smallShot(const std::string& pipeline, int width = 64, int height = 36);
 
-// The pipeline "running_mean": the mean of all frames since it was made, each with `weight`, and their "sum".
+// The pipeline "running_mean": the mean of all frames since its creation, each with `weight`, and their "sum".
 void writeRunningMean(const EditableHome& home);
 
 // Hash of every output, by name.

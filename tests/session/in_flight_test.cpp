@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several frames under way at once: each is what it is by itself, and in its order.
+// Several frames under way at once: each equals the same frame alone, and they finish in order.
 #include <gtest/gtest.h>
 
 #include "base/files.h"
@@ -22,14 +22,14 @@ class InFlightTest : public SessionTest {
 
   InFlightTest() : flying_(EditableHome::home(), bench()) { flying_.frames_in_flight = kInFlight; }
 
-  // With what the scene suggests in the shot.
+  // Fills the scene's defaults into the shot.
   static std::unique_ptr<Drawing> drawingOf(lab::Workbench& bench, Shot& shot) {
     std::shared_ptr<const lab::Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
     std::shared_ptr<lab::HeldScene> scene = bench.scene(shot);
     return std::make_unique<Drawing>(bench, scene, lab::plannedOf(bench, shot, evaluation->pipeline), evaluation);
   }
 
-  // All that frames give, one after the other.
+  // Results of all frames in order, with as many under way as possible.
   static std::vector<graph::FrameResult> drawn(Drawing& drawing, const std::vector<Shot>& shots) {
     std::vector<graph::FrameResult> frames;
     const graph::Graph& graph = drawing.graph();
@@ -46,7 +46,7 @@ class InFlightTest : public SessionTest {
     EXPECT_EQ(frame.counters, alone.counters) << what;
   }
 
-  // Frames of a pipeline from this shot on, under way together and alone.
+  // Compares frames of a pipeline from this shot on, under way together and alone.
   void expectSame(Shot shot, int count) {
     lab::Workbench single(EditableHome::home(), bench());
     single.frames_in_flight = 1;
@@ -61,14 +61,14 @@ class InFlightTest : public SessionTest {
       expectSame(frames[i], alone->draw(shots[i]), fmt::format("{}, frame {}", shot.pipeline, shots[i].frame));
   }
 
-  lab::Workbench flying_;  // on the device of the others
+  lab::Workbench flying_;  // shares the device of bench()
 };
 
-TEST_F(InFlightTest, FramesAreWhatTheyAreAlone) {
+TEST_F(InFlightTest, FramesTogetherEqualFramesAlone) {
   for (const char* pipeline : {"none", "hybrid", "oberberger2022", "eevee"}) expectSame(smallShot(pipeline), 7);
 }
 
-TEST_F(InFlightTest, WithRaysOfEachBackendOverAList) {
+TEST_F(InFlightTest, FramesWithRaysOverAListEqualFramesAlone) {
   const Path tests = sourceFolder() / "tests";
   for (const char* file : {"passes/traced.lua", "shaders/traced.glsl"})
     home_.write(file, readText(tests / "oracle/project" / file));
@@ -76,13 +76,13 @@ TEST_F(InFlightTest, WithRaysOfEachBackendOverAList) {
   for (const shader::BackendRow& row : shader::backends()) {
     if (!shader::isPresent(row, bench().device().info())) continue;
     Shot shot = smallShot("rays_over_a_list");
-    lab::putSetting(shot.sets, "scene.d_b", std::string("0"));  // what rests is not on the list
+    lab::putSetting(shot.sets, "scene.d_b", std::string("0"));  // static pixels are not on the list
     shot.backend = row.name;
     expectSame(shot, 7);
   }
 }
 
-TEST_F(InFlightTest, WithWhatBends) {
+TEST_F(InFlightTest, FramesWithDeformationEqualFramesAlone) {
   std::optional<Path> data = EditableHome::home().data();
   if (!data || !fs::exists(*data / "scenes/khronos_samples/CesiumMan.glb"))
     GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
@@ -97,9 +97,9 @@ TEST_F(InFlightTest, WithWhatBends) {
   }
 }
 
-// An image that is kept from frame to frame has all frames before it in it; values that change hold from the frame that
-// begins next.
-TEST_F(InFlightTest, HistoriesAndValuesAreThoseOfTheOrder) {
+// An image kept from frame to frame includes all frames before. A changed value takes effect in the next frame that
+// begins.
+TEST_F(InFlightTest, HistoriesAndValuesFollowTheOrderOfFrames) {
   writeRunningMean(home_);
   Shot shot = smallShot("running_mean");
   std::unique_ptr<Drawing> drawing = drawingOf(flying_, shot);
@@ -126,7 +126,7 @@ TEST_F(InFlightTest, HistoriesAndValuesAreThoseOfTheOrder) {
   EXPECT_EQ(weight(), 4);
 }
 
-TEST_F(InFlightTest, FramesThatNobodyWaitsForAreDropped) {
+TEST_F(InFlightTest, AbandonedFramesAreDropped) {
   Shot shot = smallShot("hybrid");
   std::unique_ptr<Drawing> drawing = drawingOf(flying_, shot);
   const graph::FrameResult alone = drawing->draw(shot);
@@ -136,7 +136,7 @@ TEST_F(InFlightTest, FramesThatNobodyWaitsForAreDropped) {
   drawing->begin(other);
   expectSame(drawing->draw(shot), alone, "after two others");
   EXPECT_EQ(drawing->graph().underWay(), 0u);
-  // Another graph takes over what the device still works on, and a third one its scene.
+  // Another graph takes over resources that the device still uses, and a third graph takes over the scene.
   drawing->begin(other);
   auto evaluation = flying_.evaluate(shot.pipeline, shot.sets);
   std::vector<std::string> problems;
@@ -148,8 +148,8 @@ TEST_F(InFlightTest, FramesThatNobodyWaitsForAreDropped) {
   expectSame(next.finish(), drawingOf(flying_, other)->draw(other), "begun before another ends");
 }
 
-// A frame that cannot be posed leaves those under way as they are.
-TEST_F(InFlightTest, AFrameThatIsRefusedHarmsNoOther) {
+// A frame whose poses are refused does not change the frames under way.
+TEST_F(InFlightTest, RefusedFramesChangeNoOtherFrame) {
   home_.write("scripts/scenes/leaves.lua", R"(local scene = require "strobe.scene"
 local grey = scene.material { name = "grey", color = { 0.5, 0.5, 0.5 } }
 return scene {
@@ -189,8 +189,8 @@ TEST_F(InFlightTest, SubpixelSamplesAreUnderWayTogether) {
   expectSame(flying_.render(shot).frame, bench().render(shot).frame, "seven samples");
 }
 
-// The host waits for the iterations of a long loop.
-TEST_F(InFlightTest, AFrameWithALongLoopIsAlone) {
+// The host waits for the iterations of a long loop, so no other frame may be under way.
+TEST_F(InFlightTest, FramesWithALongLoopRunAlone) {
   Shot shot = smallShot("ground_truth");
   std::unique_ptr<Drawing> drawing = drawingOf(flying_, shot);
   EXPECT_EQ(drawing->graph().mostUnderWay(), 1u);
@@ -198,7 +198,7 @@ TEST_F(InFlightTest, AFrameWithALongLoopIsAlone) {
   EXPECT_EQ(hashes(drawing->finish()), hashes(bench().render(shot).frame));
 }
 
-// Shots that share a scene take turns, and each has its interval.
+// Shots that share a scene are timed in turn, and each has its own interval.
 TEST_F(InFlightTest, FramesAreTimed) {
   lab::Batch batch(flying_);
   std::vector<Shot> shots = {smallShot("none"), smallShot("hybrid"), smallShot("ground_truth")};

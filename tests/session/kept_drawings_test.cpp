@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures in a row: graphs are reused, and every picture is that of a program that starts now.
+// Pictures in a row: graphs are reused, and every picture equals the picture of a new program.
 #include "lab/kept_drawings.h"
 
 #include "common/refusal.h"
@@ -31,7 +31,7 @@ class KeptDrawingsTest : public SessionTest {
   KeptDrawings drawings_{bench()};
 };
 
-TEST_F(KeptDrawingsTest, NumbersRunNoScriptAndMakeNoPipeline) {
+TEST_F(KeptDrawingsTest, NewNumbersRunNoScriptAndCompileNothing) {
   for (int i = 0; i < 4; ++i) drawings_.render(shotOf(i));
   const int evaluations = bench().evaluations(), compilations = bench().compilations();
   for (int i = 4; i < 20; ++i) {
@@ -42,7 +42,7 @@ TEST_F(KeptDrawingsTest, NumbersRunNoScriptAndMakeNoPipeline) {
   EXPECT_EQ(bench().compilations(), compilations);
 }
 
-TEST_F(KeptDrawingsTest, EditsOfEveryKindCount) {
+TEST_F(KeptDrawingsTest, EditsOfEveryKindTakeEffect) {
   const Shot shot = smallShot("mcguire2012");
   lab::Picture first = drawings_.render(shot);
   expectFresh(first, shot, "first");
@@ -58,7 +58,7 @@ TEST_F(KeptDrawingsTest, EditsOfEveryKindCount) {
   EXPECT_NE(drawings_.render(shot).record["outputs"], first.record["outputs"]);
 }
 
-TEST_F(KeptDrawingsTest, AMistakeIsRefusedAndItsRepairCounts) {
+TEST_F(KeptDrawingsTest, MistakesAreRefusedAndRepairsTakeEffect) {
   const Shot shot = smallShot("mcguire2012");
   lab::Picture first = drawings_.render(shot);
   const std::string text = home_.read(kGather);

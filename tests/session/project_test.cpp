@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A project's pass runs while its files, and those that ship, are edited.
+// A project's pass runs while its files and the shipped files are edited.
 #include "base/frozen_home.h"
 #include "common/source.h"
 #include "lab/capture.h"
@@ -14,7 +14,7 @@ using lab::Session;
 
 const char *const kShader = "shaders/smear.glsl", *const kPass = "passes/smear.lua";
 
-// What `strobe new` writes, beside the copy of what ships.
+// The files of `strobe new`, beside a copy of the shipped files.
 class ProjectSession : public SessionTest {
  protected:
   ProjectSession() {
@@ -35,7 +35,7 @@ class ProjectSession : public SessionTest {
   void edit(const char* file, const std::string& from, const std::string& to) const {
     std::string text = readText(project_ / file);
     size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << file << " does not say: " << from;
+    ASSERT_NE(at, std::string::npos) << file << " does not contain: " << from;
     writeFileAtomically(project_ / file, text.replace(at, from.size(), to));
   }
 
@@ -44,7 +44,7 @@ class ProjectSession : public SessionTest {
 
 using Names = std::vector<std::string>;
 
-TEST_F(ProjectSession, TakesInEditsOfBothRoots) {
+TEST_F(ProjectSession, EditsOfBothRootsAreReloaded) {
   lab::Workbench own(home(), bench());
   Session session(own, smallShot("smear"));
   session.reload(true);
@@ -76,7 +76,7 @@ TEST_F(ProjectSession, TakesInEditsOfBothRoots) {
   EXPECT_NE(colorHash(session), two_taps);
 }
 
-TEST_F(ProjectSession, MistakesNameTheirRootAndThePictureStays) {
+TEST_F(ProjectSession, MistakesNameTheirRootAndKeepThePicture) {
   lab::Workbench own(home(), bench());
   Session session(own, smallShot("smear"));
   session.reload(true);
@@ -104,8 +104,8 @@ TEST_F(ProjectSession, MistakesNameTheirRootAndThePictureStays) {
   EXPECT_EQ(colorHash(session), picture);
 }
 
-// Pixels of a bar that moves by d: the share of the exposure in which the bar is there, by the window of each anchor. A
-// tap stands for 1/64 of the exposure and for what is within half a pixel.
+// Pixels of a bar that moves by d show the share of the exposure while the bar covers them, for each anchor. A tap
+// stands for 1/64 of the exposure, and is rounded by up to half a pixel.
 TEST_F(ProjectSession, FollowsTheExposure) {
   constexpr double kLeft = 32, kRight = 96, kDisplacement = 20;
   constexpr int kTaps = 64;
@@ -120,7 +120,7 @@ TEST_F(ProjectSession, FollowsTheExposure) {
       shot.sets.push_back({std::string("scene.") + name, fmt::format("{}", value)});
     image::Image color = lab::colorOf(own.render(shot));
     for (int x = int(kLeft); x < int(kRight); ++x) {
-      // The point at x now shows what is at x - d t at time t: inside from t_right to t_left.
+      // At time t the pixel at x shows the point x - d t of the raster time: the bar from t_right to t_left.
       double t_left = (x + .5 - kLeft) / kDisplacement, t_right = (x + .5 - kRight) / kDisplacement;
       double share = std::max(0., std::min(from + 1, t_left) - std::max(from, t_right));
       EXPECT_NEAR(color.at(x, 4, 0), share, 1. / kTaps + .5 / kDisplacement) << anchor << " " << x;
@@ -128,8 +128,8 @@ TEST_F(ProjectSession, FollowsTheExposure) {
   }
 }
 
-// A copy of both roots is edited, and a pipeline is found in it by its file too.
-TEST_F(ProjectSession, IsCopiedToMeasureReloads) {
+// Both roots are copied, and the copy is edited. A pipeline is also found in the copy by its file.
+TEST_F(ProjectSession, ReloadsAreMeasuredOnACopy) {
   const std::string before = readText(project_ / kShader);
   FrozenHome copy(home(), project_ / "copy");
   lab::Workbench own(copy.home(), bench());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Walks every parameter of every pipeline that ships and of every pass they use: each must change some picture, and
-// must mean the same whoever sets it. A new parameter is covered without a new test; one that matters only together
-// with others needs a line in `kContexts`. Catches: a parameter that a script or shader stopped reading, and a setting
-// that one of the four ways of setting values loses or reads as another type.
+// Tries every parameter of every shipped pipeline and of its passes: each must change some picture, and each of the
+// four ways of setting values must mean the same. A new parameter is covered without a new test; a parameter that takes
+// effect only together with others needs a line in `kContexts`. The tests catch a parameter that a script or shader no
+// longer reads, and a setting that one of the four ways loses or reads as another type.
 //
-// The short form tries a parameter of a pass in one of the pipelines that use the pass, and compares plans, not
+// The short form tries a pass's parameter in one of the pipelines with the pass, and compares plans instead of
 // pictures.
 #include <random>
 
@@ -22,15 +22,16 @@ using lab::Session;
 using lab::Shot;
 using Settings = std::vector<std::string>;  // "name=value"
 
-// Settings of which all parameters are tried that no earlier context had, and those listed after them once more.
-// "scene", "frame" and "anchor" belong to the shot; "pan" turns its camera, degrees per frame, and "slide" moves it
-// sideways so far that a mask takes every pixel for a candidate.
+// Settings for a test of all parameters that no earlier context had; the parameters in `again` are tried once more.
+// "scene", "frame" and "anchor" belong to the shot; "pan" turns its camera, in degrees per frame; "slide" moves the
+// camera sideways so far that a mask makes every pixel a candidate.
 struct Context {
   Settings settings;
   std::vector<std::string> again;
 };
 
-// Of gathers: what only motion that bends at the capture, another frame or a fast path shows.
+// Contexts for gathers: parameters that take effect only in another frame, or if the velocity changes at the raster
+// time.
 const Context kJitter = {{"jitter=hash", "frame=1"}, {"jitter_frame"}};
 const Context kBent = {{"scene=bent", "anchor=centre"}, {"displacement", "trajectory"}};
 
@@ -143,20 +144,19 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
 };
 
-// Parameters that change how a picture comes about and never the picture, with the reason.
+// Parameters that change the way a picture is computed, but never the picture, with the reason.
 const std::map<std::string, std::string> kNoPicture = {
-    {"gbuffer/shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
+    {"gbuffer/shade.shading", "at the raster time both kinds of shading are the same; truth shades at other times"},
     {"adaptive: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"ue4: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid: gather/jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
-    {"layered/cull_candidates.margin", "which of the candidates that come to nothing are tried all the same"},
-    {"accumulation/accumulate_moving.skip_static", "elsewhere there is nothing to add"},
-    {"truth/sample.static_once_per_loop", "what is at rest comes out the same however often it is sampled"},
-    {"truth/half_difference.block", "in which groups differences are added up"},
-    {"time/coherent_cells.validation_rays",
-     "which cells are checked; where no ray finds anything they stay what they are"},
-    {"adaptive: truth/sample_consensus.even_within", "centres are sampled alone, whose rays are one"},
-    {"adaptive: truth/sample.validation_share", "which pixels are checked"},
+    {"layered/cull_candidates.margin", "number of candidates that are tested without effect"},
+    {"accumulation/accumulate_moving.skip_static", "skipped pixels add nothing"},
+    {"truth/sample.static_once_per_loop", "static pixels are the same with any number of samples"},
+    {"truth/half_difference.block", "group size of the sum of differences"},
+    {"time/coherent_cells.validation_rays", "choice of the validated cells; cells without a mismatch do not change"},
+    {"adaptive: truth/sample_consensus.even_within", "only pixel centres are sampled, whose rays are equal"},
+    {"adaptive: truth/sample.validation_share", "choice of the validated pixels"},
     {"truth/stop.min_samples", "keeps truth from stopping on few samples; the tolerance decides after that"},
 };
 
@@ -167,7 +167,7 @@ Shot shotIn(const std::string& pipeline, const Settings& context) {
   shot.width = 64;
   shot.height = 40;
   shot.frame = 0;
-  shot.backend = "bvh";  // shadow shafts are walks of its tree
+  shot.backend = "bvh";  // light visibility of tiles needs the runtime's own tree
   for (const std::string& setting : context) {
     size_t equals = setting.find('=');
     std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
@@ -193,7 +193,7 @@ std::string text(const plan::Value& value) {
   return plan::toJson(value).dump();
 }
 
-// Values to try, those most likely to show first; none of them makes a frame expensive.
+// Values to try, the most likely to change a picture first; none makes a frame expensive.
 std::vector<std::string> otherValues(const lab::Control& control) {
   const plan::ParamDesc& param = control.declaration;
   std::vector<std::string> values;
@@ -230,7 +230,7 @@ struct Alive {
 
 class Registry : public SessionTest {
  protected:
-  // Looks for a value of each parameter that changes a picture, in the contexts of a pipeline.
+  // Finds a value of each parameter that changes a picture, in the contexts of a pipeline.
   std::vector<Alive> aliveIn(const std::string& pipeline, std::set<std::string>& dead) {
     std::map<std::string, Alive> alive;  // by "parameter" or "pass.parameter"
     std::set<std::string> seen;
@@ -265,7 +265,7 @@ class Registry : public SessionTest {
     return kNoPicture.count(key) || kNoPicture.count(pipeline + ": " + key);
   }
 
-  // Nodes are known by their pass: two uses of one pass share its parameters.
+  // Nodes are identified by their pass: two uses of one pass share its parameters.
   static std::string keyOf(const Session& session, const lab::Control& control) {
     if (control.group == "pipeline") return control.declaration.name;
     const plan::PipelineDesc& pipeline = session.plan().pipeline;
@@ -299,7 +299,7 @@ class Registry : public SessionTest {
     return lab::planOf(filled, pipeline, bench().chooseBackend("auto"));
   }
 
-  // Shots with a value set in the four ways that there are.
+  // Shots with a value set in each of the four ways.
   std::map<std::string, Shot> inEveryWay(const Alive& one) {
     std::map<std::string, Shot> shots;
     Session session(bench(), shotIn(one.pipeline, one.context));
@@ -365,12 +365,12 @@ class Registry : public SessionTest {
   static inline std::set<std::string> known_;  // parameters that changed a picture
 };
 
-TEST_F(Registry, KnowsEveryPipelineThatShips) {
+TEST_F(Registry, EveryShippedPipelineIsTested) {
   for (const std::string& name : script::pipelineNames(bench().home()))
     EXPECT_TRUE(kContexts.count(name)) << name << " is walked by no test";
 }
 
-// Two drawn by seed from each pipeline.
+// The seed draws two parameters of each pipeline for a comparison of pictures.
 TEST_F(Registry, McGuire2012) { walk("mcguire2012", 1); }
 TEST_F(Registry, Guertin2014) { walk("guertin2014", 2); }
 TEST_F(Registry, Jimenez2014) { walk("jimenez2014", 3); }
@@ -379,8 +379,8 @@ TEST_F(Registry, Ue5) { walk("ue5", 16); }
 TEST_F(Registry, Bevy) { walk("bevy", 7); }
 TEST_F(Registry, Eevee) { walk("eevee", 15); }
 TEST_F(Registry, Hdrp) { walk("hdrp", 9); }
-TEST_F(Registry, Temporal1) { walk("oberberger2022", 10); }
-TEST_F(Registry, Layers2024) { walk("lee2024", 8); }
+TEST_F(Registry, Oberberger2022) { walk("oberberger2022", 10); }
+TEST_F(Registry, Lee2024) { walk("lee2024", 8); }
 TEST_F(Registry, Adaptive) { walk("adaptive", 11); }
 TEST_F(Registry, Accumulation) { walk("accumulation", 12); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }

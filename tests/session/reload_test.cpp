@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files edited while a shot runs: every way of saving, every kind of mistake, and what must survive it.
+// Files edited while a shot runs: every way of saving, every kind of mistake, and the state that must survive.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -18,7 +18,7 @@ const char* const kGather = "shaders/gather/mcguire2012.glsl";
 
 class ReloadTest : public SessionTest {
  protected:
-  // What runs equals what a session that starts now would run.
+  // Expects the plan and the pictures of a new session.
   void expectColdStart(Session& session, const std::string& what) {
     Session cold(bench(), session.shot());
     EXPECT_EQ(session.running().planned().hash, cold.running().planned().hash) << what;
@@ -36,7 +36,7 @@ Reload awaited(Session& session) {
   return {};
 }
 
-TEST_F(ReloadTest, EveryWayOfSavingIsSeen) {
+TEST_F(ReloadTest, EveryWayOfSavingIsReloaded) {
   Session session(bench(), smallShot("mcguire2012"));
   EXPECT_FALSE(session.reload(false));
   std::string before = colorHash(session);
@@ -58,11 +58,11 @@ TEST_F(ReloadTest, EveryWayOfSavingIsSeen) {
   expectColdStart(session, "after three saves");
   EXPECT_FALSE(session.reload(false));
   home_.write(kGather, home_.read(kGather));
-  EXPECT_FALSE(session.reload(true)) << "the same text is no change";
+  EXPECT_FALSE(session.reload(true)) << "the same text is not a change";
 }
 
-// Scripts and shaders that lie elsewhere, behind a chain of links.
-TEST_F(ReloadTest, EditsBehindLinksAreSeen) {
+// Scripts and shaders stored elsewhere, behind a chain of links.
+TEST_F(ReloadTest, EditsBehindLinksAreReloaded) {
   namespace fs = std::filesystem;
   for (const std::string file : {"passes/gather/mcguire2012.lua", kGather}) {
     const Path name = Path(file).filename();
@@ -83,8 +83,8 @@ TEST_F(ReloadTest, EditsBehindLinksAreSeen) {
   fs::remove_all(home_.path("store"));
 }
 
-// A pass in a folder of alternatives is a new choice, though nothing is drawn with it.
-TEST_F(ReloadTest, ANewChoiceIsNamed) {
+// A pass in a folder of alternatives is a new choice, although the picture does not use it.
+TEST_F(ReloadTest, NewChoicesAreNamed) {
   Session session(bench(), smallShot("hybrid"));
   EXPECT_FALSE(session.reload(false));
   home_.write("passes/edge/made.lua", home_.read("passes/edge/sobel.lua"));
@@ -97,7 +97,7 @@ TEST_F(ReloadTest, ANewChoiceIsNamed) {
   home_.remove("passes/edge/made.lua");
 }
 
-TEST_F(ReloadTest, TheDriverKeepsWhatCompilesToTheSameCode) {
+TEST_F(ReloadTest, EqualCodeKeepsThePipelineOfTheDriver) {
   Session session(bench(), smallShot("mcguire2012"));
   auto gather = [&] { return session.running().graph().pipelines().at("gather"); };
   const std::string picture = colorHash(session);
@@ -114,7 +114,7 @@ TEST_F(ReloadTest, TheDriverKeepsWhatCompilesToTheSameCode) {
   expectColdStart(session, "after an edit that changes the code");
 }
 
-TEST_F(ReloadTest, AFileStillBeingWrittenIsLeftAlone) {
+TEST_F(ReloadTest, FilesBeingWrittenAreNotReloaded) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
   std::string text = home_.read(kGather);
@@ -131,8 +131,8 @@ TEST_F(ReloadTest, AFileStillBeingWrittenIsLeftAlone) {
   EXPECT_TRUE(awaited(session).swapped);
 }
 
-// As editors save that keep the old text as a backup.
-TEST_F(ReloadTest, AFileThatIsPutAwayWhileItIsSavedIsNotMissed) {
+// Saves like an editor that keeps the old text as a backup.
+TEST_F(ReloadTest, SavingWithABackupIsOneReload) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
   const std::string text = home_.read(kGather);
@@ -148,10 +148,10 @@ TEST_F(ReloadTest, AFileThatIsPutAwayWhileItIsSavedIsNotMissed) {
   EXPECT_TRUE(told.swapped);
   EXPECT_EQ(joined(told.problems), "");
   home_.remove(kGather);
-  EXPECT_NE(joined(awaited(session).problems), "") << "it stays away";
+  EXPECT_NE(joined(awaited(session).problems), "") << "the file stays missing";
 }
 
-// Looks at the files for 40 ms, in which nothing is reloaded.
+// Checks the files for 40 ms, and expects no reload.
 void expectNoReload(Session& session, const std::string& what) {
   for (int i = 0; i < 20; ++i) {
     std::optional<Reload> told = session.reload(false);
@@ -160,8 +160,8 @@ void expectNoReload(Session& session, const std::string& what) {
   }
 }
 
-// The file is closed between the steps. Its first half is a mistake.
-TEST_F(ReloadTest, AFileSavedInTwoStepsIsOneReload) {
+// The file is closed between the steps, and its first half is a mistake.
+TEST_F(ReloadTest, SavingInTwoStepsIsOneReload) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
   for (const std::string file : {"passes/gather/mcguire2012.lua", kGather}) {
@@ -185,8 +185,8 @@ TEST_F(ReloadTest, AFileSavedInTwoStepsIsOneReload) {
   expectColdStart(session, "after both");
 }
 
-// As a program saves all files that it holds.
-TEST_F(ReloadTest, FilesSavedOneAfterAnotherAreOneReload) {
+// Saves like a program that saves all its open files.
+TEST_F(ReloadTest, SavingSeveralFilesIsOneReload) {
   Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
   const std::string before = colorHash(session), good = home_.read("shaders/layered/disocclusion_mask.glsl");
@@ -202,7 +202,7 @@ TEST_F(ReloadTest, FilesSavedOneAfterAnotherAreOneReload) {
   expectColdStart(session, "after both");
 }
 
-TEST_F(ReloadTest, AValueSetBeforeAFailureIsShownStays) {
+TEST_F(ReloadTest, ValuesSetBeforeAFailureStay) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
   home_.write("passes/gather/mcguire2012.lua", "return");
@@ -254,7 +254,7 @@ TEST_F(ReloadTest, ABrokenScriptKeepsThePicture) {
     EXPECT_FALSE(told.swapped) << mistake.to;
     EXPECT_NE(joined(told.problems).find(mistake.says), std::string::npos) << joined(told.problems);
     EXPECT_EQ(colorHash(session), before);
-    // A graph of another shape is built from the scripts as they were when they were good.
+    // A graph of another shape is built from the last good scripts.
     session.set("weights", "guertin2014", "window");
     EXPECT_NE(colorHash(session), before);
     session.unset("weights");
@@ -304,7 +304,7 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   expectColdStart(session, "Lua");
 }
 
-TEST_F(ReloadTest, ARenamedOrRetypedBindingIsRefusedByTheNameOfItsPass) {
+TEST_F(ReloadTest, WrongBindingsAreRefusedByTheNameOfTheirPass) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
   std::string before = colorHash(session);
@@ -354,7 +354,7 @@ TEST_F(ReloadTest, ValuesSurviveByNameAndType) {
   expectColdStart(session, "values");
 }
 
-TEST_F(ReloadTest, WhatIsSetWhileAnEditIsEvaluatedStays) {
+TEST_F(ReloadTest, ValuesSetDuringAnEvaluationStay) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
   const char* file = "passes/lib/blur.lua";
@@ -365,7 +365,7 @@ TEST_F(ReloadTest, WhatIsSetWhileAnEditIsEvaluatedStays) {
   awaited(session);
   EXPECT_EQ(colorHash(session), of_eight);
   expectColdStart(session, "a value");
-  // Another pipeline is not taken back either.
+  // A change of the pipeline is kept, too.
   home_.edit(file, "samples = param.int { 12", "samples = param.int { 10");
   EXPECT_FALSE(session.reload(false));
   session.usePipeline("ue4");
@@ -374,7 +374,7 @@ TEST_F(ReloadTest, WhatIsSetWhileAnEditIsEvaluatedStays) {
   expectColdStart(session, "a pipeline");
 }
 
-TEST_F(ReloadTest, AFileOutsideOfTheHomeIsWatchedToo) {
+TEST_F(ReloadTest, FilesOutsideTheHomeAreWatched) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
   home_.write("own/mine.lua", home_.read("scripts/pipelines/mcguire2012.lua"));
@@ -386,7 +386,7 @@ TEST_F(ReloadTest, AFileOutsideOfTheHomeIsWatchedToo) {
   EXPECT_EQ(session.plan().pipeline.doc, "Another text.");
 }
 
-TEST_F(ReloadTest, ANewFileOfAFamilyIsANewChoice) {
+TEST_F(ReloadTest, NewFilesOfAFamilyAreNewChoices) {
   Session session(bench(), smallShot("hybrid"));
   session.reload(false);
   std::string text = home_.read("passes/edge/id.lua");
@@ -397,7 +397,7 @@ TEST_F(ReloadTest, ANewFileOfAFamilyIsANewChoice) {
   std::string by_id = colorHash(session);
   session.set("edge", "twin", "window");
   EXPECT_EQ(colorHash(session), by_id);
-  // Its file goes: so does the choice, and the value with it.
+  // The choice disappears with its file, and so does the value.
   home_.remove("passes/edge/twin.lua");
   told = session.reload(true);
   ASSERT_TRUE(told);
@@ -406,7 +406,7 @@ TEST_F(ReloadTest, ANewFileOfAFamilyIsANewChoice) {
   expectColdStart(session, "family");
 }
 
-TEST_F(ReloadTest, AnUnfinishedFileOfAFamilyDisturbsNobody) {
+TEST_F(ReloadTest, UnfinishedFilesOfAFamilyAreIgnored) {
   Session session(bench(), smallShot("hybrid"));
   session.reload(false);
   std::string before = colorHash(session);
@@ -419,7 +419,7 @@ TEST_F(ReloadTest, AnUnfinishedFileOfAFamilyDisturbsNobody) {
   EXPECT_NE(colorHash(session), before);
 }
 
-TEST_F(ReloadTest, AnEditedSceneIsTakenOver) {
+TEST_F(ReloadTest, EditedScenesAreReloaded) {
   home_.write("scripts/scenes/mine.lua", "return require \"scripts.scenes.oracles.textured_bar\"");
   home_.write("scripts/scenes/mine.lua", home_.read("scripts/scenes/oracles/textured_bar.lua"));
   lab::Shot shot = smallShot("hybrid");
@@ -436,12 +436,12 @@ TEST_F(ReloadTest, AnEditedSceneIsTakenOver) {
   home_.edit("scripts/scenes/mine.lua", "\"f_light\", 0.9", "\"f_light\", 0.7");
   told = session.reload(true);
   ASSERT_TRUE(told && told->swapped) << joined(told->problems);
-  EXPECT_EQ(told->compilations, 0) << "a scene is no reason to compile";
+  EXPECT_EQ(told->compilations, 0) << "a scene needs no compilation";
   EXPECT_NE(colorHash(session), before);
   expectColdStart(session, "scene");
 }
 
-// The files a shader reaches, found without the compiler.
+// Files that a shader includes, found without the compiler.
 void reachedFrom(const EditableHome& home, const std::string& file, std::set<std::string>& files) {
   if (!std::filesystem::exists(home.path(file)) || !files.insert(file).second) return;
   std::string text = home.read(file);
@@ -450,7 +450,7 @@ void reachedFrom(const EditableHome& home, const std::string& file, std::set<std
     reachedFrom(home, "shaders/" + (*it)[1].str(), files);
 }
 
-TEST_F(ReloadTest, CompilesWhatDependsOnTheEditAndNothingElse) {
+TEST_F(ReloadTest, CompilesOnlyPassesThatDependOnTheEdit) {
   Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
   for (const char* file :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A running shot: what changing values and looking at pictures does and does not do.
+// A running shot: effects of changed values, pipelines and taps.
 #include "common/refusal.h"
 #include "common/source.h"
 #include "lab/record.h"
@@ -22,13 +22,13 @@ std::string shownValue(const Session& session, const std::string& name) {
   return plan::toJson(controlOf(session.controls(), name).value).dump();
 }
 
-TEST_F(SessionTest, DrawsWhatRenderDraws) {
+TEST_F(SessionTest, DrawsThePictureOfRender) {
   Session session(bench(), smallShot("hybrid"));
   EXPECT_EQ(hashes(session.draw()), hashes(bench().render(smallShot("hybrid")).frame));
   EXPECT_EQ(hashes(session.draw()), hashes(session.capture().frame));
 }
 
-TEST_F(SessionTest, WhatThePipelineAloneSetsHasNoControl) {
+TEST_F(SessionTest, WiredParametersHaveNoControl) {
   Session session(bench(), smallShot("hybrid"));
   int wired = 0;
   const plan::Plan& plan = session.running().plan();
@@ -39,17 +39,17 @@ TEST_F(SessionTest, WhatThePipelineAloneSetsHasNoControl) {
       const std::string name = plan.pipeline.nodes[size_t(node.node)].name + "." + param.name;
       for (const lab::Control& control : session.controls()) EXPECT_NE(control.declaration.name, name);
     }
-  EXPECT_GT(wired, 0) << "it has such parameters";
+  EXPECT_GT(wired, 0) << "the pipeline has wired parameters";
 }
 
-TEST_F(SessionTest, AValueCanBeSetAndGivenBack) {
+TEST_F(SessionTest, ValuesCanBeSetAndReset) {
   Session session(bench(), smallShot("hybrid"));
   std::string before = colorHash(session), plan = session.running().planned().hash;
   int compiled = bench().compilations();
   session.set("samples", "5", "window");
   EXPECT_NE(colorHash(session), before);
   EXPECT_NE(session.running().planned().hash, plan);
-  EXPECT_EQ(bench().compilations(), compiled) << "a number is no reason to compile";
+  EXPECT_EQ(bench().compilations(), compiled) << "a number needs no compilation";
   EXPECT_EQ(controlOf(session.controls(), "samples").origin, "window");
   EXPECT_EQ(controlOf(session.controls(), "gather_raster.samples").origin, "follows samples");
   EXPECT_EQ(shownValue(session, "gather_raster.samples"), "5");
@@ -59,7 +59,7 @@ TEST_F(SessionTest, AValueCanBeSetAndGivenBack) {
   EXPECT_EQ(controlOf(session.controls(), "samples").origin, "default");
 }
 
-TEST_F(SessionTest, AShapeCanBeChangedAndChangedBack) {
+TEST_F(SessionTest, PresetsCanBeChangedAndChangedBack) {
   Session session(bench(), smallShot("hybrid"));
   std::string paper = colorHash(session);
   session.set("preset", "text", "window");
@@ -71,10 +71,10 @@ TEST_F(SessionTest, AShapeCanBeChangedAndChangedBack) {
   int compiled = bench().compilations();
   session.set("preset", "text", "window");
   EXPECT_EQ(colorHash(session), text);
-  EXPECT_EQ(bench().compilations(), compiled) << "what was compiled once is kept";
+  EXPECT_EQ(bench().compilations(), compiled) << "compiled shaders are kept";
 }
 
-TEST_F(SessionTest, WhatIsRefusedChangesNothing) {
+TEST_F(SessionTest, RefusedValuesChangeNothing) {
   Session session(bench(), smallShot("hybrid"));
   std::string before = colorHash(session), plan = session.running().planned().hash;
   auto refusal = [&](const std::string& name, const std::string& value) -> std::string {
@@ -91,7 +91,7 @@ TEST_F(SessionTest, WhatIsRefusedChangesNothing) {
   EXPECT_EQ(session.running().planned().hash, plan);
 }
 
-TEST_F(SessionTest, LookingChangesNothing) {
+TEST_F(SessionTest, TapsChangeNothing) {
   Session session(bench(), smallShot("hybrid"));
   std::map<std::string, std::string> before = hashes(session.draw());
   std::string plan = session.running().planned().hash;
@@ -109,7 +109,7 @@ TEST_F(SessionTest, LookingChangesNothing) {
   ASSERT_EQ(one.taps.size(), 1u);
   EXPECT_EQ(lab::hashOf(one.taps.at("gbuffer.depth")), lab::hashOf(frame.taps.at("gbuffer.depth")));
   EXPECT_THROW(session.tap({"gbuffer.dept"}), Error);
-  // A graph that has not all of it can be had all the same.
+  // A graph without some of the tapped images drops these taps.
   session.set("edge", "canny", "window");
   session.tap(session.ports());
   EXPECT_EQ(session.draw().taps.count("edge_thin.ridge"), 1u);
@@ -117,7 +117,7 @@ TEST_F(SessionTest, LookingChangesNothing) {
   EXPECT_EQ(session.draw().taps.count("edge_thin.ridge"), 0u);
 }
 
-TEST_F(SessionTest, AnotherPipelineKeepsTheValuesItShares) {
+TEST_F(SessionTest, AnotherPipelineKeepsSharedValues) {
   Session session(bench(), smallShot("hybrid"));
   session.set("samples", "7", "window");
   session.set("own_edge", "true", "window");
@@ -131,7 +131,7 @@ TEST_F(SessionTest, AnotherPipelineKeepsTheValuesItShares) {
   EXPECT_EQ(colorHash(session), lab::hashOf(bench().render(cold).frame.outputs.at("color")));
 }
 
-TEST_F(SessionTest, ARecordAndACommandLineMakeThePictureAgain) {
+TEST_F(SessionTest, RecordsAndCommandLinesReproduceThePicture) {
   Shot shot = smallShot("hybrid");
   shot.sets.push_back({"samples", "9"});
   shot.view = {1, 2, 40, 0, 0, 0};
@@ -150,31 +150,31 @@ TEST_F(SessionTest, ARecordAndACommandLineMakeThePictureAgain) {
     EXPECT_NE(command.find(part), std::string::npos) << command;
 }
 
-TEST_F(SessionTest, AnImageIsKeptFromFrameToFrame) {
+TEST_F(SessionTest, HistoriesAreKeptFromFrameToFrame) {
   writeRunningMean(home_);
   Session session(bench(), smallShot("running_mean"));
   auto weight = [&] { return session.draw().outputs.at("sum").floats.values[3]; };
   EXPECT_EQ(weight(), 1);
   EXPECT_EQ(weight(), 2);
   session.set("weight", "2", "window");
-  EXPECT_EQ(weight(), 4) << "a value keeps what was gathered";
+  EXPECT_EQ(weight(), 4) << "a new value keeps the history";
   session.reload(true);
   home_.edit("shaders/test/running_mean.glsl", "1e-6", "1e-5");
   auto told = session.reload(true);
   ASSERT_TRUE(told && told->swapped);
   EXPECT_NE(joined(told->kept).find("history mean.sum"), std::string::npos) << joined(told->kept);
-  EXPECT_EQ(weight(), 6) << "an edit keeps what is described as it was";
+  EXPECT_EQ(weight(), 6) << "an edit keeps a history with the same description";
   home_.edit("passes/test/running_mean.lua", "format = \"rgba32f\", doc = \"sum;",
              "format = \"rgba16f\", doc = \"sum;");
   told = session.reload(true);
   ASSERT_TRUE(told && told->swapped) << joined(told->problems);
   EXPECT_NE(joined(told->reset).find("history mean.sum"), std::string::npos) << joined(told->reset);
-  EXPECT_EQ(weight(), 2) << "what is described differently begins anew";
-  // A captured picture is that of one frame, whatever was drawn before.
+  EXPECT_EQ(weight(), 2) << "a history with another description begins anew";
+  // A captured picture contains a single frame, whatever was drawn before.
   EXPECT_EQ(session.capture().frame.outputs.at("sum").floats.values[3], 2);
 }
 
-// Another value than a control has; nothing for a text.
+// A value other than the control's; nothing for a text.
 std::optional<plan::Value> otherValue(const lab::Control& control) {
   const plan::ParamDesc& declared = control.declaration;
   std::vector<plan::Value> values(declared.choices.begin(), declared.choices.end());
@@ -185,8 +185,8 @@ std::optional<plan::Value> otherValue(const lab::Control& control) {
   return other == values.end() ? std::nullopt : std::optional(*other);
 }
 
-// Whatever idle controls are set to, the pictures are the same ones; and there are such controls.
-TEST_F(SessionTest, AnIdleControlChangesNothing) {
+// Idle controls change no picture at any value. The pipeline has such controls.
+TEST_F(SessionTest, IdleControlsChangeNothing) {
   Session session(bench(), smallShot("hybrid"));
   const auto before = hashes(session.draw());
   std::set<std::string> idle;

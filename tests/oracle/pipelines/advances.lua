@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- What each way of advancing reveals with a cap of 1 to 4 layers, when the last hit counts and when it does not.
+-- Depths revealed by each way of advancing rays, with a cap of 1 to 4 layers, and with the last hit or the fallback at
+-- the cap.
 local pipeline = require "strobe.pipeline"
 local constant = require "passes.mask.constant"
 local reveal   = require "passes.hybrid.ray_reveal"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc = "The depth revealed by each way of advancing, for each cap",
+  doc = "Depth revealed by each way of advancing, for each cap",
   params = {},
   build = function()
     local seen = scene.raster()

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- One edge detector everywhere in the picture.
+-- One edge detector over the whole picture.
 local pipeline = require "strobe.pipeline"
 local edges    = require "scripts.pipelines.lib.edges"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -8,7 +8,7 @@ local names = { default = "sobel", doc = "edge detector" }
 for _, name in ipairs(edges.names) do names[#names + 1] = name end
 
 return pipeline {
-  doc    = "Edges, wherever they are",
+  doc    = "Edges over the whole picture",
   params = { edge = pipeline.choice(names) },
   build  = function(p)
     local seen = scene.raster()

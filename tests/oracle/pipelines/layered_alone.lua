@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The layered composite without the second displacement per tile: what the taps alone find.
+-- Layered composite without the second displacement per tile.
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.layered.layered_composite"
 local reveal   = require "passes.hybrid.ray_reveal"

@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Depth of what luminance termination reveals, by what the luminance is of.
+-- Depths revealed by luminance termination, for each definition of luminance.
 local pipeline = require "strobe.pipeline"
 local constant = require "passes.mask.constant"
 local reveal   = require "passes.hybrid.ray_reveal"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc = "The depth revealed by the luminance of radiance, base colour and material",
+  doc = "Depth revealed by the luminance of radiance, base colour and material",
   build = function()
     local seen = scene.raster()
     local mask = constant { everywhere = true }.mask

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Draws each part of the exposure as a frame of its own, and after that the frame itself. Outputs `part_*`: the last part.
+-- Draws each part of the exposure as a separate frame, then the frame itself. Outputs `part_*`: the last part.
 local parts    = require "strobe.parts"
 local pipeline = require "strobe.pipeline"
 local scene    = require "scripts.pipelines.lib.scene"

@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- What luminance termination reveals, by its tolerance.
+-- Colours revealed by luminance termination with two tolerances.
 local pipeline = require "strobe.pipeline"
 local constant = require "passes.mask.constant"
 local reveal   = require "passes.hybrid.ray_reveal"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
-  doc = "The colour revealed by luminance termination with tolerances a and b",
+  doc = "Colour revealed by luminance termination with tolerances a and b",
   params = {
     a = pipeline.float { 0, min = 0, max = 1, doc = "tolerance" },
     b = pipeline.float { 0, min = 0, max = 1, doc = "tolerance" },

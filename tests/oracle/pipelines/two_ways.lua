@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Hits and displacements of what raster sees and of what rays see.
+-- Hits and displacements by rasterisation and by ray tracing.
 local pipeline   = require "strobe.pipeline"
 local gbuffer    = require "passes.gbuffer.gbuffer"
 local visibility = require "passes.gbuffer.visibility"
@@ -7,7 +7,7 @@ local shade      = require "passes.gbuffer.shade"
 local traced     = require "passes.gbuffer.visibility_traced"
 
 return pipeline {
-  doc = "What raster sees, and what rays see",
+  doc = "Hits, displacements and colours by rasterisation and by ray tracing",
   build = function()
     local raster, rays = visibility {}.hit, traced {}.hit
     local seen, found = gbuffer { hit = raster }, gbuffer { hit = rays, as = "ray_gbuffer" }

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A striped card 4 m before a pinhole camera that comes 1 m nearer over the exposure (24 frames per second, half a frame),
--- before a wall: everything about it changes but its direction.
+-- A striped card 4 m before a pinhole camera that approaches by 1 m over the exposure (24 frames per second, half a
+-- frame), before a wall. The displacements of its points change in length, but not in direction.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A bright rectangle whose motion bends at the capture (frame 0) and may be accelerated, over a checker of 8 pixels that
--- moves by `d_b` pixels over the exposure. At t exposures from the capture the rectangle is displaced by
--- before * t for t < 0 and after * t for t > 0, plus bend * t^2 / 2 along x; pixels, x right, y down.
+-- A bright rectangle whose velocity changes at the raster time (frame 0) and may be accelerated, over a checker of 8
+-- pixels that moves by `d_b` pixels over the exposure. At t exposures after the raster time the rectangle is displaced
+-- by before * t for t < 0 and after * t for t > 0, plus `bend` * t^2 / 2 along x; pixels, x right, y down.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -15,7 +15,7 @@ local light, dark = scene.param("light", 0.4), scene.param("dark", 0.1)
 
 local bar = pixels.rectangle(picture, "bar", { left, top, right, bottom }, 0, pixels.flat("bar", 0.9))
 
--- Quadratic on either side of the capture, which one cubic each holds exactly.
+-- Quadratic on either side of the raster time, so one cubic per side is exact.
 local reach, exposure_s = 8, picture.exposure / picture.fps
 local function place(t)
   local vx, vy = t < 0 and before or after, t < 0 and before_y or after_y

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A blade that turns about column 12 by 60 degrees over the exposure, and right of it a striped card from column 96 to 128
--- that goes `d_x`, `d_y` px without turning, over stripes at rest.
+-- A blade turns about column 12 by 60 degrees over the exposure. To its right a striped card at the columns 96 to 128
+-- moves by `d_x`, `d_y` px without rotation. Both are before static stripes.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

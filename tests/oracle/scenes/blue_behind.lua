@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A grey bar [left, right) that goes `d_f` px to the right over the exposure, before a wall that is as red and as green,
--- and bluer by `bluer`. Its ends lie outside of the picture.
+-- A grey bar [left, right) that moves right by `d_f` px over the exposure, before a wall with equal red and green and
+-- with blue larger by `bluer`. Top and bottom of the bar lie outside the picture.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Up to three flat cards k = 0, 1, 2 that cover columns [left, right), at height `z` (larger is nearer; the camera is at
--- 100) and of brightness `v`, displaced by `d` pixels over the exposure, before a wall at z = -50 that rests.
+-- Up to three flat cards k = 0, 1, 2 before a static wall at z = -50. Each card covers the columns [left, right) at
+-- height `z` (larger is nearer; the camera is at 100) with brightness `v`, and moves by `d` pixels over the exposure.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Closed objects under a lamp, all seen from one side alone: a ball that flies, a mirrored ring that turns, a box.
+-- Closed objects with one-sided materials under a lamp: a ball that flies, a mirrored ring that turns, a box.
 local scene = require "strobe.scene"
 
 local clay = scene.material { name = "clay", color = { 0.7, 0.5, 0.3 }, roughness = 0.6, double_sided = false }

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- Cards behind each other that fill the picture of a pinhole camera at the origin, at depths 10, 11, 12 and 13, without
--- any light, so that radiance is what they emit. Each differs from the first in one thing more: the second in radiance,
--- the third in the base colour to either side of the axis, the fourth in the mean of its material.
+-- Cards behind each other fill the picture of a pinhole camera at the origin, at depths 10, 11, 12 and 13. The scene
+-- has no light, so radiance is the cards' emission. The second card differs from the first in radiance, the third in
+-- the base colour to either side of the axis, the fourth in the mean of its material, too.
 local scene = require "strobe.scene"
 
-for _, side in ipairs { "width", "height" } do scene.param(side, 16) end -- given to every scene; nothing here depends on them
+for _, side in ipairs { "width", "height" } do scene.param(side, 16) end -- given to every scene, but not used here
 
 local extent = 100 -- beyond the picture
 

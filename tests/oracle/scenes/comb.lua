@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A comb of teeth of one instance, 10 px wide every 20 px, that moves by `d_f` pixels over the exposure before stripes
--- at rest: displaced by 20 px each tooth lies on the next.
+-- A comb of one instance with teeth 10 px wide every 20 px. It moves by `d_f` pixels over the exposure before static
+-- stripes: displaced by 20 px, each tooth lies on the next one.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

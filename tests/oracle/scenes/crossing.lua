@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Two rectangles that move in different directions before a background at rest, for 96 x 96 px. `a` is [a_left,
--- a_left + a_width) x [a_top, ...), moves by (a_x, a_y) px over the exposure, and is nearer than `b`.
+-- Two rectangles that move in different directions before a static background, for 96 x 96 px. `a` is [a_left, a_left +
+-- a_width) x [a_top, ...), moves by (a_x, a_y) px over the exposure, and is nearer than `b`.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Lit cards at several depths that move in several directions before a wall, for a pinhole camera: for properties that
--- hold of any picture. At 64x40, 64 px of focal length: 1 px at depth z is z / 64. No two cards are equally fast.
--- mirror = -1 mirrors left and right, speed multiplies all motion, scale all lengths (light too, so that the picture
--- stays), brightness the light alone; value > 0 gives everything that colour; crumbs are as many small cards at rest.
+-- Lit cards at several depths that move in several directions before a wall, for a pinhole camera: for properties of
+-- any picture. At 64x40 the focal length is 64 px: 1 px at depth z is z / 64. No two cards have the same speed.
+-- mirror = -1 mirrors left and right; speed multiplies all motion; scale multiplies all lengths, and the light, so the
+-- picture stays the same; brightness multiplies only the light; value > 0 is the colour of every surface; crumbs is the
+-- number of small static cards.
 local scene = require "strobe.scene"
 
-scene.param("width", 64) -- given to every scene; nothing here depends on it
+scene.param("width", 64) -- given to every scene, but not used here
 local height = scene.param("height", 40)
 local mirror, speed, scale = scene.param("mirror", 1), scene.param("speed", 1), scene.param("scale", 1)
 local value, brightness = scene.param("value", 0), scene.param("brightness", 1)
@@ -28,7 +29,7 @@ local function card(name, depth, centre, size, displacement, color)
   }
 end
 
--- In rows of 20, each at a depth of its own.
+-- In rows of 20, each card at its own depth.
 local function crumb(i)
   local place = { 3.25 * (i % 20) - 30.875, 2.5 * (i // 20) - 18 }
   return card("crumb " .. i, 20 + i / 64, place, { 1.5, 1.25 }, { 0, 0 }, { 0.3, 0.6, 0.2 })

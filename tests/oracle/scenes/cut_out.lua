@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A card over the whole picture, of brightness 0.9, before a wall of 0.2: the alpha of its texture, of two texels side by
--- side and the only one of the scene, is 1 in the left half of the picture and `alpha` in the right one; below one half it
--- is a hole.
+-- A card of brightness 0.9 over the whole picture, before a wall of 0.2. Its texture, the only one of the scene, has
+-- two texels side by side: alpha is 1 in the left half of the picture and `alpha` in the right half. An alpha below one
+-- half is a hole.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- A plane that a parallel camera sees at a grazing angle, `facing` the cosine to its normal, which points `turned` degrees
--- up from the right in the picture. Its texture of black and white stripes, 4 texels each, is laid so that, did it recede as
--- 1:16, the next pixel to the right would lie `deep` texels farther along a stripe and the one below it a texel across.
+-- A plane at a grazing angle to a parallel camera. `facing` is the cosine of the angle to its normal, which points
+-- `turned` degrees up from the right in the picture. Its texture has black and white stripes of 4 texels each. On a
+-- plane that recedes as 1:16 the next pixel to the right would lie `deep` texels farther along a stripe, and the pixel
+-- below would lie a texel across.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -10,12 +11,13 @@ local facing, turned = scene.param("facing", 0.06), math.rad(scene.param("turned
 local deep, texels, recedes = scene.param("deep", 8), 8, 16
 local c, s, sideways = math.cos(turned), math.sin(turned), math.sqrt(1 - facing * facing)
 
--- A point of the plane, `aside` m across the direction in which it recedes and `away` m along that.
+-- Point of the plane, `aside` m across the receding direction and `away` m along it.
 local function point(aside, away)
   return { away * facing * c - aside * s, away * facing * s + aside * c, -away * sideways }
 end
 
--- By pixels to the right and down: such a step to the right is (-s, recedes * c), one down (-c, -recedes * s).
+-- Texture coordinates by pixels to the right and down: a step to the right is (-s, recedes * c), a step down (-c,
+-- -recedes * s).
 local function uv(aside, away)
   local right = (-recedes * s * aside + c * away) / recedes
   local down = (-recedes * c * aside - s * away) / recedes

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Two rectangles and a camera that move, each with a cut of its own and one of the whole scene, for 96 x 64 px. Displacements
--- `a_x`, `b_y`, `camera_x` are px over the exposure; cuts are in exposures from frame 0, 99 for none.
+-- Two rectangles and a camera that move, each with its own cut, and a cut of the whole scene, for 96 x 64 px.
+-- Displacements `a_x`, `b_y`, `camera_x` are px over the exposure; cuts are in exposures from frame 0, 99 for none.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Parallel planes behind each other, for a pinhole camera at the origin that looks along -z, `height` / 2 px of focal
--- length. Plane k meets the axis at depth 10 * scale * (1 + k * gap) and recedes to the right: that depth + slope * x.
--- Behind them, at twice that depth, a wall of brightness 1. split = 1: every plane is an instance of its own, of
--- brightness v0 to v3; split = 0: all of them are one instance.
+-- Parallel planes behind each other, for a pinhole camera at the origin that looks along -z, with a focal length of
+-- `height` / 2 px. Plane k meets the axis at depth d = 10 * scale * (1 + k * gap) and recedes to the right: d + slope *
+-- x. Behind the planes is a parallel wall of brightness 1, at depth 20 * scale.
+-- split = 1: each plane is an instance, with brightness v0 to v3. split = 0: all planes are one instance.
 local scene = require "strobe.scene"
 
-for _, side in ipairs { "width", "height" } do scene.param(side, 16) end -- given to every scene; nothing here depends on them
+for _, side in ipairs { "width", "height" } do scene.param(side, 16) end -- given to every scene, but not used here
 local scale, gap, slope = scene.param("scale", 1), scene.param("gap", 1e-3), scene.param("slope", 0)
 local split, count = scene.param("split", 0), scene.param("count", 4)
 local values = {}

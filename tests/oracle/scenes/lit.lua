@@ -1,14 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- A plane through (0, 0, -5), turned by `tilt_x` and then `tilt_y` degrees, of one material, under one light at
--- (`light_x`, `light_y`, `light_z`) that looks at the plane's middle: `light` 0 a dark one, 1 directional, 2 point, 3 spot.
--- `card` > 0: a card of that side, `card_z` from the camera, that casts a shadow. Camera at the origin, looking along -z.
--- `metal`, `rough`, `glow` > -1, `bump_x`, `bump_y`, `bump_z` (normal): constant textures of that value. `stripes` > 0:
--- a pattern of so many black and white stripes per metre, of `texels` each, across the plane's x; `along` = 1: across its
--- y. The plane is made of `segments` squares to either side.
+-- A plane through (0, 0, -5) with one material, turned by `tilt_x` and then `tilt_y` degrees, under one light at
+-- (`light_x`, `light_y`, `light_z`) that faces the plane's middle. `light`: 0 dark, 1 directional, 2 point, 3 spot.
+-- `card` > 0: a card with that side length casts a shadow, `card_z` from the camera. The camera is at the origin and
+-- looks along -z.
+-- `metal`, `rough`, `glow` > -1, and `bump_x`, `bump_y`, `bump_z` (normal): constant textures of that value. `stripes`
+-- > 0: number of black and white stripes per metre, of `texels` each, across the plane's x, or across its y if `along`
+-- = 1. The plane consists of `segments` by `segments` squares.
 local scene = require "strobe.scene"
 
 local function number(name, default) return scene.param(name, default) end
-for _, side in ipairs { "width", "height" } do number(side, 16) end -- given to every scene; nothing here depends on them
+for _, side in ipairs { "width", "height" } do number(side, 16) end -- given to every scene, but not used here
 local light, intensity = number("light", 1), number("intensity", 3)
 local metallic, roughness = number("metallic", 0), number("roughness", 0.5)
 local metal, rough, glow = number("metal", -1), number("rough", -1), number("glow", -1)
@@ -53,7 +54,7 @@ local nodes = {
   },
 }
 do
-  -- One of no intensity: a scene without any would be given one.
+  -- Intensity 0 stands for no light: a scene without a light would get a default one.
   local fields = { name = "light", intensity = light > 0 and intensity or 0, color = { 1, 0.9, 0.7 }, shadow = card > 0 }
   if light > 1 then fields.range = range end
   if light == 3 then fields.inner_cone, fields.outer_cone = inner, outer end

@@ -1,13 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- Things drawn by `seed` between lights and what they light: large and small, thin, flattened, mirrored, cut out, around
--- a light, through one. For what may be said of shadow rays without tracing them.
+-- Random objects, by `seed`, between lights and lit surfaces: large and small, thin, flattened, mirrored, cut out,
+-- around a light, with a light on their surface. For light visibility of tiles, computed without tracing shadow rays.
 local scene = require "strobe.scene"
 local param = scene.param
 local seed, count, scale = param("seed", 1), param("count", 40), param("scale", 1)
 local orthographic, width, height = param("orthographic", 0), param("width", 160), param("height", 90)
 
 local drawn = 0
--- In 0..1, the next of a sequence.
+-- Next number of a sequence in 0..1.
 local function random()
   drawn = drawn + 1
   local state = math.tointeger(seed) * 0x9E3779B97F4A7C15 + drawn * 0xD1B54A32D192ED03

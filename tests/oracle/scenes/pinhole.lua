@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A pinhole camera at the origin that looks along -z, 1000 px of focal length: 1 px at depth z is z / 1000. Behind each
--- other, in pixels: [20, 60) moving by 15 over the exposure at depth 10, x < 50 moving by -6 at depth 20, and the rest.
+-- A pinhole camera at the origin that looks along -z, with a focal length of 1000 px: 1 px at depth z is z / 1000. From
+-- front to back, in pixels: [20, 60) at depth 10 moves by 15 over the exposure, x < 50 at depth 20 moves by -6, and the
+-- static background.
 local scene = require "strobe.scene"
 
 local width, height = scene.param("width", 96), scene.param("height", 4)

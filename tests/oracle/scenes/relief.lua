@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- A height field whose depth at the centre of each pixel is a formula: a mesh with a corner at each of them, seen along
--- its axis from 100 away. x and y are pixels from the picture's centre; u = x cos(angle) + y sin(angle).
--- field 0: a wave, 100 (1 + step cos(k u)).  field 1: a step, 100 where u <= 0, 100 (1 + step) beyond.
--- field 2: two upright steps down: at column 20 by `step` above row 4, less and less to row 28, by `weak` below; at
--- column 44 by `weak`.
+-- A height field with a given depth at the centre of each pixel: a mesh with a vertex at each centre, viewed along its
+-- axis from a distance of 100. x and y are pixels from the picture's centre; u = x cos(angle) + y sin(angle).
+-- field 0: a wave, 100 (1 + step cos(k u)).
+-- field 1: a step, 100 where u <= 0, 100 (1 + step) beyond.
+-- field 2: two vertical steps. The step at column 20 has height `step` above row 4, changes to `weak` down to row 28,
+-- and is `weak` below. The step at column 44 has height `weak`.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A road of two triangles, 4 m wide and 2 * `length` m long, along x and 1 m below a camera that looks along it.
+-- A road of two triangles, 4 m wide and 2 * `length` m long, along x, 1 m below a camera that looks along the road.
 local scene = require "strobe.scene"
 
 local long = scene.param("length", 1e7)

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A card of a checker of 8 x 8 texels, one to a field, black and white, over the whole picture: `repeats` of it across,
--- from `start` on (in repeats), looked up by `filter` and `wrap`.
+-- A card over the whole picture with a checker of 8 x 8 texels, black and white in turn. The picture shows `repeats`
+-- copies of the checker across, from `start` on (in repeats), with the lookup's `filter` and `wrap`.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

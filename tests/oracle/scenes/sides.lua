@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Cards of brightness 0.9 in squares of 8 x 8 px, side by side, before a wall of 0.2; all but two are seen from one side
--- alone. From the left: facing the camera; facing away; facing away, seen from both sides; mirrored in x; mirrored in z,
--- which turns its front away; and one object of three: facing the camera, facing away, facing away and seen from both.
+-- Cards of brightness 0.9 in squares of 8 x 8 px, side by side, before a wall of 0.2. All but two are one-sided. From
+-- the left: facing the camera; facing away; facing away, double-sided; mirrored in x; mirrored in z, which turns its
+-- front away; and one object of three cards: facing the camera, facing away, facing away and double-sided.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A quad whose sides lie along no axis moves by (11.5, -6.25) pixels over a checker of 8 pixels (.4, .1) that moves by
+-- A quad with sides oblique to the axes moves by (11.5, -6.25) pixels over a checker of 8 pixels (.4, .1) that moves by
 -- (-3.5, 2.25).
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"

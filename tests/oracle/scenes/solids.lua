@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A floor up to the horizon, a box that rests on it with an edge towards the camera, a ball that floats before a wall
--- of another instance, and sky.
+-- A floor up to the horizon, a box on the floor with an edge towards the camera, a ball before a wall of another
+-- instance, and sky.
 local scene = require "strobe.scene"
 
 scene.param("width", 96)

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Two small cards within ten pixels of each other, for 96 x 64 px. At t exposures from frame 0 `fast` is displaced by
--- 44 t px to the left and `slow` by 4 t, and both by 16 t^2 down.
+-- Two small cards within ten pixels of each other, for 96 x 64 px. At t exposures after frame 0 `fast` is displaced by
+-- 44 t px and `slow` by 4 t px to the left, and both by 16 t^2 px down.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -11,7 +11,7 @@ local function card(name, left, top) -- at the time of frame 0
   return pixels.rectangle(picture, name, { left, top, left + 4, top + 4 }, 0, pixels.flat(name, 0.9))
 end
 
--- Of second order, which a cubic holds exactly.
+-- Quadratic, so a cubic is exact.
 local function path(node, d)
   local function place(t)
     local x, y, z = table.unpack(node.position)

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- A box of `side` pixels stands with its vertical axis at pixel column `at`; seen from above its sides lie at `yaw`
--- degrees (anticlockwise) at the time of frame 0. It turns by `degrees` and slides by `d_f` pixels over the exposure,
--- before a wall; a post covers the columns from `left` to `right` before it.
+-- A box of `side` pixels with its vertical axis at pixel column `at`. In plan view its sides lie at `yaw` degrees
+-- (anticlockwise) at frame 0. It turns by `degrees` and slides by `d_f` pixels over the exposure, before a wall. A post
+-- in front of the box covers the columns from `left` to `right`.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A card of brightness 0.9 over the whole picture, blended by `alpha`, before a wall of 0.2. It moves by `shift` px over
--- the exposure, and is wider than the picture by as much.
+-- A card of brightness 0.9 over the whole picture, blended by `alpha`, before a wall of 0.2. It moves by `shift` px
+-- over the exposure, and extends beyond the picture by `shift` px on either side.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

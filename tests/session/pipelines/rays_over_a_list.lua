@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Rays for the pixels that move, over a list of them.
+-- Rays for a list of the moving pixels.
 local pipeline = require "strobe.pipeline"
 local moving   = require "passes.mask.moving"
 local traced   = require "passes.traced"
@@ -9,7 +9,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "Distances by rays, of the pixels that move",
+  doc = "Distances by rays at the moving pixels",
   params = options.blur(8),
   build = function(p)
     local seen = scene.raster()

@@ -1,20 +1,20 @@
 -- SPDX-License-Identifier: MIT
--- What a pass that runs over a list does: it counts how often it ran at each pixel, and in which bin of its brightness.
+-- A pass over a list of pixels that counts its runs at each pixel and in each brightness bin.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "marked",
   shader = "marked",
-  doc    = "How often it ran at each pixel, and how many of these are how bright",
+  doc    = "Number of runs at each pixel and in each brightness bin",
   size   = { of = "color" },
   reads  = {
     color  = { doc = "linear radiance" },
-    listed = { buffer = true, optional = true, doc = "the pixels that it runs for" },
+    listed = { buffer = true, optional = true, doc = "pixels of the dispatch" },
   },
   dispatch_over = "listed",
-  writes  = { copied = { format = "r32f", cleared = true, doc = "red of where it ran, 0 elsewhere" } },
+  writes  = { copied = { format = "r32f", cleared = true, doc = "red channel of the listed pixels, 0 elsewhere" } },
   updates = {
-    times = { format = "r32ui", doc = "how often it ran" },
-    bins  = { each = 2, format = "buffer32ui", doc = "pixels with a red of i / 16 to (i + 1) / 16, for 16 numbers i" },
+    times = { format = "r32ui", doc = "number of runs" },
+    bins  = { each = 2, format = "buffer32ui", doc = "pixels with a red of i / 16 to (i + 1) / 16, i from 0 to 15" },
   },
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The mask `moving` of damaged displacements, where tiles know of none.
+-- Mask `moving` from invalid displacements; the tiles hold valid ones.
 local pipeline = require "strobe.pipeline"
 local damage   = require "passes.damage"
 local moving   = require "passes.mask.moving"
@@ -8,7 +8,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
-  doc = "What moves, by displacements of which some are no numbers",
+  doc = "Moving pixels, from displacements that are partly invalid",
   params = options.blur(8, 0.1),
   build = function(p)
     local seen = scene.raster()

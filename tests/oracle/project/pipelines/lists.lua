@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Passes over the list of what moves, or over the picture.
+-- Passes over the list of moving pixels, or over the picture.
 local pipeline   = require "strobe.pipeline"
 local moving     = require "passes.mask.moving"
 local marked     = require "passes.marked"
@@ -11,10 +11,10 @@ local scene      = require "scripts.pipelines.lib.scene"
 local tiles      = require "scripts.pipelines.lib.tiles"
 
 local params = options.blur(8, 0.1)
-params.over = pipeline.choice { "list", "picture", default = "list", doc = "what the pass runs over" }
+params.over = pipeline.choice { "list", "picture", default = "list", doc = "dispatch domain of the passes" }
 
 return pipeline {
-  doc = "How often a pass runs at each pixel, and what rays meet there",
+  doc = "Number of runs at each pixel, and distances along its rays",
   params = params,
   build = function(p)
     local seen = scene.raster()
