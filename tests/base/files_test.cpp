@@ -55,7 +55,7 @@ TEST_F(Files, ExtensionsMayBeInCapitals) {
   for (const char* name : {"", "glb", "a.glb2", "a.gltf", "aglb"}) EXPECT_FALSE(hasExtension(name, ".glb")) << name;
 }
 
-TEST(Names, TheNearestIsAMisspellingOnly) {
+TEST(Names, NearestNameIsAMisspellingOnly) {
   std::vector<std::string> names = {"depth", "normal", "velocity"};
   EXPECT_EQ(nearestName("dept", names), "depth");
   EXPECT_EQ(nearestName("veloctiy", names), "velocity");
