@@ -24,7 +24,7 @@ ShotTimes shotAt(double x, const std::vector<std::pair<std::string, PassMs>>& pa
   return shot;
 }
 
-// Passes named after their growth, and one that does not grow linearly.
+// Three passes whose names describe their growth, and `falls`, which decreases.
 AxisRun axisOf(std::vector<ExpectedGrowth> expected) {
   AxisRun axis{"lights", "Lights", "", {}, {1, 2, 4, 8, 16}, std::move(expected)};
   axis.run = {"strobe bench slopes", "1.0", "hash", "a device", "a driver", "query", false, 4, {}, {}};

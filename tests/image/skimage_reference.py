@@ -50,7 +50,7 @@ def exr(name):
     formats = spec.channelformats or [spec.format] * len(names)
     values = numpy.asarray(source.read_image(OpenImageIO.FLOAT)).reshape(spec.height, spec.width, len(names))
     raw = {n: str(f) for n, f in zip(names, formats)}
-    # Integers read as float are scaled to [0,1] of their range.
+    # OpenImageIO scales integers that are read as float to [0,1].
     scale = {n: 2.0**32 - 1 if raw[n].startswith("uint") else 1.0 for n in names}
     sums = {n: float(values[..., c].astype(numpy.float64).sum() * scale[n]) for c, n in enumerate(names)}
     return {
