@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seeded mistakes: one change to good files each, and the whole error that must come of it.
+// Seeded mistakes: one change to valid files each, and the complete expected error.
 #include <gtest/gtest.h>
 
 #include "home.h"

@@ -185,7 +185,7 @@ def printed_at_load(page):
 def others(page):
     tab(page, "parallel")
     expect("lines", page.run("document.querySelectorAll('#view-parallel .line').length"), 22)
-    axis = "#view-parallel .dimension:nth-of-type(5) .overlay"  # arm is the first after the lines
+    axis = "#view-parallel .dimension:nth-of-type(5) .overlay"  # arm is the first axis after the lines
     expect("its axis", page.run("[...document.querySelectorAll('#view-parallel .dimension .title')].map(one => one.textContent)[3]"),
            "RMSE, inner")
     page.drag(axis, (0.5, 0.4), (0.5, 1))
@@ -280,7 +280,7 @@ def nonsense(page):
     expect("all there", len(numbers(page, "#view-front .mark")), 22)
 
 
-# Of every element with a text of its own: WCAG's contrast of its colour on what is behind it.
+# WCAG contrast between the colour and the background of every element with its own text.
 CONTRAST = """(() => {
   const channels = text => (text.match(/[\\d.]+/g) || []).map(Number);
   const luminance = rgb => { const [r, g, b] = rgb.map(v => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
@@ -311,7 +311,7 @@ def reachable(page):
         found = page.run("(() => { const e = document.activeElement, s = getComputedStyle(e), r = e.querySelector('.ring');"
                          " return [e.id || e.getAttribute('class') || e.tagName, s.outlineStyle !== 'none' ||"
                          " (!!r && getComputedStyle(r).strokeWidth === '3px')]; })()")
-        if found[0] == "BODY":  # once around
+        if found[0] == "BODY":  # focus is back at the start
             break
         seen.add(found[0].split(" ")[0])
         expect("focus of " + found[0], found[1])
