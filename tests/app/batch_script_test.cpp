@@ -93,7 +93,7 @@ rule share:
 )");
 }
 
-TEST(BatchScript, HasOneTaskPerTwentyPointsButNoTaskWithoutATruth) {
+TEST(BatchScript, HasATaskPerTwentyPointsAndATruthPerTask) {
   EXPECT_EQ(tasksFor(1, 1), 1);
   EXPECT_EQ(tasksFor(60, 12), 3);
   EXPECT_EQ(tasksFor(60, 1), 1);

@@ -32,7 +32,7 @@ ino_t inodeOf(const Path& path) {
 }
 
 // A rename is durable after its folder is flushed; the content is flushed before the name.
-TEST(Flush, ARenamedFileKeepsItsNameWhenTheMachineFails) {
+TEST(Flush, RenameIsDurable) {
   testing::TemporaryFolder folder;
   const Path file = folder.path() / "a/file.txt", other = folder.path() / "film.mp4";
   std::vector<ino_t> order;

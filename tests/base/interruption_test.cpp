@@ -70,7 +70,7 @@ TEST(Interruption, StopsAfterTheCurrentStep) {
   EXPECT_EQ(waiting.status, kTryAgain);
 }
 
-TEST(Interruption, ASecondSignalEndsAtOnce) {
+TEST(Interruption, SecondSignalEndsAtOnce) {
   End end = endOf([] {
     Interruption interruption;
     for (int signal : {SIGINT, SIGUSR1}) ::kill(::getpid(), signal);

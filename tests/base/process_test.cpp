@@ -73,13 +73,13 @@ TEST(Process, InheritsTheEnvironmentWithOverrides) {
   ::unsetenv("STROBE_TEST_GIVEN");
 }
 
-TEST(Process, ASignalIsNamed) {
+TEST(Process, SignalIsNamed) {
   ProgramEnd end = run(shell("kill -SEGV $$"));
   EXPECT_EQ(end.signal, SIGSEGV);
   EXPECT_EQ(end.code(), 128 + SIGSEGV);
 }
 
-TEST(Process, AMissingProgramIsAnError) {
+TEST(Process, MissingProgramIsAnError) {
   EXPECT_EQ(testing::refusalOf([&] { run({.arguments = {"/nonexistent/program"}}); }),
             "'/nonexistent/program' cannot be started: No such file or directory");
 }

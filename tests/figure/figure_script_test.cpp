@@ -8,7 +8,7 @@
 namespace strobe::figure {
 namespace figure_script_test {
 
-TEST(FigureScript, CellsOverrideColumnsRowsAndFigureAndMarksAddUp) {
+TEST(FigureScript, CellsOverrideFieldsAndAddMarks) {
   FigureData figure = figureFrom(dataOf(R"(name = "x", shot = "still", zoom = 2, arrows = { { to = { 1, 1 } } },
     rows = { { label = "near", crop = { 0, 0, 8, 8 } }, { zoom = 3 } },
     columns = { { arm = "plain", label = "Plain" }, { arm = "truth", zoom = 4, arrows = { { to = { 2, 2 } } } } },

@@ -77,7 +77,7 @@ TEST_F(ExrParts, KeepTheirNamesSizesAndValues) {
   EXPECT_EQ(read.part("normal"), nullptr);
 }
 
-TEST_F(ExrParts, BytesDependOnContentAlone) {
+TEST_F(ExrParts, BytesDependOnlyOnContent) {
   EXPECT_EQ(encodeExr(sample()), encodeExr(sample()));
   EXPECT_EQ(encodeExr(sample()).find("capDate"), std::string::npos);
 }

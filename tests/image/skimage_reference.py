@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Independent answers for metrics_test.cpp, printed as JSON.
+"""Independent results for metrics_test.cpp, printed as JSON.
 
 png TEST REFERENCE   PSNR and SSIM by scikit-image of two 8-bit PNG files, values / 255; MS-SSIM from SciPy filters
-exr FILE             what OpenImageIO finds in an OpenEXR file
+exr FILE             content of an OpenEXR file read by OpenImageIO
 """
 import json
 import sys

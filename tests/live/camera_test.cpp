@@ -69,7 +69,7 @@ TEST(Camera, RoundedViewIsShortAsText) {
              5e-4);  // half a unit of the last digit of the largest component
 }
 
-TEST(Camera, ThePolesAreNeverReached) {
+TEST(Camera, PolesAreNeverReached) {
   Viewpoint top = orbited(kAhead, kAhead.target, 0, 10);
   EXPECT_GT(top.eye.y, 4.99);
   EXPECT_GT(glm::length(glm::cross(forwardOf(top), dvec3(0, 1, 0))), 0.008);

@@ -119,7 +119,7 @@ TEST(Page, HeadingsWithIdsAreTheNavigation) {
       << "one section has no navigation";
 }
 
-TEST(Page, IsTheSameEachTime) { EXPECT_EQ(htmlOf(made()), htmlOf(made())); }
+TEST(Page, IsDeterministic) { EXPECT_EQ(htmlOf(made()), htmlOf(made())); }
 
 TEST(Page, EveryClassHasAStyle) {
   std::string html = htmlOf(made()), style = std::string(asset("page.css")) + std::string(asset("chart.css"));

@@ -570,7 +570,7 @@ TEST(Refusals, BuffersReadAsImagesAndBack) {
             "test.lua:2: node 'second' reads 'x' as an image, but 'first.x' is buffer32ui (passes/first.lua:4)");
 }
 
-TEST(Refusals, OptionalInputsMayBeLeftOutButNotAsASize) {
+TEST(Refusals, OptionalInputsCannotDecideASize) {
   Builder b = chain();
   b.pipeline.passes[2].reads[0].optional = true;
   b.node("third").inputs = {};

@@ -23,7 +23,7 @@ struct Touch {
 struct Event {
   Touch touch;
   std::string command;
-  uint32_t followed_by = 0;                     // stages at which later accesses wait for this one
+  uint32_t followed_by = 0;                     // stages whose later accesses wait for this one
   bool available = false;                       // its writes have left the caches of its stage
   std::array<uint32_t, kStageCount> visible{};  // accesses per stage with visible writes
 };

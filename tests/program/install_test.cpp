@@ -28,7 +28,7 @@ class Installed : public ::testing::Test {
   static fs::path project() { return folder_->path() / "mine"; }
   static fs::path shipped() { return prefix() / "share/strobe"; }
 
-  // Runs a shell line in which `strobe` is the installed program and no environment variable names a folder of Strobe.
+  // Runs a shell line with the installed program as `strobe` and without environment variables for Strobe's folders.
   static Outcome lineIn(const fs::path& folder, const std::string& line) {
     return runLine("unset STROBE_HOME STROBE_PROGRAM STROBE_DATA; export STROBE_VALIDATION=1 PATH='" +
                    (prefix() / "bin").string() + "':\"$PATH\"; cd '" + folder.string() + "' && " + line);

@@ -47,7 +47,7 @@ TEST_F(Travels, CommandsAreAccepted) {
   }
 }
 
-TEST_F(Travels, MistakesSayWhatThePageSays) {
+TEST_F(Travels, MistakesHaveTheErrorsOfThePage) {
   ASSERT_GE(page_.mistakes.size(), 10u);
   for (const Page::Mistake& mistake : page_.mistakes) {
     bool in_file = !mistake.file.empty();
@@ -196,7 +196,7 @@ TEST_F(Scenes, GltfFileIsAtEachNode) {
   EXPECT_EQ(scene.animations.at(1).name, "last/wave");
 }
 
-TEST_F(Scenes, MistakesSayWhatThePageSays) {
+TEST_F(Scenes, MistakesHaveTheErrorsOfThePage) {
   ASSERT_EQ(page_.mistakes.size(), 3u);
   for (const Page::Mistake& mistake : page_.mistakes) {
     writeFileAtomically(folder_ / mistake.file, withLine(page_.files.at(mistake.file), mistake.number, mistake.line));

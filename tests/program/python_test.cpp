@@ -8,7 +8,7 @@
 namespace strobe::testing {
 namespace python_test {
 
-// The first Python with these modules; "" if there is no such Python.
+// The first Python with these modules; "" if none has them.
 std::string pythonWith(const std::string& modules) {
   for (const char* python : {"python3", "/usr/bin/python3"})
     if (runLine(fmt::format("{} -c 'import {}'", python, modules)).exit_code == 0) return python;

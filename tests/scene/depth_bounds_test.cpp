@@ -10,8 +10,7 @@
 namespace strobe::scene {
 namespace depth_bounds_test {
 
-// A ball 4 m in front of the camera that moves to the right, and a wall 10 m in front of it; the camera rotates and
-// moves forward.
+// A ball 4 m in front of the camera that moves right, and a wall at 10 m; the camera rotates and moves forward.
 Scene sceneOf() {
   return sceneFromJson(Json::parse(R"({"kind":"scene","name":"s","nodes":[
     {"kind":"node","name":"ball","position":[0,0,-4],"shape":{"kind":"shape","type":"sphere","segments":8},

@@ -19,7 +19,7 @@ std::string refusalOf(const Path& file);
 
 using Exceptions = std::vector<std::pair<std::regex, std::string>>;
 
-// Validator errors with which a file may load, by code and JSON pointer, and their place in docs/gltf.md.
+// Validator errors that do not prevent loading, by code and JSON pointer, and their place in docs/gltf.md.
 const Exceptions& accepted();
 
 // Refusals of files without validator errors, and their place in docs/gltf.md.

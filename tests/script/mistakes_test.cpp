@@ -63,7 +63,7 @@ static std::string replaced(std::string text, const std::string& from, const std
   return text.replace(at, from.size(), to);
 }
 
-TEST(Mistakes, TheUnchangedPipelineIsGood) {
+TEST(Mistakes, UnchangedPipelineIsValid) {
   TestHome home;
   home.write(kSample, kPipeline);
   EXPECT_NO_THROW(evaluatePipeline(home.home(), {"sample", {}}));

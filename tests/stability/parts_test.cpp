@@ -23,7 +23,7 @@ image::Image steps(int width, int height) {
   return picture;
 }
 
-TEST(MeanAlong, OfAStepIsItsShareOfThePath) {
+TEST(MeanAlong, StepGivesItsShareOfThePath) {
   image::Image picture(20, 1, 3);
   for (int x = 10; x < 20; ++x)
     for (int c = 0; c < 3; ++c) picture.at(x, 0, c) = 1;

@@ -167,7 +167,7 @@ TEST(EffectsOfResults, OfShippedResultsMatchScipy) {
   EXPECT_EQ(effects.pairs.size(), 3u);
 }
 
-TEST(EffectsOfResults, OfOneShotHaveNoFactorShot) {
+TEST(EffectsOfResults, OneShotHasNoFactorShot) {
   Effects both = effectsOf(crossed(), "", "rmse", "inner"), far = effectsOf(crossed(), "far", "rmse", "inner");
   EXPECT_EQ(both.factors[1].name, "shot");
   EXPECT_EQ(far.factors[1].name, "samples") << "one shot does not vary";

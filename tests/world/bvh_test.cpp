@@ -226,7 +226,7 @@ Boxes bent(const Boxes& boxes, float by) {
 
 struct Line {
   dvec3 origin, direction;
-  // Distance at which the line enters a box between two planes per axis; infinity if it misses.
+  // Distance along the line to its entry between two planes per axis; infinity if the line misses.
   double enters(const dvec3& low, const dvec3& high) const {
     double enter = 0, leave = HUGE_VAL;
     for (int axis = 0; axis < 3; ++axis) {
@@ -239,7 +239,7 @@ struct Line {
   double enters(const Box& box) const { return enters(dvec3(box.low), dvec3(box.high)); }
 };
 
-// Distance at which a line first enters a box, found by traversing the tree.
+// Distance along a line to its first entry into a box, found by traversing the tree.
 double nearest(const Tree& bvh, const Boxes& boxes, const Line& line, uint32_t index = 0) {
   const shared::BvhNode& node = bvh.nodes.at(index);
   double found = HUGE_VAL;
