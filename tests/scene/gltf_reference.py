@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""World matrices of every node of a glTF file, and positions of vertices with skins and morph targets, implemented from the text of
-glTF 2.0: transforms of nodes (3.5.3), morph targets (3.7.2.2), skins (3.7.3), animations (3.11) and their interpolation
-(appendix C). The standard library only.
+"""World matrices of every node of a glTF file, and positions of vertices with skins and morph targets, implemented from
+the text of glTF 2.0: transforms of nodes (3.5.3), morph targets (3.7.2.2), skins (3.7.3), animations (3.11) and their
+interpolation (appendix C). The standard library only.
 
     gltf_reference.py SHARE,SHARE,... FILES...
 
